@@ -1,0 +1,4 @@
+//! The `proctor` command.
+#![forbid(unsafe_code)]
+
+fn main() {}

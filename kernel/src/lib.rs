@@ -1,0 +1,6 @@
+//! The explicit MPM/GIMP cycle and what it needs.
+//!
+//! Flow: [`scene::Scene`] (checked values) -> plan (only what is needed) -> simulation (state and explicit
+//! cycle) -> frames, history, summary.
+
+pub mod scene;

@@ -1,0 +1,1 @@
+//! Closed-form solutions as plain functions of position and time.

@@ -1,0 +1,4 @@
+//! Exact solutions, verification cases and observed orders for the MPM kernel.
+#![forbid(unsafe_code)]
+
+pub mod exact;
