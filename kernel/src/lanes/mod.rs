@@ -1,0 +1,229 @@
+//! Fixed groups of f64 lanes with fused multiply-add, chosen at run time.
+//!
+//! The only module with `unsafe`: it wraps the vector instructions. Its promise is that every backend gives
+//! the same bits for every operation, so that a result does not depend on the machine's vector width:
+//! multiplication and addition are contracted only where the code says [`Lanes::mul_add`], `min` and `max`
+//! follow the x86 rule (the second operand where the comparison is false), and nothing reduces across lanes
+//! except order-independent operations. The tests compare all backends bit by bit.
+//!
+//! A stage is written once as a [`Kernel`], generic over a [`Backend`]; [`Selected::run`] calls it inside a
+//! function compiled for the chosen instruction set. Everything a kernel calls must be `#[inline(always)]`,
+//! otherwise it is compiled without those instructions.
+
+// The vector intrinsics are unsafe functions; see the module documentation.
+#![allow(unsafe_code)]
+
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+mod scalar;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub use scalar::Pair;
+use scalar::Scalar;
+
+/// A group of f64 lanes.
+pub trait Lanes:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Number of lanes.
+    const WIDTH: usize;
+    /// One truth value per lane.
+    type Mask: Copy;
+
+    /// All lanes equal to `x`.
+    fn splat(x: f64) -> Self;
+    /// The lower half of the lanes equal to `lower`, the upper half to `upper`.
+    fn splat_halves(lower: f64, upper: f64) -> Self;
+    /// The first `WIDTH` values of `from`. Panics where there are fewer.
+    fn load(from: &[f64]) -> Self;
+    /// The first `count <= WIDTH` values of `from`, the other lanes zero.
+    fn load_part(from: &[f64], count: usize) -> Self;
+    /// Writes all lanes to the first `WIDTH` values of `to`. Panics where there are fewer.
+    fn store(self, to: &mut [f64]);
+    /// Writes the first `count <= WIDTH` lanes to `to`.
+    fn store_part(self, to: &mut [f64], count: usize);
+    /// `self * b + c`, rounded once.
+    fn mul_add(self, b: Self, c: Self) -> Self;
+    /// `if self < b { self } else { b }` per lane.
+    fn min(self, b: Self) -> Self;
+    /// `if self > b { self } else { b }` per lane.
+    fn max(self, b: Self) -> Self;
+    /// Largest integer not above the lane.
+    fn floor(self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// `self < b` per lane, false for NaN.
+    fn lt(self, b: Self) -> Self::Mask;
+    /// `self == b` per lane, false for NaN.
+    fn eq(self, b: Self) -> Self::Mask;
+    /// `a` where the mask is true, else `b`.
+    fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// Bit i is set where lane i of the mask is true.
+    fn bits(mask: Self::Mask) -> u32;
+
+    /// Magnitude.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.max(-self)
+    }
+
+    /// Applies a scalar function to every lane.
+    #[inline(always)]
+    fn map(self, f: fn(f64) -> f64) -> Self {
+        let mut values = [0.0; 8];
+        self.store(&mut values);
+        for value in &mut values[..Self::WIDTH] {
+            *value = f(*value);
+        }
+        Self::load(&values)
+    }
+}
+
+/// An instruction set: its natural vector, and one of eight lanes (a node of the grid).
+pub trait Backend: Copy {
+    /// Natural vector of the instruction set: 1, 4 or 8 lanes.
+    type Native: Lanes;
+    /// Eight lanes.
+    type Line: Lanes;
+}
+
+/// A computation that is compiled for every backend.
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+    /// Runs it; must be `#[inline(always)]`.
+    fn run<B: Backend>(self) -> Self::Output;
+}
+
+/// Which lanes to use.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LaneChoice {
+    /// The widest that the machine has.
+    #[default]
+    Auto,
+    /// Eight f64 lanes (AVX-512F).
+    Avx512,
+    /// Four f64 lanes (AVX2 and FMA).
+    Avx2,
+    /// One lane.
+    Scalar,
+}
+
+/// A backend that this machine has been seen to support.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Selected(Kind);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// Scalar lanes with a hardware fused multiply-add.
+    ScalarFused,
+    /// Scalar lanes where fused multiply-add is a library call.
+    ScalarSoft,
+}
+
+/// The machine lacks the lanes that were asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LanesUnavailable(pub LaneChoice);
+
+impl fmt::Display for LanesUnavailable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "this machine has no {:?} lanes; accepted here:", self.0)?;
+        for choice in [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar] {
+            if Selected::new(choice).is_ok() {
+                write!(f, " {choice:?}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for LanesUnavailable {}
+
+impl Selected {
+    /// Selects a backend.
+    ///
+    /// # Errors
+    /// Where the machine lacks the instruction set that was asked for.
+    pub fn new(choice: LaneChoice) -> Result<Self, LanesUnavailable> {
+        #[cfg(target_arch = "x86_64")]
+        {
+            let fma = is_x86_feature_detected!("fma");
+            let avx2 = fma && is_x86_feature_detected!("avx2");
+            let avx512 = avx2 && is_x86_feature_detected!("avx512f");
+            match choice {
+                LaneChoice::Auto | LaneChoice::Avx512 if avx512 => Ok(Self(Kind::Avx512)),
+                LaneChoice::Auto | LaneChoice::Avx2 if avx2 => Ok(Self(Kind::Avx2)),
+                LaneChoice::Auto | LaneChoice::Scalar => {
+                    Ok(Self(if fma { Kind::ScalarFused } else { Kind::ScalarSoft }))
+                }
+                missing => Err(LanesUnavailable(missing)),
+            }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        {
+            match choice {
+                // Every other 64-bit target that Rust supports well (aarch64) has fused multiply-add.
+                LaneChoice::Auto | LaneChoice::Scalar => Ok(Self(if cfg!(target_arch = "aarch64") {
+                    Kind::ScalarFused
+                } else {
+                    Kind::ScalarSoft
+                })),
+                missing => Err(LanesUnavailable(missing)),
+            }
+        }
+    }
+
+    /// Name for summaries: `avx512`, `avx2`, `scalar`, or `scalar without fused multiply-add` where every
+    /// multiply-add is a slow library call.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx512 => "avx512",
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx2 => "avx2",
+            Kind::ScalarFused => "scalar",
+            Kind::ScalarSoft => "scalar without fused multiply-add",
+        }
+    }
+
+    /// Runs a kernel, compiled for this backend.
+    #[inline]
+    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        match self.0 {
+            // SAFETY: `Selected::new` makes these kinds only where the features were detected.
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx512 => unsafe { x86::run_avx512(kernel) },
+            #[cfg(target_arch = "x86_64")]
+            Kind::Avx2 => unsafe { x86::run_avx2(kernel) },
+            #[cfg(target_arch = "x86_64")]
+            Kind::ScalarFused => unsafe { x86::run_scalar_fused(kernel) },
+            #[cfg(not(target_arch = "x86_64"))]
+            Kind::ScalarFused => kernel.run::<ScalarBackend>(),
+            Kind::ScalarSoft => kernel.run::<ScalarBackend>(),
+        }
+    }
+}
+
+/// One lane at a time.
+#[derive(Clone, Copy)]
+struct ScalarBackend;
+
+impl Backend for ScalarBackend {
+    type Native = Scalar;
+    type Line = Pair<Pair<Pair<Scalar>>>;
+}
+
+#[cfg(test)]
+mod tests;

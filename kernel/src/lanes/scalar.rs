@@ -1,0 +1,192 @@
+//! One lane, and pairs of narrower groups.
+
+use super::Lanes;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// One f64.
+#[derive(Clone, Copy)]
+pub struct Scalar(f64);
+
+/// Two groups side by side, twice as wide.
+#[derive(Clone, Copy)]
+pub struct Pair<T>(T, T);
+
+macro_rules! binary {
+    ($trait:ident, $method:ident) => {
+        impl $trait for Scalar {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                Self(self.0.$method(b.0))
+            }
+        }
+        impl<T: Lanes> $trait for Pair<T> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                Self(self.0.$method(b.0), self.1.$method(b.1))
+            }
+        }
+    };
+}
+binary!(Add, add);
+binary!(Sub, sub);
+binary!(Mul, mul);
+binary!(Div, div);
+
+impl Neg for Scalar {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<T: Lanes> Neg for Pair<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+impl Lanes for Scalar {
+    const WIDTH: usize = 1;
+    type Mask = bool;
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(x)
+    }
+    #[inline(always)]
+    fn splat_halves(lower: f64, _upper: f64) -> Self {
+        Self(lower)
+    }
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        Self(from[0])
+    }
+    #[inline(always)]
+    fn load_part(from: &[f64], count: usize) -> Self {
+        Self(if count > 0 { from[0] } else { 0.0 })
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        to[0] = self.0;
+    }
+    #[inline(always)]
+    fn store_part(self, to: &mut [f64], count: usize) {
+        if count > 0 {
+            to[0] = self.0;
+        }
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        Self(self.0.mul_add(b.0, c.0))
+    }
+    #[inline(always)]
+    fn min(self, b: Self) -> Self {
+        Self(if self.0 < b.0 { self.0 } else { b.0 })
+    }
+    #[inline(always)]
+    fn max(self, b: Self) -> Self {
+        Self(if self.0 > b.0 { self.0 } else { b.0 })
+    }
+    #[inline(always)]
+    fn floor(self) -> Self {
+        Self(self.0.floor())
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+    #[inline(always)]
+    fn lt(self, b: Self) -> bool {
+        self.0 < b.0
+    }
+    #[inline(always)]
+    fn eq(self, b: Self) -> bool {
+        self.0 == b.0
+    }
+    #[inline(always)]
+    fn select(mask: bool, a: Self, b: Self) -> Self {
+        if mask { a } else { b }
+    }
+    #[inline(always)]
+    fn bits(mask: bool) -> u32 {
+        u32::from(mask)
+    }
+}
+
+impl<T: Lanes> Lanes for Pair<T> {
+    const WIDTH: usize = 2 * T::WIDTH;
+    type Mask = (T::Mask, T::Mask);
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(T::splat(x), T::splat(x))
+    }
+    #[inline(always)]
+    fn splat_halves(lower: f64, upper: f64) -> Self {
+        Self(T::splat(lower), T::splat(upper))
+    }
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        Self(T::load(from), T::load(&from[T::WIDTH..]))
+    }
+    #[inline(always)]
+    fn load_part(from: &[f64], count: usize) -> Self {
+        let (first, second) = from.split_at(from.len().min(T::WIDTH));
+        Self(
+            T::load_part(first, count.min(T::WIDTH)),
+            T::load_part(second, count.saturating_sub(T::WIDTH)),
+        )
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        self.0.store(to);
+        self.1.store(&mut to[T::WIDTH..]);
+    }
+    #[inline(always)]
+    fn store_part(self, to: &mut [f64], count: usize) {
+        let (first, second) = to.split_at_mut(to.len().min(T::WIDTH));
+        self.0.store_part(first, count.min(T::WIDTH));
+        self.1.store_part(second, count.saturating_sub(T::WIDTH));
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        Self(self.0.mul_add(b.0, c.0), self.1.mul_add(b.1, c.1))
+    }
+    #[inline(always)]
+    fn min(self, b: Self) -> Self {
+        Self(self.0.min(b.0), self.1.min(b.1))
+    }
+    #[inline(always)]
+    fn max(self, b: Self) -> Self {
+        Self(self.0.max(b.0), self.1.max(b.1))
+    }
+    #[inline(always)]
+    fn floor(self) -> Self {
+        Self(self.0.floor(), self.1.floor())
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
+    #[inline(always)]
+    fn lt(self, b: Self) -> Self::Mask {
+        (self.0.lt(b.0), self.1.lt(b.1))
+    }
+    #[inline(always)]
+    fn eq(self, b: Self) -> Self::Mask {
+        (self.0.eq(b.0), self.1.eq(b.1))
+    }
+    #[inline(always)]
+    fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
+        Self(T::select(mask.0, a.0, b.0), T::select(mask.1, a.1, b.1))
+    }
+    #[inline(always)]
+    fn bits(mask: Self::Mask) -> u32 {
+        T::bits(mask.0) | (T::bits(mask.1) << T::WIDTH)
+    }
+}

@@ -1,0 +1,254 @@
+//! AVX2 and AVX-512F lanes.
+//!
+//! The types are private to the lanes module and reach other code only as the associated types of a backend,
+//! inside `run_avx2` or `run_avx512`, which are called only where the features were detected. That is the
+//! safety argument of every `unsafe` block below; loads and stores check the length of their slice first.
+
+use super::scalar::Pair;
+use super::{Backend, Kernel, Lanes, ScalarBackend};
+use std::arch::x86_64::*;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Four lanes.
+#[derive(Clone, Copy)]
+pub struct Avx2Lanes(__m256d);
+
+/// Eight lanes.
+#[derive(Clone, Copy)]
+pub struct Avx512Lanes(__m512d);
+
+#[derive(Clone, Copy)]
+struct Avx2;
+
+impl Backend for Avx2 {
+    type Native = Avx2Lanes;
+    type Line = Pair<Avx2Lanes>;
+}
+
+#[derive(Clone, Copy)]
+struct Avx512;
+
+impl Backend for Avx512 {
+    type Native = Avx512Lanes;
+    type Line = Avx512Lanes;
+}
+
+/// # Safety
+/// The machine must have AVX2 and FMA.
+#[target_feature(enable = "avx2,fma")]
+pub unsafe fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Avx2>()
+}
+
+/// # Safety
+/// The machine must have AVX-512F, AVX2 and FMA.
+#[target_feature(enable = "avx512f,avx2,fma")]
+pub unsafe fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Avx512>()
+}
+
+/// # Safety
+/// The machine must have FMA (which implies AVX).
+#[target_feature(enable = "fma")]
+pub unsafe fn run_scalar_fused<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<ScalarBackend>()
+}
+
+
+macro_rules! binary {
+    ($trait:ident, $method:ident, $avx2:ident, $avx512:ident) => {
+        impl $trait for Avx2Lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                Self(unsafe { $avx2(self.0, b.0) })
+            }
+        }
+        impl $trait for Avx512Lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                Self(unsafe { $avx512(self.0, b.0) })
+            }
+        }
+    };
+}
+binary!(Add, add, _mm256_add_pd, _mm512_add_pd);
+binary!(Sub, sub, _mm256_sub_pd, _mm512_sub_pd);
+binary!(Mul, mul, _mm256_mul_pd, _mm512_mul_pd);
+binary!(Div, div, _mm256_div_pd, _mm512_div_pd);
+
+impl Neg for Avx2Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // -0 - x is -x for every x, signed zeros included.
+        Self::splat(-0.0) - self
+    }
+}
+
+impl Neg for Avx512Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::splat(-0.0) - self
+    }
+}
+
+/// Masks for the first 0 to 4 lanes: `PARTS[4 - count..]`.
+static PARTS: [i64; 8] = [-1, -1, -1, -1, 0, 0, 0, 0];
+
+impl Avx2Lanes {
+    #[inline(always)]
+    fn part(count: usize) -> __m256i {
+        let window = &PARTS[4 - count..8 - count];
+        unsafe { _mm256_loadu_si256(window.as_ptr().cast()) }
+    }
+}
+
+impl Lanes for Avx2Lanes {
+    const WIDTH: usize = 4;
+    type Mask = __m256d;
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(unsafe { _mm256_set1_pd(x) })
+    }
+    #[inline(always)]
+    fn splat_halves(lower: f64, upper: f64) -> Self {
+        Self(unsafe { _mm256_setr_pd(lower, lower, upper, upper) })
+    }
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        let from = &from[..4];
+        Self(unsafe { _mm256_loadu_pd(from.as_ptr()) })
+    }
+    #[inline(always)]
+    fn load_part(from: &[f64], count: usize) -> Self {
+        let from = &from[..count];
+        Self(unsafe { _mm256_maskload_pd(from.as_ptr(), Self::part(count)) })
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        let to = &mut to[..4];
+        unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn store_part(self, to: &mut [f64], count: usize) {
+        let to = &mut to[..count];
+        unsafe { _mm256_maskstore_pd(to.as_mut_ptr(), Self::part(count), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        Self(unsafe { _mm256_fmadd_pd(self.0, b.0, c.0) })
+    }
+    #[inline(always)]
+    fn min(self, b: Self) -> Self {
+        Self(unsafe { _mm256_min_pd(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn max(self, b: Self) -> Self {
+        Self(unsafe { _mm256_max_pd(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn floor(self) -> Self {
+        Self(unsafe { _mm256_floor_pd(self.0) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(unsafe { _mm256_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn lt(self, b: Self) -> __m256d {
+        unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, b.0) }
+    }
+    #[inline(always)]
+    fn eq(self, b: Self) -> __m256d {
+        unsafe { _mm256_cmp_pd::<_CMP_EQ_OQ>(self.0, b.0) }
+    }
+    #[inline(always)]
+    fn select(mask: __m256d, a: Self, b: Self) -> Self {
+        Self(unsafe { _mm256_blendv_pd(b.0, a.0, mask) })
+    }
+    #[inline(always)]
+    fn bits(mask: __m256d) -> u32 {
+        unsafe { _mm256_movemask_pd(mask) as u32 }
+    }
+}
+
+impl Lanes for Avx512Lanes {
+    const WIDTH: usize = 8;
+    type Mask = __mmask8;
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(unsafe { _mm512_set1_pd(x) })
+    }
+    #[inline(always)]
+    fn splat_halves(lower: f64, upper: f64) -> Self {
+        Self(unsafe { _mm512_mask_blend_pd(0xf0, _mm512_set1_pd(lower), _mm512_set1_pd(upper)) })
+    }
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        let from = &from[..8];
+        Self(unsafe { _mm512_loadu_pd(from.as_ptr()) })
+    }
+    #[inline(always)]
+    fn load_part(from: &[f64], count: usize) -> Self {
+        let from = &from[..count];
+        Self(unsafe { _mm512_maskz_loadu_pd(part_512(count), from.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        let to = &mut to[..8];
+        unsafe { _mm512_storeu_pd(to.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn store_part(self, to: &mut [f64], count: usize) {
+        let to = &mut to[..count];
+        unsafe { _mm512_mask_storeu_pd(to.as_mut_ptr(), part_512(count), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        Self(unsafe { _mm512_fmadd_pd(self.0, b.0, c.0) })
+    }
+    #[inline(always)]
+    fn min(self, b: Self) -> Self {
+        Self(unsafe { _mm512_min_pd(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn max(self, b: Self) -> Self {
+        Self(unsafe { _mm512_max_pd(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn floor(self) -> Self {
+        // Bits 1:0 of the immediate choose rounding towards minus infinity, bit 3 suppresses exceptions.
+        Self(unsafe { _mm512_roundscale_pd::<0x09>(self.0) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(unsafe { _mm512_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn lt(self, b: Self) -> __mmask8 {
+        unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, b.0) }
+    }
+    #[inline(always)]
+    fn eq(self, b: Self) -> __mmask8 {
+        unsafe { _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(self.0, b.0) }
+    }
+    #[inline(always)]
+    fn select(mask: __mmask8, a: Self, b: Self) -> Self {
+        Self(unsafe { _mm512_mask_blend_pd(mask, b.0, a.0) })
+    }
+    #[inline(always)]
+    fn bits(mask: __mmask8) -> u32 {
+        u32::from(mask)
+    }
+}
+
+/// Mask of the first `count <= 8` lanes.
+#[inline(always)]
+fn part_512(count: usize) -> __mmask8 {
+    ((1_u32 << count) - 1) as __mmask8
+}
