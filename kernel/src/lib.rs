@@ -5,5 +5,12 @@
 
 #![deny(unsafe_code)]
 
+pub mod constitutive;
+pub mod grid;
 pub mod lanes;
+pub mod particles;
+pub mod plan;
 pub mod scene;
+pub mod simulation;
+pub mod stage;
+pub mod weights;

@@ -184,6 +184,12 @@ impl Selected {
         }
     }
 
+    /// The widest backend of this machine.
+    #[must_use]
+    pub fn any() -> Self {
+        Self::new(LaneChoice::Auto).unwrap_or(Self(Kind::ScalarSoft))
+    }
+
     /// Name for summaries: `avx512`, `avx2`, `scalar`, or `scalar without fused multiply-add` where every
     /// multiply-add is a slow library call.
     #[must_use]

@@ -1,0 +1,190 @@
+//! The background grid: one 64-byte line per node, and the rows that are in use.
+//!
+//! Nodes carry the index of the mesh plus one: one layer of ghost nodes lies below the lower planes and two
+//! above the upper ones, where the stencil of a particle beside the boundary reaches. The slowest axis is x;
+//! in two dimensions the middle axis has length 1.
+
+use crate::scene::{Dimension, Mesh};
+use std::ops::Range;
+
+/// What a node holds. Lanes 0 to 3: mass and momentum, after the solve mass and velocity; lanes 4 to 6: force,
+/// after the solve the increment of velocity; lane 7 is spare.
+pub type Line = [f64; 8];
+
+/// Ghost layers below the lower plane of each axis.
+pub const GHOSTS_BELOW: usize = 1;
+/// Ghost layers above the upper plane of each axis.
+pub const GHOSTS_ABOVE: usize = 2;
+
+/// Shape of the grid and its relation to the mesh.
+#[derive(Clone, Debug)]
+pub struct GridShape {
+    /// Number of axes, 2 or 3.
+    pub axes: usize,
+    /// Cells of the mesh per axis of the scene.
+    pub cells: [usize; 3],
+    /// Edges of a cell \[m\].
+    pub cell: [f64; 3],
+    /// Nodes along the slow, the middle and the fast direction of storage, ghosts included.
+    pub nodes: [usize; 3],
+}
+
+impl GridShape {
+    /// Shape for a mesh.
+    #[must_use]
+    pub fn new(mesh: &Mesh, dimension: Dimension) -> Self {
+        let axes = dimension.axes();
+        let with_ghosts = |axis: usize| mesh.cells[axis] + 1 + GHOSTS_BELOW + GHOSTS_ABOVE;
+        let nodes = match dimension {
+            Dimension::Two => [with_ghosts(0), 1, with_ghosts(1)],
+            Dimension::Three => [with_ghosts(0), with_ghosts(1), with_ghosts(2)],
+        };
+        Self { axes, cells: mesh.cells, cell: mesh.cell, nodes }
+    }
+
+    /// Direction of storage of an axis of the scene: 0 slow, 1 middle, 2 fast.
+    #[must_use]
+    pub fn direction(&self, axis: usize) -> usize {
+        if self.axes == 2 && axis == 1 { 2 } else { axis }
+    }
+
+    /// Nodes in a plane of the slow axis.
+    #[must_use]
+    pub fn plane_nodes(&self) -> usize {
+        self.nodes[1] * self.nodes[2]
+    }
+
+    /// Index of the node at the storage indices.
+    #[must_use]
+    pub fn index(&self, at: [usize; 3]) -> usize {
+        (at[0] * self.nodes[1] + at[1]) * self.nodes[2] + at[2]
+    }
+
+    /// Storage indices of a node.
+    #[must_use]
+    pub fn indices(&self, node: usize) -> [usize; 3] {
+        let fast = node % self.nodes[2];
+        let row = node / self.nodes[2];
+        [row / self.nodes[1], row % self.nodes[1], fast]
+    }
+
+    /// Storage indices of the mesh node with the given index per axis (ghosts not counted).
+    #[must_use]
+    pub fn mesh_node(&self, at: [usize; 3]) -> [usize; 3] {
+        let mut storage = [0; 3];
+        for axis in 0..self.axes {
+            storage[self.direction(axis)] = at[axis] + GHOSTS_BELOW;
+        }
+        storage
+    }
+
+    /// Position of a node relative to the mesh origin \[m\].
+    #[must_use]
+    pub fn position(&self, node: usize) -> [f64; 3] {
+        let storage = self.indices(node);
+        let mut x = [0.0; 3];
+        for axis in 0..self.axes {
+            x[axis] = (storage[self.direction(axis)] as f64 - GHOSTS_BELOW as f64) * self.cell[axis];
+        }
+        x
+    }
+
+    /// Number of base positions per direction: a base node lies from the lower ghost to one below the upper
+    /// plane.
+    #[must_use]
+    pub fn bases(&self) -> [usize; 3] {
+        let mut bases = [1; 3];
+        for axis in 0..self.axes {
+            bases[self.direction(axis)] = self.cells[axis] + 1;
+        }
+        bases
+    }
+}
+
+/// Values of all nodes.
+///
+/// The memory is zeroed by the operating system when first touched, so a mesh far larger than the bodies costs
+/// address space only; it starts on a cache line, so that a node is one line.
+#[derive(Debug)]
+pub struct Nodes {
+    data: Vec<f64>,
+    offset: usize,
+    count: usize,
+}
+
+impl Nodes {
+    /// `count` nodes, all zero.
+    #[must_use]
+    pub fn new(count: usize) -> Self {
+        let data = vec![0.0; 8 * count + 8];
+        let offset = data.as_ptr().align_offset(64).min(8);
+        Self { data, offset, count }
+    }
+
+    /// All nodes.
+    #[must_use]
+    pub fn lines(&self) -> &[Line] {
+        self.data[self.offset..self.offset + 8 * self.count].as_chunks().0
+    }
+
+    /// All nodes, to change.
+    pub fn lines_mut(&mut self) -> &mut [Line] {
+        self.data[self.offset..self.offset + 8 * self.count].as_chunks_mut().0
+    }
+}
+
+/// The part of each row (along the fast direction) that particles can reach until the next sort.
+#[derive(Clone, Debug, Default)]
+pub struct ActiveRows {
+    spans: Vec<(u32, u32)>,
+    rows_per_plane: usize,
+}
+
+impl ActiveRows {
+    /// Builds the spans from the occupied base spans of each base row.
+    ///
+    /// `occupied[slow * bases[1] + middle]` is the range of fast base indices in use, or `None`. A particle
+    /// may cross one cell before the next sort, so the stencil of `stencil` nodes is widened by one each way.
+    #[must_use]
+    pub fn new(shape: &GridShape, occupied: &[Option<(u32, u32)>], stencil: usize) -> Self {
+        let bases = shape.bases();
+        let rows = shape.nodes[1];
+        let mut spans = vec![(u32::MAX, 0); shape.nodes[0] * rows];
+        let reach = |base: usize, count: usize| base.saturating_sub(1)..(base + stencil + 1).min(count);
+        for slow in 0..bases[0] {
+            for middle in 0..bases[1] {
+                let Some((low, high)) = occupied[slow * bases[1] + middle] else { continue };
+                let low = low.saturating_sub(1);
+                let high = (high + stencil as u32 + 1).min(shape.nodes[2] as u32);
+                let middles = if shape.axes == 2 { 0..1 } else { reach(middle, rows) };
+                for i in reach(slow, shape.nodes[0]) {
+                    for j in middles.clone() {
+                        let span = &mut spans[i * rows + j];
+                        span.0 = span.0.min(low);
+                        span.1 = span.1.max(high);
+                    }
+                }
+            }
+        }
+        for span in &mut spans {
+            if span.0 >= span.1 {
+                *span = (0, 0);
+            }
+        }
+        Self { spans, rows_per_plane: rows }
+    }
+
+    /// Active part of the row in a plane; empty where no particle can reach.
+    #[inline]
+    #[must_use]
+    pub fn span(&self, plane: usize, row: usize) -> Range<usize> {
+        let (low, high) = self.spans[plane * self.rows_per_plane + row];
+        low as usize..high as usize
+    }
+
+    /// Number of nodes in all active spans.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.spans.iter().map(|(low, high)| (high - low) as usize).sum()
+    }
+}

@@ -1,0 +1,327 @@
+//! Particle state: one set per body, in columns, in order of base cell.
+
+use crate::grid::{ActiveRows, GridShape};
+use crate::weights::base_offset;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Which columns a particle set has, and where. A column that the scene does not need does not exist.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// Number of axes, 2 or 3.
+    pub axes: usize,
+    /// First of the optional groups of columns, where present.
+    pub displacement_origin: Option<usize>,
+    /// Deformation gradient, row by row: 4 columns in 2D (F_zz = 1), 9 in 3D.
+    pub deformation: Option<usize>,
+    /// Affine velocity C, row by row: `axes`² columns.
+    pub affine: Option<usize>,
+    /// Half-lengths of the particle domain in cells: `axes` columns.
+    pub half_length: Option<usize>,
+    /// Initial half-lengths in cells, where the domain follows the deformation: `axes` columns.
+    pub initial_half_length: Option<usize>,
+    /// External force \[N\]: `axes` columns.
+    pub force: Option<usize>,
+    /// Number of columns.
+    pub columns: usize,
+}
+
+/// What optional columns are wanted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Optional {
+    /// Positions at the start, for displacements.
+    pub displacement_origin: bool,
+    /// Deformation gradient.
+    pub deformation: bool,
+    /// Affine velocity.
+    pub affine: bool,
+    /// Half-lengths per particle.
+    pub half_length: bool,
+    /// Initial half-lengths per particle.
+    pub initial_half_length: bool,
+    /// External force per particle.
+    pub force: bool,
+}
+
+impl Layout {
+    /// Column of the mass \[kg\].
+    pub const MASS: usize = 0;
+    /// Column of the volume \[m³\].
+    pub const VOLUME: usize = 1;
+    /// First column of the position relative to the mesh origin \[m\].
+    pub const POSITION: usize = 2;
+
+    /// Lays out the columns.
+    #[must_use]
+    pub fn new(axes: usize, wanted: Optional) -> Self {
+        let mut next = Self::POSITION + 2 * axes + Self::stress_components_of(axes);
+        let mut group = |want: bool, width: usize| {
+            want.then(|| {
+                let first = next;
+                next += width;
+                first
+            })
+        };
+        let displacement_origin = group(wanted.displacement_origin, axes);
+        let deformation = group(wanted.deformation, axes * axes);
+        let affine = group(wanted.affine, axes * axes);
+        let half_length = group(wanted.half_length, axes);
+        let initial_half_length = group(wanted.initial_half_length, axes);
+        let force = group(wanted.force, axes);
+        Self {
+            axes,
+            displacement_origin,
+            deformation,
+            affine,
+            half_length,
+            initial_half_length,
+            force,
+            columns: next,
+        }
+    }
+
+    const fn stress_components_of(axes: usize) -> usize {
+        if axes == 2 { 4 } else { 6 }
+    }
+
+    /// First column of the velocity \[m/s\].
+    #[inline(always)]
+    #[must_use]
+    pub const fn velocity(axes: usize) -> usize {
+        Self::POSITION + axes
+    }
+
+    /// First column of the Cauchy stress \[Pa\]: xx, yy, zz, xy in 2D; xx, yy, zz, yz, xz, xy in 3D.
+    #[inline(always)]
+    #[must_use]
+    pub const fn stress(axes: usize) -> usize {
+        Self::POSITION + 2 * axes
+    }
+
+    /// Number of stress components.
+    #[must_use]
+    pub fn stress_components(&self) -> usize {
+        Self::stress_components_of(self.axes)
+    }
+
+    /// Bytes of state per particle, identifier included.
+    #[must_use]
+    pub fn bytes_per_particle(&self) -> usize {
+        8 * (self.columns + 1)
+    }
+}
+
+/// The particles of one body.
+#[derive(Clone, Debug)]
+pub struct ParticleSet {
+    /// Columns and where they are.
+    pub layout: Layout,
+    /// Identifiers, unique over the scene.
+    pub id: Vec<u64>,
+    /// State, one vector per column.
+    pub columns: Vec<Vec<f64>>,
+    /// First particle of each base layer along the slow axis, as of the last sort, and the number of
+    /// particles.
+    pub layers: Vec<usize>,
+}
+
+impl ParticleSet {
+    /// A set of `count` particles, all columns zero.
+    #[must_use]
+    pub fn zeros(layout: Layout, first_id: u64, count: usize) -> Self {
+        Self {
+            layout,
+            id: (first_id..first_id + count as u64).collect(),
+            columns: vec![vec![0.0; count]; layout.columns],
+            layers: vec![],
+        }
+    }
+
+    /// Number of particles.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.id.len()
+    }
+
+    /// Whether there is no particle.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.id.is_empty()
+    }
+
+    /// A vector of a particle, from `axes` columns; the missing third component is zero.
+    #[must_use]
+    pub fn vector(&self, first_column: usize, p: usize) -> [f64; 3] {
+        let mut v = [0.0; 3];
+        for axis in 0..self.layout.axes {
+            v[axis] = self.columns[first_column + axis][p];
+        }
+        v
+    }
+
+    /// Position of a particle relative to the mesh origin \[m\].
+    #[must_use]
+    pub fn position(&self, p: usize) -> [f64; 3] {
+        self.vector(Layout::POSITION, p)
+    }
+
+    /// Velocity of a particle \[m/s\].
+    #[must_use]
+    pub fn velocity(&self, p: usize) -> [f64; 3] {
+        self.vector(Layout::velocity(self.layout.axes), p)
+    }
+
+    /// Cauchy stress of a particle \[Pa\]: xx, yy, zz, yz, xz, xy.
+    #[must_use]
+    pub fn stress(&self, p: usize) -> [f64; 6] {
+        let s = |i: usize| self.columns[Layout::stress(self.layout.axes) + i][p];
+        if self.layout.axes == 2 {
+            [s(0), s(1), s(2), 0.0, 0.0, s(3)]
+        } else {
+            [s(0), s(1), s(2), s(3), s(4), s(5)]
+        }
+    }
+
+    /// Particles of the base layers `layers`, as of the last sort.
+    #[must_use]
+    pub fn in_layers(&self, layers: Range<usize>) -> Range<usize> {
+        let last = self.layers.len() - 1;
+        self.layers[layers.start.min(last)]..self.layers[layers.end.min(last)]
+    }
+
+    /// Sorts by base cell for a stencil of `stencil` nodes, keeping the order within a cell, and widens
+    /// `occupied` (see [`ActiveRows::new`]) by the cells in use.
+    pub fn sort(&mut self, shape: &GridShape, stencil: usize, occupied: &mut [Option<(u32, u32)>]) {
+        let bases = shape.bases();
+        let keys = self.base_keys(shape, stencil);
+        for &key in &keys {
+            let (row, fast) = (key as usize / bases[2], (key as usize % bases[2]) as u32);
+            let span = occupied[row].get_or_insert((fast, fast));
+            span.0 = span.0.min(fast);
+            span.1 = span.1.max(fast);
+        }
+        if !keys.is_sorted() {
+            let order = stable_order(&keys, bases.iter().product());
+            self.permute(&order);
+        }
+        // Keys in sorted order are needed for the layers only; a layer is all keys below a bound.
+        let per_layer = bases[1] * bases[2];
+        let mut layers = vec![0_usize; bases[0] + 1];
+        for &key in &keys {
+            layers[key as usize / per_layer + 1] += 1;
+        }
+        for layer in 0..bases[0] {
+            layers[layer + 1] += layers[layer];
+        }
+        self.layers = layers;
+    }
+
+    /// Puts the particles in an order that depends on their positions alone, not on the order in which they
+    /// were given.
+    pub fn sort_by_position(&mut self) {
+        let axes = self.layout.axes;
+        let mut order: Vec<u32> = (0..self.len() as u32).collect();
+        order.par_sort_by(|&a, &b| {
+            (0..axes)
+                .map(|axis| {
+                    let x = &self.columns[Layout::POSITION + axis];
+                    x[a as usize].total_cmp(&x[b as usize])
+                })
+                .find(|o| o.is_ne())
+                .unwrap_or(std::cmp::Ordering::Equal)
+        });
+        if !order.is_sorted() {
+            self.permute(&order);
+        }
+    }
+
+    /// Base cell of each particle as one number, slow axis first.
+    fn base_keys(&self, shape: &GridShape, stencil: usize) -> Vec<u32> {
+        let bases = shape.bases();
+        let offset = base_offset(stencil);
+        let axes = self.layout.axes;
+        (0..self.len())
+            .into_par_iter()
+            .with_min_len(1 << 14)
+            .map(|p| {
+                let mut at = [0; 3];
+                for axis in 0..axes {
+                    let xi = self.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
+                    at[shape.direction(axis)] = ((xi - offset).floor() + 1.0) as usize;
+                }
+                ((at[0] * bases[1] + at[1]) * bases[2] + at[2]) as u32
+            })
+            .collect()
+    }
+
+    /// Reorders all columns: particle `order[i]` becomes particle `i`.
+    fn permute(&mut self, order: &[u32]) {
+        self.columns.par_iter_mut().for_each(|column| {
+            *column = order.iter().map(|&p| column[p as usize]).collect();
+        });
+        self.id = order.iter().map(|&p| self.id[p as usize]).collect();
+    }
+
+    /// Removes the particles at the given increasing indices.
+    pub fn remove(&mut self, gone: &[usize]) {
+        let keep: Vec<u32> =
+            (0..self.len()).filter(|p| gone.binary_search(p).is_err()).map(|p| p as u32).collect();
+        self.permute(&keep);
+        // Each layer begins earlier by the number of particles that were removed before it.
+        for start in &mut self.layers {
+            *start -= gone.partition_point(|p| *p < *start);
+        }
+    }
+
+    /// Splits all columns at the given increasing particle ranges, which must not overlap.
+    pub fn split_mut(&mut self, ranges: &[Range<usize>]) -> Vec<Vec<&mut [f64]>> {
+        let mut parts: Vec<Vec<&mut [f64]>> =
+            ranges.iter().map(|_| Vec::with_capacity(self.layout.columns)).collect();
+        for column in &mut self.columns {
+            let mut rest = column.as_mut_slice();
+            let mut at = 0;
+            for (part, range) in parts.iter_mut().zip(ranges) {
+                let (_, tail) = rest.split_at_mut(range.start - at);
+                let (own, tail) = tail.split_at_mut(range.end - range.start);
+                part.push(own);
+                rest = tail;
+                at = range.end;
+            }
+        }
+        parts
+    }
+}
+
+/// Indices in stable order of their keys (counting sort), keys below `bound`.
+fn stable_order(keys: &[u32], bound: usize) -> Vec<u32> {
+    // Counting is linear while the cells are not far more than the particles; an empty giant mesh is not.
+    if bound > 8 * keys.len() + 1024 {
+        let mut order: Vec<u32> = (0..keys.len() as u32).collect();
+        order.par_sort_by_key(|&p| keys[p as usize]);
+        return order;
+    }
+    let mut next = vec![0_u32; bound + 1];
+    for &key in keys {
+        next[key as usize + 1] += 1;
+    }
+    for key in 0..bound {
+        next[key + 1] += next[key];
+    }
+    let mut order = vec![0_u32; keys.len()];
+    for (p, &key) in keys.iter().enumerate() {
+        let slot = &mut next[key as usize];
+        order[*slot as usize] = p as u32;
+        *slot += 1;
+    }
+    order
+}
+
+/// Sorts all sets and returns the active rows.
+pub fn sort_sets(sets: &mut [ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
+    let bases = shape.bases();
+    let mut occupied = vec![None; bases[0] * bases[1]];
+    for set in sets {
+        set.sort(shape, stencil, &mut occupied);
+    }
+    ActiveRows::new(shape, &occupied, stencil)
+}

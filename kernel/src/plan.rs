@@ -1,0 +1,361 @@
+//! The plan: what this scene needs, and nothing else.
+//!
+//! [`Plan::new`] decides once. What is left out is never called and its fields are never allocated.
+
+use crate::particles::{Layout, Optional};
+use crate::scene::{
+    Body, Damping, Dimension, DomainUpdate, Field, Law, PlaneCondition, Scene, Shape, StressScheme,
+    TransferKind, Weighting,
+};
+use crate::stage::g2p::Affine;
+use crate::weights::Family;
+use std::fmt;
+
+/// What a library user asks for beyond the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Demands {
+    /// Keep the initial positions, for displacements.
+    pub displacement: bool,
+    /// Measure kinetic energy and unbalanced force at the nodes in every step.
+    pub measure: bool,
+    /// A body force is given as a function.
+    pub body_force: bool,
+}
+
+/// Decisions for one scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Number of axes, 2 or 3.
+    pub axes: usize,
+    /// Family of weighting functions.
+    pub family: Family,
+    /// Whether particles have half-lengths of their own.
+    pub own_half_length: bool,
+    /// How particle domains follow the deformation.
+    pub domain_update: Option<DomainUpdate>,
+    /// Stress scheme.
+    pub scheme: StressScheme,
+    /// Affine velocity.
+    pub affine: Affine,
+    /// Whether the mapping carries affine velocity or forces of the particles.
+    pub full_mapping: bool,
+    /// Factor of local damping.
+    pub local_damping: Option<f64>,
+    /// Kinetic damping.
+    pub kinetic_damping: bool,
+    /// Factor of viscous damping.
+    pub viscous_damping: Option<f64>,
+    /// Whether gravity acts.
+    pub gravity: bool,
+    /// Whether kinetic energy and unbalanced force are measured at the nodes in every step.
+    pub measure: bool,
+    /// Columns of the particle sets, per body.
+    pub layouts: Vec<Layout>,
+    /// What was decided, in words.
+    pub entries: Vec<Entry>,
+}
+
+/// One decision in words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Group: stage, particle field, output, time step.
+    pub group: &'static str,
+    /// What is kept or left out.
+    pub name: String,
+    /// Whether it is kept.
+    pub kept: bool,
+    /// Why.
+    pub because: String,
+}
+
+impl Plan {
+    /// Decides what the scene needs.
+    #[must_use]
+    pub fn new(scene: &Scene, demands: Demands) -> Self {
+        let axes = scene.dimension.axes();
+        let domain_update = match scene.weighting {
+            Weighting::ContiguousGimp(update) => Some(update),
+            _ => None,
+        };
+        let family = if scene.weighting == Weighting::Linear { Family::Hat } else { Family::Gimp };
+        let affine = match scene.transfer.kind {
+            TransferKind::Flip => Affine::Leave,
+            TransferKind::Apic => Affine::Apic,
+            TransferKind::Tpic => Affine::Tpic,
+        };
+        let local_damping = match scene.damping {
+            Damping::Local { alpha } if alpha != 0.0 => Some(alpha),
+            _ => None,
+        };
+        let viscous_damping = match scene.damping {
+            Damping::Viscous { alpha } if alpha != 0.0 => Some(alpha),
+            _ => None,
+        };
+        let kinetic_damping = scene.damping == Damping::Kinetic;
+        let own_force = !scene.box_loads.is_empty() || demands.body_force;
+        let written = |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
+        let displacement = demands.displacement
+            || written(Field::Displacement)
+            || (scene.results.print > 0 && !scene.probes.is_empty());
+        let layouts = scene
+            .bodies
+            .iter()
+            .map(|body| {
+                let law = scene.materials[body.material].law;
+                Layout::new(
+                    axes,
+                    Optional {
+                        displacement_origin: displacement || demands.body_force,
+                        deformation: matches!(law, Law::NeoHookean { .. })
+                            || domain_update.is_some()
+                            || written(Field::DeformationGradient),
+                        affine: affine != Affine::Leave,
+                        half_length: domain_update.is_some()
+                            || (scene.weighting == Weighting::UniformGimp && is_list(body)),
+                        initial_half_length: domain_update.is_some(),
+                        force: own_force,
+                    },
+                )
+            })
+            .collect();
+        let mut plan = Self {
+            axes,
+            family,
+            own_half_length: domain_update.is_some(),
+            domain_update,
+            scheme: scene.scheme,
+            affine,
+            full_mapping: affine != Affine::Leave || own_force || viscous_damping.is_some(),
+            local_damping,
+            kinetic_damping,
+            viscous_damping,
+            gravity: scene.gravity != [0.0; 3],
+            measure: demands.measure || kinetic_damping,
+            layouts,
+            entries: vec![],
+        };
+        plan.entries = plan.describe(scene, demands);
+        plan
+    }
+
+    /// Bytes of state per particle, the largest over the bodies.
+    #[must_use]
+    pub fn bytes_per_particle(&self) -> usize {
+        self.layouts.iter().map(Layout::bytes_per_particle).max().unwrap_or(0)
+    }
+
+    /// Bytes per node that is in use.
+    #[must_use]
+    pub fn bytes_per_node(&self) -> usize {
+        size_of::<crate::grid::Line>()
+    }
+
+    fn describe(&self, scene: &Scene, demands: Demands) -> Vec<Entry> {
+        let mut list = Words(vec![]);
+        let dimension = match scene.dimension {
+            Dimension::Two => "2D, plane strain",
+            Dimension::Three => "3D",
+        };
+        list.keep("stage", "dimension", dimension);
+        list.keep("stage", "weighting function", weighting_words(scene.weighting));
+        list.keep(
+            "stage",
+            "stress scheme",
+            match scene.scheme {
+                StressScheme::Usf => "USF: stress from the velocity mapped at the new positions",
+                StressScheme::Usl => "USL: one mapping and one interpolation per step",
+                StressScheme::Musl => "MUSL: momentum is mapped a second time",
+            },
+        );
+        list.choose(
+            "stage",
+            "second mapping of momentum",
+            scene.scheme != StressScheme::Usl,
+            "the stress scheme needs it",
+            "USL updates stress from the first one",
+        );
+        list.choose(
+            "stage",
+            "affine velocity",
+            self.affine != Affine::Leave,
+            "the transfer is APIC or TPIC",
+            "the transfer is FLIP",
+        );
+        list.choose(
+            "stage",
+            "PIC blend",
+            scene.transfer.pic_fraction != 0.0,
+            "the PIC fraction is not zero",
+            "the PIC fraction is zero",
+        );
+        list.choose("stage", "gravity", self.gravity, "it is not zero", "it is zero");
+        for (axis, letter) in ["X", "Y", "Z"].iter().enumerate().take(self.axes) {
+            for (side, end) in ["0", "n"].iter().enumerate() {
+                let condition = scene.mesh.planes[axis][side];
+                let moving =
+                    scene.base_motion.as_ref().is_some_and(|b| b.axis == axis && b.side == side);
+                list.choose(
+                    "stage",
+                    &format!("plane {letter}{end}"),
+                    moving || condition != PlaneCondition::Free,
+                    if moving {
+                        "its velocity is prescribed"
+                    } else if condition == PlaneCondition::Fixed {
+                        "fixed"
+                    } else {
+                        "sliding"
+                    },
+                    "free",
+                );
+            }
+        }
+        list.choose(
+            "stage",
+            "local damping",
+            self.local_damping.is_some(),
+            "its factor is not zero",
+            "not asked for, or its factor is zero",
+        );
+        list.choose(
+            "stage",
+            "kinetic damping",
+            self.kinetic_damping,
+            "asked for: velocities are set to zero at each peak of kinetic energy",
+            "not asked for",
+        );
+        list.choose(
+            "stage",
+            "viscous damping",
+            self.viscous_damping.is_some(),
+            "its factor is not zero",
+            "not asked for, or its factor is zero",
+        );
+        list.choose(
+            "stage",
+            "base motion",
+            scene.base_motion.is_some(),
+            "a record moves a plane",
+            "no active record",
+        );
+        let nodal = scene.point_loads.len() + scene.tractions.len();
+        list.choose("stage", "nodal loads", nodal > 0, "point loads or tractions are given", "none is given");
+        list.choose(
+            "stage",
+            "driven bodies",
+            scene.bodies.iter().any(|b| b.motion.is_some()),
+            "a body has a prescribed velocity",
+            "no body has a prescribed velocity",
+        );
+        list.leave("stage", "contact", "the scene asks for none");
+        list.choose(
+            "stage",
+            "measurement at the nodes",
+            self.measure,
+            "kinetic energy or residual is needed in every step",
+            "nothing needs it in every step",
+        );
+        let any = |has: fn(&Layout) -> bool| self.layouts.iter().any(has);
+        list.keep("particle field", "mass, volume, position, velocity, stress", "every scene needs them");
+        list.choose(
+            "particle field",
+            "initial position",
+            any(|l| l.displacement_origin.is_some()),
+            "displacements are written or asked for",
+            "no displacement is written",
+        );
+        list.choose(
+            "particle field",
+            "deformation gradient",
+            any(|l| l.deformation.is_some()),
+            "the law, the particle domain or an output needs it",
+            "volume is enough for this law",
+        );
+        list.choose(
+            "particle field",
+            "half-lengths",
+            any(|l| l.half_length.is_some()),
+            "domains follow the deformation or differ between particles",
+            "they are the same for all particles of a body",
+        );
+        list.choose(
+            "particle field",
+            "external force",
+            any(|l| l.force.is_some()),
+            if demands.body_force { "a body force is given" } else { "box loads are given" },
+            "no box load and no body force",
+        );
+        list.keep(
+            "time step",
+            "wave speed and particle speed",
+            "dt <= C min(h)/(c + |v|), C of the stress scheme and the weighting function",
+        );
+        list.choose(
+            "output",
+            "frames, history, checkpoints",
+            scene.results.print > 0,
+            &format!("written {} times", scene.results.print),
+            "print is zero",
+        );
+        list.0
+    }
+}
+
+/// Whether the particles of a body are given one by one.
+fn is_list(body: &Body) -> bool {
+    matches!(body.shape, Shape::Particles(_))
+}
+
+fn weighting_words(weighting: Weighting) -> &'static str {
+    match weighting {
+        Weighting::Linear => "linear, 3 nodes per axis",
+        Weighting::UniformGimp => "uGIMP, 3 nodes per axis",
+        Weighting::ContiguousGimp(DomainUpdate::Determinant) => {
+            "cpGIMP, domain by det F; 3 nodes per axis, 4 once a half-length exceeds h/2"
+        }
+        Weighting::ContiguousGimp(DomainUpdate::Stretch) => {
+            "cpGIMP, domain by U_ii; 3 nodes per axis, 4 once a half-length exceeds h/2"
+        }
+        Weighting::QuadraticBSpline => "quadratic B-spline, 3 nodes per axis",
+    }
+}
+
+struct Words(Vec<Entry>);
+
+impl Words {
+    fn keep(&mut self, group: &'static str, name: &str, because: &str) {
+        self.0.push(Entry { group, name: name.into(), kept: true, because: because.into() });
+    }
+
+    fn leave(&mut self, group: &'static str, name: &str, because: &str) {
+        self.0.push(Entry { group, name: name.into(), kept: false, because: because.into() });
+    }
+
+    fn choose(&mut self, group: &'static str, name: &str, kept: bool, why: &str, why_not: &str) {
+        if kept {
+            self.keep(group, name, why);
+        } else {
+            self.leave(group, name, why_not);
+        }
+    }
+}
+
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.entries.iter().map(|e| e.name.len()).max().unwrap_or(0);
+        for kept in [true, false] {
+            writeln!(f, "{}", if kept { "kept" } else { "left out" })?;
+            for entry in self.entries.iter().filter(|e| e.kept == kept) {
+                writeln!(
+                    f,
+                    "  {:<14}  {:<width$}  {}{}",
+                    entry.group,
+                    entry.name,
+                    if kept { "" } else { "because " },
+                    entry.because
+                )?;
+            }
+        }
+        writeln!(f, "bytes per particle  {}", self.bytes_per_particle())?;
+        write!(f, "bytes per node      {}", self.bytes_per_node())
+    }
+}

@@ -1,0 +1,187 @@
+//! What can go wrong at set-up and in a step.
+
+use std::fmt;
+
+/// A simulation cannot be set up from this scene. All are faults of the input.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SetupError {
+    /// A body could not be filled with particles.
+    Body {
+        /// Name of the body.
+        body: String,
+        /// Why.
+        reason: String,
+    },
+    /// The machine lacks the lanes that were asked for.
+    Lanes(crate::lanes::LanesUnavailable),
+    /// The prescribed time step is above the critical one at the start.
+    UnstableTimeStep(Unstable),
+    /// A load does not fit the mesh.
+    Load {
+        /// Which load, as a path into the scene.
+        path: String,
+        /// Why.
+        reason: String,
+    },
+    /// The mesh has more nodes or the scene more particles than can be numbered.
+    TooLarge {
+        /// What is too many, and how many.
+        what: String,
+    },
+    /// The thread pool could not be made.
+    Threads(String),
+}
+
+/// A time step above the critical one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unstable {
+    /// Time step \[s\].
+    pub dt: f64,
+    /// Critical time step of the scheme \[s\].
+    pub critical: f64,
+    /// Largest wave speed \[m/s\].
+    pub wave_speed: f64,
+    /// Largest particle speed \[m/s\].
+    pub particle_speed: f64,
+}
+
+impl fmt::Display for Unstable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "time step {:e} s is above the critical time step {:e} s of this scheme (wave speed {} m/s, \
+             particle speed {} m/s); accepted: a smaller step, or \"allow_unstable\": true",
+            self.dt, self.critical, self.wave_speed, self.particle_speed
+        )
+    }
+}
+
+impl fmt::Display for SetupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Body { body, reason } => write!(f, "body \"{body}\": {reason}"),
+            Self::Lanes(lanes) => lanes.fmt(f),
+            Self::UnstableTimeStep(unstable) => unstable.fmt(f),
+            Self::Load { path, reason } => write!(f, "{path}: {reason}"),
+            Self::TooLarge { what } => write!(f, "{what}"),
+            Self::Threads(reason) => write!(f, "threads: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for SetupError {}
+
+/// A step failed. The state is not to be used after it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StepError {
+    /// Number of the step that failed, from 1.
+    pub step: u64,
+    /// Time at its beginning \[s\].
+    pub time: f64,
+    /// What happened.
+    pub kind: StepErrorKind,
+}
+
+/// What can happen in a step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StepErrorKind {
+    /// A particle has a value that is not finite.
+    NotFinite(ParticleAt),
+    /// A particle's volume is zero or negative.
+    Inverted(ParticleAt),
+    /// A particle left the mesh.
+    Outside(ParticleAt),
+    /// The prescribed time step exceeds the critical one.
+    UnstableTimeStep(Unstable),
+    /// A nodal load acts where no particle reaches.
+    LoadOnEmptyNode {
+        /// Position of the node \[m\].
+        position: [f64; 3],
+    },
+    /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
+    DomainTooLarge {
+        /// Half-length in cells.
+        half_length: f64,
+    },
+}
+
+/// A particle and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParticleAt {
+    /// Identifier.
+    pub id: u64,
+    /// Identifier of its body.
+    pub body: i64,
+    /// Position \[m\].
+    pub position: [f64; 3],
+    /// Volume \[m³\].
+    pub volume: f64,
+    /// Mass \[kg\].
+    pub mass: f64,
+}
+
+impl fmt::Display for ParticleAt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [x, y, z] = self.position;
+        write!(f, "particle {} of body {} at ({x}, {y}, {z}) m", self.id, self.body)
+    }
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "step {}, time {} s: ", self.step, self.time)?;
+        match &self.kind {
+            StepErrorKind::NotFinite(p) => write!(f, "{p} has a value that is not finite"),
+            StepErrorKind::Inverted(p) => write!(f, "{p} is inverted: volume {} m3", p.volume),
+            StepErrorKind::Outside(p) => {
+                write!(f, "{p} left the mesh; accepted: a larger mesh, or \"outside\": \"remove\"")
+            }
+            StepErrorKind::UnstableTimeStep(unstable) => unstable.fmt(f),
+            StepErrorKind::LoadOnEmptyNode { position: [x, y, z] } => {
+                write!(f, "a nodal load acts at ({x}, {y}, {z}) m, where no particle reaches")
+            }
+            StepErrorKind::DomainTooLarge { half_length } => write!(
+                f,
+                "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for StepError {}
+
+/// Something that happened in a run that went on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Number of the step.
+    pub step: u64,
+    /// Time \[s\].
+    pub time: f64,
+    /// What happened.
+    pub kind: EventKind,
+}
+
+/// Kinds of events.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EventKind {
+    /// A particle left the mesh and was removed.
+    Removed(ParticleAt),
+    /// The base record ended; the plane keeps its velocity.
+    RecordEnded,
+    /// Particle domains outgrew half a cell; from here on the stencil has four nodes per axis.
+    WiderStencil,
+}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            EventKind::Removed(p) => write!(f, "{p} left the mesh and was removed, mass {} kg", p.mass),
+            EventKind::RecordEnded => {
+                write!(f, "the base record ended; zero acceleration from here, velocity kept")
+            }
+            EventKind::WiderStencil => {
+                write!(f, "a particle domain exceeded h/2; four nodes per axis from here")
+            }
+        }
+    }
+}

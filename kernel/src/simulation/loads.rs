@@ -1,0 +1,109 @@
+//! Loads as nodal list entries.
+
+use super::error::SetupError;
+use crate::grid::GridShape;
+use crate::scene::{Scene, Vector};
+use crate::stage::solve::NodeForce;
+
+/// All nodal loads of a scene, one entry per node, in order of the node.
+///
+/// # Errors
+/// A point load that is not at a node, or a traction outside the mesh.
+pub fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupError> {
+    let mut all = vec![];
+    for (i, load) in scene.point_loads.iter().enumerate() {
+        let path = format!("nodal_point_load[{i}]");
+        all.push(NodeForce { node: node_at(scene, shape, &load.position, &path)?, force: load.force });
+    }
+    for (i, load) in scene.tractions.iter().enumerate() {
+        traction(scene, shape, i, load, &mut all)?;
+    }
+    all.sort_by_key(|l| l.node);
+    let mut merged: Vec<NodeForce> = vec![];
+    for load in all {
+        match merged.last_mut() {
+            Some(last) if last.node == load.node => {
+                for axis in 0..3 {
+                    last.force[axis] += load.force[axis];
+                }
+            }
+            _ => merged.push(load),
+        }
+    }
+    Ok(merged)
+}
+
+/// Coordinate in cells from the mesh origin.
+fn cells_from_origin(scene: &Scene, axis: usize, x: f64) -> f64 {
+    (x - scene.mesh.origin[axis]) / scene.mesh.cell[axis]
+}
+
+fn node_at(scene: &Scene, shape: &GridShape, x: &Vector, path: &str) -> Result<usize, SetupError> {
+    let mut at = [0; 3];
+    for axis in 0..shape.axes {
+        let xi = cells_from_origin(scene, axis, x[axis]);
+        let nearest = xi.round();
+        if (xi - nearest).abs() > 1e-6 || nearest < 0.0 || nearest > scene.mesh.cells[axis] as f64 {
+            return Err(SetupError::Load {
+                path: path.into(),
+                reason: format!("position {x:?} m is not at a node of the mesh"),
+            });
+        }
+        at[axis] = nearest as usize;
+    }
+    Ok(shape.index(shape.mesh_node(at)))
+}
+
+/// Integral of a constant traction over the hats of the nodes, exact for rectangles that cut cells.
+fn traction(
+    scene: &Scene,
+    shape: &GridShape,
+    i: usize,
+    load: &crate::scene::Traction,
+    all: &mut Vec<NodeForce>,
+) -> Result<(), SetupError> {
+    let axes = shape.axes;
+    let mut per_axis: Vec<Vec<(usize, f64)>> = vec![];
+    for axis in 0..axes {
+        let (a, b) = (
+            cells_from_origin(scene, axis, load.p1[axis]),
+            cells_from_origin(scene, axis, load.p2[axis]),
+        );
+        let cells = scene.mesh.cells[axis];
+        if a < -1e-9 || b > cells as f64 + 1e-9 || b < a {
+            return Err(SetupError::Load {
+                path: format!("traction[{i}]"),
+                reason: format!("rectangle {:?} to {:?} m is not inside the mesh", load.p1, load.p2),
+            });
+        }
+        // Along the normal the hat itself, along the others its integral.
+        let factor = |node: usize| {
+            let n = node as f64;
+            if load.p1[axis] == load.p2[axis] {
+                (1.0 - (a - n).abs()).max(0.0)
+            } else {
+                (hat_integral(b - n) - hat_integral(a - n)) * scene.mesh.cell[axis]
+            }
+        };
+        per_axis.push((0..=cells).map(|n| (n, factor(n))).filter(|(_, f)| *f > 1e-12 * scene.mesh.cell[axis]).collect());
+    }
+    if axes == 2 {
+        per_axis.push(vec![(0, 1.0)]);
+    }
+    for &(x, fx) in &per_axis[0] {
+        for &(y, fy) in &per_axis[1] {
+            for &(z, fz) in &per_axis[2] {
+                let node = shape.index(shape.mesh_node([x, y, z]));
+                let area = fx * fy * fz;
+                all.push(NodeForce { node, force: load.traction.map(|t| t * area) });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Integral of the unit hat from minus infinity to `x`.
+fn hat_integral(x: f64) -> f64 {
+    let x = x.clamp(-1.0, 1.0);
+    if x < 0.0 { 0.5 * (1.0 + x) * (1.0 + x) } else { 1.0 - 0.5 * (1.0 - x) * (1.0 - x) }
+}

@@ -1,0 +1,191 @@
+//! Sums over the particles: mass, momentum, energy, hash. Always in order of the particle identifier, so that
+//! they do not depend on how particles are stored.
+
+use super::Simulation;
+use crate::constitutive::Kind;
+use crate::particles::{Layout, ParticleSet};
+use crate::scene::Vector;
+use crate::stage::solve::PlaneSums;
+
+/// Energies of a simulation \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energy {
+    /// Kinetic energy of the particles.
+    pub kinetic: f64,
+    /// Strain energy.
+    pub strain: f64,
+    /// Work of gravity, loads and moving planes since the start.
+    pub external_work: f64,
+    /// What is missing: initial energy plus external work less the present energy. Damping, the dissipation of
+    /// the scheme, and what removed particles took with them.
+    pub dissipated: f64,
+}
+
+/// Running sums of a simulation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ledger {
+    /// Sums of the last step.
+    pub sums: PlaneSums,
+    /// Work of nodal loads and moving planes so far \[J\].
+    pub external_work: f64,
+    /// Sum of force times position over particles with dead loads at the start, less those removed \[J\].
+    pub dead_load_origin: f64,
+    /// Kinetic and strain energy at the start \[J\].
+    pub initial_energy: f64,
+}
+
+impl Simulation {
+    /// Begins the energy balance.
+    pub(super) fn open_ledger(&mut self) {
+        self.ledger.dead_load_origin = self.dead_load_potential();
+        self.ledger.initial_energy = self.kinetic_energy() + self.strain_energy();
+    }
+
+    /// Total mass \[kg\].
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        self.sets.iter().map(|set| in_order(set).map(|p| set.columns[Layout::MASS][p]).sum::<f64>()).sum()
+    }
+
+    /// Total momentum \[kg m/s\].
+    #[must_use]
+    pub fn momentum(&self) -> Vector {
+        let mut sum = [0.0; 3];
+        for set in &self.sets {
+            for p in in_order(set) {
+                let (m, v) = (set.columns[Layout::MASS][p], set.velocity(p));
+                for axis in 0..3 {
+                    sum[axis] += m * v[axis];
+                }
+            }
+        }
+        sum
+    }
+
+    /// Mass, centre of mass and mean velocity of a body \[kg, m, m/s\].
+    #[must_use]
+    pub fn center(&self, set: usize) -> (f64, Vector, Vector) {
+        let particles = &self.sets[set];
+        let (mut mass, mut x, mut v) = (0.0, [0.0; 3], [0.0; 3]);
+        for p in in_order(particles) {
+            let m = particles.columns[Layout::MASS][p];
+            let (x_p, v_p) = (particles.position(p), particles.velocity(p));
+            mass += m;
+            for axis in 0..3 {
+                x[axis] += m * x_p[axis];
+                v[axis] += m * v_p[axis];
+            }
+        }
+        let origin = self.scene.mesh.origin;
+        if mass > 0.0 {
+            x = std::array::from_fn(|axis| x[axis] / mass + origin[axis]);
+            v = v.map(|c| c / mass);
+        }
+        (mass, x, v)
+    }
+
+    /// Kinetic energy of the particles \[J\].
+    #[must_use]
+    pub fn kinetic_energy(&self) -> f64 {
+        self.sum(|set, p| {
+            let v = set.velocity(p);
+            0.5 * set.columns[Layout::MASS][p] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+        })
+    }
+
+    /// Strain energy \[J\].
+    #[must_use]
+    pub fn strain_energy(&self) -> f64 {
+        let mut total = 0.0;
+        for (index, (set, body)) in self.sets.iter().zip(&self.bodies).enumerate() {
+            for p in in_order(set) {
+                let (m, volume) = self.mass_and_volume(index, p);
+                total += match (body.law.kind, self.deformation(index, p)) {
+                    (Kind::NeoHookean, Some(f)) => {
+                        let trace: f64 = f.iter().flatten().map(|x| x * x).sum();
+                        let initial = m / body.law.density;
+                        body.law.energy_density_of_stretch(trace, volume / initial) * initial
+                    }
+                    _ => body.law.energy_density_of_stress(&set.stress(p)) * volume,
+                };
+            }
+        }
+        total
+    }
+
+    /// Energies.
+    #[must_use]
+    pub fn energy(&self) -> Energy {
+        let (kinetic, strain) = (self.kinetic_energy(), self.strain_energy());
+        let external_work =
+            self.ledger.external_work + self.dead_load_potential() - self.ledger.dead_load_origin;
+        let dissipated = self.ledger.initial_energy + external_work - kinetic - strain;
+        Energy { kinetic, strain, external_work, dissipated }
+    }
+
+    /// Hash of the particle state in order of the identifier; see [`state_hash`].
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        state_hash(&self.sets)
+    }
+
+    /// Sum over all particles in order of the identifier.
+    fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64) -> f64 {
+        self.sets.iter().map(|set| in_order(set).map(|p| term(set, p)).sum::<f64>()).sum()
+    }
+
+    /// Sum of dead load times position: weight and box loads.
+    fn dead_load_potential(&self) -> f64 {
+        let mut total = 0.0;
+        for set in &self.sets {
+            for p in in_order(set) {
+                total += self.dead_load(set, p);
+            }
+        }
+        total
+    }
+
+    fn dead_load(&self, set: &ParticleSet, p: usize) -> f64 {
+        let g = self.scene.gravity;
+        let x = set.position(p);
+        let m = set.columns[Layout::MASS][p];
+        let own = set.layout.force.map_or([0.0; 3], |first| set.vector(first, p));
+        (0..3).map(|axis| (m * g[axis] + own[axis]) * x[axis]).sum()
+    }
+
+    /// Takes a particle that is removed out of the balance of dead loads.
+    pub(super) fn close_account(&mut self, set: usize, p: usize) {
+        self.ledger.dead_load_origin += self.dead_load(&self.sets[set], p);
+    }
+}
+
+/// Indices of a set in order of the identifier.
+fn in_order(set: &ParticleSet) -> impl Iterator<Item = usize> + use<> {
+    let mut order: Vec<u32> = (0..set.len() as u32).collect();
+    if !set.id.is_sorted() {
+        order.sort_unstable_by_key(|&p| set.id[p as usize]);
+    }
+    order.into_iter().map(|p| p as usize)
+}
+
+/// FNV-1a hash, 64 bits, over identifier and the bits of every column of all particles in order of the
+/// identifier, set by set. Equal for every number of threads and every kind of lanes.
+#[must_use]
+pub fn state_hash(sets: &[ParticleSet]) -> u64 {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut add = |word: u64| {
+        // A word at a time instead of a byte: eight times faster, and every bit still counts.
+        hash = (hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
+        hash ^= hash >> 32;
+    };
+    for set in sets {
+        add(set.len() as u64);
+        for p in in_order(set) {
+            add(set.id[p]);
+            for column in &set.columns {
+                add(column[p].to_bits());
+            }
+        }
+    }
+    hash
+}

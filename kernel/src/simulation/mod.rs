@@ -1,0 +1,234 @@
+//! A scene in motion: state, explicit cycle, and what can be asked of it.
+
+mod clock;
+mod error;
+mod field;
+mod history;
+mod loads;
+mod measure;
+mod setup;
+mod step;
+
+pub use clock::{Bound, StepInfo, stability_number};
+pub use error::{Event, EventKind, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
+pub use history::{BaseVelocity, value as history_value};
+pub use measure::{Energy, state_hash};
+
+use crate::constitutive::Parameters;
+use crate::lanes::{LaneChoice, Selected};
+use crate::particles::{Layout, ParticleSet};
+use crate::plan::Plan;
+use crate::scene::{DomainUpdate, History, Scene, Vector};
+use crate::stage::Mapping;
+use crate::stage::g2p::Found;
+use crate::stage::solve::NodeForce;
+use clock::Clock;
+use field::Field;
+use rayon::ThreadPool;
+use std::fmt;
+use std::sync::Arc;
+
+/// Body force per mass \[m/s²\] of a particle that began at `x_0` and is at `x` at time `t`.
+pub type BodyForce = Arc<dyn Fn(&Vector, &Vector, f64) -> Vector + Send + Sync>;
+
+/// State of a particle at the start, by its position \[m\].
+pub type InitialField = Arc<dyn Fn(&Vector) -> InitialState + Send + Sync>;
+
+/// What an [`InitialField`] gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InitialState {
+    /// Velocity \[m/s\].
+    pub velocity: Vector,
+    /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy. The neo-Hookean law computes it from F after the first
+    /// step.
+    pub stress: [f64; 6],
+    /// Deformation gradient; the volume becomes V_0 det F.
+    pub deformation: [[f64; 3]; 3],
+}
+
+/// How a scene is run, and what a library user adds to it.
+#[derive(Clone, Default)]
+pub struct Options {
+    /// Number of threads; else what the scene says, else all that the machine has.
+    pub threads: Option<usize>,
+    /// Lanes.
+    pub lanes: LaneChoice,
+    /// Keep displacements even where nothing is written.
+    pub displacement: bool,
+    /// Measure kinetic energy and residual at the nodes in every step.
+    pub measure: bool,
+    /// Body force, for manufactured solutions.
+    pub body_force: Option<BodyForce>,
+    /// Initial state, for manufactured solutions.
+    pub initial: Option<InitialField>,
+}
+
+impl fmt::Debug for Options {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Options")
+            .field("threads", &self.threads)
+            .field("lanes", &self.lanes)
+            .field("displacement", &self.displacement)
+            .field("measure", &self.measure)
+            .field("body_force", &self.body_force.is_some())
+            .field("initial", &self.initial.is_some())
+            .finish()
+    }
+}
+
+/// What the cycle knows of one body beyond its particles.
+#[derive(Clone, Debug)]
+pub(crate) struct BodyRun {
+    pub(crate) id: i64,
+    pub(crate) material_id: i64,
+    pub(crate) law: Parameters,
+    pub(crate) mapping: Mapping,
+    pub(crate) domain_update: Option<DomainUpdate>,
+    pub(crate) motion: Option<History>,
+    /// Rate of viscous damping \[1/s\].
+    pub(crate) viscous_rate: f64,
+    pub(crate) found: Found,
+}
+
+/// A scene in motion.
+pub struct Simulation {
+    pub(crate) scene: Scene,
+    pub(crate) plan: Plan,
+    pub(crate) lanes: Selected,
+    pub(crate) threads: usize,
+    pub(crate) pool: Option<ThreadPool>,
+    pub(crate) sets: Vec<ParticleSet>,
+    pub(crate) bodies: Vec<BodyRun>,
+    pub(crate) field: Field,
+    /// Nodes per axis of the stencil, 3 or 4.
+    pub(crate) stencil: usize,
+    /// Largest travel in cells since the last sort.
+    pub(crate) travel: f64,
+    pub(crate) clock: Clock,
+    pub(crate) loads: Vec<NodeForce>,
+    pub(crate) base: Option<BaseVelocity>,
+    pub(crate) body_force: Option<BodyForce>,
+    pub(crate) relaxation: step::Relaxation,
+    pub(crate) ledger: measure::Ledger,
+    pub(crate) events: Vec<Event>,
+}
+
+impl Simulation {
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The plan.
+    #[must_use]
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Particle sets, one per body, in the order of the scene.
+    #[must_use]
+    pub fn sets(&self) -> &[ParticleSet] {
+        &self.sets
+    }
+
+    /// Number of particles.
+    #[must_use]
+    pub fn particles(&self) -> usize {
+        self.sets.iter().map(ParticleSet::len).sum()
+    }
+
+    /// Number of nodes that particles can reach until the next sort.
+    #[must_use]
+    pub fn nodes_active(&self) -> usize {
+        self.field.rows.count()
+    }
+
+    /// Time of positions and stresses \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.clock.time
+    }
+
+    /// Time of the velocities, half a step before that of the positions \[s\] (leapfrog).
+    #[must_use]
+    pub fn velocity_time(&self) -> f64 {
+        self.clock.time - 0.5 * self.clock.dt_before
+    }
+
+    /// Number of steps done.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.clock.step
+    }
+
+    /// Number of threads in use.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// Lanes in use.
+    #[must_use]
+    pub fn lanes(&self) -> Selected {
+        self.lanes
+    }
+
+    /// What happened so far.
+    #[must_use]
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// Identifier of the body and of the material of a set.
+    #[must_use]
+    pub fn body_and_material(&self, set: usize) -> (i64, i64) {
+        (self.bodies[set].id, self.bodies[set].material_id)
+    }
+
+    /// Position of a particle in the coordinates of the scene \[m\].
+    #[must_use]
+    pub fn position(&self, set: usize, p: usize) -> Vector {
+        let x = self.sets[set].position(p);
+        std::array::from_fn(|axis| x[axis] + self.scene.mesh.origin[axis])
+    }
+
+    /// Displacement of a particle since the start \[m\], where the plan keeps it.
+    #[must_use]
+    pub fn displacement(&self, set: usize, p: usize) -> Option<Vector> {
+        let set = &self.sets[set];
+        let origin = set.vector(set.layout.displacement_origin?, p);
+        let x = set.position(p);
+        Some(std::array::from_fn(|axis| x[axis] - origin[axis]))
+    }
+
+    /// Position of a particle at the start in the coordinates of the scene \[m\], where the plan keeps it.
+    #[must_use]
+    pub fn initial_position(&self, set: usize, p: usize) -> Option<Vector> {
+        let x = self.sets[set].vector(self.sets[set].layout.displacement_origin?, p);
+        Some(std::array::from_fn(|axis| x[axis] + self.scene.mesh.origin[axis]))
+    }
+
+    /// Deformation gradient of a particle, where the plan keeps it.
+    #[must_use]
+    pub fn deformation(&self, set: usize, p: usize) -> Option<[[f64; 3]; 3]> {
+        let set = &self.sets[set];
+        let first = set.layout.deformation?;
+        let axes = set.layout.axes;
+        let mut f = [[0.0; 3]; 3];
+        f[2][2] = 1.0;
+        for a in 0..axes {
+            for b in 0..axes {
+                f[a][b] = set.columns[first + a * axes + b][p];
+            }
+        }
+        Some(f)
+    }
+
+    /// Mass and volume of a particle \[kg, m³\].
+    #[must_use]
+    pub fn mass_and_volume(&self, set: usize, p: usize) -> (f64, f64) {
+        let columns = &self.sets[set].columns;
+        (columns[Layout::MASS][p], columns[Layout::VOLUME][p])
+    }
+}

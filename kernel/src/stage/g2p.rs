@@ -1,0 +1,557 @@
+//! Nodes to particles: velocity, position, velocity gradient, stress; lanes = particles of one cell.
+//!
+//! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
+//! (technical manual, algorithm 2, lines 12, 15, 19, 20), then the stress update of the law.
+
+use super::{Mapping, group_at, load, store, weights_of};
+use crate::constitutive::{
+    Configuration, Kind, Matrix, Parameters, determinant, hypoelastic, neo_hookean,
+    neo_hookean_speed_squared, product, relative_deformation, stretch_diagonal, volume_ratio,
+};
+use crate::grid::{GHOSTS_BELOW, Line};
+use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::particles::Layout;
+use crate::scene::DomainUpdate;
+use std::ops::Range;
+
+/// What a pass does with the interpolated values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Task {
+    /// Add the velocity increments to the particle velocities.
+    pub kick: bool,
+    /// Share of the interpolated velocity in the particle velocity, 0 to 1.
+    pub pic_fraction: f64,
+    /// Time by which positions move \[s\]; `None` leaves them.
+    pub drift: Option<f64>,
+    /// Time of the strain increment and where its gradient belongs \[s\]; `None` leaves the stress.
+    pub strain: Option<(f64, Configuration)>,
+    /// Gradient from the upper lanes of the nodes (remapped velocity of MUSL) instead of the lower ones.
+    pub gradient_of_upper: bool,
+    /// What is written to the affine velocity of the particles.
+    pub affine: Affine,
+}
+
+/// Source of the affine velocity C_p.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Affine {
+    /// None.
+    Leave,
+    /// B_p D_p^-1 (Jiang et al. 2015).
+    Apic,
+    /// The velocity gradient.
+    Tpic,
+}
+
+/// One call: some particles of a set, in layers.
+pub struct G2p<'a, 'b> {
+    /// Columns of these particles.
+    pub columns: &'a mut [&'b mut [f64]],
+    /// Where the columns are.
+    pub layout: &'a Layout,
+    /// How the set sees the grid.
+    pub mapping: &'a Mapping,
+    /// Law of the set.
+    pub law: &'a Parameters,
+    /// Update of the particle domain, for cpGIMP.
+    pub domain_update: Option<DomainUpdate>,
+    /// All nodes.
+    pub nodes: &'a [Line],
+    /// Edges of the mesh per axis \[m\].
+    pub extent: [f64; 3],
+    /// What to do.
+    pub task: Task,
+}
+
+/// What a pass found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Largest |v|² \[m²/s²\].
+    pub speed_squared: f64,
+    /// Largest V/m \[m³/kg\] for the hypoelastic laws, largest c² for the neo-Hookean law; see
+    /// [`Found::wave_speed`].
+    pub stiffness: f64,
+    /// Largest move in cells along any axis.
+    pub travel: f64,
+    /// Largest half-length of a particle domain in cells.
+    pub half_length: f64,
+    /// First particle that went wrong, relative to the range of the call.
+    pub fault: Option<(usize, FaultKind)>,
+}
+
+/// How a particle can go wrong in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaultKind {
+    /// A value is not a number or infinite.
+    NotFinite,
+    /// Volume zero or negative.
+    Inverted,
+    /// Position outside the mesh.
+    Outside,
+}
+
+impl Found {
+    /// The larger of two findings; the fault of `self` comes first.
+    #[must_use]
+    pub fn and(self, later: Self) -> Self {
+        Self {
+            speed_squared: self.speed_squared.max(later.speed_squared),
+            stiffness: self.stiffness.max(later.stiffness),
+            travel: self.travel.max(later.travel),
+            half_length: self.half_length.max(later.half_length),
+            fault: self.fault.or(later.fault),
+        }
+    }
+
+    /// Largest wave speed of the set \[m/s\].
+    #[must_use]
+    pub fn wave_speed(&self, law: &Parameters) -> f64 {
+        match law.kind {
+            Kind::NeoHookean => self.stiffness.max(0.0).sqrt(),
+            _ => ((law.lambda + 2.0 * law.shear) * self.stiffness).sqrt(),
+        }
+    }
+}
+
+/// An interpolation stage, compiled for one dimension, stencil and set of sums.
+pub type G2pFn = fn(Selected, G2p<'_, '_>) -> Found;
+
+/// Chooses the instance for a task.
+#[must_use]
+pub fn instance(axes: usize, stencil: usize, task: &Task) -> G2pFn {
+    let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
+    let apic = task.affine == Affine::Apic;
+    match (axes, stencil) {
+        (2, 3) => sums::<2, 3>(task, gradient, apic),
+        (2, _) => sums::<2, 4>(task, gradient, apic),
+        (_, 3) => sums::<3, 3>(task, gradient, apic),
+        (_, _) => sums::<3, 4>(task, gradient, apic),
+    }
+}
+
+fn sums<const D: usize, const N: usize>(task: &Task, gradient: bool, apic: bool) -> G2pFn {
+    match (task.kick, gradient, apic, task.gradient_of_upper) {
+        (_, _, true, _) => entry::<D, N, true, true, true, false>,
+        (_, true, false, true) => entry::<D, N, false, true, false, true>,
+        (true, true, false, false) => entry::<D, N, true, true, false, false>,
+        (true, false, false, _) => entry::<D, N, true, false, false, false>,
+        (false, _, false, _) => entry::<D, N, false, true, false, false>,
+    }
+}
+
+fn entry<
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+>(
+    lanes: Selected,
+    call: G2p<'_, '_>,
+) -> Found {
+    lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>(call))
+}
+
+struct Instance<
+    'a,
+    'b,
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+>(G2p<'a, 'b>);
+
+impl<
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+> Kernel for Instance<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>
+{
+    type Output = Found;
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> Found {
+        let mut call = self.0;
+        let end = call.columns[0].len();
+        let mut maxima = Maxima::<B::Native>::new();
+        let mut fault = None;
+        let mut at = 0;
+        while at < end {
+            let group = group_at::<B::Native, _, D, N>(
+                call.columns,
+                call.mapping,
+                at,
+                end,
+                B::Native::WIDTH,
+            );
+            let sums = interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
+                call.columns,
+                call.mapping,
+                call.nodes,
+                &group.base,
+                at,
+                group.count,
+            );
+            let bad = update::<B::Native, D, N>(&mut call, &sums, &mut maxima, at, group.count);
+            if bad != 0 && fault.is_none() {
+                fault = Some(first_fault::<D>(&call, at, bad));
+            }
+            at += group.count;
+        }
+        maxima.found(fault)
+    }
+}
+
+/// Interpolated values of one group.
+struct Sums<L> {
+    /// sum S v.
+    velocity: [L; 3],
+    /// sum S dv.
+    increment: [L; 3],
+    /// sum v (x) grad S \[1/s\].
+    gradient: Matrix<L>,
+    /// C_p of APIC \[1/s\].
+    affine: Matrix<L>,
+}
+
+#[inline(always)]
+fn interpolate<
+    L: Lanes,
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+>(
+    columns: &[&mut [f64]],
+    mapping: &Mapping,
+    nodes: &[Line],
+    base: &[f64; 3],
+    at: usize,
+    count: usize,
+) -> Sums<L> {
+    let zero = L::splat(0.0);
+    let (f, w, mut g) = weights_of::<L, _, D, N>(columns, mapping, base, at, count);
+    let mut q = [[zero; N]; 3];
+    for axis in 0..D {
+        let scale = L::splat(mapping.inverse_cell[axis]);
+        for n in 0..N {
+            g[axis][n] = g[axis][n] * scale;
+        }
+        if APIC {
+            q[axis] = affine_weights::<L, N>(mapping, axis, f[axis], &w[axis], &g[axis]);
+        }
+    }
+    let fast = D - 1;
+    let rows = if D == 3 { N } else { 1 };
+    let mut sums = Sums {
+        velocity: [zero; 3],
+        increment: [zero; 3],
+        gradient: [[zero; 3]; 3],
+        affine: [[zero; 3]; 3],
+    };
+    let start = [
+        (base[0] + GHOSTS_BELOW as f64) as usize,
+        if D == 3 { (base[1] + GHOSTS_BELOW as f64) as usize } else { 0 },
+        (base[fast] + GHOSTS_BELOW as f64) as usize,
+    ];
+    let source = if UPPER { 4 } else { 1 };
+    for i in 0..N {
+        for j in 0..rows {
+            let row_start = ((start[0] + i) * mapping.nodes[1] + start[1] + j) * mapping.nodes[2] + start[2];
+            let row = &nodes[row_start..][..N];
+            // Sums along the row.
+            let mut v = [zero; 3];
+            let mut dv = [zero; 3];
+            let mut s = [zero; 3];
+            let mut vg = [zero; 3];
+            let mut vq = [zero; 3];
+            for k in 0..N {
+                for c in 0..D {
+                    let v_i = L::splat(row[k][1 + c]);
+                    v[c] = w[fast][k].mul_add(v_i, v[c]);
+                    if KICK {
+                        dv[c] = w[fast][k].mul_add(L::splat(row[k][4 + c]), dv[c]);
+                    }
+                    if GRADIENT {
+                        let s_i = L::splat(row[k][source + c]);
+                        if UPPER {
+                            s[c] = w[fast][k].mul_add(s_i, s[c]);
+                        }
+                        vg[c] = g[fast][k].mul_add(s_i, vg[c]);
+                    }
+                    if APIC {
+                        vq[c] = q[fast][k].mul_add(v_i, vq[c]);
+                    }
+                }
+            }
+            if GRADIENT && !UPPER {
+                s = v;
+            }
+            let ww = if D == 3 { w[0][i] * w[1][j] } else { w[0][i] };
+            let gw = if D == 3 { g[0][i] * w[1][j] } else { g[0][i] };
+            let qw = if D == 3 { q[0][i] * w[1][j] } else { q[0][i] };
+            for c in 0..D {
+                sums.velocity[c] = ww.mul_add(v[c], sums.velocity[c]);
+                if KICK {
+                    sums.increment[c] = ww.mul_add(dv[c], sums.increment[c]);
+                }
+                if GRADIENT {
+                    sums.gradient[c][0] = gw.mul_add(s[c], sums.gradient[c][0]);
+                    sums.gradient[c][fast] = ww.mul_add(vg[c], sums.gradient[c][fast]);
+                    if D == 3 {
+                        sums.gradient[c][1] = (w[0][i] * g[1][j]).mul_add(s[c], sums.gradient[c][1]);
+                    }
+                }
+                if APIC {
+                    sums.affine[c][0] = qw.mul_add(v[c], sums.affine[c][0]);
+                    sums.affine[c][fast] = ww.mul_add(vq[c], sums.affine[c][fast]);
+                    if D == 3 {
+                        sums.affine[c][1] = (w[0][i] * q[1][j]).mul_add(v[c], sums.affine[c][1]);
+                    }
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// Factors of APIC along an axis: S_I (x_I - x_p)/D_p with D_p = sum S_I (x_I - x_p)² of that axis. The cross
+/// terms of D_p vanish because the weights reproduce linear fields. For hats the quotient is the derivative,
+/// also where D_p is zero.
+#[inline(always)]
+fn affine_weights<L: Lanes, const N: usize>(
+    mapping: &Mapping,
+    axis: usize,
+    f: L,
+    w: &[L; N],
+    g: &[L; N],
+) -> [L; N] {
+    if mapping.family == crate::weights::Family::Hat {
+        return *g;
+    }
+    let mut q = *w;
+    let mut inertia = L::splat(0.0);
+    for n in 0..N {
+        let distance = L::splat(n as f64) - f;
+        q[n] = w[n] * distance;
+        inertia = q[n].mul_add(distance, inertia);
+    }
+    let scale = L::splat(mapping.inverse_cell[axis]) / inertia;
+    for n in 0..N {
+        q[n] = q[n] * scale;
+    }
+    q
+}
+
+/// Writes the new state of one group; returns the lanes that went wrong.
+#[inline(always)]
+fn update<L: Lanes, const D: usize, const N: usize>(
+    call: &mut G2p<'_, '_>,
+    sums: &Sums<L>,
+    maxima: &mut Maxima<L>,
+    at: usize,
+    count: usize,
+) -> u32 {
+    let zero = L::splat(0.0);
+    let task = call.task;
+    let live = live_lanes::<L>(count);
+    let mut good = u32::MAX;
+    if task.kick {
+        let pic = L::splat(task.pic_fraction);
+        let mut square = zero;
+        for c in 0..D {
+            let column = &mut *call.columns[Layout::velocity(D) + c];
+            let mut v = load::<L>(column, at, count) + sums.increment[c];
+            if task.pic_fraction != 0.0 {
+                v = pic.mul_add(sums.velocity[c] - v, v);
+            }
+            store(v, column, at, count);
+            square = v.mul_add(v, square);
+        }
+        maxima.speed_squared = maxima.speed_squared.max(L::select(live, square, zero));
+    }
+    if let Some(affine) = call.layout.affine {
+        let c_p = match task.affine {
+            Affine::Leave => None,
+            Affine::Apic => Some(&sums.affine),
+            Affine::Tpic => Some(&sums.gradient),
+        };
+        if let Some(c_p) = c_p {
+            for a in 0..D {
+                for b in 0..D {
+                    store(c_p[a][b], call.columns[affine + a * D + b], at, count);
+                }
+            }
+        }
+    }
+    if let Some(dt) = task.drift {
+        let dt = L::splat(dt);
+        for axis in 0..D {
+            let column = &mut *call.columns[Layout::POSITION + axis];
+            let move_ = dt * sums.velocity[axis];
+            let x = load::<L>(column, at, count) + move_;
+            store(x, column, at, count);
+            let cells = (move_ * L::splat(call.mapping.inverse_cell[axis])).abs();
+            maxima.travel = maxima.travel.max(L::select(live, cells, zero));
+            // False for NaN, true on the planes themselves.
+            good &= L::bits(L::splat(-f64::MIN_POSITIVE).lt(x));
+            good &= L::bits(x.lt(L::splat(call.extent[axis].next_up())));
+        }
+    }
+    if let Some((dt, configuration)) = task.strain {
+        good &= strain::<L, D>(call, sums, maxima, at, count, dt, configuration);
+    }
+    !good & L::bits(live)
+}
+
+/// Stress, volume and deformation after a strain increment; returns the lanes that are sound.
+#[inline(always)]
+fn strain<L: Lanes, const D: usize>(
+    call: &mut G2p<'_, '_>,
+    sums: &Sums<L>,
+    maxima: &mut Maxima<L>,
+    at: usize,
+    count: usize,
+    dt: f64,
+    configuration: Configuration,
+) -> u32 {
+    let zero = L::splat(0.0);
+    let live = live_lanes::<L>(count);
+    let law = call.law;
+    let mut g = sums.gradient;
+    for a in 0..D {
+        for b in 0..D {
+            g[a][b] = g[a][b] * L::splat(dt);
+        }
+    }
+    let mass = load::<L>(call.columns[Layout::MASS], at, count);
+    let mut f = [[zero; 3]; 3];
+    let mut ratio = L::splat(1.0);
+    if let Some(first) = call.layout.deformation {
+        for a in 0..D {
+            for b in 0..D {
+                f[a][b] = load::<L>(call.columns[first + a * D + b], at, count);
+            }
+        }
+        f = product::<L, D>(&relative_deformation::<L, D>(&g, configuration), &f);
+        for a in 0..D {
+            for b in 0..D {
+                store(f[a][b], call.columns[first + a * D + b], at, count);
+            }
+        }
+        ratio = determinant::<L, D>(&f);
+    }
+    // With F the volume is V_0 det F, so that volume, density and F agree to round-off.
+    let volume = if call.layout.deformation.is_some() {
+        mass * L::splat(1.0 / law.density) * ratio
+    } else {
+        load::<L>(call.columns[Layout::VOLUME], at, count) * volume_ratio::<L, D>(&g, configuration)
+    };
+    store(volume, call.columns[Layout::VOLUME], at, count);
+    let mut good = L::bits(zero.lt(volume));
+
+    let components = if D == 2 { 4 } else { 6 };
+    let first = Layout::stress(D);
+    let mut s = [zero; 6];
+    let stiffness = if law.kind == Kind::NeoHookean {
+        s = neo_hookean::<L, D>(law, &f, ratio);
+        neo_hookean_speed_squared::<L, D>(law, &f, ratio)
+    } else {
+        for i in 0..components {
+            s[i] = load::<L>(call.columns[first + i], at, count);
+        }
+        s = hypoelastic::<L, D>(law, &g, configuration, &s);
+        volume / mass
+    };
+    maxima.stiffness = maxima.stiffness.max(L::select(live, stiffness, zero));
+    let mut finite = zero;
+    for i in 0..components {
+        store(s[i], call.columns[first + i], at, count);
+        finite = s[i].mul_add(zero, finite);
+    }
+    good &= L::bits(finite.eq(zero));
+
+    if let (Some(update), Some(first), Some(initial)) =
+        (call.domain_update, call.layout.half_length, call.layout.initial_half_length)
+    {
+        let factor = match update {
+            DomainUpdate::Stretch => stretch_diagonal::<L, D>(&f),
+            DomainUpdate::Determinant if D == 2 => [ratio.sqrt(); 3],
+            DomainUpdate::Determinant => [ratio.map(f64::cbrt); 3],
+        };
+        for axis in 0..D {
+            let l = factor[axis] * load::<L>(call.columns[initial + axis], at, count);
+            store(l, call.columns[first + axis], at, count);
+            maxima.half_length = maxima.half_length.max(L::select(live, l, zero));
+        }
+    }
+    good
+}
+
+#[inline(always)]
+fn live_lanes<L: Lanes>(count: usize) -> L::Mask {
+    const INDEX: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+    L::load(&INDEX).lt(L::splat(count as f64))
+}
+
+/// Largest values over the particles seen so far, per lane. Maxima do not depend on the order.
+struct Maxima<L> {
+    speed_squared: L,
+    stiffness: L,
+    travel: L,
+    half_length: L,
+}
+
+impl<L: Lanes> Maxima<L> {
+    #[inline(always)]
+    fn new() -> Self {
+        let zero = L::splat(0.0);
+        Self { speed_squared: zero, stiffness: zero, travel: zero, half_length: zero }
+    }
+
+    #[inline(always)]
+    fn found(&self, fault: Option<(usize, FaultKind)>) -> Found {
+        Found {
+            speed_squared: largest(self.speed_squared),
+            stiffness: largest(self.stiffness),
+            travel: largest(self.travel),
+            half_length: largest(self.half_length),
+            fault,
+        }
+    }
+}
+
+#[inline(always)]
+fn largest<L: Lanes>(x: L) -> f64 {
+    let mut values = [0.0; 8];
+    x.store(&mut values);
+    let mut most = 0.0;
+    for value in values {
+        if value > most {
+            most = value;
+        }
+    }
+    most
+}
+
+/// Names the fault of the first bad lane of a group.
+#[cold]
+fn first_fault<const D: usize>(call: &G2p<'_, '_>, at: usize, bad: u32) -> (usize, FaultKind) {
+    let p = at + bad.trailing_zeros() as usize;
+    let state: Range<usize> = Layout::VOLUME..Layout::stress(D) + call.layout.stress_components();
+    let kind = if state.clone().any(|column| !call.columns[column][p].is_finite()) {
+        FaultKind::NotFinite
+    } else if call.columns[Layout::VOLUME][p] <= 0.0 {
+        FaultKind::Inverted
+    } else {
+        FaultKind::Outside
+    };
+    (p, kind)
+}

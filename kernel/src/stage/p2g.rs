@@ -1,0 +1,341 @@
+//! Particles to nodes: mass, momentum and force, lanes = quantities of a node.
+//!
+//! m_I = sum_p m_p S_Ip, p_I = sum_p m_p (v_p + C_p (x_I - x_p)) S_Ip,
+//! f_I = sum_p (f_p S_Ip - V_p sigma_p . grad S_Ip)   (technical manual, algorithm 2, lines 1, 2, 5, 6).
+//!
+//! The caller owns some planes of nodes and pulls from all particles that reach them; a node's sum is formed
+//! in the order of the particles whatever planes the caller owns, so the bits do not depend on the partition.
+
+use super::{Mapping, group_at, weights_of};
+use crate::grid::{GHOSTS_BELOW, Line};
+use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::particles::Layout;
+use std::ops::Range;
+
+/// What is carried to the nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carry {
+    /// Mass and momentum to the lower lanes, force to the upper ones.
+    All,
+    /// Mass and momentum to the lower lanes.
+    Momentum,
+    /// Force to the upper lanes.
+    Force,
+    /// Momentum to the upper lanes (the second mapping of MUSL).
+    Remap,
+}
+
+/// One call: the particles of some layers of a set onto some planes.
+pub struct P2g<'a> {
+    /// Columns of the set.
+    pub columns: &'a [Vec<f64>],
+    /// Where the columns are.
+    pub layout: &'a Layout,
+    /// How the set sees the grid.
+    pub mapping: &'a Mapping,
+    /// Particles of each layer, in order; groups do not cross layers.
+    pub layers: Vec<Range<usize>>,
+    /// Planes of nodes that are owned.
+    pub planes: Range<usize>,
+    /// The nodes of these planes.
+    pub nodes: &'a mut [Line],
+    /// What is carried.
+    pub carry: Carry,
+    /// Rate of viscous damping, f = -rate m v \[1/s\] (Liang et al. 2024, eq. 20); 0 for none.
+    pub viscous_rate: f64,
+}
+
+/// A mapping stage, compiled for one dimension, stencil and set of terms.
+pub type P2gFn = fn(Selected, P2g<'_>);
+
+/// Chooses the instance: dimension, nodes per axis, whether particles carry affine velocity or forces of their
+/// own (`full`).
+///
+/// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
+#[must_use]
+pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn {
+    let gradient = full || matches!(carry, Carry::All | Carry::Force);
+    match (axes, stencil, full, gradient) {
+        (2, 3, false, true) => entry::<2, 3, false, true>,
+        (2, 3, false, false) => entry::<2, 3, false, false>,
+        (2, 3, true, _) => entry::<2, 3, true, true>,
+        (2, _, false, true) => entry::<2, 4, false, true>,
+        (2, _, false, false) => entry::<2, 4, false, false>,
+        (2, _, true, _) => entry::<2, 4, true, true>,
+        (_, 3, false, true) => entry::<3, 3, false, true>,
+        (_, 3, false, false) => entry::<3, 3, false, false>,
+        (_, 3, true, _) => entry::<3, 3, true, true>,
+        (_, _, false, true) => entry::<3, 4, false, true>,
+        (_, _, false, false) => entry::<3, 4, false, false>,
+        (_, _, true, _) => entry::<3, 4, true, true>,
+    }
+}
+
+fn entry<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(
+    lanes: Selected,
+    call: P2g<'_>,
+) {
+    lanes.run(Instance::<'_, D, N, FULL, GRADIENT>(call));
+}
+
+struct Instance<'a, const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(P2g<'a>);
+
+impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Kernel
+    for Instance<'_, D, N, FULL, GRADIENT>
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run<B: Backend>(self) {
+        let P2g { columns, layout, mapping, layers, planes, nodes, carry, viscous_rate } = self.0;
+        let mut scratch = Scratch::<N>::new();
+        for layer in layers {
+            let mut at = layer.start;
+            while at < layer.end {
+                let group = group_at::<B::Native, _, D, N>(columns, mapping, at, layer.end, 8);
+                let first_plane = (group.base[0] + GHOSTS_BELOW as f64) as usize;
+                let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
+                if own.start < own.end {
+                    scratch.fill_weights::<B::Native, D, FULL>(
+                        columns, mapping, &group.base, at, group.count, carry,
+                    );
+                    scratch.fill_lines::<D, FULL>(
+                        columns, layout, mapping, at, group.count, carry, viscous_rate,
+                    );
+                    let row = if D == 3 { (group.base[1] + GHOSTS_BELOW as f64) as usize } else { 0 };
+                    let fast = (group.base[D - 1] + GHOSTS_BELOW as f64) as usize;
+                    for plane in own {
+                        let first = ((plane - planes.start) * mapping.nodes[1] + row) * mapping.nodes[2] + fast;
+                        scratch.add_plane::<B, D, FULL, GRADIENT>(
+                            plane - first_plane,
+                            group.count,
+                            first,
+                            mapping.nodes[2],
+                            nodes,
+                        );
+                    }
+                }
+                at += group.count;
+            }
+        }
+    }
+}
+
+/// Weights and quantities of one group.
+struct Scratch<const N: usize> {
+    /// Weights, `[axis][node][particle]`.
+    w: [[[f64; 8]; N]; 3],
+    /// Derivatives times h.
+    g: [[[f64; 8]; N]; 3],
+    /// Weights times distance in cells, for the affine term.
+    q: [[[f64; 8]; N]; 3],
+    /// Per particle: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and
+    /// distance (lower lanes) along each axis.
+    lines: [[[f64; 8]; 4]; 8],
+}
+
+impl<const N: usize> Scratch<N> {
+    #[inline(always)]
+    fn new() -> Self {
+        Self {
+            w: [[[0.0; 8]; N]; 3],
+            g: [[[0.0; 8]; N]; 3],
+            q: [[[0.0; 8]; N]; 3],
+            lines: [[[0.0; 8]; 4]; 8],
+        }
+    }
+
+    #[inline(always)]
+    fn fill_weights<L: Lanes, const D: usize, const FULL: bool>(
+        &mut self,
+        columns: &[Vec<f64>],
+        mapping: &Mapping,
+        base: &[f64; 3],
+        at: usize,
+        count: usize,
+        carry: Carry,
+    ) {
+        let mut done = 0;
+        while done < count {
+            let part = (count - done).min(L::WIDTH);
+            let (f, w, g) = weights_of::<L, _, D, N>(columns, mapping, base, at + done, part);
+            for axis in 0..D {
+                for n in 0..N {
+                    w[axis][n].store(&mut self.w[axis][n][done..]);
+                    g[axis][n].store(&mut self.g[axis][n][done..]);
+                    if FULL {
+                        let q = w[axis][n] * (L::splat(n as f64) - f[axis]);
+                        q.store(&mut self.q[axis][n][done..]);
+                        if carry == Carry::Remap {
+                            // The remapped momentum lies in the upper lanes, with its affine part.
+                            q.store(&mut self.g[axis][n][done..]);
+                        }
+                    }
+                }
+            }
+            done += part;
+        }
+    }
+
+    #[inline(always)]
+    fn fill_lines<const D: usize, const FULL: bool>(
+        &mut self,
+        columns: &[Vec<f64>],
+        layout: &Layout,
+        mapping: &Mapping,
+        at: usize,
+        count: usize,
+        carry: Carry,
+        viscous_rate: f64,
+    ) {
+        let stress = Layout::stress(D);
+        let velocity = Layout::velocity(D);
+        for p in 0..count {
+            let i = at + p;
+            let lines = &mut self.lines[p];
+            *lines = [[0.0; 8]; 4];
+            let m = columns[Layout::MASS][i];
+            if carry != Carry::Force {
+                let first = if carry == Carry::Remap { 4 } else { 1 };
+                if carry != Carry::Remap {
+                    lines[0][0] = m;
+                }
+                for c in 0..D {
+                    lines[0][first + c] = m * columns[velocity + c][i];
+                }
+                if FULL {
+                    if let Some(affine) = layout.affine {
+                        for axis in 0..D {
+                            for c in 0..D {
+                                let rate = columns[affine + c * D + axis][i];
+                                lines[Self::line_of::<D>(axis)][first + c] = m * rate * mapping.cell[axis];
+                            }
+                        }
+                    }
+                }
+            }
+            if matches!(carry, Carry::All | Carry::Force) {
+                let volume = -columns[Layout::VOLUME][i];
+                for axis in 0..D {
+                    let scale = volume * mapping.inverse_cell[axis];
+                    let line = if FULL { Self::line_of::<D>(axis) } else { Self::lean_line_of::<D>(axis) };
+                    for c in 0..D {
+                        lines[line][4 + c] = scale * columns[stress + voigt::<D>(c, axis)][i];
+                    }
+                }
+                if FULL {
+                    if let Some(force) = layout.force {
+                        for c in 0..D {
+                            lines[0][4 + c] = columns[force + c][i];
+                        }
+                    }
+                    if viscous_rate != 0.0 {
+                        for c in 0..D {
+                            lines[0][4 + c] -= viscous_rate * m * columns[velocity + c][i];
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Line of the terms that go with the derivative along an axis: 1 slow, 2 middle, 3 fast.
+    #[inline(always)]
+    const fn line_of<const D: usize>(axis: usize) -> usize {
+        if axis + 1 == D { 3 } else { axis + 1 }
+    }
+
+    /// As [`Self::line_of`]; without affine terms the slow axis shares line 0, whose upper lanes are free.
+    #[inline(always)]
+    const fn lean_line_of<const D: usize>(axis: usize) -> usize {
+        if axis == 0 { 0 } else { Self::line_of::<D>(axis) }
+    }
+
+    /// Adds the group to one plane of nodes, `i` planes above its base.
+    #[inline(always)]
+    fn add_plane<B: Backend, const D: usize, const FULL: bool, const GRADIENT: bool>(
+        &self,
+        i: usize,
+        count: usize,
+        first: usize,
+        row_length: usize,
+        nodes: &mut [Line],
+    ) {
+        let fast = D - 1;
+        let rows = if D == 3 { N } else { 1 };
+        for j in 0..rows {
+            // Products over slow and middle axis, eight particles at a time.
+            let (mut ww, mut gw, mut wg) = (self.w[0][i], self.g[0][i], [0.0; 8]);
+            let (mut qw, mut wq) = (self.q[0][i], [0.0; 8]);
+            if D == 3 {
+                let w_1 = B::Line::load(&self.w[1][j]);
+                let w_0 = B::Line::load(&ww);
+                (w_0 * w_1).store(&mut ww);
+                if GRADIENT {
+                    (B::Line::load(&gw) * w_1).store(&mut gw);
+                    (w_0 * B::Line::load(&self.g[1][j])).store(&mut wg);
+                }
+                if FULL {
+                    (B::Line::load(&qw) * w_1).store(&mut qw);
+                    (w_0 * B::Line::load(&self.q[1][j])).store(&mut wq);
+                }
+            }
+            let row = &mut nodes[first + j * row_length..][..N];
+            let mut sums = [B::Line::splat(0.0); N];
+            for k in 0..N {
+                sums[k] = B::Line::load(&row[k]);
+            }
+            for p in 0..count {
+                let lines = &self.lines[p];
+                let by_weight = B::Line::load(&lines[0]);
+                let mut s = if FULL || !GRADIENT {
+                    B::Line::splat(ww[p]) * by_weight
+                } else {
+                    B::Line::splat_halves(ww[p], gw[p]) * by_weight
+                };
+                if FULL {
+                    s = B::Line::splat_halves(qw[p], gw[p]).mul_add(B::Line::load(&lines[1]), s);
+                }
+                if GRADIENT && D == 3 {
+                    let middle = B::Line::load(&lines[2]);
+                    let factor = if FULL {
+                        B::Line::splat_halves(wq[p], wg[p])
+                    } else {
+                        B::Line::splat(wg[p])
+                    };
+                    s = factor.mul_add(middle, s);
+                }
+                for k in 0..N {
+                    sums[k] = B::Line::splat(self.w[fast][k][p]).mul_add(s, sums[k]);
+                }
+                if GRADIENT {
+                    let t = B::Line::splat(ww[p]) * B::Line::load(&lines[3]);
+                    for k in 0..N {
+                        let factor = if FULL {
+                            B::Line::splat_halves(self.q[fast][k][p], self.g[fast][k][p])
+                        } else {
+                            B::Line::splat(self.g[fast][k][p])
+                        };
+                        sums[k] = factor.mul_add(t, sums[k]);
+                    }
+                }
+            }
+            for k in 0..N {
+                sums[k].store(&mut row[k]);
+            }
+        }
+    }
+}
+
+/// Column of the stress component sigma_ab, counted from the first.
+#[inline(always)]
+pub(crate) const fn voigt<const D: usize>(a: usize, b: usize) -> usize {
+    if a == b {
+        a
+    } else if D == 2 {
+        3
+    } else {
+        // yz, xz, xy are 3, 4, 5: six minus the sum of the two axes.
+        6 - a - b
+    }
+}

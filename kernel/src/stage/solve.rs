@@ -1,0 +1,444 @@
+//! Equation of motion at the nodes and conditions on the boundary planes.
+//!
+//! Before the solve a node holds mass, momentum and force; after it mass, velocity v_I^(k+1/2) and its
+//! increment dv_I. Ghost nodes beyond a sliding plane mirror the body (normal component odd, tangential even),
+//! beyond a fixed plane all components are odd about the velocity of the plane; what particles gave to a ghost
+//! node is folded onto its mirror node before the solve, and the ghost gets the mirrored velocity after it.
+
+use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
+use std::ops::Range;
+
+/// A boundary plane with a condition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// Axis of the normal.
+    pub axis: usize,
+    /// 0 the lower, 1 the upper plane.
+    pub side: usize,
+    /// Whether the tangential velocity is prescribed too.
+    pub fixed: bool,
+    /// Velocity of the plane half a step before \[m/s\].
+    pub before: [f64; 3],
+    /// Velocity of the plane half a step after \[m/s\].
+    pub after: [f64; 3],
+}
+
+impl Wall {
+    fn prescribes(&self, axis: usize) -> bool {
+        self.fixed || axis == self.axis
+    }
+
+    /// Storage indices along the direction of the normal: ghost, plane, mirror.
+    fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
+        if self.side == 0 {
+            (GHOSTS_BELOW - 1, GHOSTS_BELOW, GHOSTS_BELOW + 1)
+        } else {
+            let plane = GHOSTS_BELOW + shape.cells[self.axis];
+            (plane + 1, plane, plane - 1)
+        }
+    }
+}
+
+/// A force on a node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeForce {
+    /// Index of the node in the grid.
+    pub node: usize,
+    /// Force \[N\].
+    pub force: [f64; 3],
+}
+
+/// A node that moves with a prescribed velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenNode {
+    /// Index of the node in the grid.
+    pub node: usize,
+    /// Velocity half a step before \[m/s\].
+    pub before: [f64; 3],
+    /// Velocity half a step after \[m/s\].
+    pub after: [f64; 3],
+}
+
+/// The planes of nodes that one visit owns.
+pub struct Planes<'a> {
+    /// Shape of the grid.
+    pub shape: &'a GridShape,
+    /// Rows in use.
+    pub rows: &'a ActiveRows,
+    /// Indices of the planes.
+    pub range: Range<usize>,
+    /// Their nodes.
+    pub nodes: &'a mut [Line],
+}
+
+/// What acts at the nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Forces<'a> {
+    /// Acceleration of gravity \[m/s²\].
+    pub gravity: [f64; 3],
+    /// Forces on nodes, in order of the node.
+    pub loads: &'a [NodeForce],
+    /// Factor of local damping.
+    pub local_damping: Option<f64>,
+    /// Time over which velocities change \[s\].
+    pub kick: f64,
+}
+
+/// Sums over one plane of nodes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlaneSums {
+    /// Kinetic energy \[J\].
+    pub kinetic: f64,
+    /// Sum of squared unbalanced forces of free components \[N²\].
+    pub unbalanced_squared: f64,
+    /// Power of the nodal loads and of the moving planes \[W\].
+    pub power: f64,
+}
+
+/// A load on a node that no particle reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EmptyNode(pub usize);
+
+impl Planes<'_> {
+    fn first(&self) -> usize {
+        self.range.start * self.shape.plane_nodes()
+    }
+
+    /// Sets the active nodes to zero.
+    pub fn clear(&mut self) {
+        self.for_rows(|row| row.fill([0.0; 8]));
+    }
+
+    /// Sets the upper lanes of the active nodes to zero.
+    pub fn clear_upper(&mut self) {
+        self.for_rows(|row| {
+            for node in row {
+                node[4..7].fill(0.0);
+            }
+        });
+    }
+
+    #[inline(always)]
+    fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
+        for plane in self.range.clone() {
+            for row in 0..self.shape.nodes[1] {
+                let span = self.rows.span(plane, row);
+                if !span.is_empty() {
+                    let start =
+                        ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
+                    act(&mut self.nodes[start + span.start..start + span.end]);
+                }
+            }
+        }
+    }
+
+    /// Folds what lies on ghost nodes onto their mirror nodes: mass and momentum (`lower`), force (`upper`).
+    pub fn fold(&mut self, walls: &[Wall], lower: bool, upper: bool) {
+        for wall in walls {
+            let (ghost, _, mirror) = wall.layers(self.shape);
+            self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+                let from = nodes[ghost];
+                if from[0] == 0.0 {
+                    return;
+                }
+                let to = &mut nodes[mirror];
+                if lower {
+                    to[0] += from[0];
+                    for axis in 0..3 {
+                        to[1 + axis] += if wall.prescribes(axis) {
+                            2.0 * wall.before[axis] * from[0] - from[1 + axis]
+                        } else {
+                            from[1 + axis]
+                        };
+                    }
+                }
+                if upper {
+                    for axis in 0..3 {
+                        to[4 + axis] +=
+                            if wall.prescribes(axis) { -from[4 + axis] } else { from[4 + axis] };
+                    }
+                }
+            });
+        }
+    }
+
+    /// Gives ghost nodes the mirrored velocity (and increment) of their mirror nodes.
+    pub fn unfold(&mut self, walls: &[Wall], increments: bool) {
+        for wall in walls.iter().rev() {
+            let (ghost, _, mirror) = wall.layers(self.shape);
+            self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+                let from = nodes[mirror];
+                let to = &mut nodes[ghost];
+                for axis in 0..3 {
+                    if wall.prescribes(axis) {
+                        let (v, dv) = if increments {
+                            (wall.after[axis], wall.after[axis] - wall.before[axis])
+                        } else {
+                            (wall.after[axis], 0.0)
+                        };
+                        to[1 + axis] = 2.0 * v - from[1 + axis];
+                        to[4 + axis] = 2.0 * dv - from[4 + axis];
+                    } else {
+                        to[1 + axis] = from[1 + axis];
+                        to[4 + axis] = from[4 + axis];
+                    }
+                }
+            });
+        }
+    }
+
+    /// v_I = p_I / m_I in the lower lanes.
+    pub fn velocities(&mut self) {
+        self.for_rows(|row| {
+            for node in row {
+                if node[0] > 0.0 {
+                    for c in 1..4 {
+                        node[c] /= node[0];
+                    }
+                }
+            }
+        });
+    }
+
+    /// Velocity of the second mapping of MUSL in the upper lanes: remapped momentum over mass.
+    pub fn remapped_velocities(&mut self) {
+        self.for_rows(|row| {
+            for node in row {
+                if node[0] > 0.0 {
+                    for c in 4..7 {
+                        node[c] /= node[0];
+                    }
+                }
+            }
+        });
+    }
+
+    /// Adds the nodal loads to the force.
+    ///
+    /// # Errors
+    /// Where a loaded node has no mass.
+    pub fn load(&mut self, loads: &[NodeForce]) -> Result<(), EmptyNode> {
+        let first = self.first();
+        for load in owned(loads, |l| l.node, first, self.nodes.len()) {
+            let node = &mut self.nodes[load.node - first];
+            if node[0] <= 0.0 {
+                return Err(EmptyNode(load.node));
+            }
+            for axis in 0..3 {
+                node[4 + axis] += load.force[axis];
+            }
+        }
+        Ok(())
+    }
+
+    /// v_I += dv_I with dv_I = (f_I/m_I + g) dt, damped (technical manual, algorithm 2, lines 7-11).
+    pub fn accelerate(&mut self, forces: &Forces<'_>) {
+        let (g, dt) = (forces.gravity, forces.kick);
+        match forces.local_damping {
+            None => self.for_rows(|row| {
+                for node in row {
+                    if node[0] > 0.0 {
+                        let r = 1.0 / node[0];
+                        for axis in 0..3 {
+                            node[4 + axis] = (node[4 + axis] * r + g[axis]) * dt;
+                            node[1 + axis] += node[4 + axis];
+                        }
+                    }
+                }
+            }),
+            Some(alpha) => self.for_rows(|row| {
+                for node in row {
+                    if node[0] > 0.0 {
+                        let r = 1.0 / node[0];
+                        for axis in 0..3 {
+                            let a = node[4 + axis] * r + g[axis];
+                            let v = node[1 + axis];
+                            let resisted = if v == 0.0 { a } else { a - alpha * a.abs() * v.signum() };
+                            node[4 + axis] = resisted * dt;
+                            node[1 + axis] += node[4 + axis];
+                        }
+                    }
+                }
+            }),
+        }
+    }
+
+    /// Prescribes the velocity at the nodes of the walls: half a step after, with its increment; or, before the
+    /// solve (`increments` false), the velocity alone. Returns the power of the reactions of moving walls \[W\].
+    pub fn constrain(&mut self, walls: &[Wall], increments: bool, kick: f64) -> f64 {
+        let mut power = 0.0;
+        for wall in walls {
+            let (_, plane, _) = wall.layers(self.shape);
+            self.for_pairs(wall.axis, plane, plane, |nodes, node, _| {
+                let node = &mut nodes[node];
+                for axis in 0..3 {
+                    if wall.prescribes(axis) {
+                        let dv = if increments { wall.after[axis] - wall.before[axis] } else { 0.0 };
+                        if increments && kick > 0.0 && wall.after[axis] != 0.0 {
+                            power += node[0] * (dv - node[4 + axis]) / kick * wall.after[axis];
+                        }
+                        node[1 + axis] = wall.after[axis];
+                        node[4 + axis] = dv;
+                    }
+                }
+            });
+        }
+        power
+    }
+
+    /// As [`Planes::constrain`] for the remapped velocity of MUSL in the upper lanes.
+    pub fn constrain_remapped(&mut self, walls: &[Wall]) {
+        for wall in walls {
+            let (ghost, plane, mirror) = wall.layers(self.shape);
+            self.for_pairs(wall.axis, plane, plane, |nodes, node, _| {
+                for axis in 0..3 {
+                    if wall.prescribes(axis) {
+                        nodes[node][4 + axis] = wall.after[axis];
+                    }
+                }
+            });
+            // The ghosts of earlier walls are filled by now, so corners come out right.
+            self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+                for axis in 0..3 {
+                    let v = nodes[mirror][4 + axis];
+                    nodes[ghost][4 + axis] =
+                        if wall.prescribes(axis) { 2.0 * wall.after[axis] - v } else { v };
+                }
+            });
+        }
+    }
+
+    /// As [`Planes::fold`] for the remapped momentum of MUSL in the upper lanes. The mass of the mirror nodes was
+    /// folded before; a ghost node still holds its own.
+    pub fn fold_remapped(&mut self, walls: &[Wall]) {
+        for wall in walls {
+            let (ghost, _, mirror) = wall.layers(self.shape);
+            self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+                let from = nodes[ghost];
+                for axis in 0..3 {
+                    nodes[mirror][4 + axis] += if wall.prescribes(axis) {
+                        2.0 * wall.after[axis] * from[0] - from[4 + axis]
+                    } else {
+                        from[4 + axis]
+                    };
+                }
+            });
+        }
+    }
+
+    /// As [`Planes::drive`] for the remapped velocity of MUSL in the upper lanes.
+    pub fn drive_remapped(&mut self, driven: &[DrivenNode]) {
+        let first = self.first();
+        for d in owned(driven, |d| d.node, first, self.nodes.len()) {
+            self.nodes[d.node - first][4..7].copy_from_slice(&d.after);
+        }
+    }
+
+    /// Moves the nodes of driven bodies with their prescribed velocity.
+    pub fn drive(&mut self, driven: &[DrivenNode], increments: bool) {
+        let first = self.first();
+        for d in owned(driven, |d| d.node, first, self.nodes.len()) {
+            let node = &mut self.nodes[d.node - first];
+            for axis in 0..3 {
+                node[1 + axis] = d.after[axis];
+                node[4 + axis] = if increments { d.after[axis] - d.before[axis] } else { d.after[axis] };
+            }
+        }
+    }
+
+    /// Power of the nodal loads, and where asked for kinetic energy and unbalanced force, of each owned plane
+    /// after the solve.
+    pub fn sums(&self, forces: &Forces<'_>, measure: bool) -> Vec<PlaneSums> {
+        let mut out = vec![PlaneSums::default(); self.range.len()];
+        if measure {
+            self.measure(forces, &mut out);
+        }
+        let first = self.first();
+        for load in owned(forces.loads, |l| l.node, first, self.nodes.len()) {
+            let v = &self.nodes[load.node - first];
+            let plane = (load.node - first) / self.shape.plane_nodes();
+            out[plane].power += load.force[0] * v[1] + load.force[1] * v[2] + load.force[2] * v[3];
+        }
+        out
+    }
+
+    /// Kinetic energy and unbalanced force over the mesh nodes; ghosts repeat what lies inside.
+    fn measure(&self, forces: &Forces<'_>, out: &mut [PlaneSums]) {
+        let is_mesh = |direction: usize, index: usize| {
+            self.shape.nodes[direction] == 1
+                || (index >= GHOSTS_BELOW && index + crate::grid::GHOSTS_ABOVE < self.shape.nodes[direction])
+        };
+        for (sums, plane) in out.iter_mut().zip(self.range.clone()) {
+            if !is_mesh(0, plane) {
+                continue;
+            }
+            for row in (0..self.shape.nodes[1]).filter(|&row| is_mesh(1, row)) {
+                let start = ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
+                for k in self.rows.span(plane, row).filter(|&k| is_mesh(2, k)) {
+                    let node = &self.nodes[start + k];
+                    if node[0] > 0.0 {
+                        let v2 = node[1] * node[1] + node[2] * node[2] + node[3] * node[3];
+                        let dv2 = node[4] * node[4] + node[5] * node[5] + node[6] * node[6];
+                        sums.kinetic += 0.5 * node[0] * v2;
+                        sums.unbalanced_squared += node[0] * node[0] * dv2;
+                    }
+                }
+            }
+            if forces.kick > 0.0 {
+                sums.unbalanced_squared /= forces.kick * forces.kick;
+            }
+        }
+    }
+
+    /// Calls `act(nodes, a, b)` for every active pair of nodes in the layers `a` and `b` of the direction of
+    /// an axis that lies in the owned planes.
+    #[inline(always)]
+    fn for_pairs(
+        &mut self,
+        axis: usize,
+        a: usize,
+        b: usize,
+        mut act: impl FnMut(&mut [Line], usize, usize),
+    ) {
+        let shape = self.shape;
+        let start = |plane: usize, row: usize| {
+            ((plane - self.range.start) * shape.nodes[1] + row) * shape.nodes[2]
+        };
+        let common = |p: Range<usize>, q: Range<usize>| p.start.max(q.start)..p.end.min(q.end);
+        match shape.direction(axis) {
+            0 => {
+                if self.range.contains(&a) && self.range.contains(&b) {
+                    for row in 0..shape.nodes[1] {
+                        for k in common(self.rows.span(a, row), self.rows.span(b, row)) {
+                            act(self.nodes, start(a, row) + k, start(b, row) + k);
+                        }
+                    }
+                }
+            }
+            1 => {
+                for plane in self.range.clone() {
+                    for k in common(self.rows.span(plane, a), self.rows.span(plane, b)) {
+                        act(self.nodes, start(plane, a) + k, start(plane, b) + k);
+                    }
+                }
+            }
+            _ => {
+                for plane in self.range.clone() {
+                    for row in 0..shape.nodes[1] {
+                        let span = self.rows.span(plane, row);
+                        if span.contains(&a) && span.contains(&b) {
+                            act(self.nodes, start(plane, row) + a, start(plane, row) + b);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The part of `items`, which are in order of their node, that lies on `count` nodes from `first`.
+fn owned<T>(items: &[T], node: impl Fn(&T) -> usize, first: usize, count: usize) -> &[T] {
+    let begin = items.partition_point(|item| node(item) < first);
+    let end = items.partition_point(|item| node(item) < first + count);
+    &items[begin..end]
+}

@@ -1,0 +1,122 @@
+//! Weighting functions S_Ip along one axis, and their derivatives.
+//!
+//! One local coordinate per particle and axis decides everything: with xi = x/h measured from the mesh
+//! origin, the base node is b = floor(xi - 1/2) and f = xi - b lies in [1/2, 3/2), so that every function with
+//! l_p <= h/2 touches exactly the nodes b, b+1, b+2. With l = l_p/h (Steffen et al. 2008; technical manual,
+//! section 2, S_Ip piecewise):
+//!
+//! - uGIMP and cpGIMP: w_0 = 1 - f for f < 1 - l, (1 + l - f)²/(4 l) up to 1 + l, then 0; w_2 is its mirror
+//!   image (f -> 2 - f); w_1 = 1 - w_0 - w_2;
+//! - l = 1/2 is the quadratic B-spline;
+//! - the linear hat is the limit l -> 0, written out because its derivative jumps at f = 1.
+//!
+//! A cpGIMP domain with h/2 < l_p <= h needs four nodes: b = floor(xi - 1), f in [1, 2), and
+//! w_0 = (1 + l - f)²/(4 l), w_3 its mirror image (f -> 3 - f); partition of unity and linear reproduction
+//! then fix w_1 = 2 - f - 2 w_0 + w_3 and w_2 = f - 1 + w_0 - 2 w_3.
+//!
+//! All weights are formed from differences in [0, 2], so a mesh origin at 1e6 m changes nothing, and none of
+//! them is negative.
+
+use crate::lanes::Lanes;
+
+/// Which family of functions a particle set uses; the half-length comes with the particle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Linear hat.
+    Hat,
+    /// GIMP with a half-length (the quadratic B-spline is half a cell).
+    Gimp,
+}
+
+/// Offset of the base: b = floor(xi - `base_offset(N)`).
+#[inline(always)]
+#[must_use]
+pub const fn base_offset(nodes: usize) -> f64 {
+    if nodes == 3 { 0.5 } else { 1.0 }
+}
+
+/// Weights and derivatives d/dxi at the `N` nodes of one axis.
+///
+/// `f` is the coordinate from the base node in cells, in [1/2, 3/2) for `N` = 3 and [1, 2) for `N` = 4; `l` is
+/// the half-length of the particle domain in cells, 0 < l <= 1/2 or 1 (unused for hats).
+#[inline(always)]
+pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L; N], [L; N]) {
+    let zero = L::splat(0.0);
+    let one = L::splat(1.0);
+    let two = L::splat(2.0);
+    let mut w = [zero; N];
+    let mut g = [zero; N];
+    if N == 4 {
+        let quarter = one / (L::splat(4.0) * l);
+        let lower = (one + l - f).max(zero);
+        let upper = (f - two + l).max(zero);
+        w[0] = lower * lower * quarter;
+        w[3] = upper * upper * quarter;
+        w[1] = two - f - two * w[0] + w[3];
+        w[2] = f - one + w[0] - two * w[3];
+        g[0] = -(two * lower * quarter);
+        g[3] = two * upper * quarter;
+        g[1] = -one - two * g[0] + g[3];
+        g[2] = one + g[0] - two * g[3];
+    } else {
+        let (w_0, g_0);
+        let (w_2, g_2);
+        match family {
+            Family::Hat => {
+                w_0 = (one - f).max(zero);
+                w_2 = (f - one).max(zero);
+                g_0 = L::select(f.lt(one), -one, zero);
+                g_2 = L::select(f.lt(one), zero, one);
+            }
+            Family::Gimp => {
+                let quarter = one / (L::splat(4.0) * l);
+                let lower = (one + l - f).max(zero);
+                let upper = (f - one + l).max(zero);
+                let inside_lower = f.lt(one - l);
+                let inside_upper = (one + l).lt(f);
+                w_0 = L::select(inside_lower, one - f, lower * lower * quarter);
+                w_2 = L::select(inside_upper, f - one, upper * upper * quarter);
+                g_0 = L::select(inside_lower, -one, -(two * lower * quarter));
+                g_2 = L::select(inside_upper, one, two * upper * quarter);
+            }
+        }
+        w[0] = w_0;
+        w[2] = w_2;
+        w[1] = one - w_0 - w_2;
+        g[0] = g_0;
+        g[2] = g_2;
+        g[1] = -(g_0 + g_2);
+    }
+    (w, g)
+}
+
+/// Weights of one particle along one axis in plain numbers: base node and `N` weights and derivatives d/dxi.
+///
+/// For set-up and tests; the stages use [`axis_weights`] in lanes.
+#[must_use]
+pub fn axis_weights_at<const N: usize>(family: Family, xi: f64, l: f64) -> (f64, [f64; N], [f64; N]) {
+    struct One<const N: usize>(Family, f64, f64);
+    impl<const N: usize> crate::lanes::Kernel for One<N> {
+        type Output = ([f64; N], [f64; N]);
+        #[inline(always)]
+        fn run<B: crate::lanes::Backend>(self) -> Self::Output {
+            let (w, g) = axis_weights::<B::Line, N>(
+                self.0,
+                B::Line::splat(self.1),
+                B::Line::splat(self.2),
+            );
+            let (mut w_out, mut g_out) = ([0.0; N], [0.0; N]);
+            for n in 0..N {
+                let mut all = [0.0; 8];
+                w[n].store(&mut all);
+                w_out[n] = all[0];
+                g[n].store(&mut all);
+                g_out[n] = all[0];
+            }
+            (w_out, g_out)
+        }
+    }
+    let base = (xi - base_offset(N)).floor();
+    let (w, g) = crate::lanes::Selected::any().run(One::<N>(family, xi - base, l));
+    (base, w, g)
+}
