@@ -3,4 +3,5 @@
 //! Flow: [`scene::Scene`] (checked values) -> plan (only what is needed) -> simulation (state and explicit
 //! cycle) -> frames, history, summary.
 
+pub mod bodies;
 pub mod scene;
