@@ -5,6 +5,7 @@
 
 #![deny(unsafe_code)]
 
+pub mod bodies;
 pub mod constitutive;
 pub mod grid;
 pub mod lanes;

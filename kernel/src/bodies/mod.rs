@@ -1,0 +1,122 @@
+//! Bodies: from a shape to particles.
+//!
+//! [`fill`] turns the shape of one [`Body`] into positions, volumes and half-lengths of particles.
+//!
+//! - A cuboid gets its own lattice: per axis the fewest equal intervals that are not longer than the
+//!   sub-cell h / ppc. An edge within round-off of a sub-cell line is that line, so that a box that is
+//!   aligned with the mesh has particles exactly in the sub-cell centres (k + 1/2) h / ppc.
+//! - Every other shape takes the sub-cell centres of the mesh that lie strictly inside it. A centre on the
+//!   surface, within round-off, is outside: the rule is the same for mirrored and turned shapes, and two
+//!   bodies that touch never hold the same point twice.
+//! - A particle list is taken as given.
+//!
+//! Volumes sum to the exact volume of the shape. Particles come in lexicographic order of position, the first
+//! axis slowest (a particle list keeps its own order).
+//!
+//! Left out: sub-cells cut by a curved surface are in or out as a whole, so the surface is a staircase of
+//! height h / ppc, and the centre of mass of a shape that the mesh does not mirror is off by O(h / ppc).
+
+mod ball;
+mod cuboid;
+mod cylinder;
+mod error;
+mod lattice;
+mod list;
+mod polygon;
+
+pub use error::FillError;
+
+use crate::scene::{Body, Dimension, Mesh, Shape};
+use lattice::Lattice;
+
+/// The particles of one body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Filled {
+    /// Positions relative to [`Mesh::origin`] \[m\], one vector of coordinates per axis; the third is all
+    /// zero in two dimensions. Relative, because at an origin of 1e6 m an absolute coordinate is good to
+    /// 1e-10 m only.
+    pub x: [Vec<f64>; 3],
+    /// Volumes \[m³\]; in two dimensions area times unit thickness.
+    pub volume: Vec<f64>,
+    /// Half-lengths `l_p` of the particle domains.
+    pub half_length: HalfLength,
+    /// Volume of the shape \[m³\], which the particle volumes sum to; for a particle list their sum.
+    pub exact_volume: f64,
+}
+
+impl Filled {
+    /// Number of particles.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.volume.len()
+    }
+}
+
+/// Half-lengths `l_p` of the particle domains per axis \[m\]; the third is 0.5 in two dimensions.
+///
+/// In a shape filled from the mesh lattice they are half a sub-cell and, unlike the volumes, not rescaled to
+/// the exact volume: the domains then tile the interior without gap or overlap, and a uniform interior stays
+/// uniform on the nodes. Only the volume carries the correction of the staircase surface.
+#[derive(Clone, Debug, PartialEq)]
+pub enum HalfLength {
+    /// The same for all particles.
+    Uniform([f64; 3]),
+    /// One vector per axis, one value per particle.
+    PerParticle([Vec<f64>; 3]),
+}
+
+impl HalfLength {
+    /// Half-lengths of one particle per axis \[m\].
+    ///
+    /// # Panics
+    ///
+    /// If there is one value per particle and `index` is not a particle.
+    #[must_use]
+    pub fn of(&self, index: usize) -> [f64; 3] {
+        match self {
+            Self::Uniform(l_p) => *l_p,
+            Self::PerParticle(l_p) => [l_p[0][index], l_p[1][index], l_p[2][index]],
+        }
+    }
+}
+
+/// Fills a body with particles. Deterministic: the same arguments give the same bits.
+///
+/// # Errors
+///
+/// [`FillError`] where the body gets no particle, a particle lies outside the mesh, a number is not finite or
+/// not positive, the shape does not exist in this dimension, or the particles do not fit into memory.
+pub fn fill(body: &Body, mesh: &Mesh, dimension: Dimension) -> Result<Filled, FillError> {
+    // A particle list needs no lattice.
+    let lattice = || Lattice::new(mesh, body.particles_per_cell, dimension);
+    let refuse = |shape| Err(FillError::Dimension { shape, dimension });
+    match (&body.shape, dimension) {
+        (Shape::Cuboid { p1, p2 }, _) => cuboid::fill(&lattice()?, *p1, *p2),
+        (Shape::Sphere { center, radius }, _) => ball::fill(&lattice()?, *center, 0.0, *radius),
+        (
+            Shape::Ring {
+                center,
+                inner,
+                outer,
+            },
+            Dimension::Two,
+        ) => ball::fill(&lattice()?, *center, *inner, *outer),
+        (Shape::Cylinder { p1, p2, radius }, Dimension::Three) => {
+            cylinder::fill(&lattice()?, *p1, *p2, *radius)
+        }
+        (Shape::Polygon { points }, Dimension::Two) => polygon::fill(&lattice()?, points),
+        (
+            Shape::ExtrudedPolygon {
+                points,
+                axis,
+                range,
+            },
+            Dimension::Three,
+        ) => polygon::fill_extruded(&lattice()?, points, *axis, *range),
+        (Shape::Ring { .. }, Dimension::Three) => refuse("ring"),
+        (Shape::Cylinder { .. }, Dimension::Two) => refuse("cylinder"),
+        (Shape::Polygon { .. }, Dimension::Three) => refuse("polygon"),
+        (Shape::ExtrudedPolygon { .. }, Dimension::Two) => refuse("extruded polygon"),
+        (Shape::Particles(seeds), _) => list::fill(seeds, mesh, dimension),
+    }
+}
