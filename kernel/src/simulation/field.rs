@@ -66,7 +66,7 @@ impl Field {
     pub fn visit<R: Send>(
         &mut self,
         pool: Option<&ThreadPool>,
-        act: impl Fn(Planes<'_>) -> R + Sync,
+        act: impl Fn(Planes<'_>) -> R + Send + Sync,
     ) -> Vec<R> {
         let per_plane = self.shape.plane_nodes();
         let (shape, rows) = (&self.shape, &self.rows);

@@ -42,7 +42,7 @@ impl Simulation {
         let loads = loads::nodal(scene, &shape)?;
         let (mut sets, mut bodies) = (vec![], vec![]);
         let mut next_id = 0;
-        for (i, body) in scene.bodies.iter().enumerate() {
+        for i in 0..scene.bodies.len() {
             let (set, run) = fill_body(scene, &plan, &shape, i, next_id)?;
             next_id += set.len() as u64;
             if next_id > u64::from(u32::MAX) {
