@@ -1,6 +1,6 @@
 //! Boxes and rectangles.
 
-use crate::support::{Setting, points, settings};
+use crate::support::{Setting, cases, points, settings};
 use proctor_kernel::bodies::HalfLength;
 use proctor_kernel::scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;
@@ -42,6 +42,23 @@ fn a_box_between_the_lines_is_divided_by_itself() {
     assert!((half[0] - 1.1 / 6.0).abs() < 1e-15 && (half[1] - 0.1).abs() < 1e-15);
 }
 
+/// Between the lines there is nothing to snap to, and 0.43 - 0.13 is still three cells of 0.1.
+#[test]
+fn a_box_of_whole_cells_between_the_lines_has_no_particle_too_many() {
+    for origin in [0.0, -3.7, 1e6] {
+        for start in 0..40 {
+            let setting = Setting::plane(0.1, 10, 3).at(origin);
+            let low = 0.013 + 0.01 * f64::from(start);
+            let [p1, p2] = [low, low + 0.3].map(|x| setting.absolute([x, x, 0.0]));
+            assert_eq!(
+                setting.fill(cuboid(p1, p2)).count(),
+                81,
+                "from {low} at {origin}"
+            );
+        }
+    }
+}
+
 /// Only edges within round-off move: a gap of 1e-6 h is the user's.
 #[test]
 fn an_edge_is_snapped_by_round_off_only() {
@@ -76,7 +93,7 @@ fn dimensions() -> impl Strategy<Value = Dimension> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
     /// Aligned boxes have exactly the sub-cell centres, whatever the origin and the round-off of their edges.
     #[test]

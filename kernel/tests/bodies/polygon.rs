@@ -1,6 +1,6 @@
 //! Polygons, flat and extruded.
 
-use crate::support::{Setting, image, points, settings};
+use crate::support::{Setting, cases, image, points, settings};
 use proctor_kernel::scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -41,17 +41,22 @@ fn two_triangles_share_no_particle_of_their_common_edge() {
     }
 }
 
-/// All four sides of a diamond run through centres, and its corners lie on rows.
+/// All four sides of a diamond run through centres, and rows of centres through its corners: exactly so with
+/// cells of 1 m, within round-off with cells of 0.1 m.
 #[test]
 fn a_diamond_is_symmetric() {
-    for middle in [1.0, 1.05] {
-        let setting = Setting::plane(0.1, 20, 1).at(-3.7);
-        let [low, high] = [middle - 0.7, middle + 0.7];
-        let corners = [[low, middle], [middle, high], [high, middle], [middle, low]];
-        let filled = setting.fill(polygon(&setting, &corners));
-        let same = image(&filled, |x| x);
-        assert_eq!(same, image(&filled, |x| [2.0 * middle - x[0], x[1], 0.0]));
-        assert_eq!(same, image(&filled, |x| [x[1], x[0], 0.0]));
+    for (h, origin) in [(1.0, 0.0), (0.1, -3.7), (0.1, 1e6)] {
+        // |i| + |j| <= 6 about a centre, and |i + 1/2| + |j + 1/2| <= 6 about a node.
+        for (middle, count) in [(10.5 * h, 2 * 6 * 7 + 1), (10.0 * h, 2 * 6 * 7)] {
+            let setting = Setting::plane(h, 20, 1).at(origin);
+            let [low, high] = [middle - 7.0 * h, middle + 7.0 * h];
+            let corners = [[low, middle], [middle, high], [high, middle], [middle, low]];
+            let filled = setting.fill(polygon(&setting, &corners));
+            assert_eq!(filled.count(), count);
+            let same = image(&filled, |x| x);
+            assert_eq!(same, image(&filled, |x| [2.0 * middle - x[0], x[1], 0.0]));
+            assert_eq!(same, image(&filled, |x| [x[1], x[0], 0.0]));
+        }
     }
 }
 
@@ -172,7 +177,7 @@ fn shoelace(corners: &[[f64; 2]]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(cases(100))]
 
     #[test]
     fn stars_as_by_winding_number(setting in settings(Dimension::Two), corners in stars()) {
