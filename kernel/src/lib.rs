@@ -1,7 +1,7 @@
 //! The explicit MPM/GIMP cycle and what it needs.
 //!
-//! Flow: [`scene::Scene`] (checked values) -> plan (only what is needed) -> simulation (state and explicit
-//! cycle) -> frames, history, summary.
+//! Flow: [`scene::Scene`] (checked values) -> [`plan::Plan`] (only what is needed) ->
+//! [`simulation::Simulation`] (state and explicit cycle) -> frames, history, summary.
 
 #![deny(unsafe_code)]
 
@@ -9,6 +9,8 @@ pub mod bodies;
 pub mod constitutive;
 pub mod grid;
 pub mod lanes;
+#[cfg(feature = "frames")]
+pub mod output;
 pub mod particles;
 pub mod plan;
 pub mod scene;

@@ -1,0 +1,154 @@
+//! Files that are whole or not there, and the folder they go into.
+
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use super::OutputError;
+
+/// Start of the name of every temporary; what stands between it and [`TEMPORARY_SUFFIX`] is random.
+pub const TEMPORARY_PREFIX: &str = ".proctor-";
+/// End of the name of every temporary.
+pub const TEMPORARY_SUFFIX: &str = ".tmp";
+
+/// One system call per mebibyte: frames and checkpoints are hundreds of megabytes, the default of 8 KiB is
+/// made for small files.
+const BUFFER: usize = 1 << 20;
+
+/// Writes the file `path` so that it is, at any moment, either what it was before or wholly what `fill` writes.
+///
+/// The bytes go to a temporary in the same folder (a rename across file systems is not atomic), are synced to the
+/// disk, and only then take the name `path`. When anything fails the temporary is removed.
+///
+/// # Errors
+/// [`OutputError::Write`] with what `fill` or the operating system reported.
+pub fn write(
+    path: &Path,
+    fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), OutputError> {
+    write_with(path, fill).map_err(|source| OutputError::write(path, source))
+}
+
+fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut writer = BufWriter::with_capacity(BUFFER, temporary(folder)?);
+    fill(&mut writer)?;
+    let file = writer
+        .into_inner()
+        .map_err(io::IntoInnerError::into_error)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    sync_folder(folder);
+    Ok(())
+}
+
+fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(TEMPORARY_PREFIX).suffix(TEMPORARY_SUFFIX);
+    // Temporaries are private (0600) by default and keep that when renamed; results are for others to read, so
+    // leave the mode to the umask, as for any other file.
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+/// Makes the rename itself survive a loss of power. Best effort: the file is whole either way, and some file
+/// systems refuse to sync a folder.
+fn sync_folder(folder: &Path) {
+    #[cfg(unix)]
+    if let Ok(folder) = fs::File::open(folder) {
+        let _ = folder.sync_all();
+    }
+    #[cfg(not(unix))]
+    let _ = folder;
+}
+
+/// A folder that was found writable.
+#[derive(Clone, Debug)]
+pub struct OutputFolder {
+    path: PathBuf,
+}
+
+impl OutputFolder {
+    /// Makes the folder `path` with its parents where missing, and checks that a file can be written into it, so
+    /// that a run does not fail at its first frame.
+    ///
+    /// Temporaries that a killed run left there are removed; nothing else is touched. Two runs at the same time
+    /// into one folder are not supported: they would overwrite each other's frames anyway.
+    ///
+    /// # Errors
+    /// [`OutputError::Folder`] if it cannot be made or is not a folder, [`OutputError::NotWritable`] if no file can
+    /// be written into it.
+    pub fn create(path: impl Into<PathBuf>) -> Result<Self, OutputError> {
+        let path = path.into();
+        if let Err(source) = fs::create_dir_all(&path) {
+            return Err(OutputError::Folder { path, source });
+        }
+        match check_writable(&path) {
+            Ok(()) => Ok(Self { path }),
+            Err(source) => Err(OutputError::NotWritable { path, source }),
+        }
+    }
+
+    /// The folder.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The path of the file `name` in the folder.
+    #[must_use]
+    pub fn file(&self, name: &str) -> PathBuf {
+        self.path.join(name)
+    }
+}
+
+/// Permission bits do not tell (root, read-only mounts, full disks), so a file is written.
+fn check_writable(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let ours = name.to_str().is_some_and(is_temporary);
+        if ours && entry.file_type()?.is_file() {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    let mut probe = temporary(folder)?;
+    probe.write_all(b"proctor")?;
+    probe.close()
+}
+
+fn is_temporary(name: &str) -> bool {
+    name.strip_prefix(TEMPORARY_PREFIX)
+        .and_then(|rest| rest.strip_suffix(TEMPORARY_SUFFIX))
+        .is_some_and(|random| {
+            !random.is_empty() && random.bytes().all(|b| b.is_ascii_alphanumeric())
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_our_temporaries_are_recognised() {
+        assert!(is_temporary(".proctor-a8Xk2Q.tmp"));
+        for name in [
+            ".proctor-.tmp",
+            ".proctor-notes",
+            "proctor-a.tmp",
+            ".proctor-my file.tmp",
+            "x.proctor-a.tmp",
+        ] {
+            assert!(!is_temporary(name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! One frame: the particles at one time, as a VTK XML file (`.vtu`) that `ParaView` and VTK read.
+//!
+//! An unstructured grid with one vertex cell per particle, so that it is visible without a filter. The numbers
+//! follow the XML in one `AppendedData` section, raw and little-endian: each array is an 8-byte length and its
+//! values, or, compressed, the block table of `vtkZLibDataCompressor` and its blocks.
+
+use std::collections::HashSet;
+use std::io::{self, Write};
+use std::path::Path;
+
+mod appended;
+
+use self::appended::{Appended, Values};
+use super::{OutputError, atomic};
+
+/// The particles at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Time of the state written \[s\]; finite.
+    pub time: f64,
+    /// Number of steps done.
+    pub step: u64,
+    /// Particle positions \[m\]; in two dimensions the third component is zero.
+    pub points: Vec<[f64; 3]>,
+    /// Point data, each as long as `points`.
+    pub arrays: Vec<Array>,
+}
+
+/// A named quantity of every particle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Array {
+    /// Name as shown in `ParaView`, unique in the frame; any text without control characters.
+    pub name: String,
+    /// One value per particle.
+    pub data: ArrayData,
+}
+
+impl Array {
+    /// The array `name`.
+    #[must_use]
+    pub fn new(name: impl Into<String>, data: ArrayData) -> Self {
+        Self {
+            name: name.into(),
+            data,
+        }
+    }
+}
+
+/// One value per particle, in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ArrayData {
+    /// A real number, VTK type `Float64`, not-a-number and infinities included.
+    Scalar(Vec<f64>),
+    /// A whole number, VTK type `Int64`.
+    Integer(Vec<i64>),
+    /// A vector, three components of VTK type `Float64`.
+    Vector(Vec<[f64; 3]>),
+}
+
+impl ArrayData {
+    /// Number of particles it has values for.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Scalar(values) => values.len(),
+            Self::Integer(values) => values.len(),
+            Self::Vector(values) => values.len(),
+        }
+    }
+
+    /// Whether it has no values.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// How the numbers of a frame are stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Compression {
+    /// As they are: the fastest to write and to read. Doubles of a running simulation hardly compress.
+    #[default]
+    None,
+    /// With zlib, at a level from 1 (fast) to 9 (small); larger levels count as 9. Uses the current rayon pool;
+    /// the bytes do not depend on the number of threads.
+    Zlib(u32),
+}
+
+/// Writes `frame` to `path`, atomically.
+///
+/// # Errors
+/// [`OutputError::Time`] if the time is not finite, [`OutputError::Length`] if an array is not as long as the
+/// points, [`OutputError::Name`] if a name is empty, repeated or has control characters, [`OutputError::Write`] if
+/// the file cannot be written. In each case the file is as it was.
+pub fn write(path: &Path, frame: &Frame, compression: Compression) -> Result<(), OutputError> {
+    check(path, frame)?;
+    atomic::write(path, |file| fill(file, frame, compression))
+}
+
+fn check(path: &Path, frame: &Frame) -> Result<(), OutputError> {
+    if !frame.time.is_finite() {
+        return Err(OutputError::Time {
+            path: path.to_path_buf(),
+            time: frame.time,
+            last: None,
+        });
+    }
+    let mut names = HashSet::new();
+    for array in &frame.arrays {
+        let name = array.name.as_str();
+        if array.data.len() != frame.points.len() {
+            return Err(OutputError::Length {
+                path: path.to_path_buf(),
+                name: name.to_owned(),
+                expected: frame.points.len(),
+                found: array.data.len(),
+            });
+        }
+        let reason = if name.is_empty() {
+            "it is empty"
+        } else if name
+            .chars()
+            .any(|c| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'))
+        {
+            "it has a character that XML does not allow"
+        } else if names.insert(name) {
+            continue;
+        } else {
+            "another array has it"
+        };
+        return Err(OutputError::Name {
+            path: path.to_path_buf(),
+            name: name.to_owned(),
+            reason,
+        });
+    }
+    Ok(())
+}
+
+fn fill(file: &mut dyn Write, frame: &Frame, compression: Compression) -> io::Result<()> {
+    let n = frame.points.len();
+    let mut appended = Appended::new(compression);
+    write!(
+        file,
+        "<?xml version=\"1.0\"?>\n\
+         <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"{}>\n\
+         <UnstructuredGrid>\n\
+         <FieldData>\n\
+         <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>\n\
+         <DataArray type=\"Int64\" Name=\"Step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n\
+         </FieldData>\n\
+         <Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n",
+        match compression {
+            Compression::None => "",
+            Compression::Zlib(_) => " compressor=\"vtkZLibDataCompressor\"",
+        },
+        frame.time,
+        frame.step,
+    )?;
+    writeln!(file, "<PointData>")?;
+    for array in &frame.arrays {
+        let (values, components) = match &array.data {
+            ArrayData::Scalar(values) => (Values::Float(values), 1),
+            ArrayData::Integer(values) => (Values::Integer(values), 1),
+            ArrayData::Vector(values) => (Values::Float(values.as_flattened()), 3),
+        };
+        appended.declare(file, &array.name, components, values)?;
+    }
+    writeln!(file, "</PointData>\n<Points>")?;
+    appended.declare(
+        file,
+        "Points",
+        3,
+        Values::Float(frame.points.as_flattened()),
+    )?;
+    writeln!(file, "</Points>\n<Cells>")?;
+    appended.declare(file, "connectivity", 1, Values::Count { from: 0, n })?;
+    appended.declare(file, "offsets", 1, Values::Count { from: 1, n })?;
+    appended.declare(file, "types", 1, Values::Vertices(n))?;
+    write!(
+        file,
+        "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"
+    )?;
+    appended.write(file)?;
+    write!(file, "\n</AppendedData>\n</VTKFile>\n")
+}
+
+/// `text` as the value of an XML attribute in double quotes.
+pub(super) fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&apos;"),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+/// The text that [`escape`] made into `text`.
+pub(super) fn unescape(text: &str) -> String {
+    // The ampersand last, or `&amp;lt;` would be unescaped twice.
+    text.replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"")
+        .replace("&apos;", "'")
+        .replace("&amp;", "&")
+}
