@@ -1,4 +1,5 @@
 //! Exact solutions, verification cases and observed orders for the MPM kernel.
 #![forbid(unsafe_code)]
 
+pub mod convergence;
 pub mod exact;

@@ -1,0 +1,18 @@
+//! Exact solutions against tables, limits and their own differential equations; the modules mirror `src/exact`.
+
+#[path = "exact/axis_aligned_mms.rs"]
+mod axis_aligned_mms;
+#[path = "exact/bar.rs"]
+mod bar;
+#[path = "exact/base_column.rs"]
+mod base_column;
+#[path = "exact/boussinesq_box.rs"]
+mod boussinesq_box;
+#[path = "exact/boussinesq_half_space.rs"]
+mod boussinesq_half_space;
+#[path = "exact/rotation.rs"]
+mod rotation;
+#[path = "exact/self_weight.rs"]
+mod self_weight;
+#[path = "exact/special.rs"]
+mod special;
