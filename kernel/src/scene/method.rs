@@ -22,10 +22,10 @@ pub enum TimeStep {
     },
 }
 
-/// Weighting function S_Ip (technical manual, section 2).
+/// Weighting function `S_Ip` (technical manual, section 2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weighting {
-    /// Linear hat N_I at the particle position (classical MPM).
+    /// Linear hat `N_I` at the particle position (classical MPM).
     Linear,
     /// GIMP with a particle domain that keeps its initial size (uGIMP; what the manual's peer calls GIMP).
     UniformGimp,
@@ -35,12 +35,12 @@ pub enum Weighting {
     QuadraticBSpline,
 }
 
-/// How the half-lengths l_p of a cpGIMP particle domain follow the deformation gradient F.
+/// How the half-lengths `l_p` of a cpGIMP particle domain follow the deformation gradient F.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DomainUpdate {
-    /// l_p = l_p0 (det F)^(1/d).
+    /// `l_p = l_p0 (det F)^(1/d)`.
     Determinant,
-    /// l_p,i = l_p0,i U_ii, with U the right stretch tensor.
+    /// `l_p,i = l_p0,i U_ii`, with U the right stretch tensor.
     Stretch,
 }
 
@@ -69,7 +69,7 @@ pub struct Transfer {
 pub enum TransferKind {
     /// Particle velocity alone is carried to the nodes.
     Flip,
-    /// Affine particle-in-cell (Jiang et al. 2015): carries B_p D_p^-1 (x_I - x_p) as well.
+    /// Affine particle-in-cell (Jiang et al. 2015): carries `B_p D_p^-1 (x_I - x_p)` as well.
     Apic,
     /// Taylor particle-in-cell: carries the velocity gradient.
     Tpic,
@@ -80,14 +80,14 @@ pub enum TransferKind {
 pub enum Damping {
     /// None.
     None,
-    /// Local damping, f = -alpha |f_unb| sign(v) per component (technical manual, section 8).
+    /// Local damping, `f = -alpha |f_unb| sign(v)` per component (technical manual, section 8).
     Local {
         /// Factor, 0 to 1.
         alpha: f64,
     },
     /// Kinetic damping (dynamic relaxation): velocities are set to zero at each peak of kinetic energy.
     Kinetic,
-    /// f_I = -alpha m_I sqrt(E / (rho h²)) v_I (Liang et al. 2024, eq. 20).
+    /// `f_I = -alpha m_I sqrt(E / (rho h²)) v_I` (Liang et al. 2024, eq. 20).
     Viscous {
         /// Factor, dimensionless, not negative.
         alpha: f64,

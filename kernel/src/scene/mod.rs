@@ -68,7 +68,7 @@ pub struct Scene {
     pub gravity: Vector,
     /// Background mesh.
     pub mesh: Mesh,
-    /// Weighting function S_Ip.
+    /// Weighting function `S_Ip`.
     pub weighting: Weighting,
     /// When the stress is updated in the cycle.
     pub scheme: StressScheme,

@@ -195,10 +195,7 @@ pub(super) fn check_box(
                 problems.add(
                     format!("{path}.point_p2[{axis}]"),
                     format!("{}, which makes the box {state}", p2[axis]),
-                    format!(
-                        "a number greater than point_p1[{axis}] = {} [m]",
-                        p1[axis]
-                    ),
+                    format!("a number greater than point_p1[{axis}] = {} [m]", p1[axis]),
                 );
             }
         }
@@ -213,8 +210,20 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
     match shape {
         Shape::Cuboid { p1, p2 } => {
             for axis in 0..axes {
-                outside(mesh, axis, p1[axis], &format!("{path}.point_p1[{axis}]"), problems);
-                outside(mesh, axis, p2[axis], &format!("{path}.point_p2[{axis}]"), problems);
+                outside(
+                    mesh,
+                    axis,
+                    p1[axis],
+                    &format!("{path}.point_p1[{axis}]"),
+                    problems,
+                );
+                outside(
+                    mesh,
+                    axis,
+                    p2[axis],
+                    &format!("{path}.point_p2[{axis}]"),
+                    problems,
+                );
             }
         }
         Shape::Sphere { center, radius }
@@ -230,7 +239,13 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
             };
             for axis in 0..axes {
                 for reach in [-radius, *radius] {
-                    outside(mesh, axis, center[axis] + reach, &format!("{path}.{key}"), problems);
+                    outside(
+                        mesh,
+                        axis,
+                        center[axis] + reach,
+                        &format!("{path}.{key}"),
+                        problems,
+                    );
                 }
             }
         }
@@ -242,7 +257,13 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
                 let reach = radius * (1.0 - d[axis] * d[axis] / length2).max(0.0).sqrt();
                 let (low, high) = (p1[axis].min(p2[axis]), p1[axis].max(p2[axis]));
                 outside(mesh, axis, low - reach, &format!("{path}.radius"), problems);
-                outside(mesh, axis, high + reach, &format!("{path}.radius"), problems);
+                outside(
+                    mesh,
+                    axis,
+                    high + reach,
+                    &format!("{path}.radius"),
+                    problems,
+                );
             }
         }
         Shape::Polygon { points } => {

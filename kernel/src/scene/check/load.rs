@@ -28,7 +28,13 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
         }
     }
     for (i, traction) in scene.tractions.iter().enumerate() {
-        check_traction(scene, mesh_is_sound, traction, &format!("traction[{i}]"), problems);
+        check_traction(
+            scene,
+            mesh_is_sound,
+            traction,
+            &format!("traction[{i}]"),
+            problems,
+        );
     }
     for (i, load) in scene.box_loads.iter().enumerate() {
         let path = format!("box_load[{i}]");
@@ -55,7 +61,11 @@ pub(super) fn check_history(path: &str, history: &History, problems: &mut Collec
     }
     for (row, time) in history.times.iter().enumerate() {
         if !time.is_finite() {
-            problems.add(format!("{path}[{row}]"), time.to_string(), "a finite time [s]");
+            problems.add(
+                format!("{path}[{row}]"),
+                time.to_string(),
+                "a finite time [s]",
+            );
         } else if row > 0 && history.times[row - 1] >= *time {
             problems.add(
                 format!("{path}[{row}]"),
@@ -122,8 +132,17 @@ fn check_traction(
         );
     } else if mesh_is_sound {
         for axis in 0..axes {
-            for (key, x) in [("point_p1", traction.p1[axis]), ("point_p2", traction.p2[axis])] {
-                outside(&scene.mesh, axis, x, &format!("{path}.{key}[{axis}]"), problems);
+            for (key, x) in [
+                ("point_p1", traction.p1[axis]),
+                ("point_p2", traction.p2[axis]),
+            ] {
+                outside(
+                    &scene.mesh,
+                    axis,
+                    x,
+                    &format!("{path}.{key}[{axis}]"),
+                    problems,
+                );
             }
         }
     }

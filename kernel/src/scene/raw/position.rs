@@ -36,7 +36,9 @@ pub(super) fn find(text: &str, path: &str) -> Option<Place> {
         end: end.unwrap_or(text.len()),
         exact: path.is_empty(),
     };
-    walk.best.map(|(_, place)| place).or_else(|| (start < text.len()).then_some(whole))
+    walk.best
+        .map(|(_, place)| place)
+        .or_else(|| (start < text.len()).then_some(whole))
 }
 
 /// Line and column of a byte offset.
@@ -146,8 +148,8 @@ impl Walk<'_> {
     /// Walks over one value whose path is `path`, and remembers it if the target lies at or below it.
     fn member(&mut self, path: &mut String, on_path: bool, key: usize) -> Option<()> {
         let rest = self.target.strip_prefix(path.as_str());
-        let leads = on_path
-            && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
+        let leads =
+            on_path && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
         let value = self.at;
         if !leads {
             return self.value(path, false).map(|_| ());
@@ -194,7 +196,8 @@ impl Walk<'_> {
 mod tests {
     use super::{find, location};
 
-    const TEXT: &str = "{\n  \"a\": {\"é\": 1, \"b.c\": [10, {\"d\": \"x\\\"}\"}]},\n  \"a2\": true\n}";
+    const TEXT: &str =
+        "{\n  \"a\": {\"é\": 1, \"b.c\": [10, {\"d\": \"x\\\"}\"}]},\n  \"a2\": true\n}";
 
     fn shown(path: &str) -> (&str, usize, usize, bool) {
         let place = find(TEXT, path).expect("JSON");

@@ -147,8 +147,7 @@ pub(super) const QUANTITIES: Words<Quantity> = &[
     ("velocity", Quantity::Velocity),
 ];
 
-pub(super) const OUTSIDES: Words<Outside> =
-    &[("stop", Outside::Stop), ("remove", Outside::Remove)];
+pub(super) const OUTSIDES: Words<Outside> = &[("stop", Outside::Stop), ("remove", Outside::Remove)];
 
 /// Fields of frames; `all` and `none` stand for lists.
 pub(super) const FIELDS: Words<&[Field]> = &[

@@ -50,10 +50,7 @@ pub fn read(
 ///
 /// # Errors
 /// As for [`read`], and volumes that are not greater than zero.
-pub fn read_particles(
-    file: &Path,
-    dimension: Dimension,
-) -> Result<Vec<ParticleSeed>, SceneError> {
+pub fn read_particles(file: &Path, dimension: Dimension) -> Result<Vec<ParticleSeed>, SceneError> {
     let names: &[&str] = match dimension {
         Dimension::Two => &["x", "y", "volume"],
         Dimension::Three => &["x", "y", "z", "volume"],
@@ -164,7 +161,10 @@ impl<'a> Table<'a> {
         line: usize,
         names: &[&str],
     ) -> bool {
-        let numbers = record.iter().filter(|text| text.parse::<f64>().is_ok()).count();
+        let numbers = record
+            .iter()
+            .filter(|text| text.parse::<f64>().is_ok())
+            .count();
         let shown = record.iter().collect::<Vec<_>>().join(", ");
         if numbers == record.len() && said == Some(true) {
             self.add(
