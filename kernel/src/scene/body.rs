@@ -1,0 +1,104 @@
+//! Bodies and their shapes.
+
+use std::sync::Arc;
+
+use super::{Dimension, History, Vector};
+
+/// A body: one material, one set of particles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Name of the entry, for messages.
+    pub name: String,
+    /// Identifier given in the scene.
+    pub id: i64,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+    /// Shape.
+    pub shape: Shape,
+    /// Particles per cell and axis; the third is 1 in two dimensions.
+    pub particles_per_cell: [usize; 3],
+    /// Initial velocity \[m/s\].
+    pub velocity: Vector,
+    /// Prescribed velocity: the body moves so whatever acts on it.
+    pub motion: Option<History>,
+}
+
+/// Shape of a body, in the coordinates of the scene \[m\].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// Axis-aligned box between two corners; a rectangle in two dimensions.
+    Cuboid {
+        /// Lower corner.
+        p1: Vector,
+        /// Upper corner.
+        p2: Vector,
+    },
+    /// Sphere; a disc in two dimensions.
+    Sphere {
+        /// Centre.
+        center: Vector,
+        /// Radius.
+        radius: f64,
+    },
+    /// Ring between two radii (2D).
+    Ring {
+        /// Centre.
+        center: Vector,
+        /// Inner radius.
+        inner: f64,
+        /// Outer radius.
+        outer: f64,
+    },
+    /// Circular cylinder between the centres of its two end faces (3D).
+    Cylinder {
+        /// Centre of the first end face.
+        p1: Vector,
+        /// Centre of the second end face.
+        p2: Vector,
+        /// Radius.
+        radius: f64,
+    },
+    /// Simple polygon, either orientation, not closed (2D).
+    Polygon {
+        /// Corners; the third component is unused.
+        points: Vec<Vector>,
+    },
+    /// Simple polygon extruded along an axis (3D).
+    ExtrudedPolygon {
+        /// Corners in the plane of the two other axes, in axis order.
+        points: Vec<[f64; 2]>,
+        /// Axis of extrusion, 0 to 2.
+        axis: usize,
+        /// Lower and upper coordinate along the axis.
+        range: [f64; 2],
+    },
+    /// Particles given one by one.
+    Particles(Arc<Vec<ParticleSeed>>),
+}
+
+/// One particle of a particle list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParticleSeed {
+    /// Position \[m\].
+    pub position: Vector,
+    /// Volume \[m³\]; in two dimensions area times unit thickness.
+    pub volume: f64,
+}
+
+impl Shape {
+    /// Word for the shape in a scene file, by the number of dimensions.
+    #[must_use]
+    pub fn word(&self, dimension: Dimension) -> &'static str {
+        match (self, dimension) {
+            (Self::Cuboid { .. }, Dimension::Three) => "cuboid",
+            (Self::Cuboid { .. }, Dimension::Two) => "rectangle",
+            (Self::Sphere { .. }, Dimension::Three) => "sphere",
+            (Self::Sphere { .. }, Dimension::Two) => "disc",
+            (Self::Ring { .. }, _) => "ring",
+            (Self::Cylinder { .. }, _) => "cylinder",
+            (Self::Polygon { .. }, _) => "polygon",
+            (Self::ExtrudedPolygon { .. }, _) => "extruded_polygon",
+            (Self::Particles(_), _) => "particles",
+        }
+    }
+}

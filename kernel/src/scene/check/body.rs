@@ -1,0 +1,315 @@
+//! Bodies: identifiers, materials, shapes and their place in the mesh.
+
+use super::collector::Collector;
+use super::load::check_history;
+use super::polygon;
+use crate::scene::{Body, Dimension, Mesh, Scene, Shape, Vector};
+
+pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector) {
+    if scene.bodies.is_empty() {
+        problems.add("bodies", "none", "at least one body");
+    }
+    for (i, body) in scene.bodies.iter().enumerate() {
+        let path = format!("bodies[{i}]");
+        check_references(scene, i, body, &path, problems);
+        for (axis, &n) in body.particles_per_cell.iter().enumerate() {
+            let is_flat = axis >= scene.dimension.axes();
+            if n == 0 || (is_flat && n != 1) {
+                problems.add(
+                    format!("{path}.particles_per_cell[{axis}]"),
+                    n.to_string(),
+                    if is_flat {
+                        "1: there are two dimensions"
+                    } else {
+                        "a whole number, 1 or more"
+                    },
+                );
+            }
+        }
+        problems.vector(format!("{path}.initial_velocity"), &body.velocity);
+        if let Some(motion) = &body.motion {
+            check_history(&format!("{path}.prescribed_velocity"), motion, problems);
+        }
+        let before = problems.found.len();
+        check_shape(&body.shape, scene.dimension, &path, problems);
+        if mesh_is_sound && problems.found.len() == before {
+            check_place(&body.shape, scene, &path, problems);
+        }
+    }
+}
+
+fn check_references(scene: &Scene, i: usize, body: &Body, path: &str, problems: &mut Collector) {
+    if body.material >= scene.materials.len() {
+        problems.add(
+            format!("{path}.material_id"),
+            format!("index {}", body.material),
+            format!("the index of one of {} materials", scene.materials.len()),
+        );
+    }
+    if let Some(first) = scene.bodies[..i].iter().position(|b| b.id == body.id) {
+        problems.add(
+            format!("{path}.id"),
+            format!("{}, the id of bodies[{first}] too", body.id),
+            "an id that no other body has",
+        );
+    }
+}
+
+/// Sizes and whether the shape exists in this number of dimensions.
+fn check_shape(shape: &Shape, dimension: Dimension, path: &str, problems: &mut Collector) {
+    let only = match shape {
+        Shape::Ring { .. } | Shape::Polygon { .. } => Some(Dimension::Two),
+        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } => Some(Dimension::Three),
+        Shape::Cuboid { .. } | Shape::Sphere { .. } | Shape::Particles(_) => None,
+    };
+    if only.is_some_and(|only| only != dimension) {
+        problems.add(
+            format!("{path}.type"),
+            format!(
+                "a {} in {} dimensions",
+                shape.word(dimension),
+                dimension.axes()
+            ),
+            "a shape of this number of dimensions",
+        );
+        return;
+    }
+    match shape {
+        Shape::Cuboid { p1, p2 } => {
+            check_box(path, p1, p2, dimension.axes(), problems);
+        }
+        Shape::Sphere { center, radius } => {
+            problems.vector(format!("{path}.center"), center);
+            problems.positive(format!("{path}.radius"), *radius, "m");
+        }
+        Shape::Ring {
+            center,
+            inner,
+            outer,
+        } => {
+            problems.vector(format!("{path}.center"), center);
+            problems.positive(format!("{path}.inner_radius"), *inner, "m");
+            if !(outer.is_finite() && outer > inner) {
+                problems.add(
+                    format!("{path}.outer_radius"),
+                    outer.to_string(),
+                    format!("a finite number greater than the inner radius {inner} [m]"),
+                );
+            }
+        }
+        Shape::Cylinder { p1, p2, radius } => {
+            let finite = problems.vector(format!("{path}.point_p1"), p1)
+                & problems.vector(format!("{path}.point_p2"), p2);
+            if finite && p1 == p2 {
+                problems.add(
+                    format!("{path}.point_p2"),
+                    "the centre of the first end face: an empty body",
+                    "the centre of the other end face",
+                );
+            }
+            problems.positive(format!("{path}.radius"), *radius, "m");
+        }
+        Shape::Polygon { points } => {
+            let mut finite = true;
+            for (k, point) in points.iter().enumerate() {
+                finite &= problems.vector(format!("{path}.points[{k}]"), point);
+            }
+            if finite {
+                let plane: Vec<_> = points.iter().map(|p| [p[0], p[1]]).collect();
+                check_polygon(path, &plane, problems);
+            }
+        }
+        Shape::ExtrudedPolygon {
+            points,
+            axis,
+            range,
+        } => {
+            if *axis > 2 {
+                problems.add(format!("{path}.axis"), axis.to_string(), "0, 1 or 2");
+            }
+            if !(range[0].is_finite() && range[1].is_finite() && range[0] < range[1]) {
+                problems.add(
+                    format!("{path}.range"),
+                    format!("[{}, {}]", range[0], range[1]),
+                    "two finite numbers, the lower first [m]",
+                );
+            }
+            if points.iter().flatten().all(|x| x.is_finite()) {
+                check_polygon(path, points, problems);
+            } else {
+                problems.add(
+                    format!("{path}.points"),
+                    "a coordinate that is not finite",
+                    "finite numbers",
+                );
+            }
+        }
+        Shape::Particles(seeds) => {
+            if seeds.is_empty() {
+                problems.add(
+                    format!("{path}.particles"),
+                    "none: an empty body",
+                    "at least one particle",
+                );
+            }
+            for (k, seed) in seeds.iter().enumerate() {
+                problems.vector(format!("{path}.particles[{k}]"), &seed.position);
+                if !(seed.volume.is_finite() && seed.volume > 0.0) {
+                    problems.add(
+                        format!("{path}.particles[{k}]"),
+                        format!("the volume {}", seed.volume),
+                        "a finite volume greater than 0 [m³]",
+                    );
+                }
+            }
+        }
+    }
+}
+
+fn check_polygon(path: &str, points: &[[f64; 2]], problems: &mut Collector) {
+    if let Some(fault) = polygon::fault(points) {
+        problems.add(
+            format!("{path}.points"),
+            fault,
+            "three or more corners of a polygon that does not cross or touch itself, the first not repeated",
+        );
+    }
+}
+
+/// Two corners with a positive extent along each axis.
+pub(super) fn check_box(
+    path: &str,
+    p1: &Vector,
+    p2: &Vector,
+    axes: usize,
+    problems: &mut Collector,
+) -> bool {
+    let before = problems.found.len();
+    if problems.vector(format!("{path}.point_p1"), p1)
+        & problems.vector(format!("{path}.point_p2"), p2)
+    {
+        for axis in 0..axes {
+            let extent = p2[axis] - p1[axis];
+            if extent <= 0.0 {
+                let state = if extent == 0.0 { "empty" } else { "inverted" };
+                problems.add(
+                    format!("{path}.point_p2[{axis}]"),
+                    format!("{}, which makes the box {state}", p2[axis]),
+                    format!("a number greater than point_p1[{axis}] = {} [m]", p1[axis]),
+                );
+            }
+        }
+    }
+    problems.found.len() == before
+}
+
+/// Whether the shape lies in the mesh, up to round-off.
+fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collector) {
+    let mesh = &scene.mesh;
+    let axes = scene.dimension.axes();
+    match shape {
+        Shape::Cuboid { p1, p2 } => {
+            for axis in 0..axes {
+                outside(
+                    mesh,
+                    axis,
+                    p1[axis],
+                    &format!("{path}.point_p1[{axis}]"),
+                    problems,
+                );
+                outside(
+                    mesh,
+                    axis,
+                    p2[axis],
+                    &format!("{path}.point_p2[{axis}]"),
+                    problems,
+                );
+            }
+        }
+        Shape::Sphere { center, radius }
+        | Shape::Ring {
+            center,
+            outer: radius,
+            ..
+        } => {
+            let key = if matches!(shape, Shape::Ring { .. }) {
+                "outer_radius"
+            } else {
+                "radius"
+            };
+            for axis in 0..axes {
+                for reach in [-radius, *radius] {
+                    outside(
+                        mesh,
+                        axis,
+                        center[axis] + reach,
+                        &format!("{path}.{key}"),
+                        problems,
+                    );
+                }
+            }
+        }
+        Shape::Cylinder { p1, p2, radius } => {
+            let d: Vector = std::array::from_fn(|k| p2[k] - p1[k]);
+            let length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+            for axis in 0..axes {
+                // A disc of radius r with unit normal n reaches r sqrt(1 - n_i²) along axis i.
+                let reach = radius * (1.0 - d[axis] * d[axis] / length2).max(0.0).sqrt();
+                let (low, high) = (p1[axis].min(p2[axis]), p1[axis].max(p2[axis]));
+                outside(mesh, axis, low - reach, &format!("{path}.radius"), problems);
+                outside(
+                    mesh,
+                    axis,
+                    high + reach,
+                    &format!("{path}.radius"),
+                    problems,
+                );
+            }
+        }
+        Shape::Polygon { points } => {
+            for (k, point) in points.iter().enumerate() {
+                for axis in 0..axes {
+                    let path = format!("{path}.points[{k}][{axis}]");
+                    outside(mesh, axis, point[axis], &path, problems);
+                }
+            }
+        }
+        Shape::ExtrudedPolygon {
+            points,
+            axis: normal,
+            range,
+        } => {
+            for (side, &x) in range.iter().enumerate() {
+                outside(mesh, *normal, x, &format!("{path}.range[{side}]"), problems);
+            }
+            for (k, point) in points.iter().enumerate() {
+                for (slot, axis) in (0..3).filter(|axis| axis != normal).enumerate() {
+                    let path = format!("{path}.points[{k}][{slot}]");
+                    outside(mesh, axis, point[slot], &path, problems);
+                }
+            }
+        }
+        Shape::Particles(seeds) => {
+            for (k, seed) in seeds.iter().enumerate() {
+                for axis in 0..axes {
+                    let path = format!("{path}.particles[{k}][{axis}]");
+                    outside(mesh, axis, seed.position[axis], &path, problems);
+                }
+            }
+        }
+    }
+}
+
+/// Adds a problem if coordinate `x` lies outside the mesh.
+pub(super) fn outside(mesh: &Mesh, axis: usize, x: f64, path: &str, problems: &mut Collector) {
+    let (low, high) = (mesh.origin[axis], mesh.upper()[axis]);
+    let tolerance = mesh.tolerance(axis);
+    if x < low - tolerance || x > high + tolerance {
+        let name = ["x", "y", "z"][axis];
+        problems.add(
+            path,
+            format!("{name} = {x}, outside the mesh"),
+            format!("{name} from {low} to {high} [m]"),
+        );
+    }
+}

@@ -1,0 +1,64 @@
+//! What acts on the bodies from outside: base motion, forces, tractions.
+
+use super::Vector;
+
+/// A vector given at times, linear between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct History {
+    /// Times \[s\], strictly increasing.
+    pub times: Vec<f64>,
+    /// Values at the times; constant before the first and after the last.
+    pub values: Vec<Vector>,
+}
+
+/// Prescribed motion of one boundary plane of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BaseMotion {
+    /// Axis of the normal of the plane.
+    pub axis: usize,
+    /// 0 the lower, 1 the upper plane of that axis.
+    pub side: usize,
+    /// What is prescribed.
+    pub motion: Motion,
+}
+
+/// A prescribed motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    /// Acceleration \[m/s²\], linear between the times, zero before the first and after the last: velocity
+    /// is kept when the record ends. Velocity starts at zero.
+    Acceleration(History),
+    /// Velocity \[m/s\], linear between the times, constant outside.
+    Velocity(History),
+}
+
+/// Force on one node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointLoad {
+    /// Position of the node \[m\].
+    pub position: Vector,
+    /// Force \[N\]; per metre of thickness in two dimensions.
+    pub force: Vector,
+}
+
+/// Constant traction on an axis-aligned rectangle (a segment in two dimensions) fixed in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Traction {
+    /// Lower corner \[m\].
+    pub p1: Vector,
+    /// Upper corner \[m\]; equal to `p1` along exactly one axis, the normal.
+    pub p2: Vector,
+    /// Traction \[Pa\].
+    pub traction: Vector,
+}
+
+/// Total force spread by volume over the particles in a box at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxLoad {
+    /// Lower corner \[m\].
+    pub p1: Vector,
+    /// Upper corner \[m\].
+    pub p2: Vector,
+    /// Total force \[N\].
+    pub force: Vector,
+}

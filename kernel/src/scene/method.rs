@@ -1,0 +1,108 @@
+//! Choices of the method: weighting, stress scheme, transfer, time step, damping.
+
+/// How the time step is chosen. The critical step of the scheme is the ceiling in every case, unless
+/// `allow_unstable` lifts it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TimeStep {
+    /// A safe fraction of the scheme's own stability bound, chosen anew in each step.
+    Automatic,
+    /// `multiplier` times min(h) / max(c + |v|), the manual's `critical_time_step_multiplier`.
+    Multiplier {
+        /// Factor on min(h) / max(c + |v|), dimensionless, positive.
+        multiplier: f64,
+        /// Run even where the scheme's own bound says unstable.
+        allow_unstable: bool,
+    },
+    /// A constant step.
+    Fixed {
+        /// Time step \[s\].
+        dt: f64,
+        /// Run even where the scheme's own bound says unstable.
+        allow_unstable: bool,
+    },
+}
+
+/// Weighting function `S_Ip` (technical manual, section 2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weighting {
+    /// Linear hat `N_I` at the particle position (classical MPM).
+    Linear,
+    /// GIMP with a particle domain that keeps its initial size (uGIMP; what the manual's peer calls GIMP).
+    UniformGimp,
+    /// GIMP with a particle domain that follows the deformation (cpGIMP).
+    ContiguousGimp(DomainUpdate),
+    /// Quadratic B-spline.
+    QuadraticBSpline,
+}
+
+/// How the half-lengths `l_p` of a cpGIMP particle domain follow the deformation gradient F.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DomainUpdate {
+    /// `l_p = l_p0 (det F)^(1/d)`.
+    Determinant,
+    /// `l_p,i = l_p0,i U_ii`, with U the right stretch tensor.
+    Stretch,
+}
+
+/// When the stress is updated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StressScheme {
+    /// Update stress first.
+    Usf,
+    /// Update stress last.
+    Usl,
+    /// Modified update stress last.
+    Musl,
+}
+
+/// How velocity is carried between particles and nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transfer {
+    /// Kind of transfer.
+    pub kind: TransferKind,
+    /// Share of the interpolated nodal velocity in the particle velocity, 0 (FLIP) to 1 (PIC).
+    pub pic_fraction: f64,
+}
+
+/// Kind of velocity transfer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TransferKind {
+    /// Particle velocity alone is carried to the nodes.
+    Flip,
+    /// Affine particle-in-cell (Jiang et al. 2015): carries `B_p D_p^-1 (x_I - x_p)` as well.
+    Apic,
+    /// Taylor particle-in-cell: carries the velocity gradient.
+    Tpic,
+}
+
+/// Numerical damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Damping {
+    /// None.
+    None,
+    /// Local damping, `f = -alpha |f_unb| sign(v)` per component (technical manual, section 8).
+    Local {
+        /// Factor, 0 to 1.
+        alpha: f64,
+    },
+    /// Kinetic damping (dynamic relaxation): velocities are set to zero at each peak of kinetic energy.
+    Kinetic,
+    /// `f_I = -alpha m_I sqrt(E / (rho h²)) v_I` (Liang et al. 2024, eq. 20).
+    Viscous {
+        /// Factor, dimensionless, not negative.
+        alpha: f64,
+    },
+}
+
+impl Transfer {
+    /// A transfer with its usual share of PIC: 0 for FLIP, 1 for APIC and TPIC, as those carry in their affine
+    /// part what FLIP keeps in the particle velocity.
+    #[must_use]
+    pub fn new(kind: TransferKind) -> Self {
+        let pic_fraction = match kind {
+            TransferKind::Flip => 0.0,
+            TransferKind::Apic | TransferKind::Tpic => 1.0,
+        };
+        Self { kind, pic_fraction }
+    }
+}

@@ -1,0 +1,342 @@
+//! The keys of a scene file, as written: flat, all optional, nothing checked but types.
+//!
+//! The documentation of a key is its description in the JSON Schema. "The manuals" are the technical manual of
+//! 2026 and the contact manual v0.1; "their program" is MPM-Geomechanics, whose defaults hold where the manuals
+//! give none.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::lists::{Contacts, Counts, Entries, VectorOrTable};
+
+/// A scene: what is simulated, in SI units.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with the keys of a scene")]
+pub(super) struct RawScene {
+    /// Number of dimensions: 3 (the default) or 2, plane strain in x-y with vectors of length 2.
+    #[schemars(extend("enum" = [2, 3]))]
+    pub dimension: Option<u64>,
+    /// End time [s].
+    pub time: Option<f64>,
+    /// Constant time step [s]. Without it and without a multiplier the step is automatic.
+    pub time_step: Option<f64>,
+    /// Time step as a factor on min(h) / max(c + |v|).
+    pub critical_time_step_multiplier: Option<f64>,
+    /// Another spelling of `critical_time_step_multiplier`, used by the technical manual.
+    pub time_step_multiplier: Option<f64>,
+    /// Run even where the time step is above the bound of the scheme. Default: false.
+    pub allow_unstable: Option<bool>,
+    /// Acceleration of gravity [m/s²]. Default: zero, as in the manuals' program.
+    pub gravity: Option<Vec<f64>>,
+    /// Number of threads; the command line overrides it. Default: all.
+    pub n_threads: Option<usize>,
+    /// Number of phases; only 1, the default, is built.
+    pub n_phases: Option<u64>,
+    /// When the stress is updated. Default: USL, as in the manuals' program.
+    #[schemars(extend("enum" = ["USF", "USL", "MUSL"]))]
+    pub stress_scheme_update: Option<String>,
+    /// Weighting function. Default: GIMP, as in the manuals' program; GIMP and uGIMP are the same.
+    #[schemars(extend("enum" = ["linear", "GIMP", "uGIMP", "cpGIMP", "quadratic_bspline"]))]
+    pub shape_function: Option<String>,
+    /// How the particle domain of cpGIMP follows the deformation. Default: determinant.
+    #[schemars(extend("enum" = ["determinant", "stretch"]))]
+    pub domain_update: Option<String>,
+    /// How velocity is carried between particles and nodes. Default: FLIP, as in the manuals.
+    #[schemars(extend("enum" = ["FLIP", "APIC", "TPIC"]))]
+    pub transfer: Option<String>,
+    /// Share of the nodal velocity in the particle velocity, 0 to 1. Default: 0 with FLIP, 1 with APIC and TPIC.
+    pub pic_fraction: Option<f64>,
+    /// Particles per cell and axis, one number or one per axis; a body may say otherwise. Default: 2 per axis, as
+    /// in the manuals' program.
+    pub particles_per_cell: Option<Counts>,
+    /// Numerical damping. Default: none.
+    pub damping: Option<RawDamping>,
+    /// What is written.
+    pub results: Option<RawResults>,
+    /// Background mesh.
+    pub mesh: Option<RawMesh>,
+    /// Motion of a boundary plane from a record.
+    pub earthquake: Option<RawEarthquake>,
+    /// Materials, as a list or by name.
+    pub material: Option<Entries<RawMaterial>>,
+    /// Another spelling of `material`.
+    pub materials: Option<Entries<RawMaterial>>,
+    /// Bodies, as a list or by name.
+    pub body: Option<Entries<RawBody>>,
+    /// Another spelling of `body`.
+    pub bodies: Option<Entries<RawBody>>,
+    /// Forces on nodes: pairs of a position [m] and a force [N].
+    pub nodal_point_load: Option<Vec<Vec<Vec<f64>>>>,
+    /// Tractions on rectangles fixed in space.
+    pub traction: Option<Vec<RawTraction>>,
+    /// Forces spread over the particles that lie in a box at the start.
+    pub box_load: Option<Vec<RawBoxLoad>>,
+    /// What happens to a particle that leaves the mesh. Default: stop.
+    #[schemars(extend("enum" = ["stop", "remove"]))]
+    pub outside: Option<String>,
+    /// Particles whose history is written.
+    pub probes: Option<Vec<RawProbe>>,
+    /// Contact between bodies.
+    pub contact: Option<Contacts>,
+    /// Settings of all contacts.
+    pub contact_manager: Option<RawContactManager>,
+    /// Contact with a terrain.
+    pub terrain_contact: Option<RawTerrainContact>,
+}
+
+/// Numerical damping.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with `type` and `value`")]
+pub(super) struct RawDamping {
+    /// Kind of damping.
+    #[schemars(extend("enum" = ["none", "local", "kinetic", "viscous"]))]
+    pub r#type: Option<String>,
+    /// Factor: 0 to 1 for local, 0 or greater for viscous damping.
+    pub value: Option<f64>,
+    /// Another spelling of `value`.
+    pub alpha: Option<f64>,
+}
+
+/// What is written.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with `print` and `fields`")]
+pub(super) struct RawResults {
+    /// Number of outputs after the initial one. Default: 10, as in the manuals' program.
+    pub print: Option<usize>,
+    /// Particle fields in the frames, `all` or `none`. Default: id and displacement, as in the manuals' program.
+    pub fields: Option<Vec<String>>,
+    /// Another spelling of `fields`.
+    pub material_point_results: Option<Vec<String>>,
+    /// Write a checkpoint with each frame. Default: false.
+    pub checkpoint: Option<bool>,
+}
+
+/// Background mesh.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with the keys of a mesh")]
+pub(super) struct RawMesh {
+    /// Edges of a cell [m].
+    pub cells_dimension: Option<Vec<f64>>,
+    /// Number of cells per axis.
+    pub cells_number: Option<Vec<usize>>,
+    /// Lower corner [m]. Default: zero, as in the manuals' program.
+    pub origin: Option<Vec<f64>>,
+    /// Conditions on the planes; a plane that is not named is sliding.
+    pub boundary_conditions: Option<RawPlanes>,
+}
+
+/// Conditions on the planes of the mesh: `free`, `sliding` or `fixed`.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the planes of the mesh"
+)]
+pub(super) struct RawPlanes {
+    /// Lower plane of x.
+    #[serde(rename = "plane_X0")]
+    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
+    pub x0: Option<String>,
+    /// Lower plane of y.
+    #[serde(rename = "plane_Y0")]
+    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
+    pub y0: Option<String>,
+    /// Lower plane of z.
+    #[serde(rename = "plane_Z0")]
+    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
+    pub z0: Option<String>,
+    /// Upper plane of x.
+    #[serde(rename = "plane_Xn")]
+    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
+    pub xn: Option<String>,
+    /// Upper plane of y.
+    #[serde(rename = "plane_Yn")]
+    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
+    pub yn: Option<String>,
+    /// Upper plane of z.
+    #[serde(rename = "plane_Zn")]
+    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
+    pub zn: Option<String>,
+}
+
+/// Motion of a boundary plane from a record.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of an earthquake"
+)]
+pub(super) struct RawEarthquake {
+    /// Whether it acts; nothing else here is read where it does not.
+    pub active: Option<bool>,
+    /// Record with the columns t, ax, ay, az; a path relative to the scene's folder.
+    pub file: Option<String>,
+    /// Whether the record has a header. Default: found by looking.
+    pub header: Option<bool>,
+    /// What the record holds. Default: acceleration, as in the manuals.
+    #[schemars(extend("enum" = ["acceleration", "velocity"]))]
+    pub quantity: Option<String>,
+    /// Plane that moves. Default: the lower plane of the last axis.
+    #[schemars(extend("enum" = ["X0", "Xn", "Y0", "Yn", "Z0", "Zn"]))]
+    pub plane: Option<String>,
+}
+
+/// A material.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of a material"
+)]
+pub(super) struct RawMaterial {
+    /// Constitutive law.
+    #[schemars(extend("enum" = ["elastic", "neo_hookean"]))]
+    pub r#type: Option<String>,
+    /// Identifier, to which bodies refer.
+    pub id: Option<i64>,
+    /// Young's modulus [Pa].
+    pub young: Option<f64>,
+    /// Initial mass density [kg/m³].
+    pub density: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson: Option<f64>,
+    /// Objective stress rate of an elastic material. Default: `hughes_winget`.
+    #[schemars(extend("enum" = ["hughes_winget", "jaumann"]))]
+    pub objective_rate: Option<String>,
+}
+
+/// A body. Which keys its shape needs depends on its type.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with the keys of a body")]
+pub(super) struct RawBody {
+    /// Shape: cuboid (2D and 3D), sphere, cylinder, `extruded_polygon` (3D), rectangle, disc, ring, polygon (2D),
+    /// particles (2D and 3D).
+    #[schemars(extend("enum" = ["cuboid", "rectangle", "sphere", "disc", "ring", "cylinder", "polygon",
+        "extruded_polygon", "particles"]))]
+    pub r#type: Option<String>,
+    /// Identifier.
+    pub id: Option<i64>,
+    /// Identifier of the material.
+    pub material_id: Option<i64>,
+    /// Lower corner of a cuboid or rectangle; centre of the first end face of a cylinder [m].
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner of a cuboid or rectangle; centre of the other end face of a cylinder [m].
+    pub point_p2: Option<Vec<f64>>,
+    /// Centre of a sphere, disc or ring [m].
+    pub center: Option<Vec<f64>>,
+    /// Radius of a sphere, disc or cylinder [m].
+    pub radius: Option<f64>,
+    /// Inner radius of a ring [m].
+    pub inner_radius: Option<f64>,
+    /// Outer radius of a ring [m].
+    pub outer_radius: Option<f64>,
+    /// Corners of a polygon, or of an extruded polygon in the plane of its two other axes [m].
+    pub points: Option<Vec<Vec<f64>>>,
+    /// Axis along which a polygon is extruded.
+    #[schemars(extend("enum" = ["x", "y", "z"]))]
+    pub axis: Option<String>,
+    /// Lower and upper coordinate of an extruded polygon along its axis [m].
+    pub range: Option<Vec<f64>>,
+    /// Particles: rows of position [m] and volume [m³].
+    pub particles: Option<Vec<Vec<f64>>>,
+    /// Particles from a text file with the columns x, y, z, volume; a path relative to the scene's folder.
+    pub file: Option<String>,
+    /// Particles per cell and axis. Default: that of the scene.
+    pub particles_per_cell: Option<Counts>,
+    /// Initial velocity [m/s]. Default: zero.
+    pub initial_velocity: Option<Vec<f64>>,
+    /// Prescribed velocity [m/s]: a vector, or rows of time [s] and velocity.
+    pub prescribed_velocity: Option<VectorOrTable>,
+}
+
+/// Constant traction on a rectangle (a segment in 2D) that is fixed in space.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1`, `point_p2` and `traction`"
+)]
+pub(super) struct RawTraction {
+    /// Lower corner [m].
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner [m], equal to `point_p1` along exactly one axis.
+    pub point_p2: Option<Vec<f64>>,
+    /// Traction [Pa].
+    pub traction: Option<Vec<f64>>,
+}
+
+/// Total force spread by volume over the particles that lie in a box at the start.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1`, `point_p2` and `force`"
+)]
+pub(super) struct RawBoxLoad {
+    /// Lower corner [m].
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner [m].
+    pub point_p2: Option<Vec<f64>>,
+    /// Total force [N].
+    pub force: Option<Vec<f64>>,
+}
+
+/// A particle whose history is written.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with `name` and `point`")]
+pub(super) struct RawProbe {
+    /// Prefix of the columns.
+    pub name: Option<String>,
+    /// The particle nearest to this position at the start is followed [m].
+    pub point: Option<Vec<f64>>,
+}
+
+/// Contact between two bodies.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of a contact"
+)]
+#[expect(
+    dead_code,
+    reason = "read so that the manuals' inputs are understood, and refused by name"
+)]
+pub(super) struct RawContact {
+    /// Identifier.
+    pub id: Option<i64>,
+    /// Coefficient of friction.
+    pub friction: Option<f64>,
+    /// Identifier of the master body.
+    pub master_id: Option<i64>,
+    /// Identifier of the slave body.
+    pub slave_id: Option<i64>,
+    /// How the normal is found.
+    pub normal_type: Option<String>,
+}
+
+/// Settings of all contacts.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of a contact manager"
+)]
+pub(super) struct RawContactManager {
+    /// Whether contacts act.
+    pub active: Option<bool>,
+    /// Factor lambda on the cell size in the distance correction.
+    #[expect(dead_code, reason = "as for a contact")]
+    pub real_distance_correction_coefficient: Option<f64>,
+}
+
+/// Contact with a terrain.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of a terrain contact"
+)]
+#[expect(dead_code, reason = "as for a contact")]
+pub(super) struct RawTerrainContact {
+    /// Whether it acts. Default: false, as in the manuals' program.
+    pub active: Option<bool>,
+    /// Surface of the terrain.
+    pub stl_mesh: Option<String>,
+    /// Coefficient of friction.
+    pub friction: Option<f64>,
+    /// Distance below which contact is looked for [m].
+    pub distance_threshold: Option<f64>,
+}

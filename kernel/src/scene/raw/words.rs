@@ -1,0 +1,204 @@
+//! Words of the scene language, and the nearest known one to a word that is not.
+
+use crate::scene::{
+    Dimension, DomainUpdate, Field, ObjectiveRate, Outside, PlaneCondition, StressScheme,
+    TransferKind,
+};
+
+/// A word and what it means.
+pub(super) type Words<T> = &'static [(&'static str, T)];
+
+/// Weighting functions; cpGIMP still lacks its domain update.
+#[derive(Clone, Copy)]
+pub(super) enum ShapeFunction {
+    Linear,
+    UniformGimp,
+    ContiguousGimp,
+    QuadraticBSpline,
+}
+
+/// `GIMP` is what the manuals' program makes of it: domains keep their initial size.
+pub(super) const SHAPE_FUNCTIONS: Words<ShapeFunction> = &[
+    ("linear", ShapeFunction::Linear),
+    ("GIMP", ShapeFunction::UniformGimp),
+    ("uGIMP", ShapeFunction::UniformGimp),
+    ("cpGIMP", ShapeFunction::ContiguousGimp),
+    ("quadratic_bspline", ShapeFunction::QuadraticBSpline),
+];
+
+pub(super) const DOMAIN_UPDATES: Words<DomainUpdate> = &[
+    ("determinant", DomainUpdate::Determinant),
+    ("stretch", DomainUpdate::Stretch),
+];
+
+pub(super) const SCHEMES: Words<StressScheme> = &[
+    ("USF", StressScheme::Usf),
+    ("USL", StressScheme::Usl),
+    ("MUSL", StressScheme::Musl),
+];
+
+pub(super) const TRANSFERS: Words<TransferKind> = &[
+    ("FLIP", TransferKind::Flip),
+    ("APIC", TransferKind::Apic),
+    ("TPIC", TransferKind::Tpic),
+];
+
+pub(super) const PLANE_CONDITIONS: Words<PlaneCondition> = &[
+    ("free", PlaneCondition::Free),
+    ("sliding", PlaneCondition::Sliding),
+    ("fixed", PlaneCondition::Fixed),
+];
+
+/// Kinds of damping.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum DampingKind {
+    None,
+    Local,
+    Kinetic,
+    Viscous,
+}
+
+pub(super) const DAMPINGS: Words<DampingKind> = &[
+    ("none", DampingKind::None),
+    ("local", DampingKind::Local),
+    ("kinetic", DampingKind::Kinetic),
+    ("viscous", DampingKind::Viscous),
+];
+
+/// Kinds of material.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum MaterialKind {
+    Elastic,
+    NeoHookean,
+}
+
+pub(super) const MATERIALS: Words<MaterialKind> = &[
+    ("elastic", MaterialKind::Elastic),
+    ("neo_hookean", MaterialKind::NeoHookean),
+];
+
+pub(super) const RATES: Words<ObjectiveRate> = &[
+    ("hughes_winget", ObjectiveRate::HughesWinget),
+    ("jaumann", ObjectiveRate::JaumannForward),
+];
+
+/// Kinds of shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum ShapeKind {
+    Cuboid,
+    Rectangle,
+    Sphere,
+    Disc,
+    Ring,
+    Cylinder,
+    Polygon,
+    ExtrudedPolygon,
+    Particles,
+}
+
+/// Shapes in three dimensions.
+const SHAPES_3: Words<ShapeKind> = &[
+    ("cuboid", ShapeKind::Cuboid),
+    ("sphere", ShapeKind::Sphere),
+    ("cylinder", ShapeKind::Cylinder),
+    ("extruded_polygon", ShapeKind::ExtrudedPolygon),
+    ("particles", ShapeKind::Particles),
+];
+
+/// Shapes in two dimensions.
+const SHAPES_2: Words<ShapeKind> = &[
+    ("cuboid", ShapeKind::Cuboid),
+    ("rectangle", ShapeKind::Rectangle),
+    ("disc", ShapeKind::Disc),
+    ("ring", ShapeKind::Ring),
+    ("polygon", ShapeKind::Polygon),
+    ("particles", ShapeKind::Particles),
+];
+
+/// Shapes that exist in a number of dimensions.
+pub(super) fn shapes(dimension: Dimension) -> Words<ShapeKind> {
+    match dimension {
+        Dimension::Two => SHAPES_2,
+        Dimension::Three => SHAPES_3,
+    }
+}
+
+pub(super) const AXES: Words<usize> = &[("x", 0), ("y", 1), ("z", 2)];
+
+/// Planes by axis and side.
+pub(super) const PLANES: Words<(usize, usize)> = &[
+    ("X0", (0, 0)),
+    ("Xn", (0, 1)),
+    ("Y0", (1, 0)),
+    ("Yn", (1, 1)),
+    ("Z0", (2, 0)),
+    ("Zn", (2, 1)),
+];
+
+/// What a base record holds.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Quantity {
+    Acceleration,
+    Velocity,
+}
+
+pub(super) const QUANTITIES: Words<Quantity> = &[
+    ("acceleration", Quantity::Acceleration),
+    ("velocity", Quantity::Velocity),
+];
+
+pub(super) const OUTSIDES: Words<Outside> = &[("stop", Outside::Stop), ("remove", Outside::Remove)];
+
+/// Fields of frames; `all` and `none` stand for lists.
+pub(super) const FIELDS: Words<&[Field]> = &[
+    ("id", &[Field::Id]),
+    ("material", &[Field::Material]),
+    ("body", &[Field::Body]),
+    ("active", &[Field::Active]),
+    ("mass", &[Field::Mass]),
+    ("volume", &[Field::Volume]),
+    ("density", &[Field::Density]),
+    ("displacement", &[Field::Displacement]),
+    ("velocity", &[Field::Velocity]),
+    ("stress", &[Field::Stress]),
+    ("pressure", &[Field::Pressure]),
+    ("deformation_gradient", &[Field::DeformationGradient]),
+    ("external_force", &[Field::ExternalForce]),
+    ("all", &Field::ALL),
+    ("none", &[]),
+];
+
+/// What a word means; upper and lower case are the same.
+pub(super) fn meaning<T: Copy>(word: &str, words: Words<T>) -> Option<T> {
+    words
+        .iter()
+        .find(|(known, _)| known.eq_ignore_ascii_case(word))
+        .map(|(_, meaning)| *meaning)
+}
+
+/// The known word that is most like `word`, if one is like it at all.
+pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    known
+        .into_iter()
+        .map(|candidate| {
+            let likeness = strsim::normalized_damerau_levenshtein(&word, &candidate.to_lowercase());
+            (likeness, candidate)
+        })
+        // Half of the letters: `youngs_modulus` is still like `young` by its start, below.
+        .filter(|(likeness, candidate)| {
+            *likeness >= 0.5 || (candidate.len() >= 4 && word.starts_with(*candidate))
+        })
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, candidate)| candidate)
+}
+
+/// `a`, `b` or `c`.
+pub(super) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    let words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    match words.as_slice() {
+        [] => "nothing".to_owned(),
+        [one] => one.clone(),
+        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+    }
+}

@@ -1,0 +1,94 @@
+//! What is written, and what happens to particles that leave.
+
+use super::Vector;
+
+/// What happens to a particle that leaves the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// The run stops with a typed error.
+    Stop,
+    /// The particle is removed and recorded with its mass.
+    Remove,
+}
+
+/// What is written, and how often.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Results {
+    /// Number of equal time intervals at whose ends frames and history rows are written, besides the
+    /// initial state. 0: nothing but the summary.
+    pub print: usize,
+    /// Particle fields in the frames.
+    pub fields: Vec<Field>,
+    /// Write a checkpoint with each frame (the last one is kept).
+    pub checkpoint: bool,
+}
+
+/// A particle field that frames can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Field {
+    /// Particle identifier.
+    Id,
+    /// Material identifier.
+    Material,
+    /// Body identifier.
+    Body,
+    /// 1 for every particle that is written.
+    Active,
+    /// Mass \[kg\].
+    Mass,
+    /// Volume \[m³\].
+    Volume,
+    /// Mass density \[kg/m³\].
+    Density,
+    /// Displacement since the start \[m\].
+    Displacement,
+    /// Velocity \[m/s\].
+    Velocity,
+    /// Cauchy stress \[Pa\], six components.
+    Stress,
+    /// Mean pressure -tr(sigma)/3 \[Pa\].
+    Pressure,
+    /// Deformation gradient, nine components; only where the plan keeps it.
+    DeformationGradient,
+    /// External force on the particle \[N\]: weight and box loads.
+    ExternalForce,
+}
+
+/// A particle whose state is written to `history.csv`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Probe {
+    /// Prefix of the columns.
+    pub name: String,
+    /// The particle nearest to this position at the start is followed \[m\].
+    pub position: Vector,
+}
+
+impl Default for Results {
+    /// Ten outputs with identifier and displacement, as the manuals' program does; no checkpoint.
+    fn default() -> Self {
+        Self {
+            print: 10,
+            fields: vec![Field::Id, Field::Displacement],
+            checkpoint: false,
+        }
+    }
+}
+
+impl Field {
+    /// Every field, in the order in which frames hold them.
+    pub const ALL: [Self; 13] = [
+        Self::Id,
+        Self::Material,
+        Self::Body,
+        Self::Active,
+        Self::Mass,
+        Self::Volume,
+        Self::Density,
+        Self::Displacement,
+        Self::Velocity,
+        Self::Stress,
+        Self::Pressure,
+        Self::DeformationGradient,
+        Self::ExternalForce,
+    ];
+}
