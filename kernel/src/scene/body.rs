@@ -11,7 +11,7 @@ pub struct Body {
     pub name: String,
     /// Identifier given in the scene.
     pub id: i64,
-    /// Index into [`Scene::materials`].
+    /// Index into [`Scene::materials`](super::Scene::materials).
     pub material: usize,
     /// Shape.
     pub shape: Shape,

@@ -49,7 +49,7 @@ fn check_references(scene: &Scene, i: usize, body: &Body, path: &str, problems: 
     if let Some(first) = scene.bodies[..i].iter().position(|b| b.id == body.id) {
         problems.add(
             format!("{path}.id"),
-            format!("{}, the id of bodies[{first}] too", body.id),
+            format!("{}, the id of {} too", body.id, scene.bodies[first].name),
             "an id that no other body has",
         );
     }
@@ -237,34 +237,25 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
             } else {
                 "radius"
             };
-            for axis in 0..axes {
-                for reach in [-radius, *radius] {
-                    outside(
-                        mesh,
-                        axis,
-                        center[axis] + reach,
-                        &format!("{path}.{key}"),
-                        problems,
-                    );
-                }
-            }
+            // One message for a body: all of them would speak of the same radius.
+            let path = format!("{path}.{key}");
+            (0..axes).any(|axis| {
+                [-radius, *radius]
+                    .iter()
+                    .any(|reach| outside(mesh, axis, center[axis] + reach, &path, problems))
+            });
         }
         Shape::Cylinder { p1, p2, radius } => {
             let d: Vector = std::array::from_fn(|k| p2[k] - p1[k]);
             let length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-            for axis in 0..axes {
+            let path = format!("{path}.radius");
+            (0..axes).any(|axis| {
                 // A disc of radius r with unit normal n reaches r sqrt(1 - n_i²) along axis i.
                 let reach = radius * (1.0 - d[axis] * d[axis] / length2).max(0.0).sqrt();
                 let (low, high) = (p1[axis].min(p2[axis]), p1[axis].max(p2[axis]));
-                outside(mesh, axis, low - reach, &format!("{path}.radius"), problems);
-                outside(
-                    mesh,
-                    axis,
-                    high + reach,
-                    &format!("{path}.radius"),
-                    problems,
-                );
-            }
+                outside(mesh, axis, low - reach, &path, problems)
+                    || outside(mesh, axis, high + reach, &path, problems)
+            });
         }
         Shape::Polygon { points } => {
             for (k, point) in points.iter().enumerate() {
@@ -300,11 +291,18 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
     }
 }
 
-/// Adds a problem if coordinate `x` lies outside the mesh.
-pub(super) fn outside(mesh: &Mesh, axis: usize, x: f64, path: &str, problems: &mut Collector) {
+/// Adds a problem if coordinate `x` lies outside the mesh; whether it does.
+pub(super) fn outside(
+    mesh: &Mesh,
+    axis: usize,
+    x: f64,
+    path: &str,
+    problems: &mut Collector,
+) -> bool {
     let (low, high) = (mesh.origin[axis], mesh.upper()[axis]);
     let tolerance = mesh.tolerance(axis);
-    if x < low - tolerance || x > high + tolerance {
+    let is_outside = x < low - tolerance || x > high + tolerance;
+    if is_outside {
         let name = ["x", "y", "z"][axis];
         problems.add(
             path,
@@ -312,4 +310,5 @@ pub(super) fn outside(mesh: &Mesh, axis: usize, x: f64, path: &str, problems: &m
             format!("{name} from {low} to {high} [m]"),
         );
     }
+    is_outside
 }

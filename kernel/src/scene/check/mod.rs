@@ -115,7 +115,10 @@ impl Scene {
             if let Some(first) = self.materials[..i].iter().position(|m| m.id == material.id) {
                 problems.add(
                     format!("{path}.id"),
-                    format!("{}, the id of materials[{first}] too", material.id),
+                    format!(
+                        "{}, the id of {} too",
+                        material.id, self.materials[first].name
+                    ),
                     "an id that no other material has",
                 );
             }

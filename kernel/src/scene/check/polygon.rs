@@ -102,7 +102,7 @@ mod tests {
             // All corners on one line.
             (
                 &[[0., 0.], [1., 0.], [2., 0.]],
-                "edges from corner 1 and from corner 2 that cross",
+                "edges from corner 0 and from corner 2 that cross",
             ),
         ];
         for (points, expected) in cases {

@@ -95,6 +95,11 @@ impl Build<'_> {
             self.missing(path, "the id of a material");
             return usize::MAX;
         };
+        if materials.is_empty() {
+            // That there are none is reported once, not for each body.
+            self.stands_in(path);
+            return usize::MAX;
+        }
         materials
             .iter()
             .position(|m| m.id == id)

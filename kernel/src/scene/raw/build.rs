@@ -106,6 +106,13 @@ impl<'a> Build<'a> {
         self.problems.push(Problem::new(path, found, accepted));
     }
 
+    /// Adds a hint to the last problem.
+    pub fn hint(&mut self, hint: impl Into<String>) {
+        if let Some(last) = self.problems.last_mut() {
+            last.hint = Some(hint.into());
+        }
+    }
+
     /// Adds the problems of a file that the scene names at `path`.
     pub fn add_all(&mut self, path: &str, error: SceneError) {
         for mut problem in error.problems {

@@ -29,15 +29,12 @@ impl Build<'_> {
     }
 
     fn material(&mut self, path: &str, name: String, i: usize, raw: &RawMaterial) -> Material {
-        let kind = match &raw.r#type {
-            Some(word) => self.word(&format!("{path}.type"), word, MATERIALS),
-            None => {
-                self.missing(
-                    format!("{path}.type"),
-                    listed(MATERIALS.iter().map(|m| m.0)),
-                );
-                None
-            }
+        let kind = if let Some(word) = &raw.r#type {
+            self.word(&format!("{path}.type"), word, MATERIALS)
+        } else {
+            let words = listed(MATERIALS.iter().map(|m| m.0));
+            self.missing(format!("{path}.type"), words);
+            None
         };
         let rate = raw.objective_rate.as_ref();
         if kind == Some(MaterialKind::NeoHookean) && rate.is_some() {

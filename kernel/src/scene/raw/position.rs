@@ -24,6 +24,7 @@ pub(super) fn find(text: &str, path: &str) -> Option<Place> {
     let mut walk = Walk {
         text,
         at: 0,
+        depth: 0,
         target: path,
         best: None,
     };
@@ -73,9 +74,13 @@ fn floor(text: &str, mut offset: usize) -> usize {
     offset
 }
 
+/// Deeper than the JSON parser goes, and far from the end of the stack.
+const DEEPEST: usize = 200;
+
 struct Walk<'a> {
     text: &'a str,
     at: usize,
+    depth: usize,
     target: &'a str,
     /// Length of the longest matching path so far, and its place.
     best: Option<(usize, Place)>,
@@ -114,6 +119,10 @@ impl Walk<'_> {
 
     /// Walks over an object or a list.
     fn members(&mut self, path: &mut String, on_path: bool, close: u8) -> Option<()> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
         self.at += 1;
         self.blank();
         let mut index = 0;
@@ -130,7 +139,9 @@ impl Walk<'_> {
                 }
                 path.push_str(&name);
             } else {
-                path.push_str(&format!("[{index}]"));
+                path.push('[');
+                path.push_str(&index.to_string());
+                path.push(']');
                 index += 1;
             }
             self.member(path, on_path, key)?;
@@ -142,6 +153,7 @@ impl Walk<'_> {
             }
         }
         self.at += 1;
+        self.depth -= 1;
         Some(())
     }
 
@@ -236,5 +248,6 @@ mod tests {
         let text = r#"{"a": [1, "#;
         assert_eq!(find(text, "a[0]").map(|p| (p.value, p.end)), Some((7, 8)));
         assert_eq!(find("", "a"), None);
+        assert!(find(&"[".repeat(1_000_000), "").is_some());
     }
 }

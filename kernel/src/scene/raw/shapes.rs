@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::build::Build;
 use super::keys::RawBody;
-use super::words::{AXES, ShapeKind, listed, shapes};
-use crate::scene::{ParticleSeed, Shape, Vector, record};
+use super::words::{AXES, ShapeKind, listed, meaning, shapes};
+use crate::scene::{Dimension, ParticleSeed, Shape, Vector, record};
 
 /// Keys that describe a shape of this kind.
 fn keys_of(kind: ShapeKind) -> &'static [&'static str] {
@@ -21,6 +21,17 @@ fn keys_of(kind: ShapeKind) -> &'static [&'static str] {
 }
 
 impl Build<'_> {
+    /// Says of the last problem, a shape that is not known, that it exists in another number of dimensions.
+    fn hint_at_other_dimension(&mut self, word: &str) {
+        let (other, n) = match self.dimension {
+            Dimension::Two => (Dimension::Three, 3),
+            Dimension::Three => (Dimension::Two, 2),
+        };
+        if meaning(word, shapes(other)).is_some() {
+            self.hint(format!("this shape needs `dimension` {n}"));
+        }
+    }
+
     /// A key of another shape would be read and then not used.
     fn refuse_keys_of_other_shapes(
         &mut self,
@@ -64,6 +75,7 @@ impl Build<'_> {
             return nothing;
         };
         let Some(kind) = self.word(&format!("{path}.type"), word, words) else {
+            self.hint_at_other_dimension(word);
             self.stands_in(format!("{path}.particles"));
             return nothing;
         };

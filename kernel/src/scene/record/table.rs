@@ -35,7 +35,11 @@ pub fn read(
     if table.rows.len() < 2 && table.problems.is_empty() {
         table.add(
             (table.lines.max(1), 1),
-            format!("a record of {} rows", table.rows.len()),
+            if table.rows.is_empty() {
+                "no row of numbers"
+            } else {
+                "one row of numbers"
+            },
             "at least two rows",
         );
     }

@@ -1,0 +1,9 @@
+//! Scenes: the manuals' inputs as printed, our own keys, bad input, records, and scenes built by a library user.
+#![cfg(feature = "json")]
+
+mod bad_cases;
+mod bad_input;
+mod keys;
+mod library;
+mod manual;
+mod records;
