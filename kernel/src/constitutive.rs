@@ -41,11 +41,22 @@ impl Parameters {
     #[must_use]
     pub fn new(law: Law, density: f64) -> Self {
         let kind = match law {
-            Law::LinearElastic { rate: ObjectiveRate::HughesWinget, .. } => Kind::HughesWinget,
-            Law::LinearElastic { rate: ObjectiveRate::JaumannForward, .. } => Kind::JaumannForward,
+            Law::LinearElastic {
+                rate: ObjectiveRate::HughesWinget,
+                ..
+            } => Kind::HughesWinget,
+            Law::LinearElastic {
+                rate: ObjectiveRate::JaumannForward,
+                ..
+            } => Kind::JaumannForward,
             Law::NeoHookean { .. } => Kind::NeoHookean,
         };
-        Self { kind, lambda: law.lambda(), shear: law.shear(), density }
+        Self {
+            kind,
+            lambda: law.lambda(),
+            shear: law.shear(),
+            density,
+        }
     }
 
     /// P-wave speed at rest, sqrt((lambda + 2 G)/rho_0) \[m/s\].
@@ -97,7 +108,11 @@ fn one_plus<L: Lanes, const D: usize>(g: &Matrix<L>, s: f64) -> Matrix<L> {
     let mut m = *g;
     for i in 0..D {
         for j in 0..D {
-            m[i][j] = if i == j { s.mul_add(g[i][j], one) } else { s * g[i][j] };
+            m[i][j] = if i == j {
+                s.mul_add(g[i][j], one)
+            } else {
+                s * g[i][j]
+            };
         }
     }
     m
@@ -156,7 +171,10 @@ pub fn product<L: Lanes, const D: usize>(a: &Matrix<L>, b: &Matrix<L>) -> Matrix
 
 /// Relative deformation gradient of the step.
 #[inline(always)]
-pub fn relative_deformation<L: Lanes, const D: usize>(g: &Matrix<L>, at: Configuration) -> Matrix<L> {
+pub fn relative_deformation<L: Lanes, const D: usize>(
+    g: &Matrix<L>,
+    at: Configuration,
+) -> Matrix<L> {
     match at {
         Configuration::Beginning => one_plus::<L, D>(g, 1.0),
         Configuration::End => inverse::<L, D>(&one_plus::<L, D>(g, -1.0)),
@@ -251,16 +269,34 @@ fn rotate<L: Lanes, const D: usize>(g: &Matrix<L>, s: &[L; 6]) -> [L; 6] {
         let b = half * a;
         let c = one - b * w2;
         let r = [
-            [b * w[0] * w[0] + c, b * w[0] * w[1] - a * w[2], b * w[0] * w[2] + a * w[1]],
-            [b * w[1] * w[0] + a * w[2], b * w[1] * w[1] + c, b * w[1] * w[2] - a * w[0]],
-            [b * w[2] * w[0] - a * w[1], b * w[2] * w[1] + a * w[0], b * w[2] * w[2] + c],
+            [
+                b * w[0] * w[0] + c,
+                b * w[0] * w[1] - a * w[2],
+                b * w[0] * w[2] + a * w[1],
+            ],
+            [
+                b * w[1] * w[0] + a * w[2],
+                b * w[1] * w[1] + c,
+                b * w[1] * w[2] - a * w[0],
+            ],
+            [
+                b * w[2] * w[0] - a * w[1],
+                b * w[2] * w[1] + a * w[0],
+                b * w[2] * w[2] + c,
+            ],
         ];
         let m = [[s[0], s[5], s[4]], [s[5], s[1], s[3]], [s[4], s[3], s[2]]];
         let rm = product::<L, 3>(&r, &m);
-        let entry = |i: usize, j: usize| {
-            rm[i][0] * r[j][0] + rm[i][1] * r[j][1] + rm[i][2] * r[j][2]
-        };
-        out = [entry(0, 0), entry(1, 1), entry(2, 2), entry(1, 2), entry(0, 2), entry(0, 1)];
+        let entry =
+            |i: usize, j: usize| rm[i][0] * r[j][0] + rm[i][1] * r[j][1] + rm[i][2] * r[j][2];
+        out = [
+            entry(0, 0),
+            entry(1, 1),
+            entry(2, 2),
+            entry(1, 2),
+            entry(0, 2),
+            entry(0, 1),
+        ];
     }
     out
 }
@@ -268,7 +304,11 @@ fn rotate<L: Lanes, const D: usize>(g: &Matrix<L>, s: &[L; 6]) -> [L; 6] {
 /// sigma + (W sigma - sigma W) + C : D, all at the beginning of the step (technical manual, algorithm 2,
 /// lines 19-22). The in-plane deviator grows by about 8 pi²/N per turn of N steps.
 #[inline(always)]
-fn jaumann_forward<L: Lanes, const D: usize>(law: &Parameters, g: &Matrix<L>, s: &[L; 6]) -> [L; 6] {
+fn jaumann_forward<L: Lanes, const D: usize>(
+    law: &Parameters,
+    g: &Matrix<L>,
+    s: &[L; 6],
+) -> [L; 6] {
     let half = L::splat(0.5);
     let two = L::splat(2.0);
     let mut out = add_elastic::<L, D>(law, g, s);
@@ -287,7 +327,10 @@ fn jaumann_forward<L: Lanes, const D: usize>(law: &Parameters, g: &Matrix<L>, s:
             }
             sum
         };
-        for (slot, (i, j)) in [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)].into_iter().enumerate() {
+        for (slot, (i, j)) in [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]
+            .into_iter()
+            .enumerate()
+        {
             out[slot] = out[slot] + turned(i, j);
         }
     }
@@ -328,7 +371,11 @@ pub fn neo_hookean<L: Lanes, const D: usize>(law: &Parameters, f: &Matrix<L>, j:
 /// principal stretch, with b_max <= m + s sqrt(D - 1) from mean and spread of the eigenvalues of b = F F^T
 /// (Wolkowicz and Styan 1980).
 #[inline(always)]
-pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(law: &Parameters, f: &Matrix<L>, j: L) -> L {
+pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(
+    law: &Parameters,
+    f: &Matrix<L>,
+    j: L,
+) -> L {
     let mut trace = L::splat(0.0);
     let mut trace_of_square = L::splat(0.0);
     for a in 0..D {
@@ -345,7 +392,9 @@ pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(law: &Parameters, f: 
     }
     let share = L::splat(1.0 / D as f64);
     let mean = trace * share;
-    let spread = (trace_of_square * share - mean * mean).max(L::splat(0.0)).sqrt();
+    let spread = (trace_of_square * share - mean * mean)
+        .max(L::splat(0.0))
+        .sqrt();
     let largest = L::splat((D as f64 - 1.0).sqrt()).mul_add(spread, mean);
     let (mu, lambda) = (L::splat(law.shear), L::splat(law.lambda));
     (mu * largest + lambda * (L::splat(1.0) - j.map(f64::ln)) + mu) / L::splat(law.density)

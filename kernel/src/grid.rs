@@ -39,7 +39,12 @@ impl GridShape {
             Dimension::Two => [with_ghosts(0), 1, with_ghosts(1)],
             Dimension::Three => [with_ghosts(0), with_ghosts(1), with_ghosts(2)],
         };
-        Self { axes, cells: mesh.cells, cell: mesh.cell, nodes }
+        Self {
+            axes,
+            cells: mesh.cells,
+            cell: mesh.cell,
+            nodes,
+        }
     }
 
     /// Direction of storage of an axis of the scene: 0 slow, 1 middle, 2 fast.
@@ -84,7 +89,8 @@ impl GridShape {
         let storage = self.indices(node);
         let mut x = [0.0; 3];
         for axis in 0..self.axes {
-            x[axis] = (storage[self.direction(axis)] as f64 - GHOSTS_BELOW as f64) * self.cell[axis];
+            x[axis] =
+                (storage[self.direction(axis)] as f64 - GHOSTS_BELOW as f64) * self.cell[axis];
         }
         x
     }
@@ -118,18 +124,26 @@ impl Nodes {
     pub fn new(count: usize) -> Self {
         let data = vec![0.0; 8 * count + 8];
         let offset = data.as_ptr().align_offset(64).min(8);
-        Self { data, offset, count }
+        Self {
+            data,
+            offset,
+            count,
+        }
     }
 
     /// All nodes.
     #[must_use]
     pub fn lines(&self) -> &[Line] {
-        self.data[self.offset..self.offset + 8 * self.count].as_chunks().0
+        self.data[self.offset..self.offset + 8 * self.count]
+            .as_chunks()
+            .0
     }
 
     /// All nodes, to change.
     pub fn lines_mut(&mut self) -> &mut [Line] {
-        self.data[self.offset..self.offset + 8 * self.count].as_chunks_mut().0
+        self.data[self.offset..self.offset + 8 * self.count]
+            .as_chunks_mut()
+            .0
     }
 }
 
@@ -150,13 +164,20 @@ impl ActiveRows {
         let bases = shape.bases();
         let rows = shape.nodes[1];
         let mut spans = vec![(u32::MAX, 0); shape.nodes[0] * rows];
-        let reach = |base: usize, count: usize| base.saturating_sub(1)..(base + stencil + 1).min(count);
+        let reach =
+            |base: usize, count: usize| base.saturating_sub(1)..(base + stencil + 1).min(count);
         for slow in 0..bases[0] {
             for middle in 0..bases[1] {
-                let Some((low, high)) = occupied[slow * bases[1] + middle] else { continue };
+                let Some((low, high)) = occupied[slow * bases[1] + middle] else {
+                    continue;
+                };
                 let low = low.saturating_sub(1);
                 let high = (high + stencil as u32 + 1).min(shape.nodes[2] as u32);
-                let middles = if shape.axes == 2 { 0..1 } else { reach(middle, rows) };
+                let middles = if shape.axes == 2 {
+                    0..1
+                } else {
+                    reach(middle, rows)
+                };
                 for i in reach(slow, shape.nodes[0]) {
                     for j in middles.clone() {
                         let span = &mut spans[i * rows + j];
@@ -171,7 +192,10 @@ impl ActiveRows {
                 *span = (0, 0);
             }
         }
-        Self { spans, rows_per_plane: rows }
+        Self {
+            spans,
+            rows_per_plane: rows,
+        }
     }
 
     /// Active part of the row in a plane; empty where no particle can reach.
@@ -185,6 +209,9 @@ impl ActiveRows {
     /// Number of nodes in all active spans.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.spans.iter().map(|(low, high)| (high - low) as usize).sum()
+        self.spans
+            .iter()
+            .map(|(low, high)| (high - low) as usize)
+            .sum()
     }
 }

@@ -13,6 +13,8 @@ pub mod lanes;
 pub mod output;
 pub mod particles;
 pub mod plan;
+#[cfg(feature = "frames")]
+pub mod run;
 pub mod scene;
 pub mod simulation;
 pub mod stage;

@@ -194,12 +194,7 @@ impl ParticleSet {
     pub fn sort(&mut self, shape: &GridShape, stencil: usize, occupied: &mut [Option<(u32, u32)>]) {
         let bases = shape.bases();
         let keys = self.base_keys(shape, stencil);
-        for &key in &keys {
-            let (row, fast) = (key as usize / bases[2], (key as usize % bases[2]) as u32);
-            let span = occupied[row].get_or_insert((fast, fast));
-            span.0 = span.0.min(fast);
-            span.1 = span.1.max(fast);
-        }
+        occupy(&keys, bases[2], occupied);
         if !keys.is_sorted() {
             let order = stable_order(&keys, bases.iter().product());
             self.permute(&order);
@@ -264,8 +259,10 @@ impl ParticleSet {
 
     /// Removes the particles at the given increasing indices.
     pub fn remove(&mut self, gone: &[usize]) {
-        let keep: Vec<u32> =
-            (0..self.len()).filter(|p| gone.binary_search(p).is_err()).map(|p| p as u32).collect();
+        let keep: Vec<u32> = (0..self.len())
+            .filter(|p| gone.binary_search(p).is_err())
+            .map(|p| p as u32)
+            .collect();
         self.permute(&keep);
         // Each layer begins earlier by the number of particles that were removed before it.
         for start in &mut self.layers {
@@ -275,8 +272,10 @@ impl ParticleSet {
 
     /// Splits all columns at the given increasing particle ranges, which must not overlap.
     pub fn split_mut(&mut self, ranges: &[Range<usize>]) -> Vec<Vec<&mut [f64]>> {
-        let mut parts: Vec<Vec<&mut [f64]>> =
-            ranges.iter().map(|_| Vec::with_capacity(self.layout.columns)).collect();
+        let mut parts: Vec<Vec<&mut [f64]>> = ranges
+            .iter()
+            .map(|_| Vec::with_capacity(self.layout.columns))
+            .collect();
         for column in &mut self.columns {
             let mut rest = column.as_mut_slice();
             let mut at = 0;
@@ -289,6 +288,19 @@ impl ParticleSet {
             }
         }
         parts
+    }
+}
+
+/// Widens the occupied spans of base rows by the given base cells.
+fn occupy(keys: &[u32], bases_per_row: usize, occupied: &mut [Option<(u32, u32)>]) {
+    for &key in keys {
+        let (row, fast) = (
+            key as usize / bases_per_row,
+            (key as usize % bases_per_row) as u32,
+        );
+        let span = occupied[row].get_or_insert((fast, fast));
+        span.0 = span.0.min(fast);
+        span.1 = span.1.max(fast);
     }
 }
 
@@ -322,6 +334,18 @@ pub fn sort_sets(sets: &mut [ParticleSet], shape: &GridShape, stencil: usize) ->
     let mut occupied = vec![None; bases[0] * bases[1]];
     for set in sets {
         set.sort(shape, stencil, &mut occupied);
+    }
+    ActiveRows::new(shape, &occupied, stencil)
+}
+
+/// The active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than
+/// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
+#[must_use]
+pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
+    let bases = shape.bases();
+    let mut occupied = vec![None; bases[0] * bases[1]];
+    for set in sets {
+        occupy(&set.base_keys(shape, stencil), bases[2], &mut occupied);
     }
     ActiveRows::new(shape, &occupied, stencil)
 }

@@ -77,7 +77,11 @@ impl Plan {
             Weighting::ContiguousGimp(update) => Some(update),
             _ => None,
         };
-        let family = if scene.weighting == Weighting::Linear { Family::Hat } else { Family::Gimp };
+        let family = if scene.weighting == Weighting::Linear {
+            Family::Hat
+        } else {
+            Family::Gimp
+        };
         let affine = match scene.transfer.kind {
             TransferKind::Flip => Affine::Leave,
             TransferKind::Apic => Affine::Apic,
@@ -93,7 +97,8 @@ impl Plan {
         };
         let kinetic_damping = scene.damping == Damping::Kinetic;
         let own_force = !scene.box_loads.is_empty() || demands.body_force;
-        let written = |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
+        let written =
+            |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
         let displacement = demands.displacement
             || written(Field::Displacement)
             || (scene.results.print > 0 && !scene.probes.is_empty());
@@ -141,7 +146,11 @@ impl Plan {
     /// Bytes of state per particle, the largest over the bodies.
     #[must_use]
     pub fn bytes_per_particle(&self) -> usize {
-        self.layouts.iter().map(Layout::bytes_per_particle).max().unwrap_or(0)
+        self.layouts
+            .iter()
+            .map(Layout::bytes_per_particle)
+            .max()
+            .unwrap_or(0)
     }
 
     /// Bytes per node that is in use.
@@ -157,7 +166,11 @@ impl Plan {
             Dimension::Three => "3D",
         };
         list.keep("stage", "dimension", dimension);
-        list.keep("stage", "weighting function", weighting_words(scene.weighting));
+        list.keep(
+            "stage",
+            "weighting function",
+            weighting_words(scene.weighting),
+        );
         list.keep(
             "stage",
             "stress scheme",
@@ -188,12 +201,20 @@ impl Plan {
             "the PIC fraction is not zero",
             "the PIC fraction is zero",
         );
-        list.choose("stage", "gravity", self.gravity, "it is not zero", "it is zero");
+        list.choose(
+            "stage",
+            "gravity",
+            self.gravity,
+            "it is not zero",
+            "it is zero",
+        );
         for (axis, letter) in ["X", "Y", "Z"].iter().enumerate().take(self.axes) {
             for (side, end) in ["0", "n"].iter().enumerate() {
                 let condition = scene.mesh.planes[axis][side];
-                let moving =
-                    scene.base_motion.as_ref().is_some_and(|b| b.axis == axis && b.side == side);
+                let moving = scene
+                    .base_motion
+                    .as_ref()
+                    .is_some_and(|b| b.axis == axis && b.side == side);
                 list.choose(
                     "stage",
                     &format!("plane {letter}{end}"),
@@ -238,7 +259,13 @@ impl Plan {
             "no active record",
         );
         let nodal = scene.point_loads.len() + scene.tractions.len();
-        list.choose("stage", "nodal loads", nodal > 0, "point loads or tractions are given", "none is given");
+        list.choose(
+            "stage",
+            "nodal loads",
+            nodal > 0,
+            "point loads or tractions are given",
+            "none is given",
+        );
         list.choose(
             "stage",
             "driven bodies",
@@ -255,7 +282,11 @@ impl Plan {
             "nothing needs it in every step",
         );
         let any = |has: fn(&Layout) -> bool| self.layouts.iter().any(has);
-        list.keep("particle field", "mass, volume, position, velocity, stress", "every scene needs them");
+        list.keep(
+            "particle field",
+            "mass, volume, position, velocity, stress",
+            "every scene needs them",
+        );
         list.choose(
             "particle field",
             "initial position",
@@ -281,7 +312,11 @@ impl Plan {
             "particle field",
             "external force",
             any(|l| l.force.is_some()),
-            if demands.body_force { "a body force is given" } else { "box loads are given" },
+            if demands.body_force {
+                "a body force is given"
+            } else {
+                "box loads are given"
+            },
             "no box load and no body force",
         );
         list.keep(
@@ -323,11 +358,21 @@ struct Words(Vec<Entry>);
 
 impl Words {
     fn keep(&mut self, group: &'static str, name: &str, because: &str) {
-        self.0.push(Entry { group, name: name.into(), kept: true, because: because.into() });
+        self.0.push(Entry {
+            group,
+            name: name.into(),
+            kept: true,
+            because: because.into(),
+        });
     }
 
     fn leave(&mut self, group: &'static str, name: &str, because: &str) {
-        self.0.push(Entry { group, name: name.into(), kept: false, because: because.into() });
+        self.0.push(Entry {
+            group,
+            name: name.into(),
+            kept: false,
+            because: because.into(),
+        });
     }
 
     fn choose(&mut self, group: &'static str, name: &str, kept: bool, why: &str, why_not: &str) {

@@ -94,17 +94,18 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
 ///
 /// For set-up and tests; the stages use [`axis_weights`] in lanes.
 #[must_use]
-pub fn axis_weights_at<const N: usize>(family: Family, xi: f64, l: f64) -> (f64, [f64; N], [f64; N]) {
+pub fn axis_weights_at<const N: usize>(
+    family: Family,
+    xi: f64,
+    l: f64,
+) -> (f64, [f64; N], [f64; N]) {
     struct One<const N: usize>(Family, f64, f64);
     impl<const N: usize> crate::lanes::Kernel for One<N> {
         type Output = ([f64; N], [f64; N]);
         #[inline(always)]
         fn run<B: crate::lanes::Backend>(self) -> Self::Output {
-            let (w, g) = axis_weights::<B::Line, N>(
-                self.0,
-                B::Line::splat(self.1),
-                B::Line::splat(self.2),
-            );
+            let (w, g) =
+                axis_weights::<B::Line, N>(self.0, B::Line::splat(self.1), B::Line::splat(self.2));
             let (mut w_out, mut g_out) = ([0.0; N], [0.0; N]);
             for n in 0..N {
                 let mut all = [0.0; 8];

@@ -164,9 +164,11 @@ impl Selected {
             match choice {
                 LaneChoice::Auto | LaneChoice::Avx512 if avx512 => Ok(Self(Kind::Avx512)),
                 LaneChoice::Auto | LaneChoice::Avx2 if avx2 => Ok(Self(Kind::Avx2)),
-                LaneChoice::Auto | LaneChoice::Scalar => {
-                    Ok(Self(if fma { Kind::ScalarFused } else { Kind::ScalarSoft }))
-                }
+                LaneChoice::Auto | LaneChoice::Scalar => Ok(Self(if fma {
+                    Kind::ScalarFused
+                } else {
+                    Kind::ScalarSoft
+                })),
                 missing => Err(LanesUnavailable(missing)),
             }
         }
@@ -174,11 +176,13 @@ impl Selected {
         {
             match choice {
                 // Every other 64-bit target that Rust supports well (aarch64) has fused multiply-add.
-                LaneChoice::Auto | LaneChoice::Scalar => Ok(Self(if cfg!(target_arch = "aarch64") {
-                    Kind::ScalarFused
-                } else {
-                    Kind::ScalarSoft
-                })),
+                LaneChoice::Auto | LaneChoice::Scalar => {
+                    Ok(Self(if cfg!(target_arch = "aarch64") {
+                        Kind::ScalarFused
+                    } else {
+                        Kind::ScalarSoft
+                    }))
+                }
                 missing => Err(LanesUnavailable(missing)),
             }
         }

@@ -53,7 +53,13 @@ fn every_operation<L: Lanes>(a: &[f64; 8], b: &[f64; 8], c: &[f64; 8]) -> Vec<u6
         i += L::WIDTH;
     }
     // A NaN has many bit patterns and its payload is not part of the promise.
-    let canonical = |x: f64| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() };
+    let canonical = |x: f64| {
+        if x.is_nan() {
+            f64::NAN.to_bits()
+        } else {
+            x.to_bits()
+        }
+    };
     let mut out: Vec<u64> = results.iter().flatten().map(|&x| canonical(x)).collect();
     out.extend(mask_bits);
     out
@@ -85,7 +91,12 @@ fn check(a: &[f64; 8], b: &[f64; 8], c: &[f64; 8]) {
     let expected = EveryOperation { a, b, c }.run::<ScalarBackend>();
     for backend in available() {
         let found = backend.run(EveryOperation { a, b, c });
-        assert_eq!(found, expected, "{} differs on {a:?} {b:?} {c:?}", backend.name());
+        assert_eq!(
+            found,
+            expected,
+            "{} differs on {a:?} {b:?} {c:?}",
+            backend.name()
+        );
     }
 }
 
@@ -100,7 +111,16 @@ fn all_backends_agree_bitwise_on_ordinary_numbers() {
 
 #[test]
 fn all_backends_agree_bitwise_on_special_numbers() {
-    let special = [0.0, -0.0, 1.0, -1.5, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 5e-324];
+    let special = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.5,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        5e-324,
+    ];
     for shift in 0..8 {
         let rotated: [f64; 8] = std::array::from_fn(|i| special[(i + shift) % 8]);
         check(&special, &rotated, &rotated);
@@ -140,7 +160,11 @@ fn parts<L: Lanes>() {
         let mut some = [9.0; 8];
         (value + L::splat(1.0)).store_part(&mut some, count);
         for (i, &x) in some.iter().enumerate() {
-            assert_eq!(x, if i < count { source[i] + 1.0 } else { 9.0 }, "lane {i} of {count}");
+            assert_eq!(
+                x,
+                if i < count { source[i] + 1.0 } else { 9.0 },
+                "lane {i} of {count}"
+            );
         }
     }
     if L::WIDTH == 8 {

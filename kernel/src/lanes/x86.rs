@@ -54,7 +54,6 @@ pub unsafe fn run_scalar_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<ScalarBackend>()
 }
 
-
 macro_rules! binary {
     ($trait:ident, $method:ident, $avx2:ident, $avx512:ident) => {
         impl $trait for Avx2Lanes {

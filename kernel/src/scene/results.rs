@@ -64,12 +64,12 @@ pub struct Probe {
 }
 
 impl Default for Results {
-    /// Ten outputs with identifier and displacement, as the manuals' program does; no checkpoint.
+    /// Ten outputs with identifier and displacement, as the manuals' program does, and a checkpoint with each frame.
     fn default() -> Self {
         Self {
             print: 10,
             fields: vec![Field::Id, Field::Displacement],
-            checkpoint: false,
+            checkpoint: true,
         }
     }
 }

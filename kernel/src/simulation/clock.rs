@@ -1,7 +1,7 @@
 //! The choice of the time step.
 
-use super::error::{StepError, StepErrorKind, Unstable};
 use super::Simulation;
+use super::error::{StepError, StepErrorKind, Unstable};
 use crate::scene::{StressScheme, TimeStep, Weighting};
 
 /// Share of the critical step that an automatic step takes.
@@ -89,11 +89,17 @@ impl Simulation {
             square = square.max(body.found.speed_squared);
         }
         let particle_speed = square.sqrt();
-        let h = self.scene.mesh.cell[..self.plan.axes].iter().copied().fold(f64::INFINITY, f64::min);
+        let h = self.scene.mesh.cell[..self.plan.axes]
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
         let stable = self.stability_number() * h / (wave_speed + particle_speed);
         let travel = MOST_CELLS_PER_STEP * h / particle_speed;
-        let (critical, bound) =
-            if travel < stable { (travel, Bound::Travel) } else { (stable, Bound::Stability) };
+        let (critical, bound) = if travel < stable {
+            (travel, Bound::Travel)
+        } else {
+            (stable, Bound::Stability)
+        };
         (critical, bound, wave_speed, particle_speed)
     }
 
@@ -114,23 +120,39 @@ impl Simulation {
         let (critical, bound, wave_speed, particle_speed) = self.critical();
         let (dt, bound, allow) = match self.scene.time_step {
             TimeStep::Automatic => (AUTOMATIC_SHARE * critical, bound, false),
-            TimeStep::Multiplier { multiplier, allow_unstable } => {
-                let h = self.scene.mesh.cell[..self.plan.axes].iter().copied().fold(f64::INFINITY, f64::min);
-                (multiplier * h / (wave_speed + particle_speed), Bound::Multiplier, allow_unstable)
+            TimeStep::Multiplier {
+                multiplier,
+                allow_unstable,
+            } => {
+                let h = self.scene.mesh.cell[..self.plan.axes]
+                    .iter()
+                    .copied()
+                    .fold(f64::INFINITY, f64::min);
+                (
+                    multiplier * h / (wave_speed + particle_speed),
+                    Bound::Multiplier,
+                    allow_unstable,
+                )
             }
             TimeStep::Fixed { dt, allow_unstable } => (dt, Bound::Fixed, allow_unstable),
         };
         // Round-off must not refuse a step that was chosen to be exactly critical.
         if dt > critical * (1.0 + 1e-9) && !allow {
-            return Err(Unstable { dt, critical, wave_speed, particle_speed });
+            return Err(Unstable {
+                dt,
+                critical,
+                wave_speed,
+                particle_speed,
+            });
         }
         Ok((dt, critical, bound))
     }
 
     /// Time step towards `stop`: a constant one as it is, others so that `stop` is reached in equal steps.
     pub(super) fn choose_time_step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
-        let (most, dt_critical, bound) =
-            self.propose().map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
+        let (most, dt_critical, bound) = self
+            .propose()
+            .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
         let clock = &mut self.clock;
         let step = clock.step + 1;
         let (dt, time, bound) = if bound == Bound::Fixed {
@@ -139,14 +161,32 @@ impl Simulation {
             let remaining = stop - clock.time;
             let steps = (remaining / most * (1.0 - 1e-12)).ceil().max(1.0);
             let dt = remaining / steps;
-            let bound = if dt < 0.999 * most { Bound::OutputTime } else { bound };
+            let bound = if dt < 0.999 * most {
+                Bound::OutputTime
+            } else {
+                bound
+            };
             (dt, if steps == 1.0 { stop } else { clock.time + dt }, bound)
         };
-        clock.dt_min = if clock.step == 0 { dt } else { clock.dt_min.min(dt) };
+        clock.dt_min = if clock.step == 0 {
+            dt
+        } else {
+            clock.dt_min.min(dt)
+        };
         clock.dt_max = clock.dt_max.max(dt);
-        clock.dt_critical =
-            if clock.step == 0 { dt_critical } else { clock.dt_critical.min(dt_critical) };
-        Ok(StepInfo { step, time, dt, dt_critical, bound, measured: None })
+        clock.dt_critical = if clock.step == 0 {
+            dt_critical
+        } else {
+            clock.dt_critical.min(dt_critical)
+        };
+        Ok(StepInfo {
+            step,
+            time,
+            dt,
+            dt_critical,
+            bound,
+            measured: None,
+        })
     }
 
     /// Smallest, largest and smallest critical time step so far \[s\].
@@ -156,6 +196,10 @@ impl Simulation {
     }
 
     pub(super) fn error(&self, kind: StepErrorKind) -> StepError {
-        StepError { step: self.clock.step + 1, time: self.clock.time, kind }
+        StepError {
+            step: self.clock.step + 1,
+            time: self.clock.time,
+            kind,
+        }
     }
 }

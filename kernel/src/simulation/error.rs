@@ -123,7 +123,11 @@ pub struct ParticleAt {
 impl fmt::Display for ParticleAt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [x, y, z] = self.position;
-        write!(f, "particle {} of body {} at ({x}, {y}, {z}) m", self.id, self.body)
+        write!(
+            f,
+            "particle {} of body {} at ({x}, {y}, {z}) m",
+            self.id, self.body
+        )
     }
 }
 
@@ -134,11 +138,19 @@ impl fmt::Display for StepError {
             StepErrorKind::NotFinite(p) => write!(f, "{p} has a value that is not finite"),
             StepErrorKind::Inverted(p) => write!(f, "{p} is inverted: volume {} m3", p.volume),
             StepErrorKind::Outside(p) => {
-                write!(f, "{p} left the mesh; accepted: a larger mesh, or \"outside\": \"remove\"")
+                write!(
+                    f,
+                    "{p} left the mesh; accepted: a larger mesh, or \"outside\": \"remove\""
+                )
             }
             StepErrorKind::UnstableTimeStep(unstable) => unstable.fmt(f),
-            StepErrorKind::LoadOnEmptyNode { position: [x, y, z] } => {
-                write!(f, "a nodal load acts at ({x}, {y}, {z}) m, where no particle reaches")
+            StepErrorKind::LoadOnEmptyNode {
+                position: [x, y, z],
+            } => {
+                write!(
+                    f,
+                    "a nodal load acts at ({x}, {y}, {z}) m, where no particle reaches"
+                )
             }
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
@@ -175,12 +187,20 @@ pub enum EventKind {
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.kind {
-            EventKind::Removed(p) => write!(f, "{p} left the mesh and was removed, mass {} kg", p.mass),
+            EventKind::Removed(p) => {
+                write!(f, "{p} left the mesh and was removed, mass {} kg", p.mass)
+            }
             EventKind::RecordEnded => {
-                write!(f, "the base record ended; zero acceleration from here, velocity kept")
+                write!(
+                    f,
+                    "the base record ended; zero acceleration from here, velocity kept"
+                )
             }
             EventKind::WiderStencil => {
-                write!(f, "a particle domain exceeded h/2; four nodes per axis from here")
+                write!(
+                    f,
+                    "a particle domain exceeded h/2; four nodes per axis from here"
+                )
             }
         }
     }

@@ -1,6 +1,8 @@
 //! The grid as the cycle uses it: nodes, active rows, and slabs of planes that threads own.
 
 use crate::grid::{ActiveRows, GridShape, Nodes};
+#[cfg(feature = "frames")]
+use crate::particles::rows_of;
 use crate::particles::{ParticleSet, sort_sets};
 use crate::stage::solve::Planes;
 use rayon::ThreadPool;
@@ -31,21 +33,42 @@ impl Field {
     pub fn new(shape: GridShape) -> Self {
         let nodes = Nodes::new(shape.nodes.iter().product());
         let slabs = vec![0..shape.nodes[0]];
-        Self { nodes, rows: ActiveRows::default(), slabs, shape }
+        Self {
+            nodes,
+            rows: ActiveRows::default(),
+            slabs,
+            shape,
+        }
     }
 
     /// Sorts the particles and cuts the planes into slabs of about equal numbers of particles.
     pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize, threads: usize) {
         self.rows = sort_sets(sets, &self.shape, stencil);
+        self.cut(sets, threads);
+    }
+
+    /// Takes up sets in the order in which they are, after a restart.
+    #[cfg(feature = "frames")]
+    pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize, threads: usize) {
+        self.rows = rows_of(sets, &self.shape, stencil);
+        self.cut(sets, threads);
+    }
+
+    /// Cuts the planes into slabs of about equal numbers of particles.
+    fn cut(&mut self, sets: &[ParticleSet], threads: usize) {
         let planes = self.shape.nodes[0];
-        let most = (threads * SLABS_PER_THREAD).min(planes / THINNEST_SLAB).max(1);
+        let most = (threads * SLABS_PER_THREAD)
+            .min(planes / THINNEST_SLAB)
+            .max(1);
         self.slabs.clear();
         if threads == 1 || most == 1 {
             self.slabs.push(0..planes);
             return;
         }
         let per_layer = |layer: usize| -> usize {
-            sets.iter().map(|set| set.in_layers(layer..layer + 1).len()).sum()
+            sets.iter()
+                .map(|set| set.in_layers(layer..layer + 1).len())
+                .sum()
         };
         let total: usize = sets.iter().map(ParticleSet::len).sum();
         let share = total.div_ceil(most).max(1);
@@ -74,7 +97,12 @@ impl Field {
         let mut parts = Vec::with_capacity(self.slabs.len());
         for slab in &self.slabs {
             let (own, tail) = rest.split_at_mut(slab.len() * per_plane);
-            parts.push(Planes { shape, rows, range: slab.clone(), nodes: own });
+            parts.push(Planes {
+                shape,
+                rows,
+                range: slab.clone(),
+                nodes: own,
+            });
             rest = tail;
         }
         match pool {

@@ -44,7 +44,10 @@ impl BaseVelocity {
                 at_times.push(v);
             }
         }
-        Self { motion: motion.clone(), at_times }
+        Self {
+            motion: motion.clone(),
+            at_times,
+        }
     }
 
     /// Velocity \[m/s\] at a time. Before the record it is zero (acceleration) or the first value (velocity);
@@ -62,7 +65,11 @@ impl BaseVelocity {
                 if next == record.times.len() {
                     return v;
                 }
-                let (dt, a, b) = (time - record.times[next - 1], record.values[next - 1], value(record, time));
+                let (dt, a, b) = (
+                    time - record.times[next - 1],
+                    record.values[next - 1],
+                    value(record, time),
+                );
                 std::array::from_fn(|axis| v[axis] + 0.5 * (a[axis] + b[axis]) * dt)
             }
         }

@@ -13,7 +13,10 @@ pub fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupEr
     let mut all = vec![];
     for (i, load) in scene.point_loads.iter().enumerate() {
         let path = format!("nodal_point_load[{i}]");
-        all.push(NodeForce { node: node_at(scene, shape, &load.position, &path)?, force: load.force });
+        all.push(NodeForce {
+            node: node_at(scene, shape, &load.position, &path)?,
+            force: load.force,
+        });
     }
     for (i, load) in scene.tractions.iter().enumerate() {
         traction(scene, shape, i, load, &mut all)?;
@@ -73,7 +76,10 @@ fn traction(
         if a < -1e-9 || b > cells as f64 + 1e-9 || b < a {
             return Err(SetupError::Load {
                 path: format!("traction[{i}]"),
-                reason: format!("rectangle {:?} to {:?} m is not inside the mesh", load.p1, load.p2),
+                reason: format!(
+                    "rectangle {:?} to {:?} m is not inside the mesh",
+                    load.p1, load.p2
+                ),
             });
         }
         // Along the normal the hat itself, along the others its integral.
@@ -85,7 +91,12 @@ fn traction(
                 (hat_integral(b - n) - hat_integral(a - n)) * scene.mesh.cell[axis]
             }
         };
-        per_axis.push((0..=cells).map(|n| (n, factor(n))).filter(|(_, f)| *f > 1e-12 * scene.mesh.cell[axis]).collect());
+        per_axis.push(
+            (0..=cells)
+                .map(|n| (n, factor(n)))
+                .filter(|(_, f)| *f > 1e-12 * scene.mesh.cell[axis])
+                .collect(),
+        );
     }
     if axes == 2 {
         per_axis.push(vec![(0, 1.0)]);
@@ -95,7 +106,10 @@ fn traction(
             for &(z, fz) in &per_axis[2] {
                 let node = shape.index(shape.mesh_node([x, y, z]));
                 let area = fx * fy * fz;
-                all.push(NodeForce { node, force: load.traction.map(|t| t * area) });
+                all.push(NodeForce {
+                    node,
+                    force: load.traction.map(|t| t * area),
+                });
             }
         }
     }
@@ -105,5 +119,9 @@ fn traction(
 /// Integral of the unit hat from minus infinity to `x`.
 fn hat_integral(x: f64) -> f64 {
     let x = x.clamp(-1.0, 1.0);
-    if x < 0.0 { 0.5 * (1.0 + x) * (1.0 + x) } else { 1.0 - 0.5 * (1.0 - x) * (1.0 - x) }
+    if x < 0.0 {
+        0.5 * (1.0 + x) * (1.0 + x)
+    } else {
+        1.0 - 0.5 * (1.0 - x) * (1.0 - x)
+    }
 }

@@ -44,7 +44,14 @@ impl Simulation {
     /// Total mass \[kg\].
     #[must_use]
     pub fn mass(&self) -> f64 {
-        self.sets.iter().map(|set| in_order(set).map(|p| set.columns[Layout::MASS][p]).sum::<f64>()).sum()
+        self.sets
+            .iter()
+            .map(|set| {
+                in_order(set)
+                    .map(|p| set.columns[Layout::MASS][p])
+                    .sum::<f64>()
+            })
+            .sum()
     }
 
     /// Total momentum \[kg m/s\].
@@ -120,7 +127,12 @@ impl Simulation {
         let external_work =
             self.ledger.external_work + self.dead_load_potential() - self.ledger.dead_load_origin;
         let dissipated = self.ledger.initial_energy + external_work - kinetic - strain;
-        Energy { kinetic, strain, external_work, dissipated }
+        Energy {
+            kinetic,
+            strain,
+            external_work,
+            dissipated,
+        }
     }
 
     /// Hash of the particle state in order of the identifier; see [`state_hash`].
@@ -131,7 +143,10 @@ impl Simulation {
 
     /// Sum over all particles in order of the identifier.
     fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64) -> f64 {
-        self.sets.iter().map(|set| in_order(set).map(|p| term(set, p)).sum::<f64>()).sum()
+        self.sets
+            .iter()
+            .map(|set| in_order(set).map(|p| term(set, p)).sum::<f64>())
+            .sum()
     }
 
     /// Sum of dead load times position: weight and box loads.
@@ -149,7 +164,10 @@ impl Simulation {
         let g = self.scene.gravity;
         let x = set.position(p);
         let m = set.columns[Layout::MASS][p];
-        let own = set.layout.force.map_or([0.0; 3], |first| set.vector(first, p));
+        let own = set
+            .layout
+            .force
+            .map_or([0.0; 3], |first| set.vector(first, p));
         (0..3).map(|axis| (m * g[axis] + own[axis]) * x[axis]).sum()
     }
 

@@ -206,7 +206,9 @@ impl Simulation {
     #[must_use]
     pub fn initial_position(&self, set: usize, p: usize) -> Option<Vector> {
         let x = self.sets[set].vector(self.sets[set].layout.displacement_origin?, p);
-        Some(std::array::from_fn(|axis| x[axis] + self.scene.mesh.origin[axis]))
+        Some(std::array::from_fn(|axis| {
+            x[axis] + self.scene.mesh.origin[axis]
+        }))
     }
 
     /// Deformation gradient of a particle, where the plan keeps it.
@@ -230,5 +232,36 @@ impl Simulation {
     pub fn mass_and_volume(&self, set: usize, p: usize) -> (f64, f64) {
         let columns = &self.sets[set].columns;
         (columns[Layout::MASS][p], columns[Layout::VOLUME][p])
+    }
+
+    /// External force on a particle \[N\]: its weight, box loads and body force.
+    #[must_use]
+    pub fn external_force(&self, set: usize, p: usize) -> Vector {
+        let particles = &self.sets[set];
+        let own = particles
+            .layout
+            .force
+            .map_or([0.0; 3], |first| particles.vector(first, p));
+        let m = particles.columns[Layout::MASS][p];
+        std::array::from_fn(|axis| m * self.scene.gravity[axis] + own[axis])
+    }
+
+    /// Number of nodes with mass after the last mapping.
+    #[must_use]
+    pub fn nodes_with_mass(&self) -> usize {
+        let (shape, lines) = (&self.field.shape, self.field.nodes.lines());
+        let mut count = 0;
+        for plane in 0..shape.nodes[0] {
+            for row in 0..shape.nodes[1] {
+                let first = shape.index([plane, row, 0]);
+                count += self
+                    .field
+                    .rows
+                    .span(plane, row)
+                    .filter(|k| lines[first + k][0] > 0.0)
+                    .count();
+            }
+        }
+        count
     }
 }

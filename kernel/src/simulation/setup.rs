@@ -58,13 +58,21 @@ impl Simulation {
             bodies.push(run);
         }
         for (i, load) in scene.box_loads.iter().enumerate() {
-            spread(load, scene, &mut sets)
-                .map_err(|reason| SetupError::Load { path: format!("box_load[{i}]"), reason })?;
+            spread(load, scene, &mut sets).map_err(|reason| SetupError::Load {
+                path: format!("box_load[{i}]"),
+                reason,
+            })?;
         }
-        let widest = bodies.iter().map(|b| b.found.half_length).fold(0.0, f64::max);
+        let widest = bodies
+            .iter()
+            .map(|b| b.found.half_length)
+            .fold(0.0, f64::max);
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
-            base: scene.base_motion.as_ref().map(|base| BaseVelocity::new(&base.motion)),
+            base: scene
+                .base_motion
+                .as_ref()
+                .map(|base| BaseVelocity::new(&base.motion)),
             scene: scene.clone(),
             plan,
             lanes,
@@ -96,7 +104,9 @@ fn threads(scene: &Scene, options: &Options) -> Result<(usize, Option<ThreadPool
     let machine = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = options.threads.or(scene.threads).unwrap_or(machine);
     if threads == 0 {
-        return Err(SetupError::Threads("0 threads; accepted: at least 1".into()));
+        return Err(SetupError::Threads(
+            "0 threads; accepted: at least 1".into(),
+        ));
     }
     if threads == 1 {
         return Ok((1, None));
@@ -117,8 +127,10 @@ fn fill_body(
     first_id: u64,
 ) -> Result<(ParticleSet, BodyRun), SetupError> {
     let body = &scene.bodies[index];
-    let filled = fill(body, &scene.mesh, scene.dimension)
-        .map_err(|e| SetupError::Body { body: body.name.clone(), reason: e.to_string() })?;
+    let filled = fill(body, &scene.mesh, scene.dimension).map_err(|e| SetupError::Body {
+        body: body.name.clone(),
+        reason: e.to_string(),
+    })?;
     let material = &scene.materials[body.material];
     let law = Parameters::new(material.law, material.density);
     let layout = plan.layouts[index];
@@ -144,7 +156,10 @@ fn fill_body(
         Kind::NeoHookean => law.wave_speed().powi(2),
         _ => 1.0 / material.density,
     };
-    let h = scene.mesh.cell[..axes].iter().copied().fold(f64::INFINITY, f64::min);
+    let h = scene.mesh.cell[..axes]
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
     let (young, _) = material.law.young_poisson();
     let run = BodyRun {
         id: body.id,
@@ -153,7 +168,9 @@ fn fill_body(
         mapping,
         domain_update: plan.domain_update,
         motion: body.motion.clone(),
-        viscous_rate: plan.viscous_damping.map_or(0.0, |alpha| alpha / h * (young / material.density).sqrt()),
+        viscous_rate: plan
+            .viscous_damping
+            .map_or(0.0, |alpha| alpha / h * (young / material.density).sqrt()),
         found: Found {
             speed_squared: speed.max(fastest(body)),
             stiffness,
@@ -168,7 +185,11 @@ fn fill_body(
 /// Largest squared speed of a prescribed motion.
 fn fastest(body: &Body) -> f64 {
     body.motion.as_ref().map_or(0.0, |motion| {
-        motion.values.iter().map(|v| v.iter().map(|c| c * c).sum()).fold(0.0, f64::max)
+        motion
+            .values
+            .iter()
+            .map(|v| v.iter().map(|c| c * c).sum())
+            .fold(0.0, f64::max)
     })
 }
 
@@ -186,7 +207,12 @@ fn half_lengths(scene: &Scene, filled: &Filled) -> [f64; 3] {
 }
 
 /// Writes half-lengths per particle where the plan keeps them; returns the largest in cells.
-fn fill_half_lengths(set: &mut ParticleSet, scene: &Scene, filled: &Filled, uniform: &[f64; 3]) -> f64 {
+fn fill_half_lengths(
+    set: &mut ParticleSet,
+    scene: &Scene,
+    filled: &Filled,
+    uniform: &[f64; 3],
+) -> f64 {
     let axes = set.layout.axes;
     let Some(first) = set.layout.half_length else {
         return uniform[..axes].iter().copied().fold(0.0, f64::max);
@@ -195,7 +221,9 @@ fn fill_half_lengths(set: &mut ParticleSet, scene: &Scene, filled: &Filled, unif
     for axis in 0..axes {
         let column: Vec<f64> = match &filled.half_length {
             HalfLength::Uniform(_) => vec![uniform[axis]; set.len()],
-            HalfLength::PerParticle(l) => l[axis].iter().map(|l| l / scene.mesh.cell[axis]).collect(),
+            HalfLength::PerParticle(l) => {
+                l[axis].iter().map(|l| l / scene.mesh.cell[axis]).collect()
+            }
         };
         widest = column.iter().copied().fold(widest, f64::max);
         if let Some(initial) = set.layout.initial_half_length {
@@ -216,18 +244,25 @@ fn start_from(
     let axes = set.layout.axes;
     for p in 0..set.len() {
         let local = set.position(p);
-        let state = initial(&std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]));
+        let state = initial(&std::array::from_fn(|axis| {
+            local[axis] + scene.mesh.origin[axis]
+        }));
         for axis in 0..axes {
             set.columns[Layout::velocity(axes) + axis][p] = state.velocity[axis];
         }
         let s = state.stress;
-        let components: &[f64] = if axes == 2 { &[s[0], s[1], s[2], s[5]] } else { &s };
+        let components: &[f64] = if axes == 2 {
+            &[s[0], s[1], s[2], s[5]]
+        } else {
+            &s
+        };
         for (i, value) in components.iter().enumerate() {
             set.columns[Layout::stress(axes) + i][p] = *value;
         }
         let f = nalgebra::Matrix3::from_fn(|a, b| state.deformation[a][b]);
         if f != nalgebra::Matrix3::identity() {
-            set.columns[Layout::VOLUME][p] = set.columns[Layout::MASS][p] / law.density * f.determinant();
+            set.columns[Layout::VOLUME][p] =
+                set.columns[Layout::MASS][p] / law.density * f.determinant();
         }
         if let Some(first) = set.layout.deformation {
             for a in 0..axes {
@@ -250,13 +285,22 @@ fn spread(load: &BoxLoad, scene: &Scene, sets: &mut [ParticleSet]) -> Result<(),
     };
     let volume: f64 = sets
         .iter()
-        .flat_map(|set| (0..set.len()).filter(|&p| inside(set, p)).map(|p| set.columns[Layout::VOLUME][p]))
+        .flat_map(|set| {
+            (0..set.len())
+                .filter(|&p| inside(set, p))
+                .map(|p| set.columns[Layout::VOLUME][p])
+        })
         .sum();
     if volume <= 0.0 {
-        return Err(format!("no particle lies in the box {:?} to {:?} m", load.p1, load.p2));
+        return Err(format!(
+            "no particle lies in the box {:?} to {:?} m",
+            load.p1, load.p2
+        ));
     }
     for set in sets {
-        let Some(first) = set.layout.force else { continue };
+        let Some(first) = set.layout.force else {
+            continue;
+        };
         for p in 0..set.len() {
             if inside(set, p) {
                 let share = set.columns[Layout::VOLUME][p] / volume;

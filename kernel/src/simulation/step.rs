@@ -54,10 +54,16 @@ impl Simulation {
         let drift = relax.unwrap_or(info.dt);
         match self.scene.scheme {
             StressScheme::Usl => {
-                self.interpolate(Task { kick: true, ..self.task(Some(drift), Some(drift)) })?;
+                self.interpolate(Task {
+                    kick: true,
+                    ..self.task(Some(drift), Some(drift))
+                })?;
             }
             StressScheme::Musl => {
-                self.interpolate(Task { kick: true, ..self.task(None, None) })?;
+                self.interpolate(Task {
+                    kick: true,
+                    ..self.task(None, None)
+                })?;
                 self.remap(&acting);
                 self.interpolate(Task {
                     gradient_of_upper: true,
@@ -66,11 +72,18 @@ impl Simulation {
                 })?;
             }
             StressScheme::Usf => {
-                self.interpolate(Task { kick: true, ..self.task(Some(drift), None) })?;
+                self.interpolate(Task {
+                    kick: true,
+                    ..self.task(Some(drift), None)
+                })?;
                 self.sort_if_stale();
                 self.map_momentum(&acting);
                 let strain = Some((drift, Configuration::End));
-                self.interpolate(Task { strain, affine: Affine::Leave, ..self.task(None, None) })?;
+                self.interpolate(Task {
+                    strain,
+                    affine: Affine::Leave,
+                    ..self.task(None, None)
+                })?;
             }
         }
         self.move_driven_bodies(&info);
@@ -110,8 +123,11 @@ impl Simulation {
         for axis in 0..self.plan.axes {
             for side in 0..2 {
                 let condition = self.scene.mesh.planes[axis][side];
-                let moving =
-                    self.scene.base_motion.as_ref().is_some_and(|b| b.axis == axis && b.side == side);
+                let moving = self
+                    .scene
+                    .base_motion
+                    .as_ref()
+                    .is_some_and(|b| b.axis == axis && b.side == side);
                 let mut wall = Wall {
                     axis,
                     side,
@@ -132,34 +148,55 @@ impl Simulation {
             if let Some(motion) = &body.motion {
                 let (before, after) = (history_value(motion, before), history_value(motion, after));
                 let nodes = nodes_of(set, body, &self.field.shape, self.stencil);
-                driven.extend(nodes.into_iter().map(|node| DrivenNode { node, before, after }));
+                driven.extend(nodes.into_iter().map(|node| DrivenNode {
+                    node,
+                    before,
+                    after,
+                }));
             }
         }
         // Where two driven bodies share a node the later body decides, whatever the order of particles.
         driven.sort_by_key(|d| d.node);
-        Acting { walls, driven, kick: 0.5 * (self.clock.dt_before + info.dt) }
+        Acting {
+            walls,
+            driven,
+            kick: 0.5 * (self.clock.dt_before + info.dt),
+        }
     }
 
     /// Evaluates the body force at the positions of this step.
     fn set_body_force(&mut self) {
-        let Some(body_force) = &self.body_force else { return };
+        let Some(body_force) = &self.body_force else {
+            return;
+        };
         let (time, origin) = (self.clock.time, self.scene.mesh.origin);
         for set in &mut self.sets {
             let axes = set.layout.axes;
-            let (Some(force), Some(start)) = (set.layout.force, set.layout.displacement_origin) else {
+            let (Some(force), Some(start)) = (set.layout.force, set.layout.displacement_origin)
+            else {
                 continue;
             };
             let evaluate = |p: usize| {
                 let global = |x: [f64; 3]| std::array::from_fn(|axis| x[axis] + origin[axis]);
-                body_force(&global(set.vector(start, p)), &global(set.position(p)), time)
+                body_force(
+                    &global(set.vector(start, p)),
+                    &global(set.position(p)),
+                    time,
+                )
             };
             let values: Vec<[f64; 3]> = match &self.pool {
-                Some(pool) => pool.install(|| (0..set.len()).into_par_iter().map(evaluate).collect()),
+                Some(pool) => {
+                    pool.install(|| (0..set.len()).into_par_iter().map(evaluate).collect())
+                }
                 None => (0..set.len()).map(evaluate).collect(),
             };
             for axis in 0..axes {
                 let masses = set.columns[Layout::MASS].clone();
-                for ((out, value), m) in set.columns[force + axis].iter_mut().zip(&values).zip(masses) {
+                for ((out, value), m) in set.columns[force + axis]
+                    .iter_mut()
+                    .zip(&values)
+                    .zip(masses)
+                {
                     *out = m * value[axis];
                 }
             }
@@ -168,7 +205,12 @@ impl Simulation {
 
     /// Mass, momentum and force to the nodes, then the equation of motion.
     fn map_to_nodes(&mut self, acting: &Acting) -> Result<(), StepError> {
-        let call = p2g::instance(self.plan.axes, self.stencil, self.plan.full_mapping, Carry::All);
+        let call = p2g::instance(
+            self.plan.axes,
+            self.stencil,
+            self.plan.full_mapping,
+            Carry::All,
+        );
         let forces = Forces {
             gravity: self.scene.gravity,
             loads: &self.loads,
@@ -179,8 +221,15 @@ impl Simulation {
         let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
         let results = self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
-            for (set, body) in sets.iter().zip(bodies).filter(|(_, body)| body.motion.is_none()) {
-                call(lanes, mapping_call(set, body, stencil, Carry::All, &mut planes));
+            for (set, body) in sets
+                .iter()
+                .zip(bodies)
+                .filter(|(_, body)| body.motion.is_none())
+            {
+                call(
+                    lanes,
+                    mapping_call(set, body, stencil, Carry::All, &mut planes),
+                );
             }
             planes.fold(&acting.walls, true, true);
             planes.velocities();
@@ -197,7 +246,8 @@ impl Simulation {
         for result in results {
             let (sums, power) = result.map_err(|EmptyNode(node)| {
                 let local = self.field.shape.position(node);
-                let position = std::array::from_fn(|axis| local[axis] + self.scene.mesh.origin[axis]);
+                let position =
+                    std::array::from_fn(|axis| local[axis] + self.scene.mesh.origin[axis]);
                 self.error(StepErrorKind::LoadOnEmptyNode { position })
             })?;
             total.power += power;
@@ -212,13 +262,32 @@ impl Simulation {
 
     /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
     fn remap(&mut self, acting: &Acting) {
-        let call = p2g::instance(self.plan.axes, self.stencil, self.plan.full_mapping, Carry::Remap);
+        let call = p2g::instance(
+            self.plan.axes,
+            self.stencil,
+            self.plan.full_mapping,
+            Carry::Remap,
+        );
         let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
-        let still: Vec<Wall> = acting.walls.iter().map(|w| Wall { before: w.after, ..*w }).collect();
+        let still: Vec<Wall> = acting
+            .walls
+            .iter()
+            .map(|w| Wall {
+                before: w.after,
+                ..*w
+            })
+            .collect();
         self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear_upper();
-            for (set, body) in sets.iter().zip(bodies).filter(|(_, body)| body.motion.is_none()) {
-                call(lanes, mapping_call(set, body, stencil, Carry::Remap, &mut planes));
+            for (set, body) in sets
+                .iter()
+                .zip(bodies)
+                .filter(|(_, body)| body.motion.is_none())
+            {
+                call(
+                    lanes,
+                    mapping_call(set, body, stencil, Carry::Remap, &mut planes),
+                );
             }
             planes.fold_remapped(&still);
             planes.remapped_velocities();
@@ -229,13 +298,32 @@ impl Simulation {
 
     /// The mapping of USF: momentum at the new positions.
     fn map_momentum(&mut self, acting: &Acting) {
-        let call = p2g::instance(self.plan.axes, self.stencil, self.plan.full_mapping, Carry::Momentum);
+        let call = p2g::instance(
+            self.plan.axes,
+            self.stencil,
+            self.plan.full_mapping,
+            Carry::Momentum,
+        );
         let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
-        let still: Vec<Wall> = acting.walls.iter().map(|w| Wall { before: w.after, ..*w }).collect();
+        let still: Vec<Wall> = acting
+            .walls
+            .iter()
+            .map(|w| Wall {
+                before: w.after,
+                ..*w
+            })
+            .collect();
         self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
-            for (set, body) in sets.iter().zip(bodies).filter(|(_, body)| body.motion.is_none()) {
-                call(lanes, mapping_call(set, body, stencil, Carry::Momentum, &mut planes));
+            for (set, body) in sets
+                .iter()
+                .zip(bodies)
+                .filter(|(_, body)| body.motion.is_none())
+            {
+                call(
+                    lanes,
+                    mapping_call(set, body, stencil, Carry::Momentum, &mut planes),
+                );
             }
             planes.fold(&still, true, false);
             planes.velocities();
@@ -258,8 +346,12 @@ impl Simulation {
             if body.motion.is_some() {
                 continue;
             }
-            let ranges: Vec<Range<usize>> =
-                self.field.slabs.iter().map(|slab| set.in_layers(slab.clone())).collect();
+            let ranges: Vec<Range<usize>> = self
+                .field
+                .slabs
+                .iter()
+                .map(|slab| set.in_layers(slab.clone()))
+                .collect();
             let layout = set.layout;
             let run = &*body;
             let act = |mut columns: Vec<&mut [f64]>| {
@@ -279,7 +371,9 @@ impl Simulation {
             };
             let parts = set.split_mut(&ranges);
             let found: Vec<Found> = match &self.pool {
-                Some(pool) => pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect()),
+                Some(pool) => {
+                    pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect())
+                }
                 None => parts.into_iter().map(act).collect(),
             };
             let mut all = Found::default();
@@ -293,9 +387,11 @@ impl Simulation {
             }
             if task.strain.is_some() {
                 body.found.stiffness = all.stiffness;
-                body.found.half_length = all.half_length.max(
-                    if body.domain_update.is_some() { 0.0 } else { body.found.half_length },
-                );
+                body.found.half_length = all.half_length.max(if body.domain_update.is_some() {
+                    0.0
+                } else {
+                    body.found.half_length
+                });
             }
             if let Some((p, kind)) = all.fault {
                 faults.push((index, p, kind));
@@ -366,7 +462,11 @@ impl Simulation {
 
     /// Takes four nodes per axis once a particle domain exceeds half a cell.
     fn widen_stencil(&mut self) -> Result<(), StepError> {
-        let half_length = self.bodies.iter().map(|b| b.found.half_length).fold(0.0, f64::max);
+        let half_length = self
+            .bodies
+            .iter()
+            .map(|b| b.found.half_length)
+            .fold(0.0, f64::max);
         if half_length > 1.0 {
             return Err(self.error(StepErrorKind::DomainTooLarge { half_length }));
         }
@@ -385,7 +485,9 @@ impl Simulation {
     /// Kinetic energy and residual norm of this step, where measured.
     fn measured(&self) -> Option<(f64, f64)> {
         let sums = self.ledger.sums;
-        self.plan.measure.then(|| (sums.kinetic, sums.unbalanced_squared.sqrt()))
+        self.plan
+            .measure
+            .then(|| (sums.kinetic, sums.unbalanced_squared.sqrt()))
     }
 
     /// Dynamic relaxation: where the kinetic energy has passed a peak, the drift (negative or zero) that takes
@@ -403,7 +505,11 @@ impl Simulation {
             return None;
         }
         let curvature = earlier - 2.0 * last + now;
-        let vertex = if curvature < 0.0 { 0.5 * (earlier - now) / curvature } else { 0.0 };
+        let vertex = if curvature < 0.0 {
+            0.5 * (earlier - now) / curvature
+        } else {
+            0.0
+        };
         self.relaxation.last = [0.0; 2];
         self.relaxation.peaks += 1;
         Some((vertex.clamp(-0.5, 0.5) - 0.5) * info.dt)
@@ -421,7 +527,9 @@ impl Simulation {
                     *x += move_;
                 }
                 set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
-                self.travel = self.travel.max((move_ / self.scene.mesh.cell[axis]).abs() + self.travel);
+                self.travel = self
+                    .travel
+                    .max((move_ / self.scene.mesh.cell[axis]).abs() + self.travel);
             }
         }
     }
@@ -469,7 +577,9 @@ fn mapping_call<'a>(
     // A particle may have left its layer by one cell since the last sort.
     let first = planes.range.start.saturating_sub(stencil);
     let last = (planes.range.end + 1).min(set.layers.len() - 1);
-    let layers = (first..last).map(|layer| set.in_layers(layer..layer + 1)).filter(|r| !r.is_empty());
+    let layers = (first..last)
+        .map(|layer| set.in_layers(layer..layer + 1))
+        .filter(|r| !r.is_empty());
     P2g {
         columns: &set.columns,
         layout: &set.layout,
@@ -499,7 +609,9 @@ fn nodes_of(
             let l = body
                 .mapping
                 .half_length_column
-                .map_or(body.mapping.half_length[axis], |column| set.columns[column + axis][p]);
+                .map_or(body.mapping.half_length[axis], |column| {
+                    set.columns[column + axis][p]
+                });
             let family = body.mapping.family;
             let base = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
             let weights = if stencil == 3 {

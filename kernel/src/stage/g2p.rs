@@ -258,13 +258,18 @@ fn interpolate<
     };
     let start = [
         (base[0] + GHOSTS_BELOW as f64) as usize,
-        if D == 3 { (base[1] + GHOSTS_BELOW as f64) as usize } else { 0 },
+        if D == 3 {
+            (base[1] + GHOSTS_BELOW as f64) as usize
+        } else {
+            0
+        },
         (base[fast] + GHOSTS_BELOW as f64) as usize,
     ];
     let source = if UPPER { 4 } else { 1 };
     for i in 0..N {
         for j in 0..rows {
-            let row_start = ((start[0] + i) * mapping.nodes[1] + start[1] + j) * mapping.nodes[2] + start[2];
+            let row_start =
+                ((start[0] + i) * mapping.nodes[1] + start[1] + j) * mapping.nodes[2] + start[2];
             let row = &nodes[row_start..][..N];
             // Sums along the row.
             let mut v = [zero; 3];
@@ -306,7 +311,8 @@ fn interpolate<
                     sums.gradient[c][0] = gw.mul_add(s[c], sums.gradient[c][0]);
                     sums.gradient[c][fast] = ww.mul_add(vg[c], sums.gradient[c][fast]);
                     if D == 3 {
-                        sums.gradient[c][1] = (w[0][i] * g[1][j]).mul_add(s[c], sums.gradient[c][1]);
+                        sums.gradient[c][1] =
+                            (w[0][i] * g[1][j]).mul_add(s[c], sums.gradient[c][1]);
                     }
                 }
                 if APIC {
@@ -478,9 +484,11 @@ fn strain<L: Lanes, const D: usize>(
     }
     good &= L::bits(finite.eq(zero));
 
-    if let (Some(update), Some(first), Some(initial)) =
-        (call.domain_update, call.layout.half_length, call.layout.initial_half_length)
-    {
+    if let (Some(update), Some(first), Some(initial)) = (
+        call.domain_update,
+        call.layout.half_length,
+        call.layout.initial_half_length,
+    ) {
         let factor = match update {
             DomainUpdate::Stretch => stretch_diagonal::<L, D>(&f),
             DomainUpdate::Determinant if D == 2 => [ratio.sqrt(); 3],
@@ -513,7 +521,12 @@ impl<L: Lanes> Maxima<L> {
     #[inline(always)]
     fn new() -> Self {
         let zero = L::splat(0.0);
-        Self { speed_squared: zero, stiffness: zero, travel: zero, half_length: zero }
+        Self {
+            speed_squared: zero,
+            stiffness: zero,
+            travel: zero,
+            half_length: zero,
+        }
     }
 
     #[inline(always)]
@@ -546,7 +559,10 @@ fn largest<L: Lanes>(x: L) -> f64 {
 fn first_fault<const D: usize>(call: &G2p<'_, '_>, at: usize, bad: u32) -> (usize, FaultKind) {
     let p = at + bad.trailing_zeros() as usize;
     let state: Range<usize> = Layout::VOLUME..Layout::stress(D) + call.layout.stress_components();
-    let kind = if state.clone().any(|column| !call.columns[column][p].is_finite()) {
+    let kind = if state
+        .clone()
+        .any(|column| !call.columns[column][p].is_finite())
+    {
         FaultKind::NotFinite
     } else if call.columns[Layout::VOLUME][p] <= 0.0 {
         FaultKind::Inverted

@@ -31,7 +31,12 @@ pub struct Mapping {
 impl Mapping {
     /// Mapping for a grid.
     #[must_use]
-    pub fn new(shape: &GridShape, family: Family, half_length: [f64; 3], column: Option<usize>) -> Self {
+    pub fn new(
+        shape: &GridShape,
+        family: Family,
+        half_length: [f64; 3],
+        column: Option<usize>,
+    ) -> Self {
         Self {
             inverse_cell: shape.cell.map(|h| 1.0 / h),
             cell: shape.cell,
@@ -54,7 +59,11 @@ struct Group {
 /// Loads up to `L::WIDTH` values; the common full case is a plain load.
 #[inline(always)]
 fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
-    if count == L::WIDTH { L::load(&column[at..]) } else { L::load_part(&column[at..], count) }
+    if count == L::WIDTH {
+        L::load(&column[at..])
+    } else {
+        L::load_part(&column[at..], count)
+    }
 }
 
 /// Stores up to `L::WIDTH` values.
@@ -111,7 +120,10 @@ fn group_at<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
         }
     }
     // A non-finite position equals nothing, not even itself; it must still be passed over.
-    Group { base, count: count.max(1) }
+    Group {
+        base,
+        count: count.max(1),
+    }
 }
 
 /// Weights and derivatives of `count` particles per axis and node, in lanes.
@@ -136,7 +148,11 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
             Some(column) => {
                 let l: L = load::<L>(columns[column + axis].as_ref(), at, count);
                 // Lanes beyond the group hold zero, which must not divide.
-                if count == L::WIDTH { l } else { L::select(zero.lt(l), l, L::splat(0.5)) }
+                if count == L::WIDTH {
+                    l
+                } else {
+                    L::select(zero.lt(l), l, L::splat(0.5))
+                }
             }
         };
         (w[axis], g[axis]) = axis_weights::<L, N>(mapping.family, f[axis], l);

@@ -78,7 +78,9 @@ fn entry<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>
     lanes.run(Instance::<'_, D, N, FULL, GRADIENT>(call));
 }
 
-struct Instance<'a, const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(P2g<'a>);
+struct Instance<'a, const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(
+    P2g<'a>,
+);
 
 impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Kernel
     for Instance<'_, D, N, FULL, GRADIENT>
@@ -87,7 +89,16 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Ker
 
     #[inline(always)]
     fn run<B: Backend>(self) {
-        let P2g { columns, layout, mapping, layers, planes, nodes, carry, viscous_rate } = self.0;
+        let P2g {
+            columns,
+            layout,
+            mapping,
+            layers,
+            planes,
+            nodes,
+            carry,
+            viscous_rate,
+        } = self.0;
         let mut scratch = Scratch::<N>::new();
         for layer in layers {
             let mut at = layer.start;
@@ -97,15 +108,32 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Ker
                 let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
                 if own.start < own.end {
                     scratch.fill_weights::<B::Native, D, FULL>(
-                        columns, mapping, &group.base, at, group.count, carry,
+                        columns,
+                        mapping,
+                        &group.base,
+                        at,
+                        group.count,
+                        carry,
                     );
                     scratch.fill_lines::<D, FULL>(
-                        columns, layout, mapping, at, group.count, carry, viscous_rate,
+                        columns,
+                        layout,
+                        mapping,
+                        at,
+                        group.count,
+                        carry,
+                        viscous_rate,
                     );
-                    let row = if D == 3 { (group.base[1] + GHOSTS_BELOW as f64) as usize } else { 0 };
+                    let row = if D == 3 {
+                        (group.base[1] + GHOSTS_BELOW as f64) as usize
+                    } else {
+                        0
+                    };
                     let fast = (group.base[D - 1] + GHOSTS_BELOW as f64) as usize;
                     for plane in own {
-                        let first = ((plane - planes.start) * mapping.nodes[1] + row) * mapping.nodes[2] + fast;
+                        let first = ((plane - planes.start) * mapping.nodes[1] + row)
+                            * mapping.nodes[2]
+                            + fast;
                         scratch.add_plane::<B, D, FULL, GRADIENT>(
                             plane - first_plane,
                             group.count,
@@ -208,7 +236,8 @@ impl<const N: usize> Scratch<N> {
                         for axis in 0..D {
                             for c in 0..D {
                                 let rate = columns[affine + c * D + axis][i];
-                                lines[Self::line_of::<D>(axis)][first + c] = m * rate * mapping.cell[axis];
+                                lines[Self::line_of::<D>(axis)][first + c] =
+                                    m * rate * mapping.cell[axis];
                             }
                         }
                     }
@@ -218,7 +247,11 @@ impl<const N: usize> Scratch<N> {
                 let volume = -columns[Layout::VOLUME][i];
                 for axis in 0..D {
                     let scale = volume * mapping.inverse_cell[axis];
-                    let line = if FULL { Self::line_of::<D>(axis) } else { Self::lean_line_of::<D>(axis) };
+                    let line = if FULL {
+                        Self::line_of::<D>(axis)
+                    } else {
+                        Self::lean_line_of::<D>(axis)
+                    };
                     for c in 0..D {
                         lines[line][4 + c] = scale * columns[stress + voigt::<D>(c, axis)][i];
                     }
@@ -248,7 +281,11 @@ impl<const N: usize> Scratch<N> {
     /// As [`Self::line_of`]; without affine terms the slow axis shares line 0, whose upper lanes are free.
     #[inline(always)]
     const fn lean_line_of<const D: usize>(axis: usize) -> usize {
-        if axis == 0 { 0 } else { Self::line_of::<D>(axis) }
+        if axis == 0 {
+            0
+        } else {
+            Self::line_of::<D>(axis)
+        }
     }
 
     /// Adds the group to one plane of nodes, `i` planes above its base.

@@ -124,8 +124,8 @@ impl Planes<'_> {
             for row in 0..self.shape.nodes[1] {
                 let span = self.rows.span(plane, row);
                 if !span.is_empty() {
-                    let start =
-                        ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
+                    let start = ((plane - self.range.start) * self.shape.nodes[1] + row)
+                        * self.shape.nodes[2];
                     act(&mut self.nodes[start + span.start..start + span.end]);
                 }
             }
@@ -154,8 +154,11 @@ impl Planes<'_> {
                 }
                 if upper {
                     for axis in 0..3 {
-                        to[4 + axis] +=
-                            if wall.prescribes(axis) { -from[4 + axis] } else { from[4 + axis] };
+                        to[4 + axis] += if wall.prescribes(axis) {
+                            -from[4 + axis]
+                        } else {
+                            from[4 + axis]
+                        };
                     }
                 }
             });
@@ -253,7 +256,11 @@ impl Planes<'_> {
                         for axis in 0..3 {
                             let a = node[4 + axis] * r + g[axis];
                             let v = node[1 + axis];
-                            let resisted = if v == 0.0 { a } else { a - alpha * a.abs() * v.signum() };
+                            let resisted = if v == 0.0 {
+                                a
+                            } else {
+                                a - alpha * a.abs() * v.signum()
+                            };
                             node[4 + axis] = resisted * dt;
                             node[1 + axis] += node[4 + axis];
                         }
@@ -273,7 +280,11 @@ impl Planes<'_> {
                 let node = &mut nodes[node];
                 for axis in 0..3 {
                     if wall.prescribes(axis) {
-                        let dv = if increments { wall.after[axis] - wall.before[axis] } else { 0.0 };
+                        let dv = if increments {
+                            wall.after[axis] - wall.before[axis]
+                        } else {
+                            0.0
+                        };
                         if increments && kick > 0.0 && wall.after[axis] != 0.0 {
                             power += node[0] * (dv - node[4 + axis]) / kick * wall.after[axis];
                         }
@@ -301,8 +312,11 @@ impl Planes<'_> {
             self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
                 for axis in 0..3 {
                     let v = nodes[mirror][4 + axis];
-                    nodes[ghost][4 + axis] =
-                        if wall.prescribes(axis) { 2.0 * wall.after[axis] - v } else { v };
+                    nodes[ghost][4 + axis] = if wall.prescribes(axis) {
+                        2.0 * wall.after[axis] - v
+                    } else {
+                        v
+                    };
                 }
             });
         }
@@ -341,7 +355,11 @@ impl Planes<'_> {
             let node = &mut self.nodes[d.node - first];
             for axis in 0..3 {
                 node[1 + axis] = d.after[axis];
-                node[4 + axis] = if increments { d.after[axis] - d.before[axis] } else { d.after[axis] };
+                node[4 + axis] = if increments {
+                    d.after[axis] - d.before[axis]
+                } else {
+                    d.after[axis]
+                };
             }
         }
     }
@@ -366,14 +384,16 @@ impl Planes<'_> {
     fn measure(&self, forces: &Forces<'_>, out: &mut [PlaneSums]) {
         let is_mesh = |direction: usize, index: usize| {
             self.shape.nodes[direction] == 1
-                || (index >= GHOSTS_BELOW && index + crate::grid::GHOSTS_ABOVE < self.shape.nodes[direction])
+                || (index >= GHOSTS_BELOW
+                    && index + crate::grid::GHOSTS_ABOVE < self.shape.nodes[direction])
         };
         for (sums, plane) in out.iter_mut().zip(self.range.clone()) {
             if !is_mesh(0, plane) {
                 continue;
             }
             for row in (0..self.shape.nodes[1]).filter(|&row| is_mesh(1, row)) {
-                let start = ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
+                let start =
+                    ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
                 for k in self.rows.span(plane, row).filter(|&k| is_mesh(2, k)) {
                     let node = &self.nodes[start + k];
                     if node[0] > 0.0 {

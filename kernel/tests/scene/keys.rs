@@ -142,7 +142,7 @@ fn loads_results_and_probes() {
         r#""gravity": [0, 0, -9.81], "outside": "remove", "n_threads": 3, "n_phases": 1,
         "traction": [{"point_p1": [0, 0, 1], "point_p2": [1, 0.5, 1], "traction": [0, 0, -5]}],
         "box_load": [{"point_p1": [0, 0, 0], "point_p2": [1, 1, 0.5], "force": [1, 0, 0]}],
-        "results": {"print": 0, "fields": ["all", "id"], "checkpoint": true},
+        "results": {"print": 0, "fields": ["all", "id"], "checkpoint": false},
         "probes": [{"name": "top", "point": [0.5, 0.5, 1]}],
         "earthquake": {"active": true, "file": "comma_header.csv", "quantity": "velocity", "plane": "Xn"},"#,
     );
@@ -154,7 +154,7 @@ fn loads_results_and_probes() {
     assert_eq!(scene.box_loads[0].force, [1.0, 0.0, 0.0]);
     assert_eq!(scene.results.print, 0);
     assert_eq!(scene.results.fields, Field::ALL);
-    assert!(scene.results.checkpoint);
+    assert!(!scene.results.checkpoint);
     assert_eq!(scene.probes[0].name, "top");
     let base = scene.base_motion.expect("a base motion");
     assert_eq!((base.axis, base.side), (0, 1));

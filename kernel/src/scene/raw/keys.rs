@@ -107,7 +107,7 @@ pub(super) struct RawResults {
     pub fields: Option<Vec<String>>,
     /// Another spelling of `fields`.
     pub material_point_results: Option<Vec<String>>,
-    /// Write a checkpoint with each frame. Default: false.
+    /// Write a checkpoint with each frame. Default: true.
     pub checkpoint: Option<bool>,
 }
 

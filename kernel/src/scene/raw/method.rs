@@ -160,7 +160,7 @@ impl Build<'_> {
             if let Some(print) = results.print {
                 scene.results.print = print;
             }
-            scene.results.checkpoint = results.checkpoint.unwrap_or(false);
+            scene.results.checkpoint = results.checkpoint.unwrap_or(true);
             let fields = self.either(
                 "results",
                 ("fields", results.fields.as_ref()),

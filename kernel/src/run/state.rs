@@ -1,0 +1,207 @@
+//! The whole state of a simulation in a checkpoint, bit by bit.
+
+use super::RunError;
+use crate::output::{Checkpoint, CheckpointError};
+use crate::particles::Layout;
+use crate::scene::{Results, Scene};
+use crate::simulation::{Event, EventKind, ParticleAt, Simulation};
+use crate::stage::g2p::Found;
+
+/// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
+/// change.
+pub(super) fn fingerprint(scene: &Scene) -> u64 {
+    let what = Scene {
+        name: String::new(),
+        time: 0.0,
+        results: Results {
+            print: 0,
+            fields: vec![],
+            checkpoint: false,
+        },
+        probes: vec![],
+        threads: None,
+        ..scene.clone()
+    };
+    // FNV-1a over the text of all values; f64 prints so that it reads back to the same bits.
+    format!("{what:?}")
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
+}
+
+/// The state as a checkpoint.
+pub(super) fn save(simulation: &Simulation) -> Checkpoint {
+    let mut checkpoint = Checkpoint::new(fingerprint(&simulation.scene));
+    let clock = &simulation.clock;
+    let ledger = &simulation.ledger;
+    checkpoint.push::<u64>(
+        "counters",
+        vec![
+            clock.step,
+            simulation.stencil as u64,
+            simulation.relaxation.peaks,
+        ],
+    );
+    checkpoint.push::<f64>(
+        "numbers",
+        vec![
+            clock.time,
+            clock.dt_before,
+            clock.dt_min,
+            clock.dt_max,
+            clock.dt_critical,
+            simulation.travel,
+            simulation.relaxation.last[0],
+            simulation.relaxation.last[1],
+            ledger.external_work,
+            ledger.dead_load_origin,
+            ledger.initial_energy,
+        ],
+    );
+    for (i, (set, body)) in simulation.sets.iter().zip(&simulation.bodies).enumerate() {
+        let found = &body.found;
+        checkpoint.push::<f64>(
+            format!("set{i}/found"),
+            vec![
+                found.speed_squared,
+                found.stiffness,
+                found.travel,
+                found.half_length,
+            ],
+        );
+        checkpoint.push::<u64>(format!("set{i}/id"), set.id.clone());
+        checkpoint.push::<u64>(
+            format!("set{i}/layers"),
+            set.layers.iter().map(|&l| l as u64).collect(),
+        );
+        for (c, column) in set.columns.iter().enumerate() {
+            checkpoint.push::<f64>(format!("set{i}/column{c}"), column.clone());
+        }
+    }
+    save_events(simulation, &mut checkpoint);
+    checkpoint
+}
+
+fn save_events(simulation: &Simulation, checkpoint: &mut Checkpoint) {
+    let (mut whole, mut real) = (vec![], vec![]);
+    for event in &simulation.events {
+        let (kind, at) = match &event.kind {
+            EventKind::Removed(at) => (0, Some(*at)),
+            EventKind::RecordEnded => (1, None),
+            EventKind::WiderStencil => (2, None),
+        };
+        let at = at.unwrap_or(ParticleAt {
+            id: 0,
+            body: 0,
+            position: [0.0; 3],
+            volume: 0.0,
+            mass: 0.0,
+        });
+        whole.extend([kind, event.step as i64, at.id as i64, at.body]);
+        real.extend([
+            event.time,
+            at.position[0],
+            at.position[1],
+            at.position[2],
+            at.volume,
+            at.mass,
+        ]);
+    }
+    checkpoint.push::<i64>("events/whole", whole);
+    checkpoint.push::<f64>("events/real", real);
+}
+
+/// Puts the state of a checkpoint, whose fingerprint was compared, into a simulation of the same scene.
+pub(super) fn restore(
+    simulation: &mut Simulation,
+    checkpoint: &Checkpoint,
+) -> Result<(), RunError> {
+    let counters = checkpoint.array::<u64>("counters", 3)?;
+    let numbers = checkpoint.array::<f64>("numbers", 11)?;
+    for (i, (set, body)) in simulation
+        .sets
+        .iter_mut()
+        .zip(&mut simulation.bodies)
+        .enumerate()
+    {
+        let id = checkpoint.values::<u64>(&format!("set{i}/id"))?;
+        let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), set.layers.len())?;
+        let found = checkpoint.array::<f64>(&format!("set{i}/found"), 4)?;
+        for c in 0..set.layout.columns {
+            set.columns[c] = checkpoint
+                .array::<f64>(&format!("set{i}/column{c}"), id.len())?
+                .to_vec();
+        }
+        set.id = id.to_vec();
+        set.layers = layers.iter().map(|&l| l as usize).collect();
+        let ordered = set.layers.is_sorted() && set.layers.last() == Some(&id.len());
+        let inside = (0..set.layout.axes).all(|axis| {
+            set.columns[Layout::POSITION + axis].iter().all(|x| {
+                let extent =
+                    simulation.scene.mesh.cells[axis] as f64 * simulation.scene.mesh.cell[axis];
+                (0.0..=extent).contains(x)
+            })
+        });
+        if !ordered || !inside {
+            return Err(CheckpointError::WrongLength {
+                name: format!("set{i}/layers"),
+                expected: id.len(),
+                found: set.layers.last().copied().unwrap_or(0),
+            }
+            .into());
+        }
+        body.found = Found {
+            speed_squared: found[0],
+            stiffness: found[1],
+            travel: found[2],
+            half_length: found[3],
+            fault: None,
+        };
+    }
+    let clock = &mut simulation.clock;
+    clock.step = counters[0];
+    simulation.stencil = counters[1] as usize;
+    simulation.relaxation.peaks = counters[2];
+    [
+        clock.time,
+        clock.dt_before,
+        clock.dt_min,
+        clock.dt_max,
+        clock.dt_critical,
+    ] = std::array::from_fn(|i| numbers[i]);
+    simulation.travel = numbers[5];
+    simulation.relaxation.last = [numbers[6], numbers[7]];
+    simulation.ledger.external_work = numbers[8];
+    simulation.ledger.dead_load_origin = numbers[9];
+    simulation.ledger.initial_energy = numbers[10];
+    simulation.events = restore_events(checkpoint)?;
+    simulation
+        .field
+        .resume(&simulation.sets, simulation.stencil, simulation.threads);
+    Ok(())
+}
+
+fn restore_events(checkpoint: &Checkpoint) -> Result<Vec<Event>, RunError> {
+    let whole = checkpoint.values::<i64>("events/whole")?;
+    let real = checkpoint.array::<f64>("events/real", whole.len() / 4 * 6)?;
+    Ok(whole
+        .chunks_exact(4)
+        .zip(real.chunks_exact(6))
+        .map(|(w, r)| Event {
+            step: w[1] as u64,
+            time: r[0],
+            kind: match w[0] {
+                0 => EventKind::Removed(ParticleAt {
+                    id: w[2] as u64,
+                    body: w[3],
+                    position: [r[1], r[2], r[3]],
+                    volume: r[4],
+                    mass: r[5],
+                }),
+                1 => EventKind::RecordEnded,
+                _ => EventKind::WiderStencil,
+            },
+        })
+        .collect())
+}
