@@ -117,7 +117,7 @@ pub(super) fn restore(
     simulation: &mut Simulation,
     checkpoint: &Checkpoint,
 ) -> Result<(), RunError> {
-    let counters = checkpoint.array::<u64>("counters", 3)?;
+    let counters = checkpoint.array::<u64>("counters", 5)?;
     let numbers = checkpoint.array::<f64>("numbers", 11)?;
     for (i, (set, body)) in simulation
         .sets
@@ -163,6 +163,8 @@ pub(super) fn restore(
     clock.step = counters[0];
     simulation.stencil = counters[1] as usize;
     simulation.relaxation.peaks = counters[2];
+    simulation.groups.sorted = counters[3] as usize;
+    simulation.groups.superfluous = counters[4] as usize;
     [
         clock.time,
         clock.dt_before,

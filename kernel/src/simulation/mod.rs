@@ -104,6 +104,7 @@ pub struct Simulation {
     pub(crate) stencil: usize,
     /// Largest travel in cells since the last sort.
     pub(crate) travel: f64,
+    pub(crate) groups: step::Groups,
     pub(crate) clock: Clock,
     pub(crate) loads: Vec<NodeForce>,
     pub(crate) base: Option<BaseVelocity>,

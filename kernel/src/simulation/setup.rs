@@ -82,6 +82,7 @@ impl Simulation {
             bodies,
             field: Field::new(shape),
             travel: f64::INFINITY,
+            groups: super::step::Groups::default(),
             clock: Clock::default(),
             loads,
             body_force: options.body_force.clone(),

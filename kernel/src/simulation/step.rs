@@ -14,8 +14,11 @@ use crate::weights::{axis_weights_at, base_offset};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Travel in cells after which particles are sorted again. Rows and slabs allow for one cell.
+/// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.
 const SORT_AFTER: f64 = 0.45;
+/// Superfluous groups per particle after which a sort has paid: particles that left their cell break groups
+/// apart, and two such groups cost about as much as sorting one particle.
+const SORT_AFTER_GROUPS: f64 = 0.5;
 
 /// Memory of dynamic relaxation: kinetic energies of the last two half-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,6 +27,25 @@ pub struct Relaxation {
     pub last: [f64; 2],
     /// Number of peaks so far.
     pub peaks: u64,
+}
+
+/// How many groups of particles with the same base node the mapping meets. The number depends on the scene alone,
+/// not on threads or lanes, and so do the sorts that follow from it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Groups {
+    /// Groups in the first mapping after the last sort; 0 before it.
+    pub sorted: usize,
+    /// Groups beyond that number, summed over the mappings since the last sort.
+    pub superfluous: usize,
+}
+
+impl Groups {
+    fn count(&mut self, groups: usize) {
+        if self.sorted == 0 {
+            self.sorted = groups;
+        }
+        self.superfluous += groups.saturating_sub(self.sorted);
+    }
 }
 
 /// What acts at the nodes in this step.
@@ -105,7 +127,8 @@ impl Simulation {
 
     /// Sorts particles once they have travelled far enough since the last sort.
     pub(super) fn sort_if_stale(&mut self) {
-        if self.travel > SORT_AFTER {
+        let superfluous = self.groups.superfluous as f64;
+        if self.travel > SORT_AFTER || superfluous > SORT_AFTER_GROUPS * self.particles() as f64 {
             let (field, sets) = (&mut self.field, &mut self.sets);
             let (stencil, threads) = (self.stencil, self.threads);
             match &self.pool {
@@ -113,6 +136,7 @@ impl Simulation {
                 None => field.sort(sets, stencil, threads),
             }
             self.travel = 0.0;
+            self.groups = Groups::default();
         }
     }
 
@@ -221,12 +245,13 @@ impl Simulation {
         let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
         let results = self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
+            let mut groups = 0;
             for (set, body) in sets
                 .iter()
                 .zip(bodies)
                 .filter(|(_, body)| body.motion.is_none())
             {
-                call(
+                groups += call(
                     lanes,
                     mapping_call(set, body, stencil, Carry::All, &mut planes),
                 );
@@ -240,23 +265,26 @@ impl Simulation {
             planes.unfold(&acting.walls, true);
             let sums = planes.sums(&forces, measure);
             power += sums.iter().map(|s| s.power).sum::<f64>();
-            Ok((sums, power))
+            Ok((sums, power, groups))
         });
         let mut total = PlaneSums::default();
+        let mut groups = 0;
         for result in results {
-            let (sums, power) = result.map_err(|EmptyNode(node)| {
+            let (sums, power, own_groups) = result.map_err(|EmptyNode(node)| {
                 let local = self.field.shape.position(node);
                 let position =
                     std::array::from_fn(|axis| local[axis] + self.scene.mesh.origin[axis]);
                 self.error(StepErrorKind::LoadOnEmptyNode { position })
             })?;
             total.power += power;
+            groups += own_groups;
             for plane in sums {
                 total.kinetic += plane.kinetic;
                 total.unbalanced_squared += plane.unbalanced_squared;
             }
         }
         self.ledger.sums = total;
+        self.groups.count(groups);
         Ok(())
     }
 
@@ -518,20 +546,20 @@ impl Simulation {
     /// Bodies with a prescribed velocity move by it.
     fn move_driven_bodies(&mut self, info: &StepInfo) {
         let half = self.clock.time + 0.5 * info.dt;
+        let mut travel = 0.0_f64;
         for (set, body) in self.sets.iter_mut().zip(&self.bodies) {
             let Some(motion) = &body.motion else { continue };
             let v = history_value(motion, half);
             for axis in 0..set.layout.axes {
-                let move_ = v[axis] * info.dt;
+                let shift = v[axis] * info.dt;
                 for x in &mut set.columns[Layout::POSITION + axis] {
-                    *x += move_;
+                    *x += shift;
                 }
                 set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
-                self.travel = self
-                    .travel
-                    .max((move_ / self.scene.mesh.cell[axis]).abs() + self.travel);
+                travel = travel.max((shift / self.scene.mesh.cell[axis]).abs());
             }
         }
+        self.travel += travel;
     }
 
     /// Advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to zero.
@@ -578,8 +606,13 @@ fn mapping_call<'a>(
     let first = planes.range.start.saturating_sub(stencil);
     let last = (planes.range.end + 1).min(set.layers.len() - 1);
     let layers = (first..last)
-        .map(|layer| set.in_layers(layer..layer + 1))
-        .filter(|r| !r.is_empty());
+        .map(|layer| {
+            (
+                set.in_layers(layer..layer + 1),
+                planes.range.contains(&layer),
+            )
+        })
+        .filter(|(particles, _)| !particles.is_empty());
     P2g {
         columns: &set.columns,
         layout: &set.layout,

@@ -33,8 +33,8 @@ pub struct P2g<'a> {
     pub layout: &'a Layout,
     /// How the set sees the grid.
     pub mapping: &'a Mapping,
-    /// Particles of each layer, in order; groups do not cross layers.
-    pub layers: Vec<Range<usize>>,
+    /// Particles of each layer, in order, and whether the caller owns the layer; groups do not cross layers.
+    pub layers: Vec<(Range<usize>, bool)>,
     /// Planes of nodes that are owned.
     pub planes: Range<usize>,
     /// The nodes of these planes.
@@ -45,8 +45,9 @@ pub struct P2g<'a> {
     pub viscous_rate: f64,
 }
 
-/// A mapping stage, compiled for one dimension, stencil and set of terms.
-pub type P2gFn = fn(Selected, P2g<'_>);
+/// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
+/// layers that the caller owns.
+pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
 
 /// Chooses the instance: dimension, nodes per axis, whether particles carry affine velocity or forces of their
 /// own (`full`).
@@ -74,8 +75,8 @@ pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn 
 fn entry<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(
     lanes: Selected,
     call: P2g<'_>,
-) {
-    lanes.run(Instance::<'_, D, N, FULL, GRADIENT>(call));
+) -> usize {
+    lanes.run(Instance::<'_, D, N, FULL, GRADIENT>(call))
 }
 
 struct Instance<'a, const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(
@@ -85,10 +86,10 @@ struct Instance<'a, const D: usize, const N: usize, const FULL: bool, const GRAD
 impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Kernel
     for Instance<'_, D, N, FULL, GRADIENT>
 {
-    type Output = ();
+    type Output = usize;
 
     #[inline(always)]
-    fn run<B: Backend>(self) {
+    fn run<B: Backend>(self) -> usize {
         let P2g {
             columns,
             layout,
@@ -100,7 +101,8 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Ker
             viscous_rate,
         } = self.0;
         let mut scratch = Scratch::<N>::new();
-        for layer in layers {
+        let mut groups = 0;
+        for (layer, own_layer) in layers {
             let mut at = layer.start;
             while at < layer.end {
                 let group = group_at::<B::Native, _, D, N>(columns, mapping, at, layer.end, 8);
@@ -144,8 +146,10 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Ker
                     }
                 }
                 at += group.count;
+                groups += usize::from(own_layer);
             }
         }
+        groups
     }
 }
 
