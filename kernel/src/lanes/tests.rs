@@ -1,6 +1,6 @@
 //! All backends agree bit by bit, on ordinary numbers, signed zeros, infinities, NaN and denormals.
 
-use super::*;
+use super::{Backend, Kernel, LaneChoice, Lanes, ScalarBackend, Selected};
 
 /// Every operation on eight pairs of numbers, through the natural vector of the backend.
 struct EveryOperation<'a> {

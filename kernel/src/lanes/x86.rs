@@ -6,6 +6,7 @@
 
 use super::scalar::Pair;
 use super::{Backend, Kernel, Lanes, ScalarBackend};
+#[allow(clippy::wildcard_imports)] // the vector intrinsics
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,11 +1,15 @@
 //! A scene in motion: state, explicit cycle, and what can be asked of it.
 
+mod acting;
 mod clock;
 mod error;
+mod faults;
 mod field;
 mod history;
 mod loads;
 mod measure;
+mod passes;
+mod relaxation;
 mod setup;
 mod step;
 
@@ -104,12 +108,12 @@ pub struct Simulation {
     pub(crate) stencil: usize,
     /// Largest travel in cells since the last sort.
     pub(crate) travel: f64,
-    pub(crate) groups: step::Groups,
+    pub(crate) groups: passes::Groups,
     pub(crate) clock: Clock,
     pub(crate) loads: Vec<NodeForce>,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
-    pub(crate) relaxation: step::Relaxation,
+    pub(crate) relaxation: relaxation::Relaxation,
     pub(crate) ledger: measure::Ledger,
     pub(crate) events: Vec<Event>,
 }

@@ -3,7 +3,8 @@
 use super::error::SetupError;
 use super::field::Field;
 use super::measure::Ledger;
-use super::step::Relaxation;
+use super::passes::Groups;
+use super::relaxation::Relaxation;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
 use crate::bodies::{Filled, HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
@@ -82,7 +83,7 @@ impl Simulation {
             bodies,
             field: Field::new(shape),
             travel: f64::INFINITY,
-            groups: super::step::Groups::default(),
+            groups: Groups::default(),
             clock: Clock::default(),
             loads,
             body_force: options.body_force.clone(),

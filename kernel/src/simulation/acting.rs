@@ -1,0 +1,127 @@
+//! What is prescribed in a step: moving planes and driven bodies.
+
+use super::clock::StepInfo;
+use super::{BodyRun, Simulation, history_value};
+use crate::grid::{GHOSTS_BELOW, GridShape};
+use crate::particles::{Layout, ParticleSet};
+use crate::scene::PlaneCondition;
+use crate::stage::solve::{DrivenNode, Wall};
+use crate::weights::{axis_weights_at, base_offset};
+
+/// What acts at the nodes in this step.
+pub(super) struct Acting {
+    pub(super) walls: Vec<Wall>,
+    pub(super) driven: Vec<DrivenNode>,
+    pub(super) kick: f64,
+}
+
+impl Simulation {
+    /// Walls with their velocities at the two half-steps, and the nodes of driven bodies.
+    pub(super) fn acting(&self, info: &StepInfo) -> Acting {
+        let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * info.dt);
+        let mut walls = vec![];
+        for axis in 0..self.plan.axes {
+            for side in 0..2 {
+                let condition = self.scene.mesh.planes[axis][side];
+                let moving = self
+                    .scene
+                    .base_motion
+                    .as_ref()
+                    .is_some_and(|b| b.axis == axis && b.side == side);
+                let mut wall = Wall {
+                    axis,
+                    side,
+                    fixed: moving || condition == PlaneCondition::Fixed,
+                    before: [0.0; 3],
+                    after: [0.0; 3],
+                };
+                if let (true, Some(base)) = (moving, &self.base) {
+                    (wall.before, wall.after) = (base.at(before), base.at(after));
+                }
+                if moving || condition != PlaneCondition::Free {
+                    walls.push(wall);
+                }
+            }
+        }
+        let mut driven = vec![];
+        for (set, body) in self.sets.iter().zip(&self.bodies) {
+            if let Some(motion) = &body.motion {
+                let (before, after) = (history_value(motion, before), history_value(motion, after));
+                let nodes = nodes_of(set, body, &self.field.shape, self.stencil);
+                driven.extend(nodes.into_iter().map(|node| DrivenNode {
+                    node,
+                    before,
+                    after,
+                }));
+            }
+        }
+        // Where two driven bodies share a node the later body decides, whatever the order of particles.
+        driven.sort_by_key(|d| d.node);
+        Acting {
+            walls,
+            driven,
+            kick: 0.5 * (self.clock.dt_before + info.dt),
+        }
+    }
+
+    /// Bodies with a prescribed velocity move by it.
+    pub(super) fn move_driven_bodies(&mut self, info: &StepInfo) {
+        let half = self.clock.time + 0.5 * info.dt;
+        let mut travel = 0.0_f64;
+        for (set, body) in self.sets.iter_mut().zip(&self.bodies) {
+            let Some(motion) = &body.motion else { continue };
+            let v = history_value(motion, half);
+            for axis in 0..set.layout.axes {
+                let shift = v[axis] * info.dt;
+                for x in &mut set.columns[Layout::POSITION + axis] {
+                    *x += shift;
+                }
+                set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
+                travel = travel.max((shift / self.scene.mesh.cell[axis]).abs());
+            }
+        }
+        self.travel += travel;
+    }
+}
+
+/// Nodes with a positive weight of any particle of a driven body, increasing.
+fn nodes_of(set: &ParticleSet, body: &BodyRun, shape: &GridShape, stencil: usize) -> Vec<usize> {
+    let mut nodes = vec![];
+    let axes = shape.axes;
+    for p in 0..set.len() {
+        let x = set.position(p);
+        let mut touched: [Vec<usize>; 3] = [vec![], vec![0], vec![]];
+        for axis in 0..axes {
+            let xi = x[axis] * body.mapping.inverse_cell[axis];
+            let l = body
+                .mapping
+                .half_length_column
+                .map_or(body.mapping.half_length[axis], |column| {
+                    set.columns[column + axis][p]
+                });
+            let family = body.mapping.family;
+            let base = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+            let weights = if stencil == 3 {
+                axis_weights_at::<3>(family, xi, l).1.to_vec()
+            } else {
+                axis_weights_at::<4>(family, xi, l).1.to_vec()
+            };
+            touched[shape.direction(axis)] = weights
+                .iter()
+                .enumerate()
+                .filter(|(_, w)| **w > 0.0)
+                .map(|(n, _)| base + n)
+                .collect();
+        }
+        for &i in &touched[0] {
+            for &j in &touched[1] {
+                for &k in &touched[2] {
+                    nodes.push(shape.index([i, j, k]));
+                }
+            }
+        }
+    }
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+}

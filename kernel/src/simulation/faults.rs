@@ -1,0 +1,85 @@
+//! Particles that went wrong in a pass: the run stops with a typed error, or goes on with an event.
+
+use super::Simulation;
+use super::error::{Event, EventKind, ParticleAt, StepError, StepErrorKind};
+use crate::scene::Outside;
+use crate::stage::g2p::FaultKind;
+
+impl Simulation {
+    /// Stops for a fault, or removes particles outside the mesh where the scene says so.
+    pub(super) fn judge(&mut self, faults: &[(usize, usize, FaultKind)]) -> Result<(), StepError> {
+        for &(set, p, kind) in faults {
+            let at = self.particle_at(set, p);
+            match kind {
+                FaultKind::NotFinite => return Err(self.error(StepErrorKind::NotFinite(at))),
+                FaultKind::Inverted => return Err(self.error(StepErrorKind::Inverted(at))),
+                FaultKind::Outside if self.scene.outside == Outside::Stop => {
+                    return Err(self.error(StepErrorKind::Outside(at)));
+                }
+                FaultKind::Outside => self.remove_outside(set)?,
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn remove_outside(&mut self, set: usize) -> Result<(), StepError> {
+        let mesh = &self.scene.mesh;
+        let mut gone = vec![];
+        for p in 0..self.sets[set].len() {
+            let x = self.sets[set].position(p);
+            if x.iter().any(|x| !x.is_finite()) {
+                let at = self.particle_at(set, p);
+                return Err(self.error(StepErrorKind::NotFinite(at)));
+            }
+            let inside = (0..self.plan.axes)
+                .all(|axis| x[axis] >= 0.0 && x[axis] <= mesh.cells[axis] as f64 * mesh.cell[axis]);
+            if !inside {
+                gone.push(p);
+            }
+        }
+        for &p in &gone {
+            let at = self.particle_at(set, p);
+            self.close_account(set, p);
+            self.events.push(Event {
+                step: self.clock.step + 1,
+                time: self.clock.time,
+                kind: EventKind::Removed(at),
+            });
+        }
+        self.sets[set].remove(&gone);
+        Ok(())
+    }
+
+    pub(super) fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
+        let (mass, volume) = self.mass_and_volume(set, p);
+        ParticleAt {
+            id: self.sets[set].id[p],
+            body: self.bodies[set].id,
+            position: self.position(set, p),
+            volume,
+            mass,
+        }
+    }
+
+    /// Takes four nodes per axis once a particle domain exceeds half a cell.
+    pub(super) fn widen_stencil(&mut self) -> Result<(), StepError> {
+        let half_length = self
+            .bodies
+            .iter()
+            .map(|b| b.found.half_length)
+            .fold(0.0, f64::max);
+        if half_length > 1.0 {
+            return Err(self.error(StepErrorKind::DomainTooLarge { half_length }));
+        }
+        if half_length > 0.5 && self.stencil == 3 {
+            self.stencil = 4;
+            self.travel = f64::INFINITY;
+            self.events.push(Event {
+                step: self.clock.step + 1,
+                time: self.clock.time,
+                kind: EventKind::WiderStencil,
+            });
+        }
+        Ok(())
+    }
+}

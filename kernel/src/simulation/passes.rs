@@ -1,0 +1,290 @@
+//! The passes of a step over nodes and particles, slab by slab.
+
+use super::acting::Acting;
+use super::error::{StepError, StepErrorKind};
+use super::{BodyRun, Simulation};
+use crate::particles::ParticleSet;
+use crate::stage::g2p::{self, Found, G2p, Task};
+use crate::stage::p2g::{self, Carry, P2g};
+use crate::stage::solve::{EmptyNode, Forces, PlaneSums, Planes, Wall};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.
+const SORT_AFTER: f64 = 0.45;
+/// Superfluous groups per particle after which a sort has paid: particles that left their cell break groups
+/// apart, and two such groups cost about as much as sorting one particle.
+const SORT_AFTER_GROUPS: f64 = 0.5;
+
+/// How many groups of particles with the same base node the mapping meets. The number depends on the scene alone,
+/// not on threads or lanes, and so do the sorts that follow from it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Groups {
+    /// Groups in the first mapping after the last sort; 0 before it.
+    pub sorted: usize,
+    /// Groups beyond that number, summed over the mappings since the last sort.
+    pub superfluous: usize,
+}
+
+impl Groups {
+    pub(super) fn count(&mut self, groups: usize) {
+        if self.sorted == 0 {
+            self.sorted = groups;
+        }
+        self.superfluous += groups.saturating_sub(self.sorted);
+    }
+}
+
+impl Simulation {
+    /// Sorts particles once they have travelled far enough since the last sort.
+    pub(super) fn sort_if_stale(&mut self) {
+        let superfluous = self.groups.superfluous as f64;
+        if self.travel > SORT_AFTER || superfluous > SORT_AFTER_GROUPS * self.particles() as f64 {
+            let (field, sets) = (&mut self.field, &mut self.sets);
+            let (stencil, threads) = (self.stencil, self.threads);
+            match &self.pool {
+                Some(pool) => pool.install(|| field.sort(sets, stencil, threads)),
+                None => field.sort(sets, stencil, threads),
+            }
+            self.travel = 0.0;
+            self.groups = Groups::default();
+        }
+    }
+
+    /// Mass, momentum and force to the nodes, then the equation of motion.
+    pub(super) fn map_to_nodes(&mut self, acting: &Acting) -> Result<(), StepError> {
+        let call = p2g::instance(
+            self.plan.axes,
+            self.stencil,
+            self.plan.full_mapping,
+            Carry::All,
+        );
+        let forces = Forces {
+            gravity: self.scene.gravity,
+            loads: &self.loads,
+            local_damping: self.plan.local_damping,
+            kick: acting.kick,
+        };
+        let measure = self.plan.measure;
+        let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
+        let results = self.field.visit(self.pool.as_ref(), |mut planes| {
+            planes.clear();
+            let mut groups = 0;
+            for (set, body) in sets
+                .iter()
+                .zip(bodies)
+                .filter(|(_, body)| body.motion.is_none())
+            {
+                groups += call(
+                    lanes,
+                    mapping_call(set, body, stencil, Carry::All, &mut planes),
+                );
+            }
+            planes.fold(&acting.walls, true, true);
+            planes.velocities();
+            planes.load(forces.loads)?;
+            planes.accelerate(&forces);
+            planes.drive(&acting.driven, true);
+            let mut power = planes.constrain(&acting.walls, true, forces.kick);
+            planes.unfold(&acting.walls, true);
+            let sums = planes.sums(&forces, measure);
+            power += sums.iter().map(|s| s.power).sum::<f64>();
+            Ok((sums, power, groups))
+        });
+        let mut total = PlaneSums::default();
+        let mut groups = 0;
+        for result in results {
+            let (sums, power, own_groups) = result.map_err(|EmptyNode(node)| {
+                let local = self.field.shape.position(node);
+                let position =
+                    std::array::from_fn(|axis| local[axis] + self.scene.mesh.origin[axis]);
+                self.error(StepErrorKind::LoadOnEmptyNode { position })
+            })?;
+            total.power += power;
+            groups += own_groups;
+            for plane in sums {
+                total.kinetic += plane.kinetic;
+                total.unbalanced_squared += plane.unbalanced_squared;
+            }
+        }
+        self.ledger.sums = total;
+        self.groups.count(groups);
+        Ok(())
+    }
+
+    /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
+    pub(super) fn remap(&mut self, acting: &Acting) {
+        let call = p2g::instance(
+            self.plan.axes,
+            self.stencil,
+            self.plan.full_mapping,
+            Carry::Remap,
+        );
+        let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
+        let still: Vec<Wall> = acting
+            .walls
+            .iter()
+            .map(|w| Wall {
+                before: w.after,
+                ..*w
+            })
+            .collect();
+        self.field.visit(self.pool.as_ref(), |mut planes| {
+            planes.clear_upper();
+            for (set, body) in sets
+                .iter()
+                .zip(bodies)
+                .filter(|(_, body)| body.motion.is_none())
+            {
+                call(
+                    lanes,
+                    mapping_call(set, body, stencil, Carry::Remap, &mut planes),
+                );
+            }
+            planes.fold_remapped(&still);
+            planes.remapped_velocities();
+            planes.drive_remapped(&acting.driven);
+            planes.constrain_remapped(&still);
+        });
+    }
+
+    /// The mapping of USF: momentum at the new positions.
+    pub(super) fn map_momentum(&mut self, acting: &Acting) {
+        let call = p2g::instance(
+            self.plan.axes,
+            self.stencil,
+            self.plan.full_mapping,
+            Carry::Momentum,
+        );
+        let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
+        let still: Vec<Wall> = acting
+            .walls
+            .iter()
+            .map(|w| Wall {
+                before: w.after,
+                ..*w
+            })
+            .collect();
+        self.field.visit(self.pool.as_ref(), |mut planes| {
+            planes.clear();
+            for (set, body) in sets
+                .iter()
+                .zip(bodies)
+                .filter(|(_, body)| body.motion.is_none())
+            {
+                call(
+                    lanes,
+                    mapping_call(set, body, stencil, Carry::Momentum, &mut planes),
+                );
+            }
+            planes.fold(&still, true, false);
+            planes.velocities();
+            planes.drive(&acting.driven, false);
+            planes.constrain(&still, false, 0.0);
+            planes.unfold(&still, false);
+        });
+    }
+
+    /// Nodal values to the particles of all bodies that are not driven.
+    pub(super) fn interpolate(&mut self, task: Task) -> Result<(), StepError> {
+        let call = g2p::instance(self.plan.axes, self.stencil, &task);
+        let mesh = &self.scene.mesh;
+        let extent = std::array::from_fn(|axis| mesh.cells[axis] as f64 * mesh.cell[axis]);
+        let nodes = self.field.nodes.lines();
+        let lanes = self.lanes;
+        let mut travel = 0.0_f64;
+        let mut faults = vec![];
+        for (index, (set, body)) in self.sets.iter_mut().zip(&mut self.bodies).enumerate() {
+            if body.motion.is_some() {
+                continue;
+            }
+            let ranges: Vec<Range<usize>> = self
+                .field
+                .slabs
+                .iter()
+                .map(|slab| set.in_layers(slab.clone()))
+                .collect();
+            let layout = set.layout;
+            let run = &*body;
+            let act = |mut columns: Vec<&mut [f64]>| {
+                call(
+                    lanes,
+                    G2p {
+                        columns: &mut columns,
+                        layout: &layout,
+                        mapping: &run.mapping,
+                        law: &run.law,
+                        domain_update: run.domain_update,
+                        nodes,
+                        extent,
+                        task,
+                    },
+                )
+            };
+            let parts = set.split_mut(&ranges);
+            let found: Vec<Found> = match &self.pool {
+                Some(pool) => {
+                    pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect())
+                }
+                None => parts.into_iter().map(act).collect(),
+            };
+            let mut all = Found::default();
+            for (part, range) in found.into_iter().zip(&ranges) {
+                let fault = part.fault.map(|(p, kind)| (range.start + p, kind));
+                all = all.and(Found { fault, ..part });
+            }
+            travel = travel.max(all.travel);
+            if task.kick {
+                body.found.speed_squared = all.speed_squared;
+            }
+            if task.strain.is_some() {
+                body.found.stiffness = all.stiffness;
+                body.found.half_length = all.half_length.max(if body.domain_update.is_some() {
+                    0.0
+                } else {
+                    body.found.half_length
+                });
+            }
+            if let Some((p, kind)) = all.fault {
+                faults.push((index, p, kind));
+            }
+        }
+        self.travel += travel;
+        self.judge(&faults)?;
+        if task.strain.is_some() && self.plan.domain_update.is_some() {
+            self.widen_stencil()?;
+        }
+        Ok(())
+    }
+}
+
+/// The particles of a set that reach the planes of a slab, layer by layer.
+fn mapping_call<'a>(
+    set: &'a ParticleSet,
+    body: &'a BodyRun,
+    stencil: usize,
+    carry: Carry,
+    planes: &'a mut Planes<'_>,
+) -> P2g<'a> {
+    // A particle may have left its layer by one cell since the last sort.
+    let first = planes.range.start.saturating_sub(stencil);
+    let last = (planes.range.end + 1).min(set.layers.len() - 1);
+    let layers = (first..last)
+        .map(|layer| {
+            (
+                set.in_layers(layer..layer + 1),
+                planes.range.contains(&layer),
+            )
+        })
+        .filter(|(particles, _)| !particles.is_empty());
+    P2g {
+        columns: &set.columns,
+        layout: &set.layout,
+        mapping: &body.mapping,
+        layers: layers.collect(),
+        planes: planes.range.clone(),
+        nodes: planes.nodes,
+        carry,
+        viscous_rate: body.viscous_rate,
+    }
+}

@@ -1,0 +1,57 @@
+//! Kinetic damping: dynamic relaxation to a static solution.
+
+use super::Simulation;
+use super::clock::StepInfo;
+use crate::particles::Layout;
+
+/// Memory of dynamic relaxation: kinetic energies of the last two half-steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Relaxation {
+    /// One half-step ago and two half-steps ago \[J\].
+    pub last: [f64; 2],
+    /// Number of peaks so far.
+    pub peaks: u64,
+}
+
+impl Simulation {
+    /// Dynamic relaxation: where the kinetic energy has passed a peak, the drift (negative or zero) that takes
+    /// the positions back to it \[s\].
+    ///
+    /// The energies at t - 3dt/2, t - dt/2 and t + dt/2 define a parabola whose vertex lies in (t - dt, t).
+    pub(super) fn peak_of_kinetic_energy(&mut self, info: &StepInfo) -> Option<f64> {
+        if !self.plan.kinetic_damping {
+            return None;
+        }
+        let now = self.ledger.sums.kinetic;
+        let [last, earlier] = self.relaxation.last;
+        if now >= last || last == 0.0 {
+            self.relaxation.last = [now, last];
+            return None;
+        }
+        let curvature = earlier - 2.0 * last + now;
+        let vertex = if curvature < 0.0 {
+            0.5 * (earlier - now) / curvature
+        } else {
+            0.0
+        };
+        self.relaxation.last = [0.0; 2];
+        self.relaxation.peaks += 1;
+        Some((vertex.clamp(-0.5, 0.5) - 0.5) * info.dt)
+    }
+
+    /// Sets all velocities to zero, at the time of the positions.
+    pub(super) fn stop_motion(&mut self) {
+        self.clock.dt_before = 0.0;
+        for set in &mut self.sets {
+            let first = Layout::velocity(set.layout.axes);
+            for column in &mut set.columns[first..first + set.layout.axes] {
+                column.fill(0.0);
+            }
+            if let Some(affine) = set.layout.affine {
+                for column in &mut set.columns[affine..affine + set.layout.axes.pow(2)] {
+                    column.fill(0.0);
+                }
+            }
+        }
+    }
+}
