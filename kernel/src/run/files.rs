@@ -61,15 +61,15 @@ impl Files {
     pub(super) fn write(&mut self, simulation: &Simulation) -> Result<(), RunError> {
         let time = simulation.time();
         let row = self.row(simulation);
-        if let Some(series) = &mut self.series {
-            if series.last_time().is_none_or(|last| last < time) {
-                series.write_frame(&frame(simulation))?;
-            }
+        if let Some(series) = &mut self.series
+            && series.last_time().is_none_or(|last| last < time)
+        {
+            series.write_frame(&frame(simulation))?;
         }
-        if let Some(history) = &mut self.history {
-            if history.last_time().is_none_or(|last| last < time) {
-                history.append(time, simulation.steps(), &row)?;
-            }
+        if let Some(history) = &mut self.history
+            && history.last_time().is_none_or(|last| last < time)
+        {
+            history.append(time, simulation.steps(), &row)?;
         }
         if simulation.scene().results.checkpoint && self.series.is_some() {
             state::save(simulation).write(&self.folder.file(CHECKPOINT))?;

@@ -129,14 +129,15 @@ impl Simulation {
     /// Advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to zero.
     pub(super) fn finish(&mut self, info: &StepInfo, reset: bool) {
         self.ledger.external_work += self.ledger.sums.power * info.dt;
-        if let Some(base) = &self.base {
-            if self.clock.time < base.end() && info.time >= base.end() {
-                self.events.push(Event {
-                    step: info.step,
-                    time: info.time,
-                    kind: EventKind::RecordEnded,
-                });
-            }
+        if let Some(base) = &self.base
+            && self.clock.time < base.end()
+            && info.time >= base.end()
+        {
+            self.events.push(Event {
+                step: info.step,
+                time: info.time,
+                kind: EventKind::RecordEnded,
+            });
         }
         self.clock.step = info.step;
         self.clock.time = info.time;

@@ -235,14 +235,12 @@ impl<const N: usize> Scratch<N> {
                 for c in 0..D {
                     lines[0][first + c] = m * columns[velocity + c][i];
                 }
-                if FULL {
-                    if let Some(affine) = layout.affine {
-                        for axis in 0..D {
-                            for c in 0..D {
-                                let rate = columns[affine + c * D + axis][i];
-                                lines[Self::line_of::<D>(axis)][first + c] =
-                                    m * rate * mapping.cell[axis];
-                            }
+                if FULL && let Some(affine) = layout.affine {
+                    for axis in 0..D {
+                        for c in 0..D {
+                            let rate = columns[affine + c * D + axis][i];
+                            lines[Self::line_of::<D>(axis)][first + c] =
+                                m * rate * mapping.cell[axis];
                         }
                     }
                 }

@@ -366,6 +366,7 @@ impl Planes<'_> {
 
     /// Power of the nodal loads, and where asked for kinetic energy and unbalanced force, of each owned plane
     /// after the solve.
+    #[must_use]
     pub fn sums(&self, forces: &Forces<'_>, measure: bool) -> Vec<PlaneSums> {
         let mut out = vec![PlaneSums::default(); self.range.len()];
         if measure {
