@@ -6,7 +6,7 @@
 //! rotation of the particles gives a rigid rotation of F and of the stress whatever the step, and det F follows
 //! the volume that the particles span.
 
-use crate::lanes::Lanes;
+use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::scene::{Law, ObjectiveRate};
 
 /// A matrix of lanes; the leading 2x2 block in two dimensions.
@@ -63,6 +63,28 @@ impl Parameters {
     #[must_use]
     pub fn wave_speed(&self) -> f64 {
         ((self.lambda + 2.0 * self.shear) / self.density).sqrt()
+    }
+
+    /// [`neo_hookean_speed_squared`] of one deformation gradient \[m²/s²\].
+    #[must_use]
+    pub fn wave_speed_squared(&self, f: &[[f64; 3]; 3]) -> f64 {
+        struct One<'a>(&'a Parameters, &'a [[f64; 3]; 3]);
+        impl Kernel for One<'_> {
+            type Output = f64;
+            #[inline(always)]
+            fn run<B: Backend>(self) -> f64 {
+                let f = self.1.map(|row| row.map(B::Native::splat));
+                let mut all = [0.0; 8];
+                neo_hookean_speed_squared::<B::Native, 3>(
+                    self.0,
+                    &f,
+                    determinant::<B::Native, 3>(&f),
+                )
+                .store(&mut all);
+                all[0]
+            }
+        }
+        Selected::any().run(One(self, f))
     }
 
     /// Strain energy density of a stress state of the hypoelastic laws, sigma : C^-1 : sigma / 2 \[J/m³\];
@@ -367,8 +389,8 @@ pub fn neo_hookean<L: Lanes, const D: usize>(law: &Parameters, f: &Matrix<L>, j:
 }
 
 /// Squared wave speed of the neo-Hookean law, bounded from above for every direction:
-/// c² <= (mu b_max + lambda (1 - ln J) + mu)/rho_0, the spatial speed of a longitudinal wave along the largest
-/// principal stretch, with b_max <= m + s sqrt(D - 1) from mean and spread of the eigenvalues of b = F F^T
+/// c² <= (mu b_max + max(lambda (1 - ln J) + mu, 0))/rho_0, the spatial speed along the largest principal stretch
+/// of a longitudinal wave or, beyond J = exp(1 + mu/lambda), of a transverse one, with b_max <= m + s sqrt(D - 1) from mean and spread of the eigenvalues of b = F F^T
 /// (Wolkowicz and Styan 1980).
 #[inline(always)]
 pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(
@@ -397,7 +419,8 @@ pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(
         .sqrt();
     let largest = L::splat((D as f64 - 1.0).sqrt()).mul_add(spread, mean);
     let (mu, lambda) = (L::splat(law.shear), L::splat(law.lambda));
-    (mu * largest + lambda * (L::splat(1.0) - j.map(f64::ln)) + mu) / L::splat(law.density)
+    let longitudinal = (lambda * (L::splat(1.0) - j.map(f64::ln)) + mu).max(L::splat(0.0));
+    mu.mul_add(largest, longitudinal) / L::splat(law.density)
 }
 
 /// Diagonal of the right stretch tensor U of F = R U.

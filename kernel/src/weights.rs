@@ -48,8 +48,9 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
     let mut g = [zero; N];
     if N == 4 {
         let quarter = one / (L::splat(4.0) * l);
-        let lower = (one + l - f).max(zero);
-        let upper = (f - two + l).max(zero);
+        // As below: 1 - f and f - 2 are exact, l comes last.
+        let lower = (l + (one - f)).max(zero);
+        let upper = (l + (f - two)).max(zero);
         w[0] = lower * lower * quarter;
         w[3] = upper * upper * quarter;
         w[1] = two - f - two * w[0] + w[3];
@@ -70,12 +71,16 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
             }
             Family::Gimp => {
                 let quarter = one / (L::splat(4.0) * l);
-                let lower = (one + l - f).max(zero);
-                let upper = (f - one + l).max(zero);
-                let inside_lower = f.lt(one - l);
-                let inside_upper = (one + l).lt(f);
-                w_0 = L::select(inside_lower, one - f, lower * lower * quarter);
-                w_2 = L::select(inside_upper, f - one, upper * upper * quarter);
+                // f - 1 is exact; adding l last keeps the small sums exact to their own round-off, so that
+                // derivatives, which divide them by l, are good for small l too.
+                let below = one - f;
+                let above = f - one;
+                let lower = (l + below).max(zero);
+                let upper = (l + above).max(zero);
+                let inside_lower = l.lt(below);
+                let inside_upper = l.lt(above);
+                w_0 = L::select(inside_lower, below, lower * lower * quarter);
+                w_2 = L::select(inside_upper, above, upper * upper * quarter);
                 g_0 = L::select(inside_lower, -one, -(two * lower * quarter));
                 g_2 = L::select(inside_upper, one, two * upper * quarter);
             }

@@ -1,1 +1,471 @@
+//! Stress and deformation updates against exact solutions and against nalgebra.
+
 use super::*;
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use std::f64::consts::PI;
+
+const G: f64 = 1.0;
+const ELASTIC: Law = Law::LinearElastic {
+    young: 2.6,
+    poisson: 0.3,
+    rate: ObjectiveRate::HughesWinget,
+};
+const FORWARD: Law = Law::LinearElastic {
+    young: 2.6,
+    poisson: 0.3,
+    rate: ObjectiveRate::JaumannForward,
+};
+const NEO: Law = Law::NeoHookean {
+    young: 2.6,
+    poisson: 0.3,
+};
+const DENSITY: f64 = 1.5;
+
+/// What the lanes compute for one particle.
+#[derive(Clone, Copy)]
+enum What {
+    Hypoelastic(Configuration, [f64; 6]),
+    NeoHookean,
+    SpeedSquared,
+    Stretch,
+    Determinant,
+    Inverse,
+    Relative(Configuration),
+    VolumeRatio(Configuration),
+}
+
+struct Call<const D: usize> {
+    law: Parameters,
+    matrix: Matrix3<f64>,
+    what: What,
+}
+
+impl<const D: usize> Kernel for Call<D> {
+    type Output = Vec<f64>;
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> Vec<f64> {
+        let m: Matrix<B::Native> =
+            std::array::from_fn(|i| std::array::from_fn(|j| B::Native::splat(self.matrix[(i, j)])));
+        let flat = |m: Matrix<B::Native>| m.into_iter().flatten().collect::<Vec<_>>();
+        let values = match self.what {
+            What::Hypoelastic(at, s) => {
+                hypoelastic::<_, D>(&self.law, &m, at, &s.map(B::Native::splat)).to_vec()
+            }
+            What::NeoHookean => {
+                neo_hookean::<_, D>(&self.law, &m, determinant::<_, D>(&m)).to_vec()
+            }
+            What::SpeedSquared => {
+                vec![neo_hookean_speed_squared::<_, D>(
+                    &self.law,
+                    &m,
+                    determinant::<_, D>(&m),
+                )]
+            }
+            What::Stretch => stretch_diagonal::<_, D>(&m).to_vec(),
+            What::Determinant => vec![determinant::<_, D>(&m)],
+            What::Inverse => flat(inverse::<_, D>(&m)),
+            What::Relative(at) => flat(relative_deformation::<_, D>(&m, at)),
+            What::VolumeRatio(at) => vec![volume_ratio::<_, D>(&m, at)],
+        };
+        let first = |lanes: B::Native| {
+            let mut all = [0.0; 8];
+            lanes.store(&mut all);
+            all[0]
+        };
+        values.into_iter().map(first).collect()
+    }
+}
+
+fn call(axes: usize, law: Law, matrix: Matrix3<f64>, what: What) -> Vec<f64> {
+    let law = Parameters::new(law, DENSITY);
+    if axes == 2 {
+        Selected::any().run(Call::<2> { law, matrix, what })
+    } else {
+        Selected::any().run(Call::<3> { law, matrix, what })
+    }
+}
+
+fn six(values: &[f64]) -> [f64; 6] {
+    std::array::from_fn(|i| values[i])
+}
+
+fn matrix(values: &[f64]) -> Matrix3<f64> {
+    Matrix3::from_row_slice(values)
+}
+
+/// Stress in the order of the scene from that of the kernel.
+fn ordered(axes: usize, s: &[f64]) -> [f64; 6] {
+    if axes == 2 {
+        [s[0], s[1], s[2], 0.0, 0.0, s[3]]
+    } else {
+        six(s)
+    }
+}
+
+fn tensor(s: &[f64; 6]) -> Matrix3<f64> {
+    Matrix3::new(s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2])
+}
+
+/// Deterministic numbers in [-1, 1].
+fn numbers(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// A deformation gradient with the given size of its deviation from 1, plane in two dimensions.
+fn deformation(axes: usize, seed: u64, size: f64) -> Matrix3<f64> {
+    let mut next = numbers(seed);
+    let mut f = Matrix3::from_fn(|_, _| size * next()) + Matrix3::identity();
+    if axes == 2 {
+        (f[(0, 2)], f[(1, 2)], f[(2, 0)], f[(2, 1)], f[(2, 2)]) = (0.0, 0.0, 0.0, 0.0, 1.0);
+    }
+    f
+}
+
+/// Case A8: s_xy = G sin g, s_xx = -s_yy = G (1 - cos g) for the Jaumann rate, sheared to g = 3 in n steps.
+fn shear_error(axes: usize, law: Law, at: Configuration, n: u32) -> f64 {
+    let g = 3.0;
+    let mut step = Matrix3::zeros();
+    step[(0, 1)] = g / f64::from(n);
+    let mut s = [0.0; 6];
+    for _ in 0..n {
+        s = six(&call(axes, law, step, What::Hypoelastic(at, s)));
+    }
+    let s = ordered(axes, &s);
+    let exact = [
+        G * (1.0 - g.cos()),
+        -G * (1.0 - g.cos()),
+        0.0,
+        0.0,
+        0.0,
+        G * g.sin(),
+    ];
+    s.iter()
+        .zip(exact)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn simple_shear_converges() {
+    for axes in [2, 3] {
+        for at in [Configuration::Beginning, Configuration::End] {
+            let (coarse, fine) = (
+                shear_error(axes, ELASTIC, at, 250),
+                shear_error(axes, ELASTIC, at, 500),
+            );
+            // The strain increment is added unrotated: first order, whatever the rotation does.
+            assert!((coarse / fine - 2.0).abs() < 0.05, "order: {coarse} {fine}");
+            assert!(fine < 1.0e-2, "{fine}");
+        }
+        let at = Configuration::Beginning;
+        let (coarse, fine) = (
+            shear_error(axes, FORWARD, at, 500),
+            shear_error(axes, FORWARD, at, 1000),
+        );
+        // Forward Euler is first order; its error at 1000 steps is known to be 4.5e-3.
+        assert!((coarse / fine - 2.0).abs() < 0.05, "order: {coarse} {fine}");
+        assert!((fine - 4.5e-3).abs() < 1.0e-4, "{fine}");
+    }
+}
+
+/// Half the in-plane deviator, which a rotation keeps.
+fn deviator(s: &[f64; 6]) -> f64 {
+    (0.25 * (s[0] - s[1]).powi(2) + s[5].powi(2)).sqrt()
+}
+
+/// Case A9: one turn in n steps with a skew gradient.
+#[test]
+fn forward_jaumann_grows_under_rotation() {
+    for axes in [2, 3] {
+        let n = 1000;
+        let w = 2.0 * PI / f64::from(n);
+        let mut step = Matrix3::zeros();
+        (step[(1, 0)], step[(0, 1)]) = (w, -w);
+        let start = if axes == 2 {
+            [1.0, -0.5, 0.2, 0.3, 0.0, 0.0]
+        } else {
+            [1.0, -0.5, 0.2, 0.0, 0.0, 0.3]
+        };
+        let (mut forward, mut objective) = (start, start);
+        for _ in 0..n {
+            let at = Configuration::Beginning;
+            forward = six(&call(axes, FORWARD, step, What::Hypoelastic(at, forward)));
+            // f = 1 + W stretches by w²/2 in each step. The rotation itself is f = R.
+            let r = *Rotation3::from_axis_angle(&Vector3::z_axis(), w).matrix();
+            let g = r - Matrix3::identity();
+            objective = six(&call(axes, ELASTIC, g, What::Hypoelastic(at, objective)));
+        }
+        let growth = deviator(&ordered(axes, &forward)) / deviator(&ordered(axes, &start));
+        // (1 + 16 pi²/n²)^(n/2)
+        let predicted = (1.0 + (4.0 * PI / f64::from(n)).powi(2)).powf(0.5 * f64::from(n));
+        assert!((growth - predicted).abs() < 1.0e-9, "{growth} {predicted}");
+        assert!((growth - 1.082).abs() < 1.0e-3, "{growth}");
+        for (a, b) in ordered(axes, &objective).iter().zip(ordered(axes, &start)) {
+            // 1000 steps of round-off.
+            assert!((a - b).abs() < 1.0e-12, "{objective:?}");
+        }
+    }
+}
+
+/// A rigid rotation of the particles turns the stress and keeps the volume, whatever its size, if the gradient
+/// belongs to the positions where it was formed.
+#[test]
+fn rotation_increments_are_exact() {
+    for (axes, axis) in [
+        (2, Vector3::z_axis()),
+        (3, Vector3::z_axis()),
+        (
+            3,
+            nalgebra::Unit::new_normalize(Vector3::new(1.0, -2.0, 0.5)),
+        ),
+    ] {
+        for angle in [1.0e-6_f64, 0.01, 0.5, 2.0, 3.0] {
+            let r = *Rotation3::from_axis_angle(&axis, angle).matrix();
+            let s = if axes == 2 {
+                [1.0, -0.5, 0.2, 0.3, 0.0, 0.0]
+            } else {
+                [1.0, -0.5, 0.2, 0.3, -0.7, 0.4]
+            };
+            let exact = r * tensor(&ordered(axes, &s)) * r.transpose();
+            for (at, g) in [
+                (Configuration::Beginning, r - Matrix3::identity()),
+                (Configuration::End, Matrix3::identity() - r.transpose()),
+            ] {
+                let turned = call(axes, ELASTIC, g, What::Hypoelastic(at, s));
+                let error = (tensor(&ordered(axes, &turned)) - exact).amax();
+                // (f + 1)^-1 amplifies round-off by 1/cos²(angle/2), 200 at 3 rad.
+                let gain = (0.5 * angle).cos().powi(-2);
+                assert!(error < 4.0e-15 * gain, "{axes} {angle} {at:?}: {error}");
+                let ratio = call(axes, ELASTIC, g, What::VolumeRatio(at))[0];
+                assert!(
+                    (ratio - 1.0).abs() < 1.0e-15 * 4.0,
+                    "{axes} {angle} {at:?}: det f {ratio}"
+                );
+                let f = matrix(&call(axes, ELASTIC, g, What::Relative(at)));
+                let mut difference = f - r;
+                if axes == 2 {
+                    difference[(2, 2)] = 0.0;
+                }
+                assert!(difference.amax() < 2.0e-15, "{f}");
+            }
+        }
+    }
+}
+
+#[test]
+fn neo_hookean_stress_is_the_formula_and_the_slope_of_its_energy() {
+    let law = Parameters::new(NEO, DENSITY);
+    for axes in [2, 3] {
+        for seed in 1..40 {
+            let f = deformation(axes, seed, 0.4);
+            let j = f.determinant();
+            if j < 0.2 {
+                continue;
+            }
+            let s = tensor(&ordered(axes, &call(axes, NEO, f, What::NeoHookean)));
+            let b = f * f.transpose();
+            let one = Matrix3::identity();
+            let exact = (law.shear * (b - one) + law.lambda * j.ln() * one) / j;
+            assert!((s - exact).amax() < 1.0e-14 / j, "{s} {exact}");
+
+            // P = dW/dF and sigma = P F^T / J.
+            let energy = |f: &Matrix3<f64>| {
+                law.energy_density_of_stretch((f * f.transpose()).trace(), f.determinant())
+            };
+            let step = 1.0e-5;
+            let p = Matrix3::from_fn(|a, c| {
+                let (mut up, mut down) = (f, f);
+                up[(a, c)] += step;
+                down[(a, c)] -= step;
+                (energy(&up) - energy(&down)) / (2.0 * step)
+            });
+            let from_energy = p * f.transpose() / j;
+            // Central difference: step² times third derivatives, of order 1/J³.
+            assert!(
+                (s - from_energy).amax() < 1.0e-8 / j.powi(3),
+                "{s} {from_energy}"
+            );
+        }
+    }
+}
+
+/// The speed must bound every wave: the largest eigenvalue of the acoustic tensor over many directions.
+#[test]
+fn the_wave_speed_is_a_bound() {
+    let law = Parameters::new(NEO, DENSITY);
+    let mut tight = f64::INFINITY;
+    for axes in [2, 3] {
+        for seed in 1..60 {
+            // Some states are strongly stretched: J up to about 30.
+            let f = deformation(axes, seed, 0.5) * if seed % 3 == 0 { 3.0 } else { 1.0 };
+            let mut f = f;
+            if axes == 2 {
+                f[(2, 2)] = 1.0;
+            }
+            if f.determinant() < 0.2 {
+                continue;
+            }
+            let bound = call(axes, NEO, f, What::SpeedSquared)[0];
+            let mut next = numbers(seed + 1000);
+            let mut fastest = 0.0_f64;
+            for _ in 0..60 {
+                let mut n = Vector3::new(next(), next(), next());
+                if axes == 2 {
+                    n[2] = 0.0;
+                }
+                let n = n.normalize();
+                fastest = fastest.max(acoustic(&law, axes, &f, &n));
+            }
+            assert!(
+                bound >= fastest * (1.0 - 1.0e-6),
+                "J {} bound {bound} {fastest}",
+                f.determinant()
+            );
+            tight = tight.min(bound / fastest);
+        }
+    }
+    // And it is no wild guess: some state comes close to it.
+    assert!(tight < 1.1, "{tight}");
+}
+
+/// Largest c² of a plane wave in the spatial direction n: rho_0 c² = eigenvalue of d P_iA/d F_jB N_A N_B with
+/// N = F^T n, by finite differences of the first Piola-Kirchhoff stress mu (F - F^-T) + lambda ln J F^-T.
+fn acoustic(law: &Parameters, axes: usize, f: &Matrix3<f64>, n: &Vector3<f64>) -> f64 {
+    let reference = f.transpose() * n;
+    let piola = |f: &Matrix3<f64>| {
+        let inverse = f.try_inverse().expect("J is positive").transpose();
+        law.shear * (f - inverse) + law.lambda * f.determinant().ln() * inverse
+    };
+    let step = 1.0e-6;
+    let q = Matrix3::from_fn(|i, j| {
+        let mut e = Matrix3::zeros();
+        for b in 0..3 {
+            e[(j, b)] = step * reference[b];
+        }
+        ((piola(&(f + e)) - piola(&(f - e))) * reference)[i] / (2.0 * step)
+    });
+    let q = if axes == 2 {
+        q.fixed_view::<2, 2>(0, 0).into_owned().resize(3, 3, 0.0)
+    } else {
+        q.resize(3, 3, 0.0)
+    };
+    let q = 0.5 * (&q + q.transpose());
+    q.symmetric_eigenvalues().max() / law.density
+}
+
+#[test]
+fn stretch_inverse_and_determinant_are_nalgebras() {
+    for axes in [2, 3] {
+        for seed in 1..60 {
+            let f = deformation(axes, seed, 0.45);
+            let j = f.determinant();
+            if j < 0.2 {
+                continue;
+            }
+            assert!((call(axes, NEO, f, What::Determinant)[0] - j).abs() < 4.0e-15);
+            let mut inverse = matrix(&call(axes, NEO, f, What::Inverse));
+            inverse[(2, 2)] = if axes == 2 { 1.0 } else { inverse[(2, 2)] };
+            // Entries of cofactors over J >= 0.2.
+            assert!((inverse * f - Matrix3::identity()).amax() < 2.0e-14);
+            // Rotate, so that R is not small.
+            let turn = *Rotation3::from_axis_angle(&Vector3::z_axis(), 2.5).matrix();
+            let svd = f.svd(true, true);
+            let v = svd.v_t.expect("asked for");
+            let u = v.transpose() * Matrix3::from_diagonal(&svd.singular_values) * v;
+            let diagonal = call(axes, NEO, turn * f, What::Stretch);
+            for axis in 0..axes {
+                assert!(
+                    (diagonal[axis] - u[(axis, axis)]).abs() < 1.0e-13,
+                    "{diagonal:?} {u}"
+                );
+            }
+        }
+    }
+}
+
+/// Stretches of ten and a tenth are the promise of the iteration in three dimensions.
+#[test]
+fn large_stretches_reach_round_off() {
+    let turn = *Rotation3::from_axis_angle(
+        &nalgebra::Unit::new_normalize(Vector3::new(1.0, 2.0, 3.0)),
+        1.0,
+    )
+    .matrix();
+    for stretch in [
+        [10.0, 1.0, 1.0],
+        [0.1, 1.0, 1.0],
+        [10.0, 0.1, 1.0],
+        [10.0, 10.0, 0.1],
+    ] {
+        let u = Matrix3::from_diagonal(&Vector3::from(stretch));
+        let diagonal = call(3, NEO, turn * u, What::Stretch);
+        for axis in 0..3 {
+            assert!(
+                (diagonal[axis] - stretch[axis]).abs() < 1.0e-13 * 10.0,
+                "{diagonal:?} {stretch:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn two_dimensions_are_plane_strain() {
+    for seed in 1..40 {
+        let f = deformation(2, seed, 0.3);
+        let g = f - Matrix3::identity();
+        let (flat, full) = (
+            [0.3, -0.4, 0.2, 0.5, 0.0, 0.0],
+            [0.3, -0.4, 0.2, 0.0, 0.0, 0.5],
+        );
+        for law in [ELASTIC, FORWARD] {
+            for at in [Configuration::Beginning, Configuration::End] {
+                let two = ordered(2, &call(2, law, g, What::Hypoelastic(at, flat)));
+                let three = ordered(3, &call(3, law, g, What::Hypoelastic(at, full)));
+                assert!(
+                    (tensor(&two) - tensor(&three)).amax() < 2.0e-14,
+                    "{two:?} {three:?}"
+                );
+                let ratios = [2, 3].map(|axes| call(axes, law, g, What::VolumeRatio(at))[0]);
+                assert!(
+                    (ratios[0] - ratios[1]).abs() < 1.0e-14 * ratios[0],
+                    "{ratios:?}"
+                );
+            }
+        }
+        let two = ordered(2, &call(2, NEO, f, What::NeoHookean));
+        let three = ordered(3, &call(3, NEO, f, What::NeoHookean));
+        assert!(
+            (tensor(&two) - tensor(&three)).amax() < 2.0e-14,
+            "{two:?} {three:?}"
+        );
+    }
+}
+
+/// Small strains from rest: Hooke's law in plane strain, and the energy of the stress is half stress by strain.
+#[test]
+fn small_strains_follow_hooke() {
+    let law = Parameters::new(ELASTIC, DENSITY);
+    for seed in 1..20 {
+        let mut next = numbers(seed);
+        let g = Matrix3::from_fn(|_, _| 1.0e-8 * next());
+        let e = 0.5 * (g + g.transpose());
+        let exact = law.lambda * e.trace() * Matrix3::identity() + 2.0 * law.shear * e;
+        let s = six(&call(
+            3,
+            ELASTIC,
+            g,
+            What::Hypoelastic(Configuration::Beginning, [0.0; 6]),
+        ));
+        // Terms of second order: 1e-16.
+        assert!((tensor(&s) - exact).amax() < 1.0e-15, "{s:?} {exact}");
+        let energy = 0.5 * exact.component_mul(&e).sum();
+        assert!((law.energy_density_of_stress(&s) - energy).abs() < 1.0e-7 * energy);
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::Simulation;
 use super::error::{Event, EventKind, ParticleAt, StepError, StepErrorKind};
+use crate::particles::Layout;
 use crate::scene::Outside;
 use crate::stage::g2p::FaultKind;
 
@@ -27,9 +28,19 @@ impl Simulation {
         let mut gone = vec![];
         for p in 0..self.sets[set].len() {
             let x = self.sets[set].position(p);
-            if x.iter().any(|x| !x.is_finite()) {
+            let sound = Layout::VOLUME
+                ..Layout::stress(self.plan.axes) + self.sets[set].layout.stress_components();
+            // The first fault of the set was a particle outside; others may lie behind it.
+            if self.sets[set].columns[sound]
+                .iter()
+                .any(|column| !column[p].is_finite())
+            {
                 let at = self.particle_at(set, p);
                 return Err(self.error(StepErrorKind::NotFinite(at)));
+            }
+            if self.sets[set].columns[Layout::VOLUME][p] <= 0.0 {
+                let at = self.particle_at(set, p);
+                return Err(self.error(StepErrorKind::Inverted(at)));
             }
             let inside = (0..self.plan.axes)
                 .all(|axis| x[axis] >= 0.0 && x[axis] <= mesh.cells[axis] as f64 * mesh.cell[axis]);

@@ -164,7 +164,7 @@ impl Simulation {
 
     /// Takes a particle that is removed out of the balance of dead loads.
     pub(super) fn close_account(&mut self, set: usize, p: usize) {
-        self.ledger.dead_load_origin += self.dead_load(&self.sets[set], p);
+        self.ledger.dead_load_origin -= self.dead_load(&self.sets[set], p);
     }
 }
 

@@ -6,13 +6,13 @@ use super::measure::Ledger;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
-use crate::bodies::{Filled, HalfLength, fill};
+use crate::bodies::{HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
 use crate::grid::GridShape;
 use crate::lanes::Selected;
 use crate::particles::{Layout, ParticleSet};
 use crate::plan::{Demands, Plan};
-use crate::scene::{Body, BoxLoad, Scene, Weighting};
+use crate::scene::{Body, BoxLoad, DomainUpdate, Scene, Weighting};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -52,8 +52,9 @@ impl Simulation {
                 });
             }
             let mut set = set;
+            let mut run = run;
             if let Some(initial) = &options.initial {
-                start_from(&mut set, scene, &run.law, initial.as_ref());
+                start_from(&mut set, scene, &mut run, initial.as_ref());
             }
             sets.push(set);
             bodies.push(run);
@@ -139,7 +140,16 @@ fn fill_body(
     let axes = plan.axes;
     let mut set = ParticleSet::zeros(layout, first_id, filled.volume.len());
     set.columns[Layout::MASS] = filled.volume.iter().map(|v| v * material.density).collect();
-    set.columns[Layout::VOLUME].copy_from_slice(&filled.volume);
+    set.columns[Layout::VOLUME] =
+        if matches!(law.kind, Kind::NeoHookean) || plan.domain_update.is_some() {
+            // As the cycle will form it from F = 1, so that a body at rest keeps its bits.
+            set.columns[Layout::MASS]
+                .iter()
+                .map(|m| m * (1.0 / material.density))
+                .collect()
+        } else {
+            filled.volume
+        };
     for axis in 0..axes {
         set.columns[Layout::POSITION + axis].copy_from_slice(&filled.x[axis]);
         set.columns[Layout::velocity(axes) + axis].fill(body.velocity[axis]);
@@ -150,8 +160,17 @@ fn fill_body(
             set.columns[first + axis * axes + axis].fill(1.0);
         }
     }
-    let half_length = half_lengths(scene, &filled);
-    let widest = fill_half_lengths(&mut set, scene, &filled, &half_length);
+    let half_length = half_lengths(scene, &filled.half_length);
+    let widest = fill_half_lengths(&mut set, scene, &filled.half_length, &half_length);
+    if widest > 1.0 {
+        return Err(SetupError::Body {
+            body: body.name.clone(),
+            reason: format!(
+                "a particle domain has a half-length of {widest} cells; accepted: at most 1 (smaller particles or \
+                 larger cells)"
+            ),
+        });
+    }
     let mapping = Mapping::new(shape, plan.family, half_length, layout.half_length);
     let speed = body.velocity.iter().map(|v| v * v).sum::<f64>();
     let stiffness = match law.kind {
@@ -196,8 +215,8 @@ fn fastest(body: &Body) -> f64 {
 }
 
 /// Half-lengths in cells where they are the same for all particles of the body.
-fn half_lengths(scene: &Scene, filled: &Filled) -> [f64; 3] {
-    match (scene.weighting, &filled.half_length) {
+fn half_lengths(scene: &Scene, filled: &HalfLength) -> [f64; 3] {
+    match (scene.weighting, filled) {
         (Weighting::QuadraticBSpline, _) => [0.5; 3],
         // A hat has no domain; the number only enters the stability bound, which ignores it for hats.
         (Weighting::Linear, _) => [0.25; 3],
@@ -212,7 +231,7 @@ fn half_lengths(scene: &Scene, filled: &Filled) -> [f64; 3] {
 fn fill_half_lengths(
     set: &mut ParticleSet,
     scene: &Scene,
-    filled: &Filled,
+    filled: &HalfLength,
     uniform: &[f64; 3],
 ) -> f64 {
     let axes = set.layout.axes;
@@ -221,7 +240,7 @@ fn fill_half_lengths(
     };
     let mut widest = 0.0_f64;
     for axis in 0..axes {
-        let column: Vec<f64> = match &filled.half_length {
+        let column: Vec<f64> = match filled {
             HalfLength::Uniform(_) => vec![uniform[axis]; set.len()],
             HalfLength::PerParticle(l) => {
                 l[axis].iter().map(|l| l / scene.mesh.cell[axis]).collect()
@@ -236,14 +255,15 @@ fn fill_half_lengths(
     widest
 }
 
-/// Sets velocity, stress and deformation from a function of position.
+/// Sets velocity, stress and deformation from a function of position, and what the first time step depends on.
 fn start_from(
     set: &mut ParticleSet,
     scene: &Scene,
-    law: &Parameters,
+    run: &mut BodyRun,
     initial: &(dyn Fn(&[f64; 3]) -> InitialState + Send + Sync),
 ) {
     let axes = set.layout.axes;
+    let law = run.law;
     for p in 0..set.len() {
         let local = set.position(p);
         let state = initial(&std::array::from_fn(|axis| {
@@ -252,6 +272,8 @@ fn start_from(
         for axis in 0..axes {
             set.columns[Layout::velocity(axes) + axis][p] = state.velocity[axis];
         }
+        let square: f64 = state.velocity[..axes].iter().map(|v| v * v).sum();
+        run.found.speed_squared = run.found.speed_squared.max(square);
         let s = state.stress;
         let components: &[f64] = if axes == 2 {
             &[s[0], s[1], s[2], s[5]]
@@ -263,8 +285,16 @@ fn start_from(
         }
         let f = nalgebra::Matrix3::from_fn(|a, b| state.deformation[a][b]);
         if f != nalgebra::Matrix3::identity() {
-            set.columns[Layout::VOLUME][p] =
-                set.columns[Layout::MASS][p] / law.density * f.determinant();
+            let volume = set.columns[Layout::MASS][p] * (1.0 / law.density) * f.determinant();
+            set.columns[Layout::VOLUME][p] = volume;
+            let stiffness = if law.kind == Kind::NeoHookean {
+                law.wave_speed_squared(&state.deformation)
+            } else {
+                volume / set.columns[Layout::MASS][p]
+            };
+            run.found.stiffness = run.found.stiffness.max(stiffness);
+            let widest = start_domain(set, run.domain_update, &f, p);
+            run.found.half_length = run.found.half_length.max(widest);
         }
         if let Some(first) = set.layout.deformation {
             for a in 0..axes {
@@ -274,6 +304,41 @@ fn start_from(
             }
         }
     }
+}
+
+/// Deforms the domain of one particle where domains follow the deformation; returns its largest half-length in
+/// cells.
+fn start_domain(
+    set: &mut ParticleSet,
+    update: Option<DomainUpdate>,
+    f: &nalgebra::Matrix3<f64>,
+    p: usize,
+) -> f64 {
+    let axes = set.layout.axes;
+    let (Some(update), Some(first), Some(initial)) = (
+        update,
+        set.layout.half_length,
+        set.layout.initial_half_length,
+    ) else {
+        return 0.0;
+    };
+    let factor = match update {
+        DomainUpdate::Determinant => {
+            nalgebra::Vector3::repeat(f.determinant().powf(1.0 / axes as f64))
+        }
+        DomainUpdate::Stretch => {
+            let mut square = (f.transpose() * f).symmetric_eigen();
+            square.eigenvalues.apply(|x| *x = x.sqrt());
+            square.recompose().diagonal()
+        }
+    };
+    let mut widest = 0.0_f64;
+    for axis in 0..axes {
+        let l = factor[axis] * set.columns[initial + axis][p];
+        set.columns[first + axis][p] = l;
+        widest = widest.max(l);
+    }
+    widest
 }
 
 /// Spreads a box load by volume over the particles in the box.

@@ -454,8 +454,9 @@ fn strain<L: Lanes, const D: usize>(
         }
         ratio = determinant::<L, D>(&f);
     }
-    // With F the volume is V_0 det F, so that volume, density and F agree to round-off.
-    let volume = if call.layout.deformation.is_some() {
+    // Where F has a use in the cycle the volume is V_0 det F, so that volume, density and F agree to round-off;
+    // an F that is only written must not change a bit.
+    let volume = if law.kind == Kind::NeoHookean || call.domain_update.is_some() {
         mass * L::splat(1.0 / law.density) * ratio
     } else {
         load::<L>(call.columns[Layout::VOLUME], at, count) * volume_ratio::<L, D>(&g, configuration)
@@ -559,13 +560,15 @@ fn largest<L: Lanes>(x: L) -> f64 {
 fn first_fault<const D: usize>(call: &G2p<'_, '_>, at: usize, bad: u32) -> (usize, FaultKind) {
     let p = at + bad.trailing_zeros() as usize;
     let state: Range<usize> = Layout::VOLUME..Layout::stress(D) + call.layout.stress_components();
-    let kind = if state
+    let volume = call.columns[Layout::VOLUME][p];
+    // First, because ln J makes the stress of an inverted neo-Hookean particle NaN.
+    let kind = if volume.is_finite() && volume <= 0.0 {
+        FaultKind::Inverted
+    } else if state
         .clone()
         .any(|column| !call.columns[column][p].is_finite())
     {
         FaultKind::NotFinite
-    } else if call.columns[Layout::VOLUME][p] <= 0.0 {
-        FaultKind::Inverted
     } else {
         FaultKind::Outside
     };

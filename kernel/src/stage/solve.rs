@@ -222,9 +222,12 @@ impl Planes<'_> {
     /// Where a loaded node has no mass.
     pub fn load(&mut self, loads: &[NodeForce]) -> Result<(), EmptyNode> {
         let first = self.first();
+        let (shape, rows) = (self.shape, self.rows);
         for load in owned(loads, |l| l.node, first, self.nodes.len()) {
+            let [plane, row, k] = shape.indices(load.node);
             let node = &mut self.nodes[load.node - first];
-            if node[0] <= 0.0 {
+            // A node outside the active rows still holds what it had when a particle was near.
+            if !rows.span(plane, row).contains(&k) || node[0] <= 0.0 {
                 return Err(EmptyNode(load.node));
             }
             for axis in 0..3 {
