@@ -3,9 +3,11 @@
 use super::acting::Acting;
 use super::error::{StepError, StepErrorKind};
 use super::{BodyRun, Simulation};
+use crate::lanes::Selected;
 use crate::particles::ParticleSet;
+use crate::plan::Plan;
 use crate::stage::g2p::{self, Found, G2p, Task};
-use crate::stage::p2g::{self, Carry, P2g};
+use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{EmptyNode, Forces, PlaneSums, Planes, Wall};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -53,10 +55,12 @@ impl Simulation {
 
     /// Mass, momentum and force to the nodes, then the equation of motion.
     pub(super) fn map_to_nodes(&mut self, acting: &Acting) -> Result<(), StepError> {
-        let call = p2g::instance(
-            self.plan.axes,
+        let mapping = free_bodies(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
             self.stencil,
-            self.plan.full_mapping,
             Carry::All,
         );
         let forces = Forces {
@@ -66,43 +70,32 @@ impl Simulation {
             kick: acting.kick,
         };
         let measure = self.plan.measure;
-        let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
         let results = self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
-            let mut groups = 0;
-            for (set, body) in sets
-                .iter()
-                .zip(bodies)
-                .filter(|(_, body)| body.motion.is_none())
-            {
-                groups += call(
-                    lanes,
-                    mapping_call(set, body, stencil, Carry::All, &mut planes),
-                );
-            }
+            let groups = mapping.run(&mut planes);
             planes.fold(&acting.walls, true, true);
             planes.velocities();
             planes.load(forces.loads)?;
             planes.accelerate(&forces);
             planes.drive(&acting.driven, true);
-            let mut power = planes.constrain(&acting.walls, true, forces.kick);
+            let mut sums = planes.sums_of_reactions(&acting.walls, forces.kick);
+            planes.constrain(&acting.walls, true);
             planes.unfold(&acting.walls, true);
-            let sums = planes.sums(&forces, measure);
-            power += sums.iter().map(|s| s.power).sum::<f64>();
-            Ok((sums, power, groups))
+            planes.add_sums(&forces, measure, &mut sums);
+            Ok((sums, groups))
         });
         let mut total = PlaneSums::default();
         let mut groups = 0;
         for result in results {
-            let (sums, power, own_groups) = result.map_err(|EmptyNode(node)| {
+            let (sums, own_groups) = result.map_err(|EmptyNode(node)| {
                 let local = self.field.shape.position(node);
                 let position =
                     std::array::from_fn(|axis| local[axis] + self.scene.mesh.origin[axis]);
                 self.error(StepErrorKind::LoadOnEmptyNode { position })
             })?;
-            total.power += power;
             groups += own_groups;
             for plane in sums {
+                total.power += plane.power;
                 total.kinetic += plane.kinetic;
                 total.unbalanced_squared += plane.unbalanced_squared;
             }
@@ -114,33 +107,18 @@ impl Simulation {
 
     /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
     pub(super) fn remap(&mut self, acting: &Acting) {
-        let call = p2g::instance(
-            self.plan.axes,
+        let mapping = free_bodies(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
             self.stencil,
-            self.plan.full_mapping,
             Carry::Remap,
         );
-        let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
-        let still: Vec<Wall> = acting
-            .walls
-            .iter()
-            .map(|w| Wall {
-                before: w.after,
-                ..*w
-            })
-            .collect();
+        let still = at_half_step_after(&acting.walls);
         self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear_upper();
-            for (set, body) in sets
-                .iter()
-                .zip(bodies)
-                .filter(|(_, body)| body.motion.is_none())
-            {
-                call(
-                    lanes,
-                    mapping_call(set, body, stencil, Carry::Remap, &mut planes),
-                );
-            }
+            mapping.run(&mut planes);
             planes.fold_remapped(&still);
             planes.remapped_velocities();
             planes.drive_remapped(&acting.driven);
@@ -150,37 +128,22 @@ impl Simulation {
 
     /// The mapping of USF: momentum at the new positions.
     pub(super) fn map_momentum(&mut self, acting: &Acting) {
-        let call = p2g::instance(
-            self.plan.axes,
+        let mapping = free_bodies(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
             self.stencil,
-            self.plan.full_mapping,
             Carry::Momentum,
         );
-        let (sets, bodies, lanes, stencil) = (&self.sets, &self.bodies, self.lanes, self.stencil);
-        let still: Vec<Wall> = acting
-            .walls
-            .iter()
-            .map(|w| Wall {
-                before: w.after,
-                ..*w
-            })
-            .collect();
+        let still = at_half_step_after(&acting.walls);
         self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
-            for (set, body) in sets
-                .iter()
-                .zip(bodies)
-                .filter(|(_, body)| body.motion.is_none())
-            {
-                call(
-                    lanes,
-                    mapping_call(set, body, stencil, Carry::Momentum, &mut planes),
-                );
-            }
+            mapping.run(&mut planes);
             planes.fold(&still, true, false);
             planes.velocities();
             planes.drive(&acting.driven, false);
-            planes.constrain(&still, false, 0.0);
+            planes.constrain(&still, false);
             planes.unfold(&still, false);
         });
     }
@@ -258,33 +221,80 @@ impl Simulation {
     }
 }
 
-/// The particles of a set that reach the planes of a slab, layer by layer.
-fn mapping_call<'a>(
-    set: &'a ParticleSet,
-    body: &'a BodyRun,
+/// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
+fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
+    walls
+        .iter()
+        .map(|wall| Wall {
+            before: wall.after,
+            ..*wall
+        })
+        .collect()
+}
+
+/// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
+fn free_bodies<'a>(
+    plan: &Plan,
+    sets: &'a [ParticleSet],
+    bodies: &'a [BodyRun],
+    lanes: Selected,
     stencil: usize,
     carry: Carry,
-    planes: &'a mut Planes<'_>,
-) -> P2g<'a> {
-    // A particle may have left its layer by one cell since the last sort.
-    let first = planes.range.start.saturating_sub(stencil);
-    let last = (planes.range.end + 1).min(set.layers.len() - 1);
-    let layers = (first..last)
-        .map(|layer| {
-            (
-                set.in_layers(layer..layer + 1),
-                planes.range.contains(&layer),
-            )
-        })
-        .filter(|(particles, _)| !particles.is_empty());
-    P2g {
-        columns: &set.columns,
-        layout: &set.layout,
-        mapping: &body.mapping,
-        layers: layers.collect(),
-        planes: planes.range.clone(),
-        nodes: planes.nodes,
+) -> FreeBodies<'a> {
+    let call = p2g::instance(plan.axes, stencil, plan.full_mapping, carry);
+    FreeBodies {
+        sets,
+        bodies,
+        lanes,
+        stencil,
         carry,
-        viscous_rate: body.viscous_rate,
+        call,
+    }
+}
+
+/// A mapping of all bodies that are not driven onto one slab after the other.
+struct FreeBodies<'a> {
+    sets: &'a [ParticleSet],
+    bodies: &'a [BodyRun],
+    lanes: Selected,
+    stencil: usize,
+    carry: Carry,
+    call: P2gFn,
+}
+
+impl FreeBodies<'_> {
+    /// Maps onto the planes of a slab; returns the number of groups in the layers that the slab owns.
+    fn run(&self, planes: &mut Planes<'_>) -> usize {
+        let mut groups = 0;
+        for (set, body) in self.sets.iter().zip(self.bodies) {
+            if body.motion.is_some() {
+                continue;
+            }
+            // A particle may have left its layer by one cell since the last sort.
+            let first = planes.range.start.saturating_sub(self.stencil);
+            let last = (planes.range.end + 1).min(set.layers.len() - 1);
+            let layers = (first..last)
+                .map(|layer| {
+                    (
+                        set.in_layers(layer..layer + 1),
+                        planes.range.contains(&layer),
+                    )
+                })
+                .filter(|(particles, _)| !particles.is_empty());
+            groups += (self.call)(
+                self.lanes,
+                P2g {
+                    columns: &set.columns,
+                    layout: &set.layout,
+                    mapping: &body.mapping,
+                    layers: layers.collect(),
+                    planes: planes.range.clone(),
+                    nodes: planes.nodes,
+                    carry: self.carry,
+                    viscous_rate: body.viscous_rate,
+                },
+            );
+        }
+        groups
     }
 }

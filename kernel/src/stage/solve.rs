@@ -274,30 +274,43 @@ impl Planes<'_> {
     }
 
     /// Prescribes the velocity at the nodes of the walls: half a step after, with its increment; or, before the
-    /// solve (`increments` false), the velocity alone. Returns the power of the reactions of moving walls \[W\].
-    pub fn constrain(&mut self, walls: &[Wall], increments: bool, kick: f64) -> f64 {
-        let mut power = 0.0;
+    /// solve (`increments` false), the velocity alone.
+    pub fn constrain(&mut self, walls: &[Wall], increments: bool) {
         for wall in walls {
             let (_, plane, _) = wall.layers(self.shape);
             self.for_pairs(wall.axis, plane, plane, |nodes, node, _| {
                 let node = &mut nodes[node];
                 for axis in 0..3 {
                     if wall.prescribes(axis) {
-                        let dv = if increments {
+                        node[1 + axis] = wall.after[axis];
+                        node[4 + axis] = if increments {
                             wall.after[axis] - wall.before[axis]
                         } else {
                             0.0
                         };
-                        if increments && kick > 0.0 && wall.after[axis] != 0.0 {
-                            power += node[0] * (dv - node[4 + axis]) / kick * wall.after[axis];
-                        }
-                        node[1 + axis] = wall.after[axis];
-                        node[4 + axis] = dv;
                     }
                 }
             });
         }
-        power
+    }
+
+    /// Sums of the owned planes that hold the power of the reactions of moving walls \[W\], from what the walls
+    /// are about to change. Per plane, so that the total does not depend on who owns it.
+    pub fn sums_of_reactions(&mut self, walls: &[Wall], kick: f64) -> Vec<PlaneSums> {
+        let mut sums = vec![PlaneSums::default(); self.range.len()];
+        let per_plane = self.shape.plane_nodes();
+        for wall in walls.iter().filter(|w| w.after != [0.0; 3] && kick > 0.0) {
+            let (_, plane, _) = wall.layers(self.shape);
+            self.for_pairs(wall.axis, plane, plane, |nodes, index, _| {
+                let node = &nodes[index];
+                for axis in (0..3).filter(|&axis| wall.prescribes(axis)) {
+                    let dv = wall.after[axis] - wall.before[axis];
+                    sums[index / per_plane].power +=
+                        node[0] * (dv - node[4 + axis]) / kick * wall.after[axis];
+                }
+            });
+        }
+        sums
     }
 
     /// As [`Planes::constrain`] for the remapped velocity of MUSL in the upper lanes.
@@ -367,21 +380,18 @@ impl Planes<'_> {
         }
     }
 
-    /// Power of the nodal loads, and where asked for kinetic energy and unbalanced force, of each owned plane
-    /// after the solve.
-    #[must_use]
-    pub fn sums(&self, forces: &Forces<'_>, measure: bool) -> Vec<PlaneSums> {
-        let mut out = vec![PlaneSums::default(); self.range.len()];
+    /// Adds the power of the nodal loads, and where asked for kinetic energy and unbalanced force, of each owned
+    /// plane after the solve.
+    pub fn add_sums(&self, forces: &Forces<'_>, measure: bool, sums: &mut [PlaneSums]) {
         if measure {
-            self.measure(forces, &mut out);
+            self.measure(forces, sums);
         }
         let first = self.first();
         for load in owned(forces.loads, |l| l.node, first, self.nodes.len()) {
             let v = &self.nodes[load.node - first];
             let plane = (load.node - first) / self.shape.plane_nodes();
-            out[plane].power += load.force[0] * v[1] + load.force[1] * v[2] + load.force[2] * v[3];
+            sums[plane].power += load.force[0] * v[1] + load.force[1] * v[2] + load.force[2] * v[3];
         }
-        out
     }
 
     /// Kinetic energy and unbalanced force over the mesh nodes; ghosts repeat what lies inside.
