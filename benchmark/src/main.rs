@@ -4,7 +4,10 @@
 mod exit;
 mod measure;
 mod progress;
+mod record;
 mod show;
+mod speed;
+mod suite;
 mod verbs;
 
 use clap::Parser;

@@ -1,9 +1,11 @@
 //! The verbs of the command, one file each.
 
+mod main_job;
 mod plan;
 mod run;
 mod schema;
 mod settings;
+mod verify;
 
 use crate::exit::{Failure, Outcome};
 use clap::Subcommand;
@@ -18,6 +20,8 @@ pub enum Verb {
     Run(run::Run),
     /// Show what a scene needs, what is left out, and why.
     Plan(plan::Plan),
+    /// Run verification cases: errors, observed orders, gates.
+    Verify(verify::Verify),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -25,9 +29,10 @@ pub enum Verb {
 /// Runs a verb; without one, the main job.
 pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure> {
     match verb {
-        None => Ok(Outcome::Fine),
+        None => main_job::run(out),
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
+        Some(Verb::Verify(verify)) => verify.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

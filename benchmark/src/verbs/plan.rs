@@ -59,7 +59,7 @@ impl Plan {
         let mut table = Table::new(["mesh", "nodes", "state"]);
         table.push(["whole".to_owned(), grouped(nodes)]);
         table.push([
-            "in reach of particles".to_owned(),
+            "held, with a border".to_owned(),
             grouped(active),
             bytes(active * plan.bytes_per_node() as u64),
         ]);

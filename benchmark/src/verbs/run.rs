@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run a scene; write frames, history and a summary.
 ///
-/// Into DIR go particles_*.vtu and particles.pvd (open the latter in ParaView), history.csv, checkpoint.bin and
+/// Into DIR go frames (particles.pvd lists them for viewers), history.csv, checkpoint.bin and
 /// summary.json, each of them whole at any moment. Without --out nothing is written. Ctrl-C finishes the step and
 /// writes the summary.
 #[derive(Args)]
@@ -151,10 +151,10 @@ fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
 
 fn bound_words(bound: Bound) -> &'static str {
     match bound {
-        Bound::Stability => "the stability bound",
-        Bound::Travel => "the travel of half a cell",
-        Bound::Multiplier => "the scene's multiplier",
-        Bound::Fixed => "the scene's constant step",
-        Bound::OutputTime => "the output times",
+        Bound::Stability => "by the stability bound",
+        Bound::Travel => "so that nothing crosses half a cell",
+        Bound::Multiplier => "by the scene's multiplier",
+        Bound::Fixed => "constant, by the scene",
+        Bound::OutputTime => "in equal steps to the outputs",
     }
 }

@@ -4,11 +4,11 @@ use crate::show::{grouped, number, seconds};
 use proctor_kernel::output::Summary;
 use proctor_kernel::output::summary::Status;
 use std::collections::BTreeMap;
-use std::fmt;
+use std::fmt::{self, Write as _};
 use std::path::Path;
 
 /// Events that are shown one by one; the summary file holds all.
-const SHOWN_EVENTS: usize = 5;
+const SHOWN_EVENTS: usize = 3;
 
 /// A short table of a run.
 pub struct Report<'a> {
@@ -32,10 +32,8 @@ impl fmt::Display for Report<'_> {
         row(f, "particles", &grouped(s.particles))?;
         let mut steps = grouped(s.steps);
         if self.first_step > 0 {
-            steps.push_str(&format!(
-                ", {} of them before the restart",
-                grouped(self.first_step)
-            ));
+            let before = grouped(self.first_step);
+            write!(steps, ", {before} of them before the restart")?;
         }
         row(f, "steps", &steps)?;
         row(
@@ -102,17 +100,19 @@ impl Report<'_> {
         } else {
             format!("{} to {} s", number(least), number(most))
         };
+        let all: u64 = self.bounds.values().sum();
         let ruled = self.bounds.iter().max_by_key(|(_, count)| **count);
-        let mut text = range;
-        if let Some((words, count)) = ruled {
-            let all: u64 = self.bounds.values().sum();
+        let ruled = ruled.map_or_else(String::new, |(words, count)| {
             let share = if *count == all { "" } else { "mostly " };
-            text.push_str(&format!(", {share}by {words}"));
-        }
-        if let Some(critical) = self.summary.dt_critical {
-            text.push_str(&format!("; critical {} s", number(critical)));
-        }
-        Some(text)
+            format!(", {share}{words}")
+        });
+        let critical = self
+            .summary
+            .dt_critical
+            .map_or_else(String::new, |critical| {
+                format!("; critical from {} s", number(critical))
+            });
+        Some(format!("{range}{ruled}{critical}"))
     }
 }
 

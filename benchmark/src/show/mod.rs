@@ -1,13 +1,15 @@
 //! Numbers and tables as text.
 
-use std::fmt;
+pub mod case;
+
+use std::fmt::{self, Write as _};
 
 /// A whole number in groups of three digits.
 pub fn grouped(n: u64) -> String {
     let digits = n.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
             text.push(' ');
         }
         text.push(digit);
@@ -93,9 +95,9 @@ impl fmt::Display for Table {
             for (column, cell) in line.iter().enumerate() {
                 let width = widths[column];
                 if column == 0 {
-                    text.push_str(&format!("{cell:<width$}"));
+                    write!(text, "{cell:<width$}")?;
                 } else {
-                    text.push_str(&format!("  {cell:>width$}"));
+                    write!(text, "  {cell:>width$}")?;
                 }
             }
             writeln!(f, "  {}", text.trim_end())?;
