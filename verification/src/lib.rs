@@ -1,5 +1,7 @@
 //! Exact solutions, verification cases and observed orders for the MPM kernel.
 #![forbid(unsafe_code)]
 
+pub mod case;
+pub mod cases;
 pub mod convergence;
 pub mod exact;

@@ -1,0 +1,226 @@
+//! What a case is: a scene with an exact answer, a ladder of resolutions, and gates that its errors must keep.
+//!
+//! The same case serves `cargo test` (quick), `proctor verify` (full ladder) and `proctor precision`. Cases know
+//! no clocks: who wants the run time of a rung times [`Case::solve`].
+
+use std::fmt;
+
+use proctor_kernel::scene::Scene;
+use proctor_kernel::simulation::Options;
+
+use crate::convergence::ConvergenceTable;
+
+/// How much of the ladder is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// Seconds: for tests and for the command without a verb.
+    Quick,
+    /// The whole ladder of `proctor verify`: minutes.
+    Full,
+}
+
+/// One run of a case: a resolution of a variant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rung {
+    /// What tables and messages call it; unique within a case and size.
+    pub label: String,
+    /// Cell size h \[m\].
+    pub cell: f64,
+    /// Which problem of the case is solved; a word of the case's own.
+    pub variant: &'static str,
+}
+
+/// A number that a run gave, with what it should have been.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// What it is. [`Case::judge`] finds it by this name.
+    pub name: &'static str,
+    /// As computed, in `unit`.
+    pub value: f64,
+    /// Exact value, in `unit`, where one number says it.
+    pub exact: Option<f64>,
+    /// Relative error, dimensionless.
+    pub error: Option<f64>,
+    /// SI unit; `1` for a ratio.
+    pub unit: &'static str,
+}
+
+/// Computed against exact along one coordinate, for pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// What is shown, and where.
+    pub title: String,
+    /// Name and unit of the coordinate.
+    pub abscissa: &'static str,
+    /// Name and unit of the quantity.
+    pub ordinate: &'static str,
+    /// Points in order of the coordinate.
+    pub points: Vec<CurvePoint>,
+}
+
+/// A point of a [`Curve`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// The coordinate.
+    pub at: f64,
+    /// As computed.
+    pub computed: f64,
+    /// As it should be.
+    pub exact: f64,
+}
+
+/// What a run of one rung gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// Number of particles.
+    pub particles: usize,
+    /// Number of time steps.
+    pub steps: u64,
+    /// Time that the run reached \[s\].
+    pub time: f64,
+    /// Numbers, each named once.
+    pub quantities: Vec<Quantity>,
+    /// Picture, where the case has one.
+    pub curve: Option<Curve>,
+}
+
+impl Solved {
+    /// The quantity of that name.
+    #[must_use]
+    pub fn quantity(&self, name: &str) -> Option<&Quantity> {
+        self.quantities.iter().find(|q| q.name == name)
+    }
+
+    /// Relative error of the quantity of that name; NaN where there is none, so that a gate on it fails.
+    #[must_use]
+    pub fn error(&self, name: &str) -> f64 {
+        self.quantity(name)
+            .and_then(|q| q.error)
+            .unwrap_or(f64::NAN)
+    }
+
+    /// Value of the quantity of that name; NaN where there is none.
+    #[must_use]
+    pub fn value(&self, name: &str) -> f64 {
+        self.quantity(name).map_or(f64::NAN, |q| q.value)
+    }
+}
+
+/// On which side of its bound a gate's value must lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// `value <= bound`.
+    AtMost,
+    /// `value >= bound`.
+    AtLeast,
+}
+
+/// A bound that a result must keep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gate {
+    /// What is bounded, of which variant and resolution.
+    pub name: String,
+    /// What was found; NaN where it could not be computed.
+    pub value: f64,
+    /// Which side is right.
+    pub relation: Relation,
+    /// The bound, in the unit of the value.
+    pub bound: f64,
+    /// Why this bound.
+    pub reason: &'static str,
+}
+
+impl Gate {
+    /// Whether the value keeps the bound; NaN does not.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        match self.relation {
+            Relation::AtMost => self.value <= self.bound,
+            Relation::AtLeast => self.value >= self.bound,
+        }
+    }
+}
+
+/// What a case says of a ladder that was run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Verdict {
+    /// Errors and observed orders, each table with its title.
+    pub tables: Vec<(String, ConvergenceTable)>,
+    /// Gates; the case passes if all of them do.
+    pub gates: Vec<Gate>,
+    /// Lines that are shown and judge nothing.
+    pub for_the_record: Vec<String>,
+}
+
+impl Verdict {
+    /// Whether there are gates and all of them pass: a verdict that compared nothing is not green.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        !self.gates.is_empty() && self.gates.iter().all(Gate::passed)
+    }
+}
+
+/// A rung that could not be solved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CaseError {
+    /// Name of the case.
+    pub case: &'static str,
+    /// Label of the rung.
+    pub rung: String,
+    /// What went wrong, with where and when.
+    pub reason: String,
+}
+
+impl fmt::Display for CaseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {}: {}", self.case, self.rung, self.reason)
+    }
+}
+
+impl std::error::Error for CaseError {}
+
+/// A scene with an exact answer.
+pub trait Case: Sync {
+    /// Name on the command line: lower case, words joined by `-`.
+    fn name(&self) -> &'static str;
+
+    /// The question that the case answers, in one sentence.
+    fn question(&self) -> &'static str;
+
+    /// The runs of a size: variant by variant, each coarse to fine.
+    fn rungs(&self, size: Size) -> Vec<Rung>;
+
+    /// The scene of a rung. [`Case::solve`] runs this scene and no other.
+    fn scene(&self, rung: &Rung) -> Scene;
+
+    /// Runs a rung and compares it with the exact solution.
+    ///
+    /// `options` gives threads and lanes; what the case needs beyond them (displacements, measurements) it switches
+    /// on itself. `progress` is called from time to time with the share done, 0 to 1.
+    ///
+    /// # Errors
+    /// [`CaseError`] if the scene is refused, a step fails, or a static answer is not reached.
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError>;
+
+    /// Tables and gates over the rungs that were solved, in the order of [`Case::rungs`].
+    ///
+    /// A rung that is missing (because it failed) makes the gates that need it fail.
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict;
+}
+
+/// All cases, in the order in which they are shown.
+#[must_use]
+pub fn all() -> &'static [&'static dyn Case] {
+    crate::cases::ALL
+}
+
+/// The case of that name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static dyn Case> {
+    all().iter().copied().find(|case| case.name() == name)
+}

@@ -1,0 +1,134 @@
+//! Displacements of the particles against the exact ones at the particles' own initial positions.
+
+use proctor_kernel::simulation::Simulation;
+
+use super::model::{LOAD, MIDDLE, POISSON, SIDE, YOUNG};
+use crate::case::{Curve, CurvePoint};
+use crate::convergence::relative_l2;
+use crate::exact::boussinesq_box::BoxSolution;
+use crate::exact::boussinesq_half_space;
+
+/// Radius around the middle of the load that the L2 error leaves out \[m\]: a displacement under a nodal load grows
+/// like 1/h and has no limit there.
+pub const LEFT_OUT: f64 = 0.2;
+
+/// Particles of a run with their exact displacements.
+pub struct Comparison {
+    samples: Vec<Sample>,
+    cell: f64,
+}
+
+/// One particle.
+struct Sample {
+    x: [f64; 3],
+    volume: f64,
+    computed: [f64; 3],
+    exact: [f64; 3],
+}
+
+impl Comparison {
+    /// Compares all particles; `None` if the simulation kept no displacements.
+    pub fn new(simulation: &Simulation, exact: &BoxSolution) -> Option<Self> {
+        let particles = simulation.sets()[0].len();
+        let x: Vec<[f64; 3]> = (0..particles)
+            .map(|p| simulation.initial_position(0, p))
+            .collect::<Option<_>>()?;
+        let samples = exact
+            .displacement_many(&x)
+            .into_iter()
+            .enumerate()
+            .map(|(p, exact)| {
+                Some(Sample {
+                    x: x[p],
+                    volume: simulation.mass_and_volume(0, p).1,
+                    computed: simulation.displacement(0, p)?,
+                    exact,
+                })
+            })
+            .collect::<Option<_>>()?;
+        Some(Self {
+            samples,
+            cell: simulation.scene().mesh.cell[0],
+        })
+    }
+
+    /// Relative L2 error of the displacement, volume-weighted, at a distance of at least `radius` (m) from the
+    /// middle of the load.
+    pub fn l2_outside(&self, radius: f64) -> Option<f64> {
+        let far = |s: &&Sample| {
+            let r2 =
+                (s.x[0] - MIDDLE).powi(2) + (s.x[1] - MIDDLE).powi(2) + (s.x[2] - SIDE).powi(2);
+            r2 >= radius * radius
+        };
+        relative_l2(
+            self.samples
+                .iter()
+                .filter(far)
+                .map(|s| (s.volume, s.computed, s.exact)),
+        )
+    }
+
+    /// Mean `u_z` (m) of the particles within a cell of `point` in every direction, computed and exact.
+    ///
+    /// Both are means over the same positions, so nothing is interpolated. With the mirror images of the particles
+    /// that a plane of symmetry hides they surround the point.
+    pub fn settlement_around(&self, point: [f64; 3]) -> (f64, f64) {
+        let near = |s: &&Sample| (0..3).all(|i| (s.x[i] - point[i]).abs() < 0.5 * self.cell);
+        let (mut count, mut computed, mut exact) = (0.0, 0.0, 0.0);
+        for sample in self.samples.iter().filter(near) {
+            count += 1.0;
+            computed += sample.computed[2];
+            exact += sample.exact[2];
+        }
+        (computed / count, exact / count)
+    }
+
+    /// Particles nearest to the axis, from the base up.
+    fn axis(&self) -> Vec<&Sample> {
+        let near = |s: &&Sample| (0..2).all(|i| s.x[i] - MIDDLE < 0.5 * self.cell);
+        let mut axis: Vec<&Sample> = self.samples.iter().filter(near).collect();
+        axis.sort_by(|a, b| a.x[2].total_cmp(&b.x[2]));
+        axis
+    }
+
+    /// `u_z` along the particles nearest to the axis.
+    pub fn curve(&self, title: String) -> Curve {
+        let points = self
+            .axis()
+            .iter()
+            .map(|s| CurvePoint {
+                at: s.x[2],
+                computed: s.computed[2],
+                exact: s.exact[2],
+            })
+            .collect();
+        Curve {
+            title,
+            abscissa: "z (m)",
+            ordinate: "u_z (m)",
+            points,
+        }
+    }
+}
+
+/// The manual's comparison with the half-space on the axis below a point load: a table as lines of text.
+pub fn half_space_table(exact: &BoxSolution) -> Vec<String> {
+    let mut lines = vec![
+        "The manual compares with the half-space, which is not this box (point load, on the axis):"
+            .to_owned(),
+        format!(
+            "{:>8} {:>16} {:>16} {:>10}",
+            "z (m)", "box u_z (m)", "half-space (m)", "off by"
+        ),
+    ];
+    for z in [0.95, 0.9, 0.8, 0.7, 0.5, 0.25, 0.1] {
+        let in_box = exact.displacement([MIDDLE, MIDDLE, z])[2];
+        let half_space =
+            boussinesq_half_space::vertical_displacement(YOUNG, POISSON, LOAD, 0.0, SIDE - z);
+        let off = 100.0 * (half_space / in_box - 1.0);
+        lines.push(format!(
+            "{z:>8} {in_box:>16.6e} {half_space:>16.6e} {off:>+9.1}%"
+        ));
+    }
+    lines
+}

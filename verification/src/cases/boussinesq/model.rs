@@ -1,0 +1,133 @@
+//! The scene of the quarter box, and the exact solution of the whole one.
+
+use proctor_kernel::scene::{
+    Body, Damping, Dimension, Law, Material, Mesh, ObjectiveRate, PlaneCondition, PointLoad,
+    Results, Scene, Shape, StressScheme, Traction,
+};
+
+use crate::exact::boussinesq_box::{BoxProblem, BoxSolution, InvalidBox};
+
+/// Side of the cube \[m\].
+pub const SIDE: f64 = 1.0;
+/// Young's modulus \[Pa\].
+pub const YOUNG: f64 = 200e6;
+/// Poisson's ratio.
+pub const POISSON: f64 = 0.25;
+/// Density \[kg/m³\].
+const DENSITY: f64 = 1500.0;
+/// Downward force on the whole top \[N\].
+pub const LOAD: f64 = 1.0;
+/// Force on the quarter that is solved \[N\].
+pub const QUARTER_LOAD: f64 = LOAD / 4.0;
+/// Side of the loaded square \[m\].
+const PATCH: f64 = 0.25;
+/// Middle of the top along x and y \[m\].
+pub const MIDDLE: f64 = 0.5;
+
+/// How the load reaches the top.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loading {
+    /// Evenly over a square.
+    Patch,
+    /// On one node.
+    Node,
+}
+
+impl Loading {
+    /// Both, in the order in which they are run.
+    pub const ALL: [Self; 2] = [Self::Patch, Self::Node];
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Patch => "patch",
+            Self::Node => "node",
+        }
+    }
+
+    /// The loading of that word; a patch where there is none such.
+    pub fn of_word(word: &str) -> Self {
+        if word == Self::Node.word() {
+            Self::Node
+        } else {
+            Self::Patch
+        }
+    }
+}
+
+/// The quarter `[0.5, 1]² x [0, 1]` of the cube in cells of `h` (m), with one layer of empty cells above.
+pub fn scene(h: f64, loading: Loading) -> Scene {
+    let cells = (SIDE / h).round() as usize;
+    let mut mesh = Mesh::new(
+        Dimension::Three,
+        [MIDDLE, MIDDLE, 0.0],
+        [h; 3],
+        [cells / 2, cells / 2, cells + 1],
+    );
+    mesh.planes[2][1] = PlaneCondition::Free;
+    // The end of a relaxation is the rest, not a time.
+    let mut scene = Scene::new(Dimension::Three, mesh, 1.0);
+    scene.name = format!("boussinesq_{}", loading.word());
+    scene.scheme = StressScheme::Usl;
+    scene.damping = Damping::Kinetic;
+    scene.results = Results {
+        print: 0,
+        fields: vec![],
+        checkpoint: false,
+    };
+    scene.materials = vec![Material {
+        name: "elastic".to_owned(),
+        id: 1,
+        density: DENSITY,
+        law: Law::LinearElastic {
+            young: YOUNG,
+            poisson: POISSON,
+            rate: ObjectiveRate::HughesWinget,
+        },
+    }];
+    scene.bodies = vec![Body {
+        name: "quarter box".to_owned(),
+        id: 1,
+        material: 0,
+        shape: Shape::Cuboid {
+            p1: [MIDDLE, MIDDLE, 0.0],
+            p2: [SIDE; 3],
+        },
+        particles_per_cell: [2; 3],
+        velocity: [0.0; 3],
+        motion: None,
+    }];
+    match loading {
+        Loading::Node => {
+            scene.point_loads = vec![PointLoad {
+                position: [MIDDLE, MIDDLE, SIDE],
+                force: [0.0, 0.0, -QUARTER_LOAD],
+            }]
+        }
+        Loading::Patch => {
+            scene.tractions = vec![Traction {
+                p1: [MIDDLE, MIDDLE, SIDE],
+                p2: [MIDDLE + 0.5 * PATCH, MIDDLE + 0.5 * PATCH, SIDE],
+                traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)],
+            }]
+        }
+    }
+    scene
+}
+
+/// The exact solution of the whole cube, with the Poisson's ratio given.
+///
+/// # Errors
+/// [`InvalidBox`] for a ratio outside (-1, 1/2).
+pub fn exact(loading: Loading, poisson: f64) -> Result<BoxSolution, InvalidBox> {
+    BoxSolution::new(BoxProblem {
+        a: SIDE,
+        b: SIDE,
+        height: SIDE,
+        young: YOUNG,
+        poisson,
+        load: LOAD,
+        position: [MIDDLE; 2],
+        patch: (loading == Loading::Patch).then_some(PATCH),
+    })
+}

@@ -1,0 +1,87 @@
+//! The cases, quick: they solve, their gates hold, and a wrong reference breaks the gates. The modules mirror
+//! `src/cases`.
+
+#[path = "cases/boussinesq.rs"]
+mod boussinesq;
+
+use proctor_kernel::simulation::Options;
+use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};
+
+/// Solves all quick rungs on one thread.
+fn solve(case: &dyn Case) -> Vec<(Rung, Solved)> {
+    let options = Options {
+        threads: Some(1),
+        ..Options::default()
+    };
+    case.rungs(Size::Quick)
+        .into_iter()
+        .map(|rung| {
+            let solved = case
+                .solve(&rung, &options, &mut |share| {
+                    assert!((0.0..=1.0).contains(&share));
+                })
+                .unwrap_or_else(|e| panic!("{e}"));
+            (rung, solved)
+        })
+        .collect()
+}
+
+/// Lines of the gates that fail.
+fn failing(verdict: &Verdict) -> Vec<String> {
+    verdict
+        .gates
+        .iter()
+        .filter(|gate| !gate.passed())
+        .map(|g| format!("{}: {:e} {:?} {:e}", g.name, g.value, g.relation, g.bound))
+        .collect()
+}
+
+/// Asserts that all gates of a case hold and that without any run none does.
+fn holds(case: &dyn Case) {
+    let verdict = case.judge(Size::Quick, &solve(case));
+    assert_eq!(failing(&verdict), Vec::<String>::new());
+    assert!(verdict.passed());
+    let nothing = case.judge(Size::Quick, &[]);
+    assert_eq!(failing(&nothing).len(), nothing.gates.len());
+}
+
+#[test]
+fn cases_have_distinct_names_and_are_found_by_them() {
+    for case in all() {
+        assert_eq!(find(case.name()).map(Case::name), Some(case.name()));
+        assert!(!case.question().is_empty());
+    }
+    assert!(find("no-such-case").is_none());
+}
+
+#[test]
+fn rungs_have_distinct_labels_and_sound_scenes() {
+    for case in all() {
+        for size in [Size::Quick, Size::Full] {
+            let rungs = case.rungs(size);
+            for (i, rung) in rungs.iter().enumerate() {
+                assert!(rungs[..i].iter().all(|other| other.label != rung.label));
+                case.scene(rung)
+                    .check()
+                    .unwrap_or_else(|e| panic!("{}: {e}", rung.label));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_gate_on_nothing_fails() {
+    for relation in [Relation::AtMost, Relation::AtLeast] {
+        let gate = |value| Gate {
+            name: String::new(),
+            value,
+            relation,
+            bound: 1.0,
+            reason: "",
+        };
+        assert!(!gate(f64::NAN).passed());
+        assert!(gate(1.0).passed());
+        assert_eq!(gate(0.5).passed(), relation == Relation::AtMost);
+    }
+    assert!(!Verdict::default().passed());
+}
