@@ -1,0 +1,37 @@
+//! How a verb ends, and the exit code that stands for it.
+
+use std::fmt::Display;
+use std::io;
+
+/// A verb came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// All is well: 0.
+    Fine,
+    /// A check or a run failed; the verb has said what: 1.
+    Failed,
+    /// The user stopped it: 130, as a shell has it for an interrupt.
+    Interrupted,
+}
+
+/// A verb could not do its work.
+#[derive(Debug)]
+pub enum Failure {
+    /// The input is at fault: 2. The text goes to standard error.
+    BadInput(String),
+    /// Standard output cannot be written; a closed pipe is no failure.
+    Print(io::Error),
+}
+
+impl Failure {
+    /// Bad input, said by an error of the kernel.
+    pub fn bad_input(error: impl Display) -> Self {
+        Self::BadInput(error.to_string())
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Print(error)
+    }
+}

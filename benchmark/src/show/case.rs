@@ -1,0 +1,185 @@
+//! A case that was run, as text.
+
+use super::{Table, grouped, number, seconds};
+use crate::suite::{Ran, RanRung};
+use proctor_verification::case::{Gate, Quantity, Relation};
+use std::io::{self, Write};
+
+/// Errors shown beside the run times; the convergence tables hold all.
+const SHOWN_ERRORS: usize = 3;
+
+/// Name and question of a case, its runs with error and run time side by side.
+pub fn runs(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}: {}", ran.case.name(), ran.case.question())?;
+    let mut rest = &ran.rungs[..];
+    while let Some(first) = rest.first() {
+        let count = rest
+            .iter()
+            .take_while(|ran| ran.rung.variant == first.rung.variant)
+            .count();
+        let (variant, after) = rest.split_at(count);
+        rest = after;
+        writeln!(out)?;
+        write!(out, "{}", table(variant))?;
+        for ran in variant {
+            if let Err(error) = &ran.solved {
+                writeln!(out, "  {} failed: {}", ran.rung.label, error.reason)?;
+            }
+        }
+    }
+    writeln!(out)
+}
+
+/// Convergence tables with observed orders.
+pub fn tables(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+    for (title, table) in &ran.verdict.tables {
+        writeln!(out, "  {title}: errors and observed orders")?;
+        for line in table.to_string().lines() {
+            writeln!(out, "    {line}")?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// Gates, each with its bound, and its reason if asked for.
+pub fn gates(ran: &Ran, reasons: bool, out: &mut dyn Write) -> io::Result<()> {
+    for gate in &ran.verdict.gates {
+        writeln!(out, "  {}", gate_line(gate))?;
+        if reasons || !gate.passed() {
+            writeln!(out, "        {}", gate.reason)?;
+        }
+    }
+    if ran.verdict.gates.is_empty() {
+        writeln!(out, "  FAIL  nothing was compared")?;
+    }
+    writeln!(out)
+}
+
+/// Lines that judge nothing.
+pub fn for_the_record(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+    if ran.verdict.for_the_record.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "  for the record")?;
+    for line in &ran.verdict.for_the_record {
+        writeln!(out, "    {line}")?;
+    }
+    writeln!(out)
+}
+
+/// How many gates of how many cases hold.
+pub fn total(all: &[Ran], out: &mut dyn Write) -> io::Result<()> {
+    let gates: usize = all.iter().map(|ran| ran.verdict.gates.len()).sum();
+    let passed = all
+        .iter()
+        .flat_map(|ran| &ran.verdict.gates)
+        .filter(|gate| gate.passed())
+        .count();
+    let word = if all.iter().all(Ran::passed) {
+        "PASS"
+    } else {
+        "FAIL"
+    };
+    let cases = match all.len() {
+        1 => "1 case".to_owned(),
+        n => format!("{n} cases"),
+    };
+    writeln!(out, "{word}: {passed} of {gates} gates in {cases}")
+}
+
+/// One line per run.
+fn table(variant: &[RanRung]) -> Table {
+    let errors: Vec<&'static str> = variant
+        .iter()
+        .find_map(|ran| ran.solved.as_ref().ok())
+        .map(|solved| {
+            let with_error = |q: &&Quantity| q.error.is_some();
+            let names = solved.quantities.iter().filter(with_error).map(|q| q.name);
+            names.take(SHOWN_ERRORS).collect()
+        })
+        .unwrap_or_default();
+    let halves: Vec<(&str, &str)> = errors.iter().map(|name| in_two(name)).collect();
+    let upper = halves.iter().map(|(upper, _)| *upper);
+    let lower = halves.iter().map(|(_, lower)| *lower);
+    let mut table = Table::new(["", "", ""].into_iter().chain(upper).chain(["wall", "CPU"]));
+    let heading = ["relative error of", "particles", "steps"];
+    table.push(heading.into_iter().chain(lower).chain(["time", "time"]));
+    for ran in variant {
+        let mut line = vec![ran.rung.label.clone()];
+        if let Ok(solved) = &ran.solved {
+            line.extend([grouped(solved.particles as u64), grouped(solved.steps)]);
+            line.extend(errors.iter().map(|name| percent(solved.error(name))));
+        } else {
+            line.push("failed".to_owned());
+            line.extend((0..=errors.len()).map(|_| String::new()));
+        }
+        line.push(seconds(ran.spent.wall.as_secs_f64()));
+        line.push(seconds(ran.spent.cpu.as_secs_f64()));
+        table.push(line);
+    }
+    table
+}
+
+/// A relative error in per cent, three significant digits.
+fn percent(error: f64) -> String {
+    if !error.is_finite() {
+        return "-".to_owned();
+    }
+    let value = 100.0 * error;
+    if value != 0.0 && value < 1e-3 {
+        format!("{value:.1e} %")
+    } else {
+        let decimals = if value == 0.0 {
+            0
+        } else {
+            (2 - value.log10().floor() as i32).max(0) as usize
+        };
+        format!("{value:.decimals$} %")
+    }
+}
+
+/// A name in two lines of about the same length, broken at a blank.
+fn in_two(name: &str) -> (&str, &str) {
+    let middle = name.len() / 2;
+    let blanks = name.match_indices(' ').map(|(at, _)| at);
+    match blanks.min_by_key(|at| at.abs_diff(middle)) {
+        Some(at) if name.len() > 10 => (&name[..at], &name[at + 1..]),
+        _ => ("", name),
+    }
+}
+
+fn gate_line(gate: &Gate) -> String {
+    let word = if gate.passed() { "PASS" } else { "FAIL" };
+    let relation = match gate.relation {
+        Relation::AtMost => "at most",
+        Relation::AtLeast => "at least",
+    };
+    format!(
+        "{word}  {}: {}, {relation} {}",
+        gate.name,
+        number(gate.value),
+        number(gate.bound)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_in_per_cent_with_three_digits() {
+        assert_eq!(percent(0.004_567), "0.457 %");
+        assert_eq!(percent(0.123_4), "12.3 %");
+        assert_eq!(percent(2.5), "250 %");
+        assert_eq!(percent(1e-9), "1.0e-7 %");
+        assert_eq!(percent(0.0), "0 %");
+        assert_eq!(percent(f64::NAN), "-");
+    }
+
+    #[test]
+    fn long_names_break_near_their_middle() {
+        assert_eq!(in_two("u_z at (.5,.5,.5)"), ("u_z at", "(.5,.5,.5)"));
+        assert_eq!(in_two("v(H, t)"), ("", "v(H, t)"));
+    }
+}

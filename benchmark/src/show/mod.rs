@@ -1,0 +1,136 @@
+//! Numbers and tables as text.
+
+pub mod case;
+
+use std::fmt::{self, Write as _};
+
+/// A whole number in groups of three digits.
+pub fn grouped(n: u64) -> String {
+    let digits = n.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A number with four significant digits, with an exponent only where it would be long.
+pub fn number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 {
+        "0".to_owned()
+    } else if !x.is_finite() {
+        x.to_string()
+    } else if (1e-3..1e5).contains(&size) {
+        let decimals = (3 - size.log10().floor() as i32).max(0) as usize;
+        let text = format!("{x:.decimals$}");
+        if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        } else {
+            text
+        }
+    } else {
+        format!("{x:.3e}")
+    }
+}
+
+/// Seconds with three significant digits and the unit that suits them.
+pub fn seconds(s: f64) -> String {
+    let (value, unit) = match s {
+        _ if s >= 1.0 => (s, "s"),
+        _ if s >= 1e-3 => (s * 1e3, "ms"),
+        _ => (s * 1e6, "us"),
+    };
+    let decimals = match value {
+        _ if value >= 100.0 => 0,
+        _ if value >= 10.0 => 1,
+        _ => 2,
+    };
+    format!("{value:.decimals$} {unit}")
+}
+
+/// Bytes in the binary unit that suits them.
+pub fn bytes(n: u64) -> String {
+    let size = n as f64;
+    match n {
+        0..1024 => format!("{n} B"),
+        0x400..0x10_0000 => format!("{:.1} KiB", size / 1024.0),
+        0x10_0000..0x4000_0000 => format!("{:.1} MiB", size / 1024.0_f64.powi(2)),
+        _ => format!("{:.1} GiB", size / 1024.0_f64.powi(3)),
+    }
+}
+
+/// Columns of text: the first to the left, the others to the right.
+pub struct Table {
+    lines: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// A table with these headings.
+    pub fn new<S: Into<String>>(headings: impl IntoIterator<Item = S>) -> Self {
+        Self {
+            lines: vec![headings.into_iter().map(Into::into).collect()],
+        }
+    }
+
+    /// Adds a line; cells that are missing at its end stay empty.
+    pub fn push<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
+        self.lines.push(cells.into_iter().map(Into::into).collect());
+    }
+}
+
+impl fmt::Display for Table {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let columns = self.lines.iter().map(Vec::len).max().unwrap_or(0);
+        let width = |column: usize| {
+            let cells = self.lines.iter().filter_map(|line| line.get(column));
+            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+        };
+        let widths: Vec<usize> = (0..columns).map(width).collect();
+        for line in &self.lines {
+            let mut text = String::new();
+            for (column, cell) in line.iter().enumerate() {
+                let width = widths[column];
+                if column == 0 {
+                    write!(text, "{cell:<width$}")?;
+                } else {
+                    write!(text, "  {cell:>width$}")?;
+                }
+            }
+            writeln!(f, "  {}", text.trim_end())?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(grouped(0), "0");
+        assert_eq!(grouped(999), "999");
+        assert_eq!(grouped(1_000_000), "1 000 000");
+        assert_eq!(number(0.0), "0");
+        assert_eq!(number(0.278_746), "0.2787");
+        assert_eq!(number(-12.5), "-12.5");
+        assert_eq!(number(99_999.0), "99999");
+        assert_eq!(number(1.0e-5), "1.000e-5");
+        assert_eq!(number(f64::NAN), "NaN");
+        assert_eq!(seconds(0.012_34), "12.3 ms");
+        assert_eq!(seconds(125.0), "125 s");
+        assert_eq!(bytes(1536), "1.5 KiB");
+    }
+
+    #[test]
+    fn a_table_aligns_numbers_to_the_right() {
+        let mut table = Table::new(["h", "error"]);
+        table.push(["1/8", "0.5"]);
+        table.push(["1/16"]);
+        assert_eq!(table.to_string(), "  h     error\n  1/8     0.5\n  1/16\n");
+    }
+}

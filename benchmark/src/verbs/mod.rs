@@ -1,0 +1,43 @@
+//! The verbs of the command, one file each.
+
+mod main_job;
+mod plan;
+mod run;
+mod schema;
+mod settings;
+mod verify;
+
+use crate::exit::{Failure, Outcome};
+use clap::Subcommand;
+use proctor_kernel::scene::{self, Scene};
+use std::io::Write;
+use std::path::Path;
+
+/// What the command can do.
+#[derive(Subcommand)]
+pub enum Verb {
+    /// Run a scene; write frames, history and a summary.
+    Run(run::Run),
+    /// Show what a scene needs, what is left out, and why.
+    Plan(plan::Plan),
+    /// Run verification cases: errors, observed orders, gates.
+    Verify(verify::Verify),
+    /// Print the JSON Schema of scene files, for editors.
+    Schema(schema::Schema),
+}
+
+/// Runs a verb; without one, the main job.
+pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure> {
+    match verb {
+        None => main_job::run(out),
+        Some(Verb::Run(run)) => run.run(out),
+        Some(Verb::Plan(plan)) => plan.run(out),
+        Some(Verb::Verify(verify)) => verify.run(out),
+        Some(Verb::Schema(schema)) => schema.run(out),
+    }
+}
+
+/// A scene from a file, or all that is wrong with it.
+fn scene(path: &Path) -> Result<Scene, Failure> {
+    scene::read(path).map_err(Failure::bad_input)
+}

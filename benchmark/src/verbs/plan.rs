@@ -1,0 +1,69 @@
+//! `proctor plan`: what a scene needs.
+
+use super::scene;
+use crate::exit::{Failure, Outcome};
+use crate::show::{Table, bytes, grouped};
+use clap::Args;
+use proctor_kernel::simulation::{Options, Simulation};
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Show what a scene needs, what is left out, and why.
+///
+/// Nothing is run or written. The bodies are filled with particles, so that every fault of the scene shows.
+#[derive(Args)]
+#[command(after_help = "Example: proctor plan fixtures/scenes/manual/boussinesq.json")]
+pub struct Plan {
+    /// Scene file (JSON)
+    scene: PathBuf,
+}
+
+impl Plan {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let scene = scene(&self.scene)?;
+        let options = Options {
+            threads: Some(1),
+            ..Options::default()
+        };
+        let simulation = Simulation::new(&scene, &options)
+            .map_err(|error| Failure::BadInput(format!("{}: {error}", self.scene.display())))?;
+        let plan = simulation.plan();
+        writeln!(out, "scene {}", scene.name)?;
+        writeln!(out, "{plan}")?;
+        let mut table = Table::new(["body", "particles", "state"]);
+        for ((body, set), layout) in scene
+            .bodies
+            .iter()
+            .zip(simulation.sets())
+            .zip(&plan.layouts)
+        {
+            let particles = set.len();
+            let name = if body.name.is_empty() {
+                body.id.to_string()
+            } else {
+                body.name.clone()
+            };
+            table.push([
+                name,
+                grouped(particles as u64),
+                bytes((particles * layout.bytes_per_particle()) as u64),
+            ]);
+        }
+        write!(out, "\n{table}")?;
+        let axes = scene.dimension.axes();
+        let nodes: u64 = scene.mesh.cells[..axes]
+            .iter()
+            .map(|&cells| cells as u64 + 1)
+            .product();
+        let active = simulation.nodes_active() as u64;
+        let mut table = Table::new(["mesh", "nodes", "state"]);
+        table.push(["whole".to_owned(), grouped(nodes)]);
+        table.push([
+            "held, with a border".to_owned(),
+            grouped(active),
+            bytes(active * plan.bytes_per_node() as u64),
+        ]);
+        write!(out, "\n{table}")?;
+        Ok(Outcome::Fine)
+    }
+}

@@ -1,0 +1,160 @@
+//! `proctor run`: a scene from its start, or from a checkpoint, to its end.
+
+mod report;
+
+use super::scene;
+use super::settings::Settings;
+use crate::exit::{Failure, Outcome};
+use crate::measure::Stopwatch;
+use crate::progress::Progress;
+use clap::Args;
+use proctor_kernel::output::summary::{SUMMARY, Status};
+use proctor_kernel::output::{OutputFolder, Summary};
+use proctor_kernel::run::{Go, Run as KernelRun};
+use proctor_kernel::simulation::{Bound, StepInfo};
+use report::Report;
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Run a scene; write frames, history and a summary.
+///
+/// Into DIR go frames (particles.pvd lists them for viewers), history.csv, checkpoint.bin and
+/// summary.json, each of them whole at any moment. Without --out nothing is written. Ctrl-C finishes the step and
+/// writes the summary.
+#[derive(Args)]
+#[command(
+    after_help = "Example: proctor run fixtures/scenes/manual/boussinesq.json --out out\n\
+    Go on from a checkpoint: proctor run SCENE --out out --restart out/checkpoint.bin"
+)]
+pub struct Run {
+    /// Scene file (JSON)
+    scene: PathBuf,
+    /// Folder for the results; made if it is not there
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    settings: Settings,
+    /// Checkpoint of the same scene to go on from
+    #[arg(long, value_name = "FILE")]
+    restart: Option<PathBuf>,
+}
+
+/// What is counted over the steps of this invocation.
+#[derive(Default)]
+struct Tally {
+    stopwatch: Stopwatch,
+    particle_steps: f64,
+    bounds: BTreeMap<&'static str, u64>,
+}
+
+impl Run {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let scene = scene(&self.scene)?;
+        let interrupt = interrupt()?;
+        let mut run = KernelRun::start(
+            &scene,
+            &self.settings.options(),
+            self.out.as_deref(),
+            self.restart.as_deref(),
+        )
+        .map_err(|error| Failure::BadInput(format!("{}: {error}", self.scene.display())))?;
+        let first = run.simulation().steps();
+        let mut tally = Tally::default();
+        let fault = drive(&mut run, &mut tally, &interrupt);
+        let mut summary = run.summary();
+        if let Some(fault) = fault {
+            summary.status = Status::Failed;
+            summary.error = Some(fault);
+        }
+        let spent = tally.stopwatch.spent;
+        summary.wall_seconds = Some(spent.wall.as_secs_f64());
+        summary.cpu_seconds = Some(spent.cpu.as_secs_f64());
+        summary.ns_per_particle_step = spent.ns_per(tally.particle_steps);
+        if let Some(error) = &summary.error {
+            eprintln!("{}: {error}", self.scene.display());
+        }
+        let written = save(&summary, run.folder());
+        write!(
+            out,
+            "{}",
+            Report {
+                summary: &summary,
+                bounds: &tally.bounds,
+                first_step: first,
+                folder: run.folder().map(OutputFolder::path),
+            }
+        )?;
+        Ok(match summary.status {
+            Status::Interrupted => Outcome::Interrupted,
+            Status::Finished if written => Outcome::Fine,
+            _ => Outcome::Failed,
+        })
+    }
+}
+
+/// From output time to output time; returns why it ended early, if it failed.
+fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &AtomicBool) -> Option<String> {
+    let name = run.simulation().scene().name.clone();
+    let end = run.simulation().scene().time;
+    let mut progress = Progress::new(&name);
+    while let Some(stop) = run.next_stop() {
+        let (before, particles) = (run.simulation().steps(), run.simulation().particles());
+        let (stopwatch, bounds) = (&mut tally.stopwatch, &mut tally.bounds);
+        let advanced = stopwatch.time(|| {
+            run.advance(stop, |info: &StepInfo| {
+                *bounds.entry(bound_words(info.bound)).or_default() += 1;
+                progress.at(info.time / end);
+                if interrupt.load(Ordering::Relaxed) {
+                    Go::Stop
+                } else {
+                    Go::On
+                }
+            })
+        });
+        tally.particle_steps += particles as f64 * (run.simulation().steps() - before) as f64;
+        if let Err(error) = advanced {
+            return Some(error.to_string());
+        }
+        if interrupt.load(Ordering::Relaxed) {
+            return None;
+        }
+        if let Err(error) = run.write() {
+            return Some(error.to_string());
+        }
+    }
+    None
+}
+
+/// Writes the summary where there is a folder; says so and returns false if it cannot be written.
+fn save(summary: &Summary, folder: Option<&OutputFolder>) -> bool {
+    let Some(folder) = folder else { return true };
+    match summary.write(&folder.file(SUMMARY)) {
+        Ok(()) => true,
+        Err(error) => {
+            eprintln!("{error}");
+            false
+        }
+    }
+}
+
+/// A flag that Ctrl-C raises.
+fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let raised = Arc::clone(&flag);
+    ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
+        .map_err(|error| Failure::BadInput(format!("cannot listen to Ctrl-C: {error}")))?;
+    Ok(flag)
+}
+
+fn bound_words(bound: Bound) -> &'static str {
+    match bound {
+        Bound::Stability => "by the stability bound",
+        Bound::Travel => "so that nothing crosses half a cell",
+        Bound::Multiplier => "by the scene's multiplier",
+        Bound::Fixed => "constant, by the scene",
+        Bound::OutputTime => "in equal steps to the outputs",
+    }
+}

@@ -1,0 +1,121 @@
+//! What a run prints when it is over.
+
+use crate::show::{grouped, number, seconds};
+use proctor_kernel::output::Summary;
+use proctor_kernel::output::summary::Status;
+use std::collections::BTreeMap;
+use std::fmt::{self, Write as _};
+use std::path::Path;
+
+/// Events that are shown one by one; the summary file holds all.
+const SHOWN_EVENTS: usize = 3;
+
+/// A short table of a run.
+pub struct Report<'a> {
+    pub summary: &'a Summary,
+    /// How often each bound ruled the time step.
+    pub bounds: &'a BTreeMap<&'static str, u64>,
+    /// Steps that lie before a restart.
+    pub first_step: u64,
+    pub folder: Option<&'a Path>,
+}
+
+impl fmt::Display for Report<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let s = self.summary;
+        let status = match s.status {
+            Status::Finished => "finished",
+            Status::Failed => "failed",
+            Status::Interrupted => "interrupted",
+        };
+        row(f, "scene", &format!("{}, {status}", s.scene))?;
+        row(f, "particles", &grouped(s.particles))?;
+        let mut steps = grouped(s.steps);
+        if self.first_step > 0 {
+            let before = grouped(self.first_step);
+            write!(steps, ", {before} of them before the restart")?;
+        }
+        row(f, "steps", &steps)?;
+        row(
+            f,
+            "time",
+            &format!("{} s", s.time.map_or_else(String::new, number)),
+        )?;
+        if let Some(text) = self.time_step() {
+            row(f, "time step", &text)?;
+        }
+        if let (Some(wall), Some(cpu)) = (s.wall_seconds, s.cpu_seconds) {
+            let threads = match s.threads {
+                1 => "1 thread".to_owned(),
+                n => format!("{n} threads"),
+            };
+            let text = format!(
+                "{} wall, {} CPU ({threads}, {} lanes)",
+                seconds(wall),
+                seconds(cpu),
+                s.lanes
+            );
+            row(f, "stepping", &text)?;
+        }
+        if let Some(ns) = s.ns_per_particle_step {
+            row(
+                f,
+                "cost",
+                &format!("{ns:.0} ns of CPU per particle and step"),
+            )?;
+        }
+        let e = &s.energy;
+        for (name, value) in [
+            ("kinetic energy", e.kinetic),
+            ("strain energy", e.strain),
+            ("external work", e.external_work),
+            ("dissipated", e.dissipated),
+        ] {
+            if let Some(value) = value {
+                row(f, name, &format!("{} J", number(value)))?;
+            }
+        }
+        row(f, "state hash", &format!("{:016x}", s.state_hash))?;
+        for event in s.events.iter().take(SHOWN_EVENTS) {
+            let text = format!("step {}: {}", event.step, event.message);
+            row(f, "event", &text)?;
+        }
+        if s.events.len() > SHOWN_EVENTS {
+            let more = s.events.len() - SHOWN_EVENTS;
+            row(f, "event", &format!("and {more} more"))?;
+        }
+        if let Some(folder) = self.folder {
+            row(f, "results", &folder.display().to_string())?;
+        }
+        Ok(())
+    }
+}
+
+impl Report<'_> {
+    /// The time steps taken and what decided most of them.
+    fn time_step(&self) -> Option<String> {
+        let (least, most) = (self.summary.dt_min?, self.summary.dt_max?);
+        let range = if (most - least).abs() <= 1e-6 * most {
+            format!("{} s", number(most))
+        } else {
+            format!("{} to {} s", number(least), number(most))
+        };
+        let all: u64 = self.bounds.values().sum();
+        let ruled = self.bounds.iter().max_by_key(|(_, count)| **count);
+        let ruled = ruled.map_or_else(String::new, |(words, count)| {
+            let share = if *count == all { "" } else { "mostly " };
+            format!(", {share}{words}")
+        });
+        let critical = self
+            .summary
+            .dt_critical
+            .map_or_else(String::new, |critical| {
+                format!("; critical from {} s", number(critical))
+            });
+        Some(format!("{range}{ruled}{critical}"))
+    }
+}
+
+fn row(f: &mut fmt::Formatter<'_>, name: &str, text: &str) -> fmt::Result {
+    writeln!(f, "{name:<15} {text}")
+}

@@ -1,0 +1,103 @@
+//! `proctor verify`: cases, errors, observed orders, gates.
+
+use super::settings::Settings;
+use crate::exit::{Failure, Outcome};
+use crate::record::Record;
+use crate::show::case as show;
+use crate::suite::{self, Ran};
+use clap::Args;
+use proctor_kernel::lanes::Selected;
+use proctor_verification::case::{self, Case, Size};
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Least likeness of a case's name to an unknown word, 0 to 1, for it to be suggested.
+const LIKENESS: f64 = 0.4;
+
+/// Run verification cases: errors, observed orders, gates.
+///
+/// Each case compares runs over a ladder of resolutions with an exact solution. The exit code is 1 if a gate fails.
+#[derive(Args)]
+#[command(after_help = "Example: proctor verify boussinesq base-acceleration\n\
+    A short ladder, as record: proctor verify --quick --json record.json")]
+pub struct Verify {
+    /// Cases to run [default: all]
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    /// Run the short ladder of each case
+    #[arg(long)]
+    quick: bool,
+    /// Write a record of all runs (Google Benchmark JSON)
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    #[command(flatten)]
+    settings: Settings,
+}
+
+impl Verify {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let cases = self.cases()?;
+        let options = self.settings.options();
+        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        let size = if self.quick { Size::Quick } else { Size::Full };
+        let mut record = Record::new(&options);
+        if let Some(path) = &self.json {
+            // An empty record now rather than a file that cannot be written after minutes.
+            record.write(path).map_err(Failure::bad_input)?;
+        }
+        let mut all: Vec<Ran> = vec![];
+        for case in cases {
+            let ran = suite::run(case, size, &options);
+            show::runs(&ran, out)?;
+            show::tables(&ran, out)?;
+            show::gates(&ran, true, out)?;
+            show::for_the_record(&ran, out)?;
+            out.flush()?;
+            record.push(&ran);
+            all.push(ran);
+        }
+        show::total(&all, out)?;
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+            writeln!(out, "record in {}", path.display())?;
+        }
+        Ok(if all.iter().all(Ran::passed) {
+            Outcome::Fine
+        } else {
+            Outcome::Failed
+        })
+    }
+
+    /// The cases asked for, each once.
+    fn cases(&self) -> Result<Vec<&'static dyn Case>, Failure> {
+        if self.cases.is_empty() {
+            return Ok(case::all().to_vec());
+        }
+        let mut cases: Vec<&'static dyn Case> = vec![];
+        for name in &self.cases {
+            let case = case::find(name).ok_or_else(|| Failure::BadInput(unknown(name)))?;
+            if cases.iter().all(|known| known.name() != case.name()) {
+                cases.push(case);
+            }
+        }
+        Ok(cases)
+    }
+}
+
+/// What to say to a name that no case has.
+fn unknown(name: &str) -> String {
+    let names: Vec<&str> = case::all().iter().map(|case| case.name()).collect();
+    let text = format!(
+        "found the case {name:?}, which is not known; accepted: {}",
+        names.join(", ")
+    );
+    let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
+    let nearest = names
+        .iter()
+        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
+        .filter(|known| likeness(known) >= LIKENESS || known.starts_with(name));
+    match nearest {
+        Some(nearest) => format!("{text} (did you mean `{nearest}`?)"),
+        None => text,
+    }
+}
