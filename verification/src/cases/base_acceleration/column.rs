@@ -137,7 +137,7 @@ impl Column {
         mesh.planes[axis][1] = PlaneCondition::Free;
         let (dt, steps) = self.time_step();
         let mut scene = Scene::new(self.dimension, mesh, steps as f64 * dt);
-        scene.name = "shaken_column".to_owned();
+        scene.name = String::from("shaken_column");
         scene.transfer = Transfer::new(self.method.0);
         scene.scheme = self.method.1;
         scene.time_step = TimeStep::Fixed {

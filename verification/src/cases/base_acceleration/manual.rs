@@ -58,7 +58,7 @@ impl Block {
             mesh,
             record.intervals as f64 * record.interval,
         );
-        scene.name = "base_acceleration".to_owned();
+        scene.name = String::from("base_acceleration");
         scene.time_step = TimeStep::Fixed {
             dt: self.dt,
             allow_unstable: false,
