@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use proctor_kernel::scene::{
     BaseMotion, Body, Dimension, History, Law, Material, Mesh, Motion, ObjectiveRate,
-    PlaneCondition, Results, Scene, Shape, TimeStep,
+    PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
 };
 use proctor_kernel::simulation::Simulation;
 
@@ -74,6 +74,8 @@ pub struct Column {
     pub shaking: Shaking,
     /// `c dt / h`.
     pub courant: f64,
+    /// Transfer and stress scheme.
+    pub method: (TransferKind, StressScheme),
 }
 
 /// A column and its exact response.
@@ -92,12 +94,19 @@ pub struct Response {
 impl Column {
     /// The manual's sine at 15 Hz, close enough to the first resonance (17.3 Hz) to amplify 4.8 times.
     pub fn sine(amplitude: f64) -> Shaking {
-        Shaking::Sine(SineRecord { amplitude, frequency: 15.0, phase: PI })
+        Shaking::Sine(SineRecord {
+            amplitude,
+            frequency: 15.0,
+            phase: PI,
+        })
     }
 
     /// A smooth start. Its two frequencies, 10 and 30 Hz, keep clear of the resonances 17.3 and 52 Hz.
     pub fn smooth(amplitude: f64) -> Shaking {
-        Shaking::Smooth(CubedSine { amplitude, frequency: 10.0 })
+        Shaking::Smooth(CubedSine {
+            amplitude,
+            frequency: 10.0,
+        })
     }
 
     /// Wave speed under confined compression \[m/s\], for the stiffness times `factor`.
@@ -128,9 +137,18 @@ impl Column {
         mesh.planes[axis][1] = PlaneCondition::Free;
         let (dt, steps) = self.time_step();
         let mut scene = Scene::new(self.dimension, mesh, steps as f64 * dt);
-        scene.name = "shaken_column".to_owned();
-        scene.time_step = TimeStep::Fixed { dt, allow_unstable: false };
-        scene.results = Results { print: 0, fields: vec![], checkpoint: false };
+        scene.name = String::from("shaken_column");
+        scene.transfer = Transfer::new(self.method.0);
+        scene.scheme = self.method.1;
+        scene.time_step = TimeStep::Fixed {
+            dt,
+            allow_unstable: false,
+        };
+        scene.results = Results {
+            print: 0,
+            fields: vec![],
+            checkpoint: false,
+        };
         scene.materials = vec![Material {
             name: "elastic".to_owned(),
             id: 1,
@@ -151,7 +169,10 @@ impl Column {
             name: "column".to_owned(),
             id: 1,
             material: 0,
-            shape: Shape::Cuboid { p1: [0.0; 3], p2: upper },
+            shape: Shape::Cuboid {
+                p1: [0.0; 3],
+                p2: upper,
+            },
             particles_per_cell,
             velocity: [0.0; 3],
             motion: None,
@@ -167,7 +188,11 @@ impl Column {
             })
             .collect();
         let motion = Motion::Acceleration(History { times, values });
-        scene.base_motion = Some(BaseMotion { axis, side: 0, motion });
+        scene.base_motion = Some(BaseMotion {
+            axis,
+            side: 0,
+            motion,
+        });
         scene
     }
 
@@ -192,7 +217,9 @@ impl Column {
         let at = |z: f64, t: f64| exact.velocity(z, t, |t| self.shaking.velocity(t));
         let mut samples = vec![];
         while simulation.steps() < steps {
-            simulation.step(simulation.scene().time).map_err(|e| e.to_string())?;
+            simulation
+                .step(simulation.scene().time)
+                .map_err(|e| e.to_string())?;
             if (steps - simulation.steps()).is_multiple_of(every) {
                 let t = simulation.velocity_time();
                 for [z, v, volume] in self.particles(simulation)? {
@@ -217,7 +244,11 @@ impl Column {
         let mut points: Vec<CurvePoint> = self
             .particles(simulation)?
             .into_iter()
-            .map(|[z, v, _]| CurvePoint { at: z, computed: v / a, exact: at(z, t) / a })
+            .map(|[z, v, _]| CurvePoint {
+                at: z,
+                computed: v / a,
+                exact: at(z, t) / a,
+            })
             .collect();
         points.sort_by(|p, q| p.at.total_cmp(&q.at));
         points.dedup_by(|p, q| (p.at - q.at).abs() < 0.1 * self.cell);

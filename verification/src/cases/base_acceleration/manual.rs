@@ -31,9 +31,19 @@ pub struct Block {
 
 impl Block {
     /// As written in the text.
-    pub const TEXT: Self = Self { young: 100e6, height: 0.8, corner: 0.4, dt: 1e-4 };
+    pub const TEXT: Self = Self {
+        young: 100e6,
+        height: 0.8,
+        corner: 0.4,
+        dt: 1e-4,
+    };
     /// As printed in the input file.
-    pub const INPUT: Self = Self { young: 10e6, height: 1.0, corner: 0.2, dt: 5e-4 };
+    pub const INPUT: Self = Self {
+        young: 10e6,
+        height: 1.0,
+        corner: 0.2,
+        dt: 5e-4,
+    };
 
     /// The scene, on a mesh wide enough for the whole motion.
     pub fn scene(&self) -> Scene {
@@ -43,11 +53,21 @@ impl Block {
         let origin = [self.corner - margin, self.corner - margin, 0.0];
         let mesh = Mesh::new(Dimension::Three, origin, [CELL; 3], [across, across, up]);
         let record = Harmonic::of_the_manual();
-        let mut scene =
-            Scene::new(Dimension::Three, mesh, record.intervals as f64 * record.interval);
-        scene.name = "base_acceleration".to_owned();
-        scene.time_step = TimeStep::Fixed { dt: self.dt, allow_unstable: false };
-        scene.results = Results { print: 0, fields: vec![], checkpoint: false };
+        let mut scene = Scene::new(
+            Dimension::Three,
+            mesh,
+            record.intervals as f64 * record.interval,
+        );
+        scene.name = String::from("base_acceleration");
+        scene.time_step = TimeStep::Fixed {
+            dt: self.dt,
+            allow_unstable: false,
+        };
+        scene.results = Results {
+            print: 0,
+            fields: vec![],
+            checkpoint: false,
+        };
         scene.materials = vec![Material {
             name: "elastic_1".to_owned(),
             id: 1,
@@ -72,7 +92,11 @@ impl Block {
             motion: None,
         }];
         let motion = Motion::Acceleration(accelerogram(&record));
-        scene.base_motion = Some(BaseMotion { axis: 2, side: 0, motion });
+        scene.base_motion = Some(BaseMotion {
+            axis: 2,
+            side: 0,
+            motion,
+        });
         scene
     }
 }
