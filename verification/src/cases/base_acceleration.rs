@@ -34,7 +34,7 @@ const AMPLITUDE: f64 = 0.3;
 /// Amplitude of the linear columns \[m/s\].
 const SMALL: f64 = 3e-4;
 /// `c dt / h` of the columns shaken by a sine. Errors of time and mesh cancel at 1 (with APIC; see the head).
-const COURANT: f64 = 0.9;
+const COURANT: f64 = 0.6;
 /// The same for FLIP with USL, whose bound is 0.47.
 const COURANT_FLIP: f64 = 0.1;
 /// Transfer and scheme of the columns shaken by a sine.
