@@ -57,6 +57,9 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
             ledger.external_work,
             ledger.dead_load_origin,
             ledger.initial_energy,
+            simulation.mesh_shift[0],
+            simulation.mesh_shift[1],
+            simulation.mesh_shift[2],
         ],
     );
     for (i, (set, body)) in simulation.sets.iter().zip(&simulation.bodies).enumerate() {
@@ -118,7 +121,7 @@ pub(super) fn restore(
     checkpoint: &Checkpoint,
 ) -> Result<(), RunError> {
     let counters = checkpoint.array::<u64>("counters", 5)?;
-    let numbers = checkpoint.array::<f64>("numbers", 11)?;
+    let numbers = checkpoint.array::<f64>("numbers", 14)?;
     for (i, (set, body)) in simulation
         .sets
         .iter_mut()
@@ -177,6 +180,7 @@ pub(super) fn restore(
     simulation.ledger.external_work = numbers[8];
     simulation.ledger.dead_load_origin = numbers[9];
     simulation.ledger.initial_energy = numbers[10];
+    simulation.mesh_shift = [numbers[11], numbers[12], numbers[13]];
     simulation.events = restore_events(checkpoint)?;
     simulation
         .field

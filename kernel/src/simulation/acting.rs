@@ -35,8 +35,15 @@ impl Simulation {
                     before: [0.0; 3],
                     after: [0.0; 3],
                 };
-                if let (true, Some(base)) = (moving, &self.base) {
-                    (wall.before, wall.after) = (base.at(before), base.at(after));
+                if let Some(base) = &self.base {
+                    (wall.before, wall.after) = if moving {
+                        (base.at(before), base.at(after))
+                    } else {
+                        (
+                            self.mesh_part(base.at(before)),
+                            self.mesh_part(base.at(after)),
+                        )
+                    };
                 }
                 if moving || condition != PlaneCondition::Free {
                     walls.push(wall);
@@ -64,15 +71,30 @@ impl Simulation {
         }
     }
 
+    /// The part of a velocity of the base that the mesh takes part in: that along the normal of the base, so that
+    /// the base stays on its plane of nodes however far it moves, and the plane opposite moves with it.
+    fn mesh_part(&self, v: [f64; 3]) -> [f64; 3] {
+        let normal = self.scene.base_motion.as_ref().map(|base| base.axis);
+        std::array::from_fn(|axis| if Some(axis) == normal { v[axis] } else { 0.0 })
+    }
+
+    /// Velocity of the mesh in the middle of the step \[m/s\].
+    pub(super) fn mesh_velocity(&self, info: &StepInfo) -> [f64; 3] {
+        let middle = self.clock.time + 0.5 * info.dt;
+        self.base
+            .as_ref()
+            .map_or([0.0; 3], |base| self.mesh_part(base.at(middle)))
+    }
+
     /// Bodies with a prescribed velocity move by it.
-    pub(super) fn move_driven_bodies(&mut self, info: &StepInfo) {
+    pub(super) fn move_driven_bodies(&mut self, info: &StepInfo, mesh_shift: &[f64; 3]) {
         let half = self.clock.time + 0.5 * info.dt;
         let mut travel = 0.0_f64;
         for (set, body) in self.sets.iter_mut().zip(&self.bodies) {
             let Some(motion) = &body.motion else { continue };
             let v = history_value(motion, half);
             for axis in 0..set.layout.axes {
-                let shift = v[axis] * info.dt;
+                let shift = v[axis] * info.dt - mesh_shift[axis];
                 for x in &mut set.columns[Layout::POSITION + axis] {
                     *x += shift;
                 }

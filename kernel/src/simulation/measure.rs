@@ -69,7 +69,7 @@ impl Simulation {
                 v[axis] += m * v_p[axis];
             }
         }
-        let origin = self.scene.mesh.origin;
+        let origin = self.origin();
         if mass > 0.0 {
             x = std::array::from_fn(|axis| x[axis] / mass + origin[axis]);
             v = v.map(|c| c / mass);
@@ -153,7 +153,7 @@ impl Simulation {
 
     fn dead_load(&self, set: &ParticleSet, p: usize) -> f64 {
         let g = self.scene.gravity;
-        let x = set.position(p);
+        let x: Vector = std::array::from_fn(|axis| set.position(p)[axis] + self.mesh_shift[axis]);
         let m = set.columns[Layout::MASS][p];
         let own = set
             .layout

@@ -110,6 +110,8 @@ pub struct Simulation {
     pub(crate) travel: f64,
     pub(crate) groups: passes::Groups,
     pub(crate) clock: Clock,
+    /// Displacement of the mesh since the start \[m\].
+    pub(crate) mesh_shift: Vector,
     pub(crate) loads: Vec<NodeForce>,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
@@ -191,11 +193,17 @@ impl Simulation {
         (self.bodies[set].id, self.bodies[set].material_id)
     }
 
+    /// Lower corner of the mesh now \[m\]. A base that moves along its normal takes the mesh with it.
+    #[must_use]
+    pub fn origin(&self) -> Vector {
+        std::array::from_fn(|axis| self.scene.mesh.origin[axis] + self.mesh_shift[axis])
+    }
+
     /// Position of a particle in the coordinates of the scene \[m\].
     #[must_use]
     pub fn position(&self, set: usize, p: usize) -> Vector {
         let x = self.sets[set].position(p);
-        std::array::from_fn(|axis| x[axis] + self.scene.mesh.origin[axis])
+        std::array::from_fn(|axis| x[axis] + self.origin()[axis])
     }
 
     /// Displacement of a particle since the start \[m\], where the plan keeps it.
@@ -204,7 +212,9 @@ impl Simulation {
         let set = &self.sets[set];
         let origin = set.vector(set.layout.displacement_origin?, p);
         let x = set.position(p);
-        Some(std::array::from_fn(|axis| x[axis] - origin[axis]))
+        Some(std::array::from_fn(|axis| {
+            x[axis] - origin[axis] + self.mesh_shift[axis]
+        }))
     }
 
     /// Position of a particle at the start in the coordinates of the scene \[m\], where the plan keeps it.

@@ -89,8 +89,7 @@ impl Simulation {
         for result in results {
             let (sums, own_groups) = result.map_err(|EmptyNode(node)| {
                 let local = self.field.shape.position(node);
-                let position =
-                    std::array::from_fn(|axis| local[axis] + self.scene.mesh.origin[axis]);
+                let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
                 self.error(StepErrorKind::LoadOnEmptyNode { position })
             })?;
             groups += own_groups;

@@ -86,6 +86,7 @@ impl Simulation {
             travel: f64::INFINITY,
             groups: Groups::default(),
             clock: Clock::default(),
+            mesh_shift: [0.0; 3],
             loads,
             body_force: options.body_force.clone(),
             relaxation: Relaxation::default(),

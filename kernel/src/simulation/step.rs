@@ -28,10 +28,12 @@ impl Simulation {
         info.measured = self.measured();
         let relax = self.peak_of_kinetic_energy(&info);
         let drift = relax.unwrap_or(info.dt);
+        let moved = self.mesh_velocity(&info).map(|v| v * drift);
         match self.scene.scheme {
             StressScheme::Usl => {
                 self.interpolate(Task {
                     kick: true,
+                    mesh_shift: moved,
                     ..self.task(Some(drift), Some(drift))
                 })?;
             }
@@ -44,12 +46,14 @@ impl Simulation {
                 self.interpolate(Task {
                     gradient_of_upper: true,
                     affine: Affine::Leave,
+                    mesh_shift: moved,
                     ..self.task(Some(drift), Some(drift))
                 })?;
             }
             StressScheme::Usf => {
                 self.interpolate(Task {
                     kick: true,
+                    mesh_shift: moved,
                     ..self.task(Some(drift), None)
                 })?;
                 self.sort_if_stale();
@@ -62,7 +66,8 @@ impl Simulation {
                 })?;
             }
         }
-        self.move_driven_bodies(&info);
+        self.move_driven_bodies(&info, &moved);
+        self.mesh_shift = std::array::from_fn(|axis| self.mesh_shift[axis] + moved[axis]);
         self.finish(&info, relax.is_some());
         Ok(info)
     }
@@ -73,6 +78,7 @@ impl Simulation {
             kick: false,
             pic_fraction: self.scene.transfer.pic_fraction,
             drift,
+            mesh_shift: [0.0; 3],
             strain: strain.map(|dt| (dt, Configuration::Beginning)),
             gradient_of_upper: false,
             affine: self.plan.affine,
@@ -84,7 +90,7 @@ impl Simulation {
         let Some(body_force) = &self.body_force else {
             return;
         };
-        let (time, origin) = (self.clock.time, self.scene.mesh.origin);
+        let (time, start_origin, origin) = (self.clock.time, self.scene.mesh.origin, self.origin());
         for set in &mut self.sets {
             let axes = set.layout.axes;
             let (Some(force), Some(start)) = (set.layout.force, set.layout.displacement_origin)
@@ -92,10 +98,12 @@ impl Simulation {
                 continue;
             };
             let evaluate = |p: usize| {
-                let global = |x: [f64; 3]| std::array::from_fn(|axis| x[axis] + origin[axis]);
+                let global = |x: [f64; 3], origin: [f64; 3]| {
+                    std::array::from_fn(|axis| x[axis] + origin[axis])
+                };
                 body_force(
-                    &global(set.vector(start, p)),
-                    &global(set.position(p)),
+                    &global(set.vector(start, p), start_origin),
+                    &global(set.position(p), origin),
                     time,
                 )
             };

@@ -23,6 +23,8 @@ pub struct Task {
     pub pic_fraction: f64,
     /// Time by which positions move \[s\]; `None` leaves them.
     pub drift: Option<f64>,
+    /// Displacement of the mesh meanwhile \[m\]; positions are relative to it.
+    pub mesh_shift: [f64; 3],
     /// Time of the strain increment and where its gradient belongs \[s\]; `None` leaves the stress.
     pub strain: Option<(f64, Configuration)>,
     /// Gradient from the upper lanes of the nodes (remapped velocity of MUSL) instead of the lower ones.
@@ -401,7 +403,7 @@ fn update<L: Lanes, const D: usize, const N: usize>(
         let dt = L::splat(dt);
         for axis in 0..D {
             let column = &mut *call.columns[Layout::POSITION + axis];
-            let move_ = dt * sums.velocity[axis];
+            let move_ = dt * sums.velocity[axis] - L::splat(task.mesh_shift[axis]);
             let x = load::<L>(column, at, count) + move_;
             store(x, column, at, count);
             let cells = (move_ * L::splat(call.mapping.inverse_cell[axis])).abs();
