@@ -73,7 +73,7 @@ impl Simulation {
                 self.interpolate(Task { strain, affine: Affine::Leave, ..self.task(None, None) })?;
             }
         }
-        self.move_driven_bodies(&info);
+        self.move_driven_bodies(&info)?;
         self.finish(&info, relax.is_some());
         Ok(info)
     }
@@ -416,20 +416,27 @@ impl Simulation {
     }
 
     /// Bodies with a prescribed velocity move by it.
-    fn move_driven_bodies(&mut self, info: &StepInfo) {
+    fn move_driven_bodies(&mut self, info: &StepInfo) -> Result<(), StepError> {
+        let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
         let half = self.clock.time + 0.5 * info.dt;
-        for (set, body) in self.sets.iter_mut().zip(&self.bodies) {
+        let mesh = &self.scene.mesh;
+        for (index, (set, body)) in self.sets.iter_mut().zip(&self.bodies).enumerate() {
             let Some(motion) = &body.motion else { continue };
             let v = history_value(motion, half);
             for axis in 0..set.layout.axes {
                 let move_ = v[axis] * info.dt;
-                for x in &mut set.columns[Layout::POSITION + axis] {
+                let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
+                for (p, x) in set.columns[Layout::POSITION + axis].iter_mut().enumerate() {
                     *x += move_;
+                    if !(0.0..=extent).contains(x) && faults.last().is_none_or(|&(i, ..)| i != index) {
+                        faults.push((index, p, FaultKind::Outside));
+                    }
                 }
                 set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
-                self.travel = self.travel.max((move_ / self.scene.mesh.cell[axis]).abs() + self.travel);
+                self.travel += (move_ / mesh.cell[axis]).abs();
             }
         }
+        self.judge(&faults)
     }
 
     /// Advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to zero.
