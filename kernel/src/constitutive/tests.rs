@@ -5,11 +5,20 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::PI;
 
 const G: f64 = 1.0;
-const ELASTIC: Law =
-    Law::LinearElastic { young: 2.6, poisson: 0.3, rate: ObjectiveRate::HughesWinget };
-const FORWARD: Law =
-    Law::LinearElastic { young: 2.6, poisson: 0.3, rate: ObjectiveRate::JaumannForward };
-const NEO: Law = Law::NeoHookean { young: 2.6, poisson: 0.3 };
+const ELASTIC: Law = Law::LinearElastic {
+    young: 2.6,
+    poisson: 0.3,
+    rate: ObjectiveRate::HughesWinget,
+};
+const FORWARD: Law = Law::LinearElastic {
+    young: 2.6,
+    poisson: 0.3,
+    rate: ObjectiveRate::JaumannForward,
+};
+const NEO: Law = Law::NeoHookean {
+    young: 2.6,
+    poisson: 0.3,
+};
 const DENSITY: f64 = 1.5;
 
 /// What the lanes compute for one particle.
@@ -43,9 +52,15 @@ impl<const D: usize> Kernel for Call<D> {
             What::Hypoelastic(at, s) => {
                 hypoelastic::<_, D>(&self.law, &m, at, &s.map(B::Native::splat)).to_vec()
             }
-            What::NeoHookean => neo_hookean::<_, D>(&self.law, &m, determinant::<_, D>(&m)).to_vec(),
+            What::NeoHookean => {
+                neo_hookean::<_, D>(&self.law, &m, determinant::<_, D>(&m)).to_vec()
+            }
             What::SpeedSquared => {
-                vec![neo_hookean_speed_squared::<_, D>(&self.law, &m, determinant::<_, D>(&m))]
+                vec![neo_hookean_speed_squared::<_, D>(
+                    &self.law,
+                    &m,
+                    determinant::<_, D>(&m),
+                )]
             }
             What::Stretch => stretch_diagonal::<_, D>(&m).to_vec(),
             What::Determinant => vec![determinant::<_, D>(&m)],
@@ -81,7 +96,11 @@ fn matrix(values: &[f64]) -> Matrix3<f64> {
 
 /// Stress in the order of the scene from that of the kernel.
 fn ordered(axes: usize, s: &[f64]) -> [f64; 6] {
-    if axes == 2 { [s[0], s[1], s[2], 0.0, 0.0, s[3]] } else { six(s) }
+    if axes == 2 {
+        [s[0], s[1], s[2], 0.0, 0.0, s[3]]
+    } else {
+        six(s)
+    }
 }
 
 fn tensor(s: &[f64; 6]) -> Matrix3<f64> {
@@ -119,21 +138,37 @@ fn shear_error(axes: usize, law: Law, at: Configuration, n: u32) -> f64 {
         s = six(&call(axes, law, step, What::Hypoelastic(at, s)));
     }
     let s = ordered(axes, &s);
-    let exact = [G * (1.0 - g.cos()), -G * (1.0 - g.cos()), 0.0, 0.0, 0.0, G * g.sin()];
-    s.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    let exact = [
+        G * (1.0 - g.cos()),
+        -G * (1.0 - g.cos()),
+        0.0,
+        0.0,
+        0.0,
+        G * g.sin(),
+    ];
+    s.iter()
+        .zip(exact)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
 }
 
 #[test]
 fn simple_shear_converges() {
     for axes in [2, 3] {
         for at in [Configuration::Beginning, Configuration::End] {
-            let (coarse, fine) = (shear_error(axes, ELASTIC, at, 250), shear_error(axes, ELASTIC, at, 500));
+            let (coarse, fine) = (
+                shear_error(axes, ELASTIC, at, 250),
+                shear_error(axes, ELASTIC, at, 500),
+            );
             // The strain increment is added unrotated: first order, whatever the rotation does.
             assert!((coarse / fine - 2.0).abs() < 0.05, "order: {coarse} {fine}");
             assert!(fine < 1.0e-2, "{fine}");
         }
         let at = Configuration::Beginning;
-        let (coarse, fine) = (shear_error(axes, FORWARD, at, 500), shear_error(axes, FORWARD, at, 1000));
+        let (coarse, fine) = (
+            shear_error(axes, FORWARD, at, 500),
+            shear_error(axes, FORWARD, at, 1000),
+        );
         // Forward Euler is first order; its error at 1000 steps is known to be 4.5e-3.
         assert!((coarse / fine - 2.0).abs() < 0.05, "order: {coarse} {fine}");
         assert!((fine - 4.5e-3).abs() < 1.0e-4, "{fine}");
@@ -153,7 +188,11 @@ fn forward_jaumann_grows_under_rotation() {
         let w = 2.0 * PI / f64::from(n);
         let mut step = Matrix3::zeros();
         (step[(1, 0)], step[(0, 1)]) = (w, -w);
-        let start = if axes == 2 { [1.0, -0.5, 0.2, 0.3, 0.0, 0.0] } else { [1.0, -0.5, 0.2, 0.0, 0.0, 0.3] };
+        let start = if axes == 2 {
+            [1.0, -0.5, 0.2, 0.3, 0.0, 0.0]
+        } else {
+            [1.0, -0.5, 0.2, 0.0, 0.0, 0.3]
+        };
         let (mut forward, mut objective) = (start, start);
         for _ in 0..n {
             let at = Configuration::Beginning;
@@ -182,11 +221,18 @@ fn rotation_increments_are_exact() {
     for (axes, axis) in [
         (2, Vector3::z_axis()),
         (3, Vector3::z_axis()),
-        (3, nalgebra::Unit::new_normalize(Vector3::new(1.0, -2.0, 0.5))),
+        (
+            3,
+            nalgebra::Unit::new_normalize(Vector3::new(1.0, -2.0, 0.5)),
+        ),
     ] {
         for angle in [1.0e-6_f64, 0.01, 0.5, 2.0, 3.0] {
             let r = *Rotation3::from_axis_angle(&axis, angle).matrix();
-            let s = if axes == 2 { [1.0, -0.5, 0.2, 0.3, 0.0, 0.0] } else { [1.0, -0.5, 0.2, 0.3, -0.7, 0.4] };
+            let s = if axes == 2 {
+                [1.0, -0.5, 0.2, 0.3, 0.0, 0.0]
+            } else {
+                [1.0, -0.5, 0.2, 0.3, -0.7, 0.4]
+            };
             let exact = r * tensor(&ordered(axes, &s)) * r.transpose();
             for (at, g) in [
                 (Configuration::Beginning, r - Matrix3::identity()),
@@ -198,7 +244,10 @@ fn rotation_increments_are_exact() {
                 let gain = (0.5 * angle).cos().powi(-2);
                 assert!(error < 4.0e-15 * gain, "{axes} {angle} {at:?}: {error}");
                 let ratio = call(axes, ELASTIC, g, What::VolumeRatio(at))[0];
-                assert!((ratio - 1.0).abs() < 1.0e-15 * 4.0, "{axes} {angle} {at:?}: det f {ratio}");
+                assert!(
+                    (ratio - 1.0).abs() < 1.0e-15 * 4.0,
+                    "{axes} {angle} {at:?}: det f {ratio}"
+                );
                 let f = matrix(&call(axes, ELASTIC, g, What::Relative(at)));
                 let mut difference = f - r;
                 if axes == 2 {
@@ -227,8 +276,9 @@ fn neo_hookean_stress_is_the_formula_and_the_slope_of_its_energy() {
             assert!((s - exact).amax() < 1.0e-14 / j, "{s} {exact}");
 
             // P = dW/dF and sigma = P F^T / J.
-            let energy =
-                |f: &Matrix3<f64>| law.energy_density_of_stretch((f * f.transpose()).trace(), f.determinant());
+            let energy = |f: &Matrix3<f64>| {
+                law.energy_density_of_stretch((f * f.transpose()).trace(), f.determinant())
+            };
             let step = 1.0e-5;
             let p = Matrix3::from_fn(|a, c| {
                 let (mut up, mut down) = (f, f);
@@ -238,7 +288,10 @@ fn neo_hookean_stress_is_the_formula_and_the_slope_of_its_energy() {
             });
             let from_energy = p * f.transpose() / j;
             // Central difference: step² times third derivatives, of order 1/J³.
-            assert!((s - from_energy).amax() < 1.0e-8 / j.powi(3), "{s} {from_energy}");
+            assert!(
+                (s - from_energy).amax() < 1.0e-8 / j.powi(3),
+                "{s} {from_energy}"
+            );
         }
     }
 }
@@ -270,7 +323,11 @@ fn the_wave_speed_is_a_bound() {
                 let n = n.normalize();
                 fastest = fastest.max(acoustic(&law, axes, &f, &n));
             }
-            assert!(bound >= fastest * (1.0 - 1.0e-6), "J {} bound {bound} {fastest}", f.determinant());
+            assert!(
+                bound >= fastest * (1.0 - 1.0e-6),
+                "J {} bound {bound} {fastest}",
+                f.determinant()
+            );
             tight = tight.min(bound / fastest);
         }
     }
@@ -294,7 +351,11 @@ fn acoustic(law: &Parameters, axes: usize, f: &Matrix3<f64>, n: &Vector3<f64>) -
         }
         ((piola(&(f + e)) - piola(&(f - e))) * reference)[i] / (2.0 * step)
     });
-    let q = if axes == 2 { q.fixed_view::<2, 2>(0, 0).into_owned().resize(3, 3, 0.0) } else { q.resize(3, 3, 0.0) };
+    let q = if axes == 2 {
+        q.fixed_view::<2, 2>(0, 0).into_owned().resize(3, 3, 0.0)
+    } else {
+        q.resize(3, 3, 0.0)
+    };
     let q = 0.5 * (&q + q.transpose());
     q.symmetric_eigenvalues().max() / law.density
 }
@@ -320,7 +381,10 @@ fn stretch_inverse_and_determinant_are_nalgebras() {
             let u = v.transpose() * Matrix3::from_diagonal(&svd.singular_values) * v;
             let diagonal = call(axes, NEO, turn * f, What::Stretch);
             for axis in 0..axes {
-                assert!((diagonal[axis] - u[(axis, axis)]).abs() < 1.0e-13, "{diagonal:?} {u}");
+                assert!(
+                    (diagonal[axis] - u[(axis, axis)]).abs() < 1.0e-13,
+                    "{diagonal:?} {u}"
+                );
             }
         }
     }
@@ -329,12 +393,24 @@ fn stretch_inverse_and_determinant_are_nalgebras() {
 /// Stretches of ten and a tenth are the promise of the iteration in three dimensions.
 #[test]
 fn large_stretches_reach_round_off() {
-    let turn = *Rotation3::from_axis_angle(&nalgebra::Unit::new_normalize(Vector3::new(1.0, 2.0, 3.0)), 1.0).matrix();
-    for stretch in [[10.0, 1.0, 1.0], [0.1, 1.0, 1.0], [10.0, 0.1, 1.0], [10.0, 10.0, 0.1]] {
+    let turn = *Rotation3::from_axis_angle(
+        &nalgebra::Unit::new_normalize(Vector3::new(1.0, 2.0, 3.0)),
+        1.0,
+    )
+    .matrix();
+    for stretch in [
+        [10.0, 1.0, 1.0],
+        [0.1, 1.0, 1.0],
+        [10.0, 0.1, 1.0],
+        [10.0, 10.0, 0.1],
+    ] {
         let u = Matrix3::from_diagonal(&Vector3::from(stretch));
         let diagonal = call(3, NEO, turn * u, What::Stretch);
         for axis in 0..3 {
-            assert!((diagonal[axis] - stretch[axis]).abs() < 1.0e-13 * 10.0, "{diagonal:?} {stretch:?}");
+            assert!(
+                (diagonal[axis] - stretch[axis]).abs() < 1.0e-13 * 10.0,
+                "{diagonal:?} {stretch:?}"
+            );
         }
     }
 }
@@ -344,19 +420,31 @@ fn two_dimensions_are_plane_strain() {
     for seed in 1..40 {
         let f = deformation(2, seed, 0.3);
         let g = f - Matrix3::identity();
-        let (flat, full) = ([0.3, -0.4, 0.2, 0.5, 0.0, 0.0], [0.3, -0.4, 0.2, 0.0, 0.0, 0.5]);
+        let (flat, full) = (
+            [0.3, -0.4, 0.2, 0.5, 0.0, 0.0],
+            [0.3, -0.4, 0.2, 0.0, 0.0, 0.5],
+        );
         for law in [ELASTIC, FORWARD] {
             for at in [Configuration::Beginning, Configuration::End] {
                 let two = ordered(2, &call(2, law, g, What::Hypoelastic(at, flat)));
                 let three = ordered(3, &call(3, law, g, What::Hypoelastic(at, full)));
-                assert!((tensor(&two) - tensor(&three)).amax() < 2.0e-14, "{two:?} {three:?}");
+                assert!(
+                    (tensor(&two) - tensor(&three)).amax() < 2.0e-14,
+                    "{two:?} {three:?}"
+                );
                 let ratios = [2, 3].map(|axes| call(axes, law, g, What::VolumeRatio(at))[0]);
-                assert!((ratios[0] - ratios[1]).abs() < 1.0e-14 * ratios[0], "{ratios:?}");
+                assert!(
+                    (ratios[0] - ratios[1]).abs() < 1.0e-14 * ratios[0],
+                    "{ratios:?}"
+                );
             }
         }
         let two = ordered(2, &call(2, NEO, f, What::NeoHookean));
         let three = ordered(3, &call(3, NEO, f, What::NeoHookean));
-        assert!((tensor(&two) - tensor(&three)).amax() < 2.0e-14, "{two:?} {three:?}");
+        assert!(
+            (tensor(&two) - tensor(&three)).amax() < 2.0e-14,
+            "{two:?} {three:?}"
+        );
     }
 }
 
@@ -369,7 +457,12 @@ fn small_strains_follow_hooke() {
         let g = Matrix3::from_fn(|_, _| 1.0e-8 * next());
         let e = 0.5 * (g + g.transpose());
         let exact = law.lambda * e.trace() * Matrix3::identity() + 2.0 * law.shear * e;
-        let s = six(&call(3, ELASTIC, g, What::Hypoelastic(Configuration::Beginning, [0.0; 6])));
+        let s = six(&call(
+            3,
+            ELASTIC,
+            g,
+            What::Hypoelastic(Configuration::Beginning, [0.0; 6]),
+        ));
         // Terms of second order: 1e-16.
         assert!((tensor(&s) - exact).amax() < 1.0e-15, "{s:?} {exact}");
         let energy = 0.5 * exact.component_mul(&e).sum();
