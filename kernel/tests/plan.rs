@@ -83,7 +83,7 @@ fn fields_that_are_kept_are_there_and_filled() {
         (
             |s| {
                 s.weighting =
-                    Weighting::ContiguousGimp(proctor_kernel::scene::DomainUpdate::Stretch)
+                    Weighting::ContiguousGimp(proctor_kernel::scene::DomainUpdate::Stretch);
             },
             "half-lengths",
             axes * axes + 2 * axes,
@@ -94,7 +94,7 @@ fn fields_that_are_kept_are_there_and_filled() {
                     p1: [0.0; 3],
                     p2: [1.0; 3],
                     force: [1.0; 3],
-                }]
+                }];
             },
             "external force",
             axes,
@@ -105,7 +105,7 @@ fn fields_that_are_kept_are_there_and_filled() {
                     print: 1,
                     fields: vec![Field::Displacement],
                     checkpoint: false,
-                }
+                };
             },
             "initial position",
             axes,
@@ -116,7 +116,7 @@ fn fields_that_are_kept_are_there_and_filled() {
                     print: 1,
                     fields: vec![Field::DeformationGradient],
                     checkpoint: false,
-                }
+                };
             },
             "deformation gradient",
             axes * axes,
@@ -166,7 +166,7 @@ fn stages_that_are_kept_act() {
                 s.point_loads = vec![PointLoad {
                     position: [0.4, 0.4, 0.4],
                     force: [1.0, 0.0, 0.0],
-                }]
+                }];
             },
             "nodal loads",
         ),
@@ -282,7 +282,7 @@ fn features_that_only_watch_change_no_bit() {
                     p1: [0.0; 3],
                     p2: [1.0; 3],
                     force: [0.0; 3],
-                }]
+                }];
             },
             "a box load of zero",
         ),
@@ -295,7 +295,7 @@ fn features_that_only_watch_change_no_bit() {
                 s.point_loads = vec![PointLoad {
                     position: [0.4, 0.4, 0.4],
                     force: [0.0; 3],
-                }]
+                }];
             },
             "a nodal load of zero",
         ),
@@ -355,7 +355,7 @@ fn features_that_only_watch_change_no_bit() {
     }
 }
 
-/// Affine columns belong to the transfer alone, and a PIC fraction of zero leaves FLIP.
+/// Every decision has a reason, and affine columns belong to the transfer alone.
 #[test]
 fn the_plan_says_why() {
     let scene = plain(Dimension::Two);

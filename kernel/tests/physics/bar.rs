@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 const LENGTH: f64 = 25.0;
 const CELLS: usize = 25;
-/// v_0/c: small, so that the amplitude does not change the period (error of order v_0/c).
+/// `v_0/c` = 1e-4: small, so that the amplitude does not change the period, whose error is of that order.
 const SPEED: f64 = 1.0e-4 * 10.0;
 
 /// E = 100, rho = 1, c = 10, T = 4 L/c = 10; a strip of one row of cells with sliding sides and nu = 0 is one

@@ -27,7 +27,7 @@ fn column(dimension: Dimension) -> Scene {
     scene
 }
 
-/// Case A5: sigma_yy = -rho g (H - Y) under self weight.
+/// Case A5: `sigma_yy = -rho g (H - Y)` under self weight.
 #[test]
 fn kinetic_damping_finds_the_self_weight() {
     for dimension in DIMENSIONS {

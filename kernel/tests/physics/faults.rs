@@ -306,7 +306,7 @@ fn a_stretched_domain_widens_the_stencil_and_then_stops() {
     );
     match error.kind {
         StepErrorKind::DomainTooLarge { half_length } => {
-            assert!(half_length > 1.0 && half_length < 1.1)
+            assert!(half_length > 1.0 && half_length < 1.1);
         }
         StepErrorKind::Outside(_) => assert!(error.time > widened[0].time),
         _ => panic!("{error}"),

@@ -1,12 +1,12 @@
 //! Loads, moving planes and driven bodies.
 
 use crate::common::{
-    DIMENSIONS, NEVER, SCHEMES, WEIGHTINGS, block, body, cuboid, empty, options, particles, run,
-    simulation,
+    DIMENSIONS, NEVER, SCHEMES, WEIGHTINGS, block, body, cuboid, elastic, empty, material, options,
+    particles, run, simulation,
 };
 use proctor_kernel::scene::{
-    BaseMotion, BoxLoad, Dimension, History, Motion, PlaneCondition, PointLoad, Scene, Traction,
-    Vector, Weighting,
+    BaseMotion, BoxLoad, Dimension, History, Motion, Outside, PlaneCondition, PointLoad, Scene,
+    TimeStep, Traction, Vector, Weighting,
 };
 use proctor_kernel::simulation::{
     BaseVelocity, EventKind, Options, SetupError, Simulation, StepErrorKind,
@@ -175,6 +175,54 @@ fn a_load_that_the_body_left_behind_is_an_error() {
     }
 }
 
+/// As above where the last particle is removed and the rows are sorted in the same step: the node drops out of use
+/// while it still holds a mass.
+#[test]
+fn a_load_whose_particles_were_removed_is_an_error() {
+    for dimension in DIMENSIONS {
+        let mut scene = empty(dimension, [8, 5, 4], 0.1);
+        scene.materials = vec![material(elastic(1.0, 0.0))];
+        scene.outside = Outside::Remove;
+        scene.bodies = vec![
+            body(1, cuboid([0.1, 0.1, 0.1], [0.2, 0.3, 0.2])),
+            body(2, cuboid([0.7, 0.1, 0.1], [0.8, 0.3, 0.2])),
+        ];
+        // Half a cell per step: sorted in every step.
+        scene.time_step = TimeStep::Fixed {
+            dt: 0.01,
+            allow_unstable: true,
+        };
+        for body in &mut scene.bodies {
+            body.velocity = [5.0, 0.0, 0.0];
+        }
+        let z = if dimension == Dimension::Two {
+            0.0
+        } else {
+            0.1
+        };
+        scene.point_loads = vec![PointLoad {
+            position: [0.8, 0.2, z],
+            force: [0.0, 1.0e-9, 0.0],
+        }];
+        let mut simulation = simulation(&scene);
+        let mut result = Ok(());
+        while simulation.steps() < 8 && result.is_ok() {
+            result = simulation.step(NEVER).map(|_| ());
+        }
+        let error = result.expect_err("the body is gone");
+        assert!(
+            matches!(error.kind, StepErrorKind::LoadOnEmptyNode { .. }),
+            "{error}"
+        );
+        assert_eq!(
+            simulation.sets()[1].len(),
+            0,
+            "body 2 must be gone: {error}"
+        );
+        assert!(error.step <= 6, "found late: {error}");
+    }
+}
+
 #[test]
 fn a_driven_body_pushes_another() {
     for dimension in DIMENSIONS {
@@ -286,7 +334,6 @@ fn a_moving_base_carries_a_body() {
     }
 }
 
-/// A body whose lowest particles lie beside the plane moves with it from the first step.
 #[test]
 fn displacement_is_kept_where_it_is_asked_for() {
     let scene = block(Dimension::Two);

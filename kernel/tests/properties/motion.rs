@@ -12,7 +12,7 @@ const STEP: TimeStep = TimeStep::Fixed {
     allow_unstable: false,
 };
 
-/// x = x_0 + v t + g t²/2: the leapfrog is exact for a constant acceleration, whatever the grid does.
+/// `x = x_0 + v t + g t²/2`: the leapfrog is exact for a constant acceleration, whatever the grid does.
 #[test]
 fn a_free_body_falls_exactly() {
     for (dimension, transfer) in DIMENSIONS

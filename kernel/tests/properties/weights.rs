@@ -137,7 +137,7 @@ fn check_basis(axes: &[Axis], xi: &[f64]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// The technical manual's S_Ip over h for l_p <= h/2, by distance in cells.
+/// The technical manual's `S_Ip` for `l_p <= h/2`, by distance in cells.
 fn manual(distance: f64, l: f64) -> f64 {
     let d = distance.abs();
     if d < l {
