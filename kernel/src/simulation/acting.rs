@@ -1,10 +1,12 @@
 //! What is prescribed in a step: moving planes and driven bodies.
 
 use super::clock::StepInfo;
+use super::error::StepError;
 use super::{BodyRun, Simulation, history_value};
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::particles::{Layout, ParticleSet};
 use crate::scene::PlaneCondition;
+use crate::stage::g2p::FaultKind;
 use crate::stage::solve::{DrivenNode, Wall};
 use crate::weights::{axis_weights_at, base_offset};
 
@@ -87,22 +89,34 @@ impl Simulation {
     }
 
     /// Bodies with a prescribed velocity move by it.
-    pub(super) fn move_driven_bodies(&mut self, info: &StepInfo, mesh_shift: &[f64; 3]) {
+    pub(super) fn move_driven_bodies(
+        &mut self,
+        info: &StepInfo,
+        mesh_shift: &[f64; 3],
+    ) -> Result<(), StepError> {
         let half = self.clock.time + 0.5 * info.dt;
+        let mesh = &self.scene.mesh;
         let mut travel = 0.0_f64;
-        for (set, body) in self.sets.iter_mut().zip(&self.bodies) {
+        let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
+        for (index, (set, body)) in self.sets.iter_mut().zip(&self.bodies).enumerate() {
             let Some(motion) = &body.motion else { continue };
             let v = history_value(motion, half);
             for axis in 0..set.layout.axes {
                 let shift = v[axis] * info.dt - mesh_shift[axis];
-                for x in &mut set.columns[Layout::POSITION + axis] {
+                let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
+                for (p, x) in set.columns[Layout::POSITION + axis].iter_mut().enumerate() {
                     *x += shift;
+                    let inside = (0.0..=extent).contains(x);
+                    if !inside && faults.last().is_none_or(|&(i, ..)| i != index) {
+                        faults.push((index, p, FaultKind::Outside));
+                    }
                 }
                 set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
-                travel = travel.max((shift / self.scene.mesh.cell[axis]).abs());
+                travel = travel.max((shift / mesh.cell[axis]).abs());
             }
         }
         self.travel += travel;
+        self.judge(&faults)
     }
 }
 

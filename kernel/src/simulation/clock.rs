@@ -72,7 +72,7 @@ pub struct StepInfo {
 ///
 /// The second mapping of USF and MUSL keeps light nodes at the edge of a body calm because the particles hardly feel
 /// them; an affine velocity feels them through its gradient and carries them back. GIMP bounds of the first and last
-/// column fall like sqrt(l_p) below four particles per cell: an almost empty node carries w² = c²/(h `l_p`). Linear
+/// column fall like sqrt(`l_p`) below four particles per cell: an almost empty node carries w² = c²/(h `l_p`). Linear
 /// functions have no bound in these columns, because a node that only the edge of a body reaches is as light as one
 /// likes; 0.7 holds where no node is nearly empty.
 ///

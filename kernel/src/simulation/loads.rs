@@ -36,9 +36,16 @@ pub fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupEr
     Ok(merged)
 }
 
-/// Coordinate in cells from the mesh origin.
+/// Coordinate in cells from the mesh origin; a node where it is one to round-off of the coordinates.
 fn cells_from_origin(scene: &Scene, axis: usize, x: f64) -> f64 {
-    (x - scene.mesh.origin[axis]) / scene.mesh.cell[axis]
+    let (origin, h) = (scene.mesh.origin[axis], scene.mesh.cell[axis]);
+    let xi = (x - origin) / h;
+    let round_off = 4.0 * f64::EPSILON * ((x.abs() + origin.abs()) / h + 1.0);
+    if (xi - xi.round()).abs() <= round_off {
+        xi.round()
+    } else {
+        xi
+    }
 }
 
 fn node_at(scene: &Scene, shape: &GridShape, x: &Vector, path: &str) -> Result<usize, SetupError> {
@@ -73,7 +80,7 @@ fn traction(
             cells_from_origin(scene, axis, load.p2[axis]),
         );
         let cells = scene.mesh.cells[axis];
-        if a < -1e-9 || b > cells as f64 + 1e-9 || b < a {
+        if a < 0.0 || b > cells as f64 || b < a {
             return Err(SetupError::Load {
                 path: format!("traction[{i}]"),
                 reason: format!(
@@ -94,7 +101,7 @@ fn traction(
         per_axis.push(
             (0..=cells)
                 .map(|n| (n, factor(n)))
-                .filter(|(_, f)| *f > 1e-12 * scene.mesh.cell[axis])
+                .filter(|(_, f)| *f > 0.0)
                 .collect(),
         );
     }

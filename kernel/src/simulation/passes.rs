@@ -77,8 +77,10 @@ impl Simulation {
             planes.velocities();
             planes.load(forces.loads)?;
             planes.accelerate(&forces);
+            let mut sums = vec![PlaneSums::default(); planes.range.len()];
+            planes.add_power_of_driven(&acting.driven, forces.kick, &mut sums);
             planes.drive(&acting.driven, true);
-            let mut sums = planes.sums_of_reactions(&acting.walls, forces.kick);
+            planes.add_power_of_walls(&acting.walls, forces.kick, &mut sums);
             planes.constrain(&acting.walls, true);
             planes.unfold(&acting.walls, true);
             planes.add_sums(&forces, measure, &mut sums);

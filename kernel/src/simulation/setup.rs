@@ -59,6 +59,12 @@ impl Simulation {
             sets.push(set);
             bodies.push(run);
         }
+        if options.body_force.is_some() && !scene.box_loads.is_empty() {
+            return Err(SetupError::Load {
+                path: "box_load[0]".into(),
+                reason: "a body force is given as a function, which takes its place; accepted: one of them".into(),
+            });
+        }
         for (i, load) in scene.box_loads.iter().enumerate() {
             spread(load, scene, &mut sets).map_err(|reason| SetupError::Load {
                 path: format!("box_load[{i}]"),

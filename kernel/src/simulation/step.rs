@@ -66,7 +66,7 @@ impl Simulation {
                 })?;
             }
         }
-        self.move_driven_bodies(&info, &moved);
+        self.move_driven_bodies(&info, &moved)?;
         self.mesh_shift = std::array::from_fn(|axis| self.mesh_shift[axis] + moved[axis]);
         self.finish(&info, relax.is_some());
         Ok(info)

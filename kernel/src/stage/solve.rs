@@ -294,23 +294,47 @@ impl Planes<'_> {
         }
     }
 
-    /// Sums of the owned planes that hold the power of the reactions of moving walls \[W\], from what the walls
-    /// are about to change. Per plane, so that the total does not depend on who owns it.
-    pub fn sums_of_reactions(&mut self, walls: &[Wall], kick: f64) -> Vec<PlaneSums> {
-        let mut sums = vec![PlaneSums::default(); self.range.len()];
+    /// Adds the power of the reactions of moving walls \[W\], from what the walls are about to change, to the sums
+    /// of the owned planes. Per plane, so that the total does not depend on who owns it.
+    pub fn add_power_of_walls(&mut self, walls: &[Wall], kick: f64, sums: &mut [PlaneSums]) {
         let per_plane = self.shape.plane_nodes();
         for wall in walls.iter().filter(|w| w.after != [0.0; 3] && kick > 0.0) {
             let (_, plane, _) = wall.layers(self.shape);
             self.for_pairs(wall.axis, plane, plane, |nodes, index, _| {
-                let node = &nodes[index];
                 for axis in (0..3).filter(|&axis| wall.prescribes(axis)) {
-                    let dv = wall.after[axis] - wall.before[axis];
-                    sums[index / per_plane].power +=
-                        node[0] * (dv - node[4 + axis]) / kick * wall.after[axis];
+                    sums[index / per_plane].power += power(
+                        &nodes[index],
+                        axis,
+                        wall.before[axis],
+                        wall.after[axis],
+                        kick,
+                    );
                 }
             });
         }
-        sums
+    }
+
+    /// The same for the nodes of driven bodies, where free bodies push against them.
+    pub fn add_power_of_driven(&self, driven: &[DrivenNode], kick: f64, sums: &mut [PlaneSums]) {
+        let first = self.first();
+        let per_plane = self.shape.plane_nodes();
+        let own = owned(driven, |d| d.node, first, self.nodes.len());
+        for (i, d) in own.iter().enumerate() {
+            // Of several driven bodies at a node the last one decides.
+            let decides = own.get(i + 1).is_none_or(|next| next.node != d.node);
+            if kick > 0.0 && decides {
+                let index = d.node - first;
+                for axis in 0..3 {
+                    sums[index / per_plane].power += power(
+                        &self.nodes[index],
+                        axis,
+                        d.before[axis],
+                        d.after[axis],
+                        kick,
+                    );
+                }
+            }
+        }
     }
 
     /// As [`Planes::constrain`] for the remapped velocity of MUSL in the upper lanes.
@@ -475,4 +499,9 @@ fn owned<T>(items: &[T], node: impl Fn(&T) -> usize, first: usize, count: usize)
     let begin = items.partition_point(|item| node(item) < first);
     let end = items.partition_point(|item| node(item) < first + count);
     &items[begin..end]
+}
+
+/// Power along an axis of the force that changes the velocity increment of a node to `after - before`.
+fn power(node: &Line, axis: usize, before: f64, after: f64, kick: f64) -> f64 {
+    node[0] * (after - before - node[4 + axis]) / kick * after
 }

@@ -1,0 +1,10 @@
+//! What simulations do: vibrate, settle, fall, push, break; and what they refuse.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bar;
+mod damping;
+mod dimension;
+mod faults;
+mod loads;

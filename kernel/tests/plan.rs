@@ -1,0 +1,391 @@
+//! The plan's promises: what is left out does not exist and is not called; what does nothing changes no bit and
+//! costs no work.
+
+mod common;
+
+use common::{
+    BLEND, DIMENSIONS, FLIP, NEO_HOOKEAN, SCHEMES, TRANSFERS, WEIGHTINGS, block, body, cuboid,
+    material, options, particles, rough, run,
+};
+use proctor_kernel::particles::Layout;
+use proctor_kernel::plan::{Demands, Entry, Plan};
+use proctor_kernel::scene::{
+    BaseMotion, BoxLoad, Damping, Dimension, Field, History, Motion, PlaneCondition, PointLoad,
+    Results, Scene, Traction, Transfer, TransferKind, Weighting,
+};
+use proctor_kernel::simulation::{Options, Simulation};
+
+/// State after some steps from a rough start.
+fn after(scene: &Scene, add: &Options) -> Simulation {
+    let initial = Some(rough(scene.dimension, 0.5, 1.0e3, 11));
+    let all = Options {
+        initial,
+        ..add.clone()
+    };
+    let mut simulation = Simulation::new(scene, &all).expect("the scene is sound");
+    run(&mut simulation, 25);
+    simulation
+}
+
+/// Columns that every scene has.
+fn bare(axes: usize) -> usize {
+    2 + 2 * axes + if axes == 2 { 4 } else { 6 }
+}
+
+fn entry<'a>(plan: &'a Plan, name: &str) -> &'a Entry {
+    plan.entries
+        .iter()
+        .find(|e| e.name == name)
+        .unwrap_or_else(|| panic!("no entry {name}"))
+}
+
+/// A scene that asks for nothing.
+fn plain(dimension: Dimension) -> Scene {
+    block(dimension)
+}
+
+#[test]
+fn fields_that_are_left_out_do_not_exist() {
+    for dimension in DIMENSIONS {
+        let simulation = common::simulation(&plain(dimension));
+        let set = &simulation.sets()[0];
+        assert_eq!(set.columns.len(), bare(dimension.axes()));
+        assert_eq!(
+            set.layout.bytes_per_particle(),
+            8 * (bare(dimension.axes()) + 1)
+        );
+        for name in [
+            "initial position",
+            "deformation gradient",
+            "half-lengths",
+            "external force",
+        ] {
+            assert!(!entry(simulation.plan(), name).kept, "{name}");
+        }
+    }
+}
+
+#[test]
+fn fields_that_are_kept_are_there_and_filled() {
+    type Choose = fn(&mut Scene);
+    let axes = 3;
+    let cases: [(Choose, &str, usize); 6] = [
+        (
+            |s| s.transfer.kind = TransferKind::Apic,
+            "affine velocity",
+            axes * axes,
+        ),
+        (
+            |s| s.materials = vec![material(NEO_HOOKEAN)],
+            "deformation gradient",
+            axes * axes,
+        ),
+        (
+            |s| {
+                s.weighting =
+                    Weighting::ContiguousGimp(proctor_kernel::scene::DomainUpdate::Stretch);
+            },
+            "half-lengths",
+            axes * axes + 2 * axes,
+        ),
+        (
+            |s| {
+                s.box_loads = vec![BoxLoad {
+                    p1: [0.0; 3],
+                    p2: [1.0; 3],
+                    force: [1.0; 3],
+                }];
+            },
+            "external force",
+            axes,
+        ),
+        (
+            |s| {
+                s.results = Results {
+                    print: 1,
+                    fields: vec![Field::Displacement],
+                    checkpoint: false,
+                };
+            },
+            "initial position",
+            axes,
+        ),
+        (
+            |s| {
+                s.results = Results {
+                    print: 1,
+                    fields: vec![Field::DeformationGradient],
+                    checkpoint: false,
+                };
+            },
+            "deformation gradient",
+            axes * axes,
+        ),
+    ];
+    for (choose, name, columns) in cases {
+        let mut scene = plain(Dimension::Three);
+        choose(&mut scene);
+        let mut simulation = common::simulation(&scene);
+        assert!(entry(simulation.plan(), name).kept, "{name}");
+        let set = &simulation.sets()[0];
+        assert_eq!(set.columns.len(), bare(axes) + columns, "{name}");
+        assert!(
+            set.columns.iter().all(|column| column.len() == set.len()),
+            "{name}"
+        );
+        run(&mut simulation, 1);
+    }
+}
+
+/// Whether a stage is called is seen by what it would change: every stage of the plan, where it is kept, makes the
+/// same start end otherwise, and [`features_that_do_nothing_change_no_bit`] shows that it does not where it is left
+/// out.
+#[test]
+fn stages_that_are_kept_act() {
+    type Choose = fn(&mut Scene);
+    let cases: [(Choose, &str); 11] = [
+        (|s| s.gravity = [0.0, -10.0, 0.0], "gravity"),
+        (|s| s.transfer = BLEND, "PIC blend"),
+        (|s| s.transfer.kind = TransferKind::Tpic, "affine velocity"),
+        (
+            |s| s.damping = Damping::Local { alpha: 0.1 },
+            "local damping",
+        ),
+        (
+            |s| s.damping = Damping::Viscous { alpha: 0.1 },
+            "viscous damping",
+        ),
+        (|s| s.damping = Damping::Kinetic, "kinetic damping"),
+        (|s| s.mesh.planes[0][0] = PlaneCondition::Fixed, "plane X0"),
+        (
+            |s| s.mesh.planes[1][1] = PlaneCondition::Sliding,
+            "plane Yn",
+        ),
+        (
+            |s| {
+                s.point_loads = vec![PointLoad {
+                    position: [0.4, 0.4, 0.4],
+                    force: [1.0, 0.0, 0.0],
+                }];
+            },
+            "nodal loads",
+        ),
+        (
+            |s| {
+                s.base_motion = Some(BaseMotion {
+                    axis: 0,
+                    side: 0,
+                    motion: Motion::Velocity(History {
+                        times: vec![0.0],
+                        values: vec![[0.2, 0.0, 0.0]],
+                    }),
+                });
+            },
+            "base motion",
+        ),
+        (
+            |s| s.scheme = proctor_kernel::scene::StressScheme::Musl,
+            "second mapping of momentum",
+        ),
+    ];
+    // The body fills the mesh, so that planes act.
+    let mut scene = common::empty(Dimension::Two, [6, 5, 1], 0.1);
+    scene.bodies = vec![body(1, cuboid([0.0; 3], [0.6, 0.5, 0.0]))];
+    let without = after(&scene, &options());
+    for (choose, name) in cases {
+        let mut with = scene.clone();
+        choose(&mut with);
+        let with = after(&with, &options());
+        assert!(
+            entry(with.plan(), name).kept && !entry(without.plan(), name).kept,
+            "{name}"
+        );
+        assert_ne!(
+            particles(&with).iter().map(|p| p.1).collect::<Vec<_>>(),
+            particles(&without).iter().map(|p| p.1).collect::<Vec<_>>(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn features_that_do_nothing_change_no_bit() {
+    type Choose = fn(&mut Scene);
+    let cases: [(Choose, &str); 9] = [
+        (
+            |s| s.damping = Damping::Local { alpha: 0.0 },
+            "local damping",
+        ),
+        (
+            |s| s.damping = Damping::Viscous { alpha: 0.0 },
+            "viscous damping",
+        ),
+        (|s| s.gravity = [0.0, -0.0, 0.0], "gravity"),
+        (|s| s.transfer.pic_fraction = 0.0, "PIC blend"),
+        (|s| s.point_loads = vec![], "nodal loads"),
+        (|s| s.tractions = vec![], "nodal loads"),
+        (|s| s.box_loads = vec![], "external force"),
+        (
+            |s| s.materials.push(material(NEO_HOOKEAN)),
+            "deformation gradient",
+        ),
+        (
+            |s| s.results.fields = vec![Field::DeformationGradient],
+            "deformation gradient",
+        ),
+    ];
+    for dimension in DIMENSIONS {
+        for weighting in [Weighting::UniformGimp, Weighting::QuadraticBSpline] {
+            for scheme in SCHEMES {
+                let mut scene = plain(dimension);
+                (scene.weighting, scene.scheme) = (weighting, scheme);
+                let without = after(&scene, &options());
+                for (choose, name) in cases {
+                    let mut with = scene.clone();
+                    choose(&mut with);
+                    let with = after(&with, &options());
+                    assert_eq!(
+                        with.state_hash(),
+                        without.state_hash(),
+                        "{name} {weighting:?} {scheme:?}"
+                    );
+                    // Work: the same columns and the same decisions leave nothing that could cost.
+                    assert_eq!(with.plan(), without.plan(), "{name}");
+                    assert!(!entry(with.plan(), name).kept, "{name}");
+                }
+            }
+        }
+    }
+}
+
+/// These are carried along, so columns and decisions differ; positions, velocities and stresses may not, bit for
+/// bit.
+#[test]
+fn features_that_only_watch_change_no_bit() {
+    type Choose = fn(&mut Scene, &mut Options);
+    let cases: [(Choose, &str); 8] = [
+        (|_, o| o.measure = true, "measurement"),
+        (|_, o| o.displacement = true, "displacement"),
+        (
+            |s, _| {
+                s.results = Results {
+                    print: 3,
+                    fields: vec![Field::DeformationGradient, Field::Displacement],
+                    checkpoint: true,
+                };
+            },
+            "a written deformation gradient",
+        ),
+        (
+            |s, _| {
+                s.box_loads = vec![BoxLoad {
+                    p1: [0.0; 3],
+                    p2: [1.0; 3],
+                    force: [0.0; 3],
+                }];
+            },
+            "a box load of zero",
+        ),
+        (
+            |_, o| o.body_force = Some(std::sync::Arc::new(|_, _, _| [0.0; 3])),
+            "a body force of zero",
+        ),
+        (
+            |s, _| {
+                s.point_loads = vec![PointLoad {
+                    position: [0.4, 0.4, 0.4],
+                    force: [0.0; 3],
+                }];
+            },
+            "a nodal load of zero",
+        ),
+        (
+            |s, _| {
+                let p2 = [
+                    0.5,
+                    0.4,
+                    if s.dimension == Dimension::Two {
+                        0.0
+                    } else {
+                        0.5
+                    },
+                ];
+                let p1 = [
+                    0.3,
+                    0.4,
+                    if s.dimension == Dimension::Two {
+                        0.0
+                    } else {
+                        0.3
+                    },
+                ];
+                s.tractions = vec![Traction {
+                    p1,
+                    p2,
+                    traction: [0.0; 3],
+                }];
+            },
+            "a traction of zero",
+        ),
+        (
+            |s, _| s.mesh.planes[0][0] = PlaneCondition::Fixed,
+            "a plane that the body never reaches",
+        ),
+    ];
+    for dimension in DIMENSIONS {
+        for weighting in WEIGHTINGS {
+            for transfer in [FLIP, TRANSFERS[2]] {
+                for scheme in SCHEMES {
+                    let mut scene = plain(dimension);
+                    (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, transfer);
+                    common::calm(&mut scene);
+                    let without = particles(&after(&scene, &options()));
+                    for (choose, name) in cases {
+                        let (mut with, mut all) = (scene.clone(), options());
+                        choose(&mut with, &mut all);
+                        let with = particles(&after(&with, &all));
+                        assert_eq!(
+                            with, without,
+                            "{name} {weighting:?} {scheme:?} {transfer:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Every decision has a reason, and affine columns belong to the transfer alone.
+#[test]
+fn the_plan_says_why() {
+    let scene = plain(Dimension::Two);
+    let plan = Plan::new(&scene, Demands::default());
+    assert_eq!(
+        plan.layouts,
+        vec![Layout::new(
+            2,
+            proctor_kernel::particles::Optional::default()
+        )]
+    );
+    for entry in &plan.entries {
+        assert!(!entry.because.is_empty(), "{entry:?}");
+    }
+    let text = plan.to_string();
+    let (kept, left_out) = text.split_once("left out").expect("two lists");
+    assert!(
+        kept.contains("uGIMP") && left_out.contains("because it is zero"),
+        "{text}"
+    );
+    let with = Transfer {
+        kind: TransferKind::Apic,
+        pic_fraction: 1.0,
+    };
+    let plan = Plan::new(
+        &Scene {
+            transfer: with,
+            ..scene
+        },
+        Demands::default(),
+    );
+    assert!(plan.layouts[0].affine.is_some() && plan.full_mapping);
+}

@@ -1,0 +1,12 @@
+//! What holds for every scene, whatever the weighting function, the scheme and the dimension.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bits;
+mod conservation;
+mod mapping;
+mod motion;
+mod scaling;
+mod symmetry;
+mod weights;
