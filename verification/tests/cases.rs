@@ -1,6 +1,8 @@
 //! The cases, quick: they solve, their gates hold, and a wrong reference breaks the gates. The modules mirror
 //! `src/cases`.
 
+#[path = "cases/base_acceleration.rs"]
+mod base_acceleration;
 #[path = "cases/boussinesq.rs"]
 mod boussinesq;
 

@@ -102,14 +102,14 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
             scene.point_loads = vec![PointLoad {
                 position: [MIDDLE, MIDDLE, SIDE],
                 force: [0.0, 0.0, -QUARTER_LOAD],
-            }]
+            }];
         }
         Loading::Patch => {
             scene.tractions = vec![Traction {
                 p1: [MIDDLE, MIDDLE, SIDE],
                 p2: [MIDDLE + 0.5 * PATCH, MIDDLE + 0.5 * PATCH, SIDE],
                 traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)],
-            }]
+            }];
         }
     }
     scene

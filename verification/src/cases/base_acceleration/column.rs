@@ -1,0 +1,280 @@
+//! The column between rollers on a base that shakes along its axis: scene, run, comparison with the images.
+
+use std::f64::consts::PI;
+
+use proctor_kernel::scene::{
+    BaseMotion, Body, Dimension, History, Law, Material, Mesh, Motion, ObjectiveRate,
+    PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
+};
+use proctor_kernel::simulation::Simulation;
+
+use crate::case::{Curve, CurvePoint};
+use crate::convergence::relative_l2;
+use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
+
+/// Height of the column \[m\].
+const HEIGHT: f64 = 1.0;
+/// Young's modulus \[Pa\] of the manual's input file.
+const YOUNG: f64 = 10e6;
+/// Poisson's ratio.
+const POISSON: f64 = 0.25;
+/// Density \[kg/m³\].
+const DENSITY: f64 = 2500.0;
+/// End of the comparison \[s\].
+pub const END: f64 = 0.2;
+/// Cells across the column. The answer does not vary across it.
+const WIDTH: usize = 2;
+/// Empty cells above the column.
+const AIR: usize = 2;
+/// Interval of the record \[s\]; linear between rows, it is off by (2 pi f interval)²/8 = 4e-7 at 15 Hz.
+const INTERVAL: f64 = 2e-5;
+/// Number of times, about, at which velocities are compared.
+const SAMPLES: u64 = 400;
+
+/// How the base moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shaking {
+    /// The manual's sine; its acceleration jumps at the start.
+    Sine(SineRecord),
+    /// A sine cubed, smooth at the start.
+    Smooth(CubedSine),
+}
+
+impl Shaking {
+    fn acceleration(&self, t: f64) -> f64 {
+        match self {
+            Self::Sine(motion) => motion.acceleration(t),
+            Self::Smooth(motion) => motion.acceleration(t),
+        }
+    }
+
+    fn velocity(&self, t: f64) -> f64 {
+        match self {
+            Self::Sine(motion) => motion.velocity(t),
+            Self::Smooth(motion) => motion.velocity(t),
+        }
+    }
+
+    fn amplitude(&self) -> f64 {
+        match self {
+            Self::Sine(motion) => motion.amplitude,
+            Self::Smooth(motion) => motion.amplitude,
+        }
+    }
+}
+
+/// A column to be run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Column {
+    /// Two (plane strain) or three dimensions; the answer is the same.
+    pub dimension: Dimension,
+    /// Cell size h \[m\].
+    pub cell: f64,
+    /// Motion of the base.
+    pub shaking: Shaking,
+    /// `c dt / h`.
+    pub courant: f64,
+    /// Transfer and stress scheme.
+    pub method: (TransferKind, StressScheme),
+}
+
+/// A column and its exact response.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Response {
+    /// Velocity of the top at [`END`] over the amplitude of the base, extrapolated from particles and exact.
+    pub top: [f64; 2],
+    /// The same for the mean of the uppermost particles, at their own height.
+    pub uppermost: [f64; 2],
+    /// Relative L2 error of the velocity over column and time.
+    pub l2: Option<f64>,
+    /// Velocity over height at [`END`], over the amplitude.
+    pub curve: Curve,
+}
+
+impl Column {
+    /// The manual's sine at 15 Hz, close enough to the first resonance (17.3 Hz) to amplify 4.8 times.
+    pub fn sine(amplitude: f64) -> Shaking {
+        Shaking::Sine(SineRecord {
+            amplitude,
+            frequency: 15.0,
+            phase: PI,
+        })
+    }
+
+    /// A smooth start. Its two frequencies, 10 and 30 Hz, keep clear of the resonances 17.3 and 52 Hz.
+    pub fn smooth(amplitude: f64) -> Shaking {
+        Shaking::Smooth(CubedSine {
+            amplitude,
+            frequency: 10.0,
+        })
+    }
+
+    /// Wave speed under confined compression \[m/s\], for the stiffness times `factor`.
+    fn wave_speed(factor: f64) -> f64 {
+        let confined = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
+        (factor * confined / DENSITY).sqrt()
+    }
+
+    /// Axis of the column: the last one.
+    fn axis(&self) -> usize {
+        self.dimension.axes() - 1
+    }
+
+    /// Constant time step \[s\] with which a velocity, half a step before the positions, falls on [`END`].
+    fn time_step(&self) -> (f64, u64) {
+        let most = self.courant * self.cell / Self::wave_speed(1.0);
+        let steps = (END / most + 0.5).ceil();
+        (END / (steps - 0.5), steps as u64)
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> Scene {
+        let (h, axis) = (self.cell, self.axis());
+        let cells = (HEIGHT / h).round() as usize;
+        let mut number = [WIDTH; 3];
+        number[axis] = cells + AIR;
+        let mut mesh = Mesh::new(self.dimension, [0.0; 3], [h; 3], number);
+        mesh.planes[axis][1] = PlaneCondition::Free;
+        let (dt, steps) = self.time_step();
+        let mut scene = Scene::new(self.dimension, mesh, steps as f64 * dt);
+        scene.name = String::from("shaken_column");
+        scene.transfer = Transfer::new(self.method.0);
+        scene.scheme = self.method.1;
+        scene.time_step = TimeStep::Fixed {
+            dt,
+            allow_unstable: false,
+        };
+        scene.results = Results {
+            print: 0,
+            fields: vec![],
+            checkpoint: false,
+        };
+        scene.materials = vec![Material {
+            name: "elastic".to_owned(),
+            id: 1,
+            density: DENSITY,
+            law: Law::LinearElastic {
+                young: YOUNG,
+                poisson: POISSON,
+                rate: ObjectiveRate::HughesWinget,
+            },
+        }];
+        let mut upper = [WIDTH as f64 * h; 3];
+        upper[axis] = HEIGHT;
+        let mut particles_per_cell = [2; 3];
+        if self.dimension == Dimension::Two {
+            (upper[2], particles_per_cell[2]) = (0.0, 1);
+        }
+        scene.bodies = vec![Body {
+            name: "column".to_owned(),
+            id: 1,
+            material: 0,
+            shape: Shape::Cuboid {
+                p1: [0.0; 3],
+                p2: upper,
+            },
+            particles_per_cell,
+            velocity: [0.0; 3],
+            motion: None,
+        }];
+        let rows = (scene.time / INTERVAL).ceil() as usize + 1;
+        let times: Vec<f64> = (0..=rows).map(|row| row as f64 * INTERVAL).collect();
+        let values = times
+            .iter()
+            .map(|&t| {
+                let mut a = [0.0; 3];
+                a[axis] = self.shaking.acceleration(t);
+                a
+            })
+            .collect();
+        let motion = Motion::Acceleration(History { times, values });
+        scene.base_motion = Some(BaseMotion {
+            axis,
+            side: 0,
+            motion,
+        });
+        scene
+    }
+
+    /// Runs to [`END`] and compares with the exact response of a column whose stiffness is `stiffness` times that
+    /// of the scene (1 for the right reference).
+    ///
+    /// # Errors
+    /// Why a step failed, in words.
+    pub fn run(
+        &self,
+        simulation: &mut Simulation,
+        stiffness: f64,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Response, String> {
+        let (_, steps) = self.time_step();
+        let every = (steps / SAMPLES).max(1);
+        let exact = BaseColumn {
+            height: HEIGHT,
+            wave_speed: Self::wave_speed(stiffness),
+            density: DENSITY,
+        };
+        let at = |z: f64, t: f64| exact.velocity(z, t, |t| self.shaking.velocity(t));
+        let mut samples = vec![];
+        while simulation.steps() < steps {
+            simulation
+                .step(simulation.scene().time)
+                .map_err(|e| e.to_string())?;
+            if (steps - simulation.steps()).is_multiple_of(every) {
+                let t = simulation.velocity_time();
+                for [z, v, volume] in self.particles(simulation)? {
+                    samples.push((volume, [v], [at(z, t)]));
+                }
+                progress(simulation.steps() as f64 / steps as f64);
+            }
+        }
+        let t = simulation.velocity_time();
+        let layer = |depth: f64| -> Result<f64, String> {
+            let (mut count, mut sum) = (0.0, 0.0);
+            for [z, v, _] in self.particles(simulation)? {
+                if (HEIGHT - z - depth).abs() < 0.1 * self.cell {
+                    count += 1.0;
+                    sum += v;
+                }
+            }
+            Ok(sum / count)
+        };
+        let (first, second) = (layer(0.25 * self.cell)?, layer(0.75 * self.cell)?);
+        let a = self.shaking.amplitude();
+        let mut points: Vec<CurvePoint> = self
+            .particles(simulation)?
+            .into_iter()
+            .map(|[z, v, _]| CurvePoint {
+                at: z,
+                computed: v / a,
+                exact: at(z, t) / a,
+            })
+            .collect();
+        points.sort_by(|p, q| p.at.total_cmp(&q.at));
+        points.dedup_by(|p, q| (p.at - q.at).abs() < 0.1 * self.cell);
+        Ok(Response {
+            // The stress at the top is zero, so v = v(H) - b (H - z)², and the particles are h/4 and 3h/4 below.
+            top: [(first + (first - second) / 8.0) / a, at(HEIGHT, t) / a],
+            uppermost: [first / a, at(HEIGHT - 0.25 * self.cell, t) / a],
+            l2: relative_l2(samples),
+            curve: Curve {
+                title: format!("velocity over the column at {END} s, h = {} m", self.cell),
+                abscissa: "z (m)",
+                ordinate: "v / A",
+                points,
+            },
+        })
+    }
+
+    /// Initial height (m), velocity along the column (m/s) and volume (m³) of the particles.
+    fn particles(&self, simulation: &Simulation) -> Result<Vec<[f64; 3]>, String> {
+        let (set, axis) = (&simulation.sets()[0], self.axis());
+        (0..set.len())
+            .map(|p| {
+                let z = simulation.initial_position(0, p)?[axis];
+                Some([z, set.velocity(p)[axis], simulation.mass_and_volume(0, p).1])
+            })
+            .collect::<Option<_>>()
+            .ok_or_else(|| "the simulation kept no initial positions".to_owned())
+    }
+}
