@@ -16,8 +16,10 @@ fn a_misspelt_key_is_named_with_its_place_and_the_nearest_key() {
     let place = message
         .strip_prefix(&format!("{scene}:"))
         .and_then(|rest| rest.split_once(": "))
-        .map(|(place, _)| place.to_owned())
-        .unwrap_or_else(|| panic!("no place in {message}"));
+        .map_or_else(
+            || panic!("no place in {message}"),
+            |(place, _)| place.to_owned(),
+        );
     let numbers: Vec<&str> = place.split(':').collect();
     assert!(
         numbers.len() == 2 && numbers.iter().all(|n| n.parse::<u32>().is_ok()),
