@@ -9,12 +9,15 @@ use proctor_verification::case::{self, Size};
 use std::io::Write;
 
 const WHERE_TO_GO: &str = "\
-Where to go from here
-  proctor verify                                    the full ladders, observed orders, why each bound
-  proctor run fixtures/scenes/disc_bounce_2d.json --out out    a scene; open out/particles.pvd in ParaView
-  proctor plan fixtures/scenes/manual/boussinesq.json          what a scene needs, and what is left out
-  proctor -h                                        everything else
-  (from a checkout: `cargo run --release -- verify`, and so on)";
+Where to go from here (in a checkout, `cargo run --release --` stands for `proctor`)
+  proctor verify
+      the full ladders with observed orders, and why each bound
+  proctor run fixtures/scenes/disc_bounce_2d.json --out out
+      a scene; open out/particles.pvd in ParaView
+  proctor plan fixtures/scenes/manual/boussinesq.json
+      what a scene needs, and what is left out
+  proctor -h
+      everything else";
 
 /// The suites in short, error and run time side by side, then the speed.
 pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
@@ -59,7 +62,7 @@ fn show_speeds(speeds: &[Speed], out: &mut dyn Write) -> Result<(), Failure> {
     };
     writeln!(
         out,
-        "speed: a block of {} particles, uGIMP, USL, 3D, {} lanes; ns per particle and step, best of 3\n",
+        "speed: {} particles, 3D, uGIMP, USL, {} lanes; ns per particle and step, best of 3\n",
         grouped(first.particles as u64),
         first.lanes
     )?;

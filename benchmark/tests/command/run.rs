@@ -1,0 +1,223 @@
+//! What a run leaves behind, however it ends.
+
+use crate::support::{
+    Desk, code, column, command, fixture, flying_block, leaving_block, methods, proctor, stderr,
+    stdout,
+};
+use serde_json::{Value, json};
+use std::fs;
+use std::time::{Duration, Instant};
+
+#[test]
+fn a_run_writes_frames_history_and_summary() {
+    let desk = Desk::new();
+    let scene = desk.scene("scene.json", &flying_block());
+    let output = desk.run(&scene, "out", &[]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    for name in [
+        "particles.pvd",
+        "particles_000008.vtu",
+        "history.csv",
+        "checkpoint.bin",
+    ] {
+        assert!(desk.path("out").join(name).is_file(), "{name}");
+    }
+    let summary = desk.summary("out");
+    assert_eq!(summary["status"], "finished");
+    assert_eq!(summary["steps"], 200);
+    for key in ["wall_seconds", "cpu_seconds", "ns_per_particle_step"] {
+        assert!(
+            summary[key].as_f64().is_some_and(|x| x >= 0.0),
+            "{key}: {summary}"
+        );
+    }
+    let hash = summary["state_hash"].as_str().expect("a text");
+    assert!(stdout(&output).contains(hash));
+}
+
+#[test]
+fn without_a_folder_nothing_is_written() {
+    let desk = Desk::new();
+    let scene = desk.scene("scene.json", &flying_block());
+    let output = command(&["run", &scene])
+        .current_dir(desk.path(""))
+        .output()
+        .expect("starts");
+    assert_eq!(code(&output), 0);
+    assert!(stdout(&output).contains("finished"));
+    assert_eq!(fs::read_dir(desk.path("")).expect("a folder").count(), 1);
+}
+
+#[test]
+fn a_particle_that_leaves_stops_the_run_and_the_last_good_frame_stays() {
+    let desk = Desk::new();
+    let scene = desk.scene("scene.json", &leaving_block());
+    let output = desk.run(&scene, "out", &[]);
+    assert_eq!(code(&output), 1);
+    let message = stderr(&output);
+    for word in ["particle", "m left the mesh", "step", "time"] {
+        assert!(message.contains(word), "{word}: {message}");
+    }
+    let summary = desk.summary("out");
+    assert_eq!(summary["status"], "failed");
+    let error = summary["error"].as_str().expect("a reason");
+    assert!(message.contains(error), "{message} {error}");
+    // It leaves after 0.26 s: the frame of 0.25 s is there and whole, that of 0.30 s is not.
+    let last = fs::read(desk.path("out").join("particles_000005.vtu")).expect("a frame");
+    assert!(last.ends_with(b"</VTKFile>\n"));
+    assert!(!desk.path("out").join("particles_000006.vtu").exists());
+    assert!(desk.path("out").join("checkpoint.bin").is_file());
+}
+
+#[test]
+fn a_particle_that_may_leave_is_recorded_with_its_mass() {
+    let desk = Desk::new();
+    let mut scene = leaving_block();
+    scene["outside"] = json!("remove");
+    let output = desk.run(&desk.scene("scene.json", &scene), "out", &[]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let summary = desk.summary("out");
+    let events = summary["events"].as_array().expect("events");
+    assert!(!events.is_empty());
+    let removed: f64 = events
+        .iter()
+        .map(|event| {
+            assert_eq!(event["kind"], "particle_removed");
+            event["mass"].as_f64().expect("a mass")
+        })
+        .sum();
+    let left = summary["mass"].as_f64().expect("a mass");
+    assert!((removed + left - 120.0).abs() < 1e-10, "{removed} + {left}");
+    assert!(stdout(&output).contains("was removed"));
+}
+
+#[test]
+fn the_result_does_not_depend_on_threads_and_lanes() {
+    let desk = Desk::new();
+    for method in methods() {
+        let scene = desk.scene("scene.json", &column(&method));
+        let hash = |more: &[&str]| {
+            let mut arguments = vec!["run", scene.as_str()];
+            arguments.extend(more);
+            let output = proctor(&arguments);
+            if code(&output) == 2 && stderr(&output).contains("this machine has no") {
+                return None;
+            }
+            assert_eq!(code(&output), 0, "{}", stderr(&output));
+            let text = stdout(&output);
+            let line = text.lines().find(|line| line.starts_with("state hash"));
+            Some(line.expect("a hash").to_owned())
+        };
+        let one = hash(&["--threads", "1"]);
+        assert!(one.is_some());
+        for threads in ["2", "3", "5"] {
+            assert_eq!(
+                hash(&["--threads", threads]),
+                one,
+                "{threads} threads, {method}"
+            );
+        }
+        for lanes in ["scalar", "avx2", "avx512"] {
+            let found = hash(&["--lanes", lanes, "--threads", "2"]);
+            assert!(found.is_none() || found == one, "{lanes}, {method}");
+            assert!(lanes != "scalar" || found.is_some());
+        }
+    }
+}
+
+/// A scene that would run for minutes.
+fn endless() -> Value {
+    let mut scene = column(&json!({}));
+    scene["time"] = json!(4000.0);
+    scene["results"]["print"] = json!(1_000_000);
+    scene
+}
+
+/// Waits until a file is there.
+fn wait_for(path: &std::path::Path) {
+    let start = Instant::now();
+    while !path.exists() {
+        assert!(
+            start.elapsed() < Duration::from_secs(30),
+            "{} never came",
+            path.display()
+        );
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[test]
+fn a_killed_run_leaves_no_half_file() {
+    let desk = Desk::new();
+    let scene = desk.scene("scene.json", &endless());
+    for wait in [0, 7, 23] {
+        let out = desk.path(&format!("out{wait}"));
+        let mut child = command(&["run", &scene, "--out", &out.display().to_string()])
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .expect("starts");
+        wait_for(&out.join("particles_000003.vtu"));
+        std::thread::sleep(Duration::from_millis(wait));
+        child.kill().expect("killed");
+        child.wait().expect("ended");
+        for entry in fs::read_dir(&out).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let name = path
+                .file_name()
+                .and_then(|n| n.to_str())
+                .expect("a name")
+                .to_owned();
+            let bytes = fs::read(&path).expect("read");
+            let kind = path.extension().and_then(|e| e.to_str());
+            if matches!(kind, Some("vtu" | "pvd")) {
+                assert!(bytes.ends_with(b"</VTKFile>\n"), "{name} is half");
+            } else {
+                // A temporary is no result; the next run into the folder removes it.
+                assert!(
+                    ["history.csv", "checkpoint.bin"].contains(&name.as_str())
+                        || name.starts_with(".proctor-"),
+                    "{name}"
+                );
+            }
+        }
+        // The checkpoint is whole: a run whose end lies before it goes on from it, and is over at once.
+        let checkpoint = out.join("checkpoint.bin").display().to_string();
+        let mut over = endless();
+        over["time"] = json!(0.001);
+        let over = desk.scene("over.json", &over);
+        let output = proctor(&["run", &over, "--restart", &checkpoint]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_says_so() {
+    let desk = Desk::new();
+    let scene = desk.scene("scene.json", &endless());
+    let out = desk.path("out");
+    let child = command(&["run", &scene, "--out", &out.display().to_string()])
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("starts");
+    wait_for(&out.join("particles_000001.vtu"));
+    let id = child.id().to_string();
+    let killed = std::process::Command::new("kill")
+        .args(["-INT", &id])
+        .status();
+    assert!(killed.expect("kill runs").success());
+    let output = child.wait_with_output().expect("ended");
+    assert_eq!(code(&output), 130);
+    assert_eq!(desk.summary("out")["status"], "interrupted");
+}
+
+#[test]
+fn the_manual_box_runs_as_printed() {
+    let desk = Desk::new();
+    let scene = fixture("fixtures/scenes/manual/boussinesq.json");
+    let output = desk.run(&scene, "out", &[]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let summary = desk.summary("out");
+    assert_eq!(summary["particles"], 8000);
+    assert_eq!(summary["time"], 0.025);
+}

@@ -1,0 +1,59 @@
+//! `proctor verify`.
+
+use crate::support::{Desk, code, proctor, stderr, stdout};
+use serde_json::Value;
+
+#[test]
+fn an_unknown_case_is_bad_input_with_the_nearest_name() {
+    let output = proctor(&["verify", "businesq"]);
+    assert_eq!(code(&output), 2);
+    let message = stderr(&output);
+    assert!(message.contains("did you mean `boussinesq`?"), "{message}");
+    assert!(message.contains("accepted: "), "{message}");
+}
+
+#[test]
+fn a_record_that_cannot_be_written_is_found_before_the_work() {
+    let desk = Desk::new();
+    let record = desk.name("no/such/folder/record.json");
+    let output = proctor(&["verify", "--quick", "--json", &record]);
+    assert_eq!(code(&output), 2);
+    assert_eq!(stdout(&output), "");
+}
+
+#[test]
+fn a_quick_ladder_passes_and_leaves_a_record() {
+    let desk = Desk::new();
+    let record = desk.name("record.json");
+    let output = proctor(&["verify", "boussinesq", "--quick", "--json", &record]);
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    let text = stdout(&output);
+    for word in [
+        "PASS",
+        "relative error of",
+        "observed orders",
+        "wall",
+        "CPU",
+    ] {
+        assert!(text.contains(word), "{word}: {text}");
+    }
+    let text = std::fs::read_to_string(record).expect("a record");
+    let record: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(record["context"]["schema_version"], 1);
+    let rows = record["benchmarks"].as_array().expect("rows");
+    assert!(rows.len() >= 3);
+    for row in rows {
+        for (key, value) in row.as_object().expect("an object") {
+            assert!(
+                !value.is_null() && !value.is_object() && !value.is_array(),
+                "{key}"
+            );
+        }
+    }
+    assert!(rows[0]["real_time"].as_f64().is_some_and(|t| t > 0.0));
+    assert!(
+        rows[0]
+            .as_object()
+            .is_some_and(|row| row.keys().any(|k| k.starts_with("error_")))
+    );
+}
