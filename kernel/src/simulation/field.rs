@@ -32,7 +32,7 @@ impl Field {
     #[must_use]
     pub fn new(shape: GridShape) -> Self {
         let nodes = Nodes::new(shape.nodes.iter().product());
-        let slabs = vec![0..shape.nodes[0]];
+        let slabs = std::iter::once(0..shape.nodes[0]).collect();
         Self {
             nodes,
             rows: ActiveRows::default(),

@@ -209,6 +209,8 @@ impl<const N: usize> Scratch<N> {
         }
     }
 
+    // One call site; a struct of the eight would only be taken apart again.
+    #[allow(clippy::too_many_arguments)]
     #[inline(always)]
     fn fill_lines<const D: usize, const FULL: bool>(
         &mut self,

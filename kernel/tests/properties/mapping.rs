@@ -99,7 +99,7 @@ fn check(
             layout: &set.layout,
             mapping: &mapping,
             layers: (0..layers)
-                .map(|layer| set.in_layers(layer..layer + 1))
+                .map(|layer| (set.in_layers(layer..layer + 1), true))
                 .collect(),
             planes: 0..shape.nodes[0],
             nodes: nodes.lines_mut(),

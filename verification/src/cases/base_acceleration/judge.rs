@@ -19,7 +19,7 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
     for (variant, title) in [
         (
             "p-wave",
-            "base-acceleration, sine of 15 Hz, APIC, MUSL, c dt/h = 0.9",
+            "base-acceleration, sine of 15 Hz, APIC, MUSL, c dt/h = 0.6",
         ),
         (
             "smooth",
@@ -82,10 +82,7 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
     }
     for (variant, what) in [
         ("flip", "FLIP with USL, c dt/h = 0.1"),
-        (
-            "finite",
-            "the base shaken with 0.3 m/s through the fixed mesh",
-        ),
+        ("linear", "the base shaken with 3e-4 m/s, scaled to 0.3 m/s"),
     ] {
         if let Some(s) = find(&format!("{variant} {JUDGED}")) {
             verdict.for_the_record.push(format!(
