@@ -41,6 +41,8 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
             clock.step,
             simulation.stencil as u64,
             simulation.relaxation.peaks,
+            simulation.groups.sorted as u64,
+            simulation.groups.superfluous as u64,
         ],
     );
     checkpoint.push::<f64>(
