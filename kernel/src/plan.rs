@@ -322,7 +322,14 @@ impl Plan {
         list.keep(
             "time step",
             "wave speed and particle speed",
-            "dt <= C min(h)/(c + |v|), C of the stress scheme and the weighting function",
+            if scene.weighting == Weighting::Linear
+                && (scene.scheme == StressScheme::Usl || self.affine != Affine::Leave)
+            {
+                "dt <= 0.7 min(h)/(c + |v|), which holds only while no node is nearly empty: linear functions \
+                 have no safe step with USL or an affine transfer"
+            } else {
+                "dt <= C min(h)/(c + |v|), C of the stress scheme, the weighting function and the transfer"
+            },
         );
         list.choose(
             "output",

@@ -116,6 +116,19 @@ pub enum LaneChoice {
     Scalar,
 }
 
+impl LaneChoice {
+    /// The word of the command line.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Avx512 => "avx512",
+            Self::Avx2 => "avx2",
+            Self::Scalar => "scalar",
+        }
+    }
+}
+
 /// A backend that this machine has been seen to support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Selected(Kind);
@@ -138,10 +151,14 @@ pub struct LanesUnavailable(pub LaneChoice);
 
 impl fmt::Display for LanesUnavailable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "this machine has no {:?} lanes; accepted here:", self.0)?;
+        write!(
+            f,
+            "this machine has no {} lanes; accepted here:",
+            self.0.word()
+        )?;
         for choice in [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar] {
             if Selected::new(choice).is_ok() {
-                write!(f, " {choice:?}")?;
+                write!(f, " {}", choice.word())?;
             }
         }
         Ok(())

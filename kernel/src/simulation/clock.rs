@@ -183,8 +183,8 @@ impl Simulation {
         } else {
             let remaining = stop - clock.time;
             let steps = (remaining / most * (1.0 - 1e-12)).ceil().max(1.0);
-            // A stop so far away that it cannot be counted in steps is no stop.
-            let dt = if steps.is_finite() {
+            // A stop so far away that it cannot be counted in steps, or that is past, is no stop.
+            let dt = if steps.is_finite() && remaining > 0.0 {
                 remaining / steps
             } else {
                 most
@@ -194,7 +194,8 @@ impl Simulation {
             } else {
                 bound
             };
-            (dt, if steps == 1.0 { stop } else { clock.time + dt }, bound)
+            let last = steps == 1.0 && remaining > 0.0;
+            (dt, if last { stop } else { clock.time + dt }, bound)
         };
         clock.dt_min = if clock.step == 0 {
             dt
