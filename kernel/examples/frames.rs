@@ -1,8 +1,8 @@
 //! Writes the output of a made-up run, for `scripts/check-frames.py` and for a look in `ParaView`.
 //!
 //! ```text
-//! cargo run -p proctor-kernel --example frames -- /tmp/frames
-//! python3 scripts/check-frames.py /tmp/frames/raw --expect 'Velocity:7:2=-1.9620000000000002+-1e-12'
+//! cargo run -p proctor-kernel --example frames -- target/frames
+//! python3 scripts/check-frames.py target/frames/raw --expect 'Velocity:7:2=-1.9620000000000002+-1e-12'
 //! ```
 //!
 //! Two bodies, a block and a line of particles, fall freely from rest. Three folders: `raw` and `zlib` hold the

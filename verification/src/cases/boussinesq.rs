@@ -17,10 +17,9 @@ mod model;
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::failed;
 use super::statics::relax;
+use super::{failed, table};
 use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
-use crate::convergence::{ConvergenceTable, Row};
 use compare::{Comparison, LEFT_OUT, half_space_table};
 use model::{Loading, POISSON, QUARTER_LOAD};
 
@@ -149,7 +148,7 @@ impl Case for Boussinesq {
         let rungs = self.rungs(size);
         for loading in Loading::ALL {
             let variant = loading.word();
-            let table = table(solved, variant);
+            let table = table(solved, variant, &[SETTLEMENT, L2, L2_ALL]);
             let order = table
                 .rows()
                 .len()
@@ -212,21 +211,4 @@ impl Case for Boussinesq {
         }
         verdict
     }
-}
-
-/// Errors of a variant, coarse to fine.
-fn table(solved: &[(Rung, Solved)], variant: &str) -> ConvergenceTable {
-    let names = [SETTLEMENT, L2, L2_ALL];
-    let mut table = ConvergenceTable::new(names);
-    for (rung, solved) in solved.iter().filter(|(rung, _)| rung.variant == variant) {
-        let row = Row {
-            h: rung.cell,
-            errors: names.iter().map(|name| solved.error(name)).collect(),
-            particles: solved.particles,
-            steps: solved.steps as usize,
-        };
-        // One error per name, by construction.
-        let _ = table.push(row);
-    }
-    table
 }

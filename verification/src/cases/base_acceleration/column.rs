@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
+use crate::cases::elastic;
 use proctor_kernel::scene::{
-    BaseMotion, Body, Dimension, History, Law, Material, Mesh, Motion, ObjectiveRate,
-    PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
+    BaseMotion, Body, Dimension, History, Mesh, Motion, PlaneCondition, Results, Scene, Shape,
+    StressScheme, TimeStep, Transfer, TransferKind,
 };
 use proctor_kernel::simulation::Simulation;
 
@@ -149,16 +150,7 @@ impl Column {
             fields: vec![],
             checkpoint: false,
         };
-        scene.materials = vec![Material {
-            name: "elastic".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: Law::LinearElastic {
-                young: YOUNG,
-                poisson: POISSON,
-                rate: ObjectiveRate::HughesWinget,
-            },
-        }];
+        scene.materials = elastic(DENSITY, YOUNG, POISSON);
         let mut upper = [WIDTH as f64 * h; 3];
         upper[axis] = HEIGHT;
         let mut particles_per_cell = [2; 3];

@@ -2,7 +2,7 @@
 
 use super::{BASE, L2, LOWEST, TOP, UPPERMOST};
 use crate::case::{Gate, Relation, Rung, Size, Solved, Verdict};
-use crate::convergence::{ConvergenceTable, Row};
+use crate::cases::table;
 
 /// Largest relative error of the top velocity at H/h = 32.
 const TOP_GATE: f64 = 0.01;
@@ -26,9 +26,10 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
             "base-acceleration, smooth start, FLIP, USL, dt like h²",
         ),
     ] {
-        verdict
-            .tables
-            .push((title.to_owned(), table(solved, variant)));
+        verdict.tables.push((
+            title.to_owned(),
+            table(solved, variant, &[TOP, UPPERMOST, L2]),
+        ));
     }
     let find = |label: &str| {
         solved
@@ -93,21 +94,4 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         }
     }
     verdict
-}
-
-/// Errors of a variant, coarse to fine.
-fn table(solved: &[(Rung, Solved)], variant: &str) -> ConvergenceTable {
-    let names = [TOP, UPPERMOST, L2];
-    let mut table = ConvergenceTable::new(names);
-    for (rung, solved) in solved.iter().filter(|(rung, _)| rung.variant == variant) {
-        let row = Row {
-            h: rung.cell,
-            errors: names.iter().map(|name| solved.error(name)).collect(),
-            particles: solved.particles,
-            steps: solved.steps as usize,
-        };
-        // One error per name, by construction.
-        let _ = table.push(row);
-    }
-    table
 }

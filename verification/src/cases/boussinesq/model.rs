@@ -1,8 +1,9 @@
 //! The scene of the quarter box, and the exact solution of the whole one.
 
+use crate::cases::elastic;
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, Law, Material, Mesh, ObjectiveRate, PlaneCondition, PointLoad,
-    Results, Scene, Shape, StressScheme, Traction,
+    Body, Damping, Dimension, Mesh, PlaneCondition, PointLoad, Results, Scene, Shape, StressScheme,
+    Traction,
 };
 
 use crate::exact::boussinesq_box::{BoxProblem, BoxSolution, InvalidBox};
@@ -75,16 +76,7 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
         fields: vec![],
         checkpoint: false,
     };
-    scene.materials = vec![Material {
-        name: "elastic".to_owned(),
-        id: 1,
-        density: DENSITY,
-        law: Law::LinearElastic {
-            young: YOUNG,
-            poisson: POISSON,
-            rate: ObjectiveRate::HughesWinget,
-        },
-    }];
+    scene.materials = elastic(DENSITY, YOUNG, POISSON);
     scene.bodies = vec![Body {
         name: "quarter box".to_owned(),
         id: 1,
