@@ -29,8 +29,6 @@ pub struct Plan {
     pub axes: usize,
     /// Family of weighting functions.
     pub family: Family,
-    /// Whether particles have half-lengths of their own.
-    pub own_half_length: bool,
     /// How particle domains follow the deformation.
     pub domain_update: Option<DomainUpdate>,
     /// Stress scheme.
@@ -126,7 +124,6 @@ impl Plan {
         let mut plan = Self {
             axes,
             family,
-            own_half_length: domain_update.is_some(),
             domain_update,
             scheme: scene.scheme,
             affine,
@@ -255,7 +252,7 @@ impl Plan {
             "stage",
             "base motion",
             scene.base_motion.is_some(),
-            "a record moves a plane",
+            "a record moves a plane, and the mesh with it along its normal",
             "no active record",
         );
         let nodal = scene.point_loads.len() + scene.tractions.len();

@@ -40,7 +40,6 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         vec![
             clock.step,
             simulation.stencil as u64,
-            simulation.relaxation.peaks,
             simulation.groups.sorted as u64,
             simulation.groups.superfluous as u64,
         ],
@@ -122,7 +121,7 @@ pub(super) fn restore(
     simulation: &mut Simulation,
     checkpoint: &Checkpoint,
 ) -> Result<(), RunError> {
-    let counters = checkpoint.array::<u64>("counters", 5)?;
+    let counters = checkpoint.array::<u64>("counters", 4)?;
     let numbers = checkpoint.array::<f64>("numbers", 14)?;
     for (i, (set, body)) in simulation
         .sets
@@ -167,9 +166,8 @@ pub(super) fn restore(
     let clock = &mut simulation.clock;
     clock.step = counters[0];
     simulation.stencil = counters[1] as usize;
-    simulation.relaxation.peaks = counters[2];
-    simulation.groups.sorted = counters[3] as usize;
-    simulation.groups.superfluous = counters[4] as usize;
+    simulation.groups.sorted = counters[2] as usize;
+    simulation.groups.superfluous = counters[3] as usize;
     [
         clock.time,
         clock.dt_before,

@@ -11,7 +11,8 @@ pub struct History {
     pub values: Vec<Vector>,
 }
 
-/// Prescribed motion of one boundary plane of the mesh.
+/// Prescribed motion of one boundary plane of the mesh. Along its normal the plane takes the mesh with it, and with
+/// the mesh the plane opposite and all loads that are fixed to nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BaseMotion {
     /// Axis of the normal of the plane.

@@ -9,8 +9,6 @@ use crate::particles::Layout;
 pub struct Relaxation {
     /// One half-step ago and two half-steps ago \[J\].
     pub last: [f64; 2],
-    /// Number of peaks so far.
-    pub peaks: u64,
 }
 
 impl Simulation {
@@ -35,7 +33,6 @@ impl Simulation {
             0.0
         };
         self.relaxation.last = [0.0; 2];
-        self.relaxation.peaks += 1;
         Some((vertex.clamp(-0.5, 0.5) - 0.5) * info.dt)
     }
 
