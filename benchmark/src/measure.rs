@@ -14,6 +14,7 @@ pub struct Spent {
 
 impl Spent {
     /// CPU time per particle and step \[ns\], or `None` where nothing was stepped.
+    #[must_use]
     pub fn ns_per(self, particle_steps: f64) -> Option<f64> {
         (particle_steps > 0.0).then(|| self.cpu.as_secs_f64() * 1e9 / particle_steps)
     }

@@ -27,6 +27,7 @@ pub struct RanRung {
 
 impl Ran {
     /// Whether every run was solved and every gate passed.
+    #[must_use]
     pub fn passed(&self) -> bool {
         self.verdict.passed() && self.rungs.iter().all(|rung| rung.solved.is_ok())
     }

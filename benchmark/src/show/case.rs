@@ -9,6 +9,9 @@ use std::io::{self, Write};
 const SHOWN_ERRORS: usize = 3;
 
 /// Name and question of a case, its runs with error and run time side by side.
+///
+/// # Errors
+/// If `out` cannot be written.
 pub fn runs(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: {}", ran.case.name(), ran.case.question())?;
     let mut rest = &ran.rungs[..];
@@ -31,6 +34,9 @@ pub fn runs(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Convergence tables with observed orders.
+///
+/// # Errors
+/// If `out` cannot be written.
 pub fn tables(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
     for (title, table) in &ran.verdict.tables {
         writeln!(out, "  {title}: errors and observed orders")?;
@@ -43,6 +49,9 @@ pub fn tables(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Gates, each with its bound, and its reason if asked for.
+///
+/// # Errors
+/// If `out` cannot be written.
 pub fn gates(ran: &Ran, reasons: bool, out: &mut dyn Write) -> io::Result<()> {
     for gate in &ran.verdict.gates {
         writeln!(out, "  {}", gate_line(gate))?;
@@ -57,6 +66,9 @@ pub fn gates(ran: &Ran, reasons: bool, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Lines that judge nothing.
+///
+/// # Errors
+/// If `out` cannot be written.
 pub fn for_the_record(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
     if ran.verdict.for_the_record.is_empty() {
         return Ok(());
@@ -69,6 +81,9 @@ pub fn for_the_record(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// How many gates of how many cases hold.
+///
+/// # Errors
+/// If `out` cannot be written.
 pub fn total(all: &[Ran], out: &mut dyn Write) -> io::Result<()> {
     let gates: usize = all.iter().map(|ran| ran.verdict.gates.len()).sum();
     let passed = all

@@ -5,6 +5,7 @@ pub mod case;
 use std::fmt::{self, Write as _};
 
 /// A whole number in groups of three digits.
+#[must_use]
 pub fn grouped(n: u64) -> String {
     let digits = n.to_string();
     let mut text = String::new();
@@ -18,6 +19,7 @@ pub fn grouped(n: u64) -> String {
 }
 
 /// A number with four significant digits, with an exponent only where it would be long.
+#[must_use]
 pub fn number(x: f64) -> String {
     let size = x.abs();
     if x == 0.0 {
@@ -38,6 +40,7 @@ pub fn number(x: f64) -> String {
 }
 
 /// Seconds with three significant digits and the unit that suits them.
+#[must_use]
 pub fn seconds(s: f64) -> String {
     let (value, unit) = match s {
         _ if s >= 1.0 => (s, "s"),
@@ -53,6 +56,7 @@ pub fn seconds(s: f64) -> String {
 }
 
 /// Bytes in the binary unit that suits them.
+#[must_use]
 pub fn bytes(n: u64) -> String {
     let size = n as f64;
     match n {

@@ -27,6 +27,11 @@ impl Settings {
     }
 }
 
+/// Threads that the machine can run at once.
+pub fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, NonZeroUsize::get)
+}
+
 /// Vector lanes by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Lanes {

@@ -1,6 +1,6 @@
 //! `proctor verify`: cases, errors, observed orders, gates.
 
-use super::settings::Settings;
+use super::settings::{Settings, processors};
 use crate::exit::{Failure, Outcome};
 use crate::record::Record;
 use crate::show::case as show;
@@ -40,6 +40,7 @@ impl Verify {
         let options = self.settings.options();
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let size = if self.quick { Size::Quick } else { Size::Full };
+        let threads = options.threads.unwrap_or_else(processors);
         let mut record = Record::new(&options);
         if let Some(path) = &self.json {
             // An empty record now rather than a file that cannot be written after minutes.
@@ -53,7 +54,7 @@ impl Verify {
             show::gates(&ran, true, out)?;
             show::for_the_record(&ran, out)?;
             out.flush()?;
-            record.push(&ran);
+            record.push_case(&ran, threads);
             all.push(ran);
         }
         show::total(&all, out)?;

@@ -1,0 +1,60 @@
+//! The benchmark half: what is measured, kept, judged and shown, and the `proctor` command over all of it.
+#![forbid(unsafe_code)]
+
+mod exit;
+pub mod measure;
+mod progress;
+pub mod record;
+pub mod show;
+mod speed;
+pub mod suite;
+mod verbs;
+
+use clap::Parser;
+use exit::{Failure, Outcome};
+use std::io::{BufWriter, Write};
+use std::process::ExitCode;
+use verbs::Verb;
+
+/// Verifies and measures an explicit material point method (MPM/GIMP) kernel.
+///
+/// Without a verb: the main job on the built-in set, errors and run times side by side.
+#[derive(Parser)]
+#[command(name = "proctor", version, max_term_width = 100, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Option<Verb>,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 fine, 1 a check or a run failed, 2 bad input, 130 interrupted.
+Units are SI everywhere. `proctor VERB -h` explains a verb with an example.";
+
+/// Runs the command on the arguments of this process.
+#[must_use]
+pub fn command() -> ExitCode {
+    let cli = Cli::parse();
+    // One writer for everything that goes to standard output: a reader that closes the pipe is then an error
+    // value here, not a panic in some print.
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    let result = verbs::run(cli.verb.as_ref(), &mut out)
+        .and_then(|outcome| out.flush().map(|()| outcome).map_err(Failure::from));
+    match result {
+        Ok(Outcome::Fine) => ExitCode::SUCCESS,
+        Ok(Outcome::Failed) => ExitCode::from(1),
+        Ok(Outcome::Interrupted) => ExitCode::from(130),
+        Err(Failure::BadInput(message)) => {
+            // What was printed before the message belongs in front of it.
+            let _ = out.flush();
+            eprintln!("{message}");
+            ExitCode::from(2)
+        }
+        Err(Failure::Print(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
+            ExitCode::SUCCESS
+        }
+        Err(Failure::Print(error)) => {
+            eprintln!("cannot write to standard output: {error}");
+            ExitCode::from(1)
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Rows of verification cases.
+
+use super::{Record, Row, key};
+use crate::suite::{Ran, RanRung};
+
+impl Record {
+    /// Adds a row per run of a case, and one for its verdict.
+    pub fn push_case(&mut self, ran: &Ran, threads: usize) {
+        for rung in &ran.rungs {
+            self.push(run_row(ran.case.name(), rung, threads));
+        }
+        self.push(verdict_row(ran, threads));
+    }
+}
+
+/// Times and counters of one run.
+fn run_row(case: &str, ran: &RanRung, threads: usize) -> Row {
+    let name = format!("{case}/{}", ran.rung.label);
+    let mut row = Row::sample(name, 0, threads).timed(ran.spent);
+    row.count("cell_size", ran.rung.cell);
+    match &ran.solved {
+        Ok(solved) => {
+            row.count("particles", solved.particles as f64);
+            row.count("steps", solved.steps as f64);
+            row.count("time", solved.time);
+            let particle_steps = solved.particles as f64 * solved.steps as f64;
+            let rate = particle_steps / ran.spent.wall.as_secs_f64();
+            row.count("particle_steps_per_second", rate);
+            for q in &solved.quantities {
+                let key = key(q.name);
+                row.count(format!("value_{key}"), q.value);
+                for (kind, value) in [("exact", q.exact), ("error", q.error)] {
+                    if let Some(value) = value {
+                        row.count(format!("{kind}_{key}"), value);
+                    }
+                }
+            }
+        }
+        Err(error) => row.fail(error.to_string()),
+    }
+    row
+}
+
+/// Gates and observed orders of a case.
+fn verdict_row(ran: &Ran, threads: usize) -> Row {
+    let mut row = Row::aggregate(ran.case.name(), "verdict", threads);
+    let failed = ran.verdict.gates.iter().filter(|g| !g.passed()).count();
+    row.count("gates", ran.verdict.gates.len() as f64);
+    row.count("gates_failed", failed as f64);
+    for (title, table) in &ran.verdict.tables {
+        let Some(last) = table.rows().len().checked_sub(1) else {
+            continue;
+        };
+        for (index, quantity) in table.quantities().iter().enumerate() {
+            if let Some(order) = table.order(index, last) {
+                let key = key(&format!("{title} {quantity}"));
+                row.count(format!("observed_order_{key}"), order);
+            }
+        }
+    }
+    if !ran.passed() {
+        let names: Vec<&str> = ran
+            .verdict
+            .gates
+            .iter()
+            .filter(|gate| !gate.passed())
+            .map(|gate| gate.name.as_str())
+            .collect();
+        row.fail(match names.as_slice() {
+            [] => "a run failed, or nothing was compared".to_owned(),
+            names => format!("gates failed: {}", names.join("; ")),
+        });
+    }
+    row
+}

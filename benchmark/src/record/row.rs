@@ -1,0 +1,162 @@
+//! One row of a record: one timed run, or what was found from several.
+
+use crate::measure::Spent;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+
+/// What a row stands for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// One timed run; `repetition` counts the runs of the same name from 0.
+    Sample {
+        /// Which repetition.
+        repetition: u64,
+    },
+    /// What was found from the samples of the same name, such as a verdict or a noise band.
+    Aggregate {
+        /// Which aggregate.
+        name: String,
+    },
+}
+
+/// One row of a record. Counters and labels are flat keys of the JSON row, beside the keys of Google Benchmark.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What was run, `case/variant/...`; rows with the same name are repetitions of each other.
+    pub name: String,
+    /// Sample or aggregate.
+    pub kind: Kind,
+    /// Threads of the run.
+    pub threads: u64,
+    /// Time of the run, where it was timed.
+    pub spent: Option<Spent>,
+    /// Finite numbers by key: errors, counts, rates, in SI units.
+    pub counters: BTreeMap<String, f64>,
+    /// Words by key: scheme, weighting function, state hash.
+    pub labels: BTreeMap<String, String>,
+    /// Why the run failed.
+    pub error: Option<String>,
+}
+
+impl Row {
+    /// A sample, not yet timed.
+    #[must_use]
+    pub fn sample(name: impl Into<String>, repetition: u64, threads: usize) -> Self {
+        Self::new(name.into(), Kind::Sample { repetition }, threads)
+    }
+
+    /// An aggregate over the samples of that name.
+    #[must_use]
+    pub fn aggregate(name: impl Into<String>, aggregate: &str, threads: usize) -> Self {
+        let kind = Kind::Aggregate {
+            name: aggregate.to_owned(),
+        };
+        Self::new(name.into(), kind, threads)
+    }
+
+    fn new(name: String, kind: Kind, threads: usize) -> Self {
+        Self {
+            name,
+            kind,
+            threads: threads as u64,
+            spent: None,
+            counters: BTreeMap::new(),
+            labels: BTreeMap::new(),
+            error: None,
+        }
+    }
+
+    /// With the time of the run.
+    #[must_use]
+    pub fn timed(mut self, spent: Spent) -> Self {
+        self.spent = Some(spent);
+        self
+    }
+
+    /// Adds a counter; one that is not finite is left out.
+    pub fn count(&mut self, key: impl Into<String>, value: f64) {
+        if value.is_finite() {
+            self.counters.insert(key.into(), value);
+        }
+    }
+
+    /// Adds a label.
+    pub fn label(&mut self, key: impl Into<String>, value: impl Into<String>) {
+        self.labels.insert(key.into(), value.into());
+    }
+
+    /// Marks the run as failed.
+    pub fn fail(&mut self, message: impl Into<String>) {
+        self.error = Some(message.into());
+    }
+
+    /// The row as Google Benchmark writes it; times in milliseconds.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let mut row = Map::new();
+        row.insert("run_name".into(), self.name.clone().into());
+        match &self.kind {
+            Kind::Sample { repetition } => {
+                row.insert("name".into(), self.name.clone().into());
+                row.insert("run_type".into(), "iteration".into());
+                row.insert("repetition_index".into(), (*repetition).into());
+                row.insert("iterations".into(), 1.into());
+            }
+            Kind::Aggregate { name } => {
+                row.insert("name".into(), format!("{}_{name}", self.name).into());
+                row.insert("run_type".into(), "aggregate".into());
+                row.insert("aggregate_name".into(), name.clone().into());
+            }
+        }
+        row.insert("threads".into(), self.threads.into());
+        if let Some(spent) = self.spent {
+            row.insert("real_time".into(), (spent.wall.as_secs_f64() * 1e3).into());
+            row.insert("cpu_time".into(), (spent.cpu.as_secs_f64() * 1e3).into());
+            row.insert("time_unit".into(), "ms".into());
+        }
+        for (key, value) in &self.counters {
+            row.insert(key.clone(), (*value).into());
+        }
+        for (key, value) in &self.labels {
+            row.insert(key.clone(), value.clone().into());
+        }
+        if let Some(message) = &self.error {
+            row.insert("error_occurred".into(), true.into());
+            row.insert("error_message".into(), message.clone().into());
+        }
+        row.into()
+    }
+}
+
+/// A name as part of a key: lower case, everything but letters and digits one underscore.
+#[must_use]
+pub fn key(name: &str) -> String {
+    let words: Vec<String> = name
+        .split(|c: char| !c.is_ascii_alphanumeric())
+        .filter(|word| !word.is_empty())
+        .map(str::to_lowercase)
+        .collect();
+    words.join("_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_flat_words() {
+        assert_eq!(key("L2(u), r >= 0.2 m"), "l2_u_r_0_2_m");
+        assert_eq!(key("u_z at (.5,.5,.5)"), "u_z_at_5_5_5");
+    }
+
+    #[test]
+    fn what_is_not_finite_is_left_out() {
+        let mut row = Row::sample("a", 0, 1);
+        row.count("nan", f64::NAN);
+        row.count("b", 1.5);
+        assert_eq!(
+            row.counters.into_iter().collect::<Vec<_>>(),
+            [("b".to_owned(), 1.5)]
+        );
+    }
+}
