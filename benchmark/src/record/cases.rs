@@ -1,6 +1,6 @@
 //! Rows of verification cases.
 
-use super::{Record, Row, key};
+use super::{LADDER, Record, Row, key};
 use crate::suite::{Ran, RanRung};
 
 impl Record {
@@ -18,6 +18,7 @@ fn run_row(case: &str, ran: &RanRung, threads: usize) -> Row {
     let name = format!("{case}/{}", ran.rung.label);
     let mut row = Row::sample(name, 0, threads).timed(ran.spent);
     row.count("cell_size", ran.rung.cell);
+    row.label(LADDER, format!("{case}/{}", ran.rung.variant));
     match &ran.solved {
         Ok(solved) => {
             row.count("particles", solved.particles as f64);

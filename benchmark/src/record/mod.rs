@@ -4,14 +4,25 @@
 
 mod cases;
 pub mod context;
+mod error;
+mod machine;
+mod read;
 mod row;
 
+pub use error::RecordError;
 pub use row::{Kind, Row, key};
 
 use proctor_kernel::output::{OutputError, atomic};
 use proctor_kernel::simulation::Options;
 use serde_json::{Value, json};
 use std::path::Path;
+
+/// Label that rows of one ladder share: runs that differ in resolution alone, so that their errors and times say what
+/// accuracy costs. Without it a ladder is made of the rows whose names agree up to their last `/`.
+pub const LADDER: &str = "ladder";
+
+/// Key of the context that marks a record of interrupted work.
+const INCOMPLETE: &str = "incomplete";
 
 /// A record of one invocation.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +46,23 @@ impl Record {
     /// Adds a row.
     pub fn push(&mut self, row: Row) {
         self.rows.push(row);
+    }
+
+    /// Says whether the record lacks what was asked for, because the work was interrupted or still goes on.
+    pub fn set_incomplete(&mut self, incomplete: bool) {
+        if let Some(context) = self.context.as_object_mut() {
+            if incomplete {
+                context.insert(INCOMPLETE.to_owned(), true.into());
+            } else {
+                context.remove(INCOMPLETE);
+            }
+        }
+    }
+
+    /// Whether the record lacks what was asked for.
+    #[must_use]
+    pub fn incomplete(&self) -> bool {
+        self.context[INCOMPLETE] == true
     }
 
     /// Writes the record, atomically.
