@@ -3,6 +3,7 @@
 
 mod exit;
 pub mod measure;
+pub mod precision;
 mod progress;
 pub mod record;
 pub mod show;

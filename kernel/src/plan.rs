@@ -7,6 +7,7 @@ use crate::scene::{
     Body, Damping, Dimension, DomainUpdate, Field, Law, PlaneCondition, Scene, Shape, StressScheme,
     TransferKind, Weighting,
 };
+use crate::simulation::has_safe_step;
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
 use std::fmt;
@@ -319,13 +320,11 @@ impl Plan {
         list.keep(
             "time step",
             "wave speed and particle speed",
-            if scene.weighting == Weighting::Linear
-                && (scene.scheme == StressScheme::Usl || self.affine != Affine::Leave)
-            {
+            if has_safe_step(scene.weighting, scene.scheme, scene.transfer.kind) {
+                "dt <= C min(h)/(c + |v|), C of the stress scheme, the weighting function and the transfer"
+            } else {
                 "dt <= 0.7 min(h)/(c + |v|), which holds only while no node is nearly empty: linear functions \
                  have no safe step with USL or an affine transfer"
-            } else {
-                "dt <= C min(h)/(c + |v|), C of the stress scheme, the weighting function and the transfer"
             },
         );
         list.choose(

@@ -1,7 +1,10 @@
 //! The verbs of the command, one file each.
 
+mod interrupt;
 mod main_job;
+mod names;
 mod plan;
+mod precision;
 mod run;
 mod schema;
 mod settings;
@@ -22,6 +25,8 @@ pub enum Verb {
     Plan(plan::Plan),
     /// Run verification cases: errors, observed orders, gates.
     Verify(verify::Verify),
+    /// Error against run time, for every case with an exact solution.
+    Precision(precision::Precision),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -33,6 +38,7 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
+        Some(Verb::Precision(precision)) => precision.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

@@ -2,8 +2,8 @@
 
 mod report;
 
-use super::scene;
 use super::settings::Settings;
+use super::{interrupt, scene};
 use crate::exit::{Failure, Outcome};
 use crate::measure::Stopwatch;
 use crate::progress::Progress;
@@ -16,7 +16,6 @@ use report::Report;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run a scene; write frames, history and a summary.
@@ -53,7 +52,7 @@ struct Tally {
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let scene = scene(&self.scene)?;
-        let interrupt = interrupt()?;
+        let interrupt = interrupt::flag()?;
         let mut run = KernelRun::start(
             &scene,
             &self.settings.options(),
@@ -138,15 +137,6 @@ fn save(summary: &Summary, folder: Option<&OutputFolder>) -> bool {
             false
         }
     }
-}
-
-/// A flag that Ctrl-C raises.
-fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&flag);
-    ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
-        .map_err(|error| Failure::BadInput(format!("cannot listen to Ctrl-C: {error}")))?;
-    Ok(flag)
 }
 
 fn bound_words(bound: Bound) -> &'static str {

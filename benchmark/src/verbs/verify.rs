@@ -1,5 +1,6 @@
 //! `proctor verify`: cases, errors, observed orders, gates.
 
+use super::names;
 use super::settings::{Settings, processors};
 use crate::exit::{Failure, Outcome};
 use crate::record::Record;
@@ -7,12 +8,9 @@ use crate::show::case as show;
 use crate::suite::{self, Ran};
 use clap::Args;
 use proctor_kernel::lanes::Selected;
-use proctor_verification::case::{self, Case, Size};
+use proctor_verification::case::{self, Size};
 use std::io::Write;
 use std::path::PathBuf;
-
-/// Least likeness of a case's name to an unknown word, 0 to 1, for it to be suggested.
-const LIKENESS: f64 = 0.4;
 
 /// Run verification cases: errors, observed orders, gates.
 ///
@@ -36,7 +34,7 @@ pub struct Verify {
 
 impl Verify {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let cases = self.cases()?;
+        let cases = names::chosen(&self.cases, case::all(), "case", |case| case.name())?;
         let options = self.settings.options();
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let size = if self.quick { Size::Quick } else { Size::Full };
@@ -67,38 +65,5 @@ impl Verify {
         } else {
             Outcome::Failed
         })
-    }
-
-    /// The cases asked for, each once.
-    fn cases(&self) -> Result<Vec<&'static dyn Case>, Failure> {
-        if self.cases.is_empty() {
-            return Ok(case::all().to_vec());
-        }
-        let mut cases: Vec<&'static dyn Case> = vec![];
-        for name in &self.cases {
-            let case = case::find(name).ok_or_else(|| Failure::BadInput(unknown(name)))?;
-            if cases.iter().all(|known| known.name() != case.name()) {
-                cases.push(case);
-            }
-        }
-        Ok(cases)
-    }
-}
-
-/// What to say to a name that no case has.
-fn unknown(name: &str) -> String {
-    let names: Vec<&str> = case::all().iter().map(|case| case.name()).collect();
-    let text = format!(
-        "found the case {name:?}, which is not known; accepted: {}",
-        names.join(", ")
-    );
-    let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
-    let nearest = names
-        .iter()
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
-        .filter(|known| likeness(known) >= LIKENESS || known.starts_with(name));
-    match nearest {
-        Some(nearest) => format!("{text} (did you mean `{nearest}`?)"),
-        None => text,
     }
 }

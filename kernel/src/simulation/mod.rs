@@ -13,7 +13,7 @@ mod relaxation;
 mod setup;
 mod step;
 
-pub use clock::{Bound, StepInfo, stability_number};
+pub use clock::{Bound, StepInfo, has_safe_step, stability_number};
 pub use error::{Event, EventKind, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
 pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
