@@ -5,6 +5,7 @@
 mod cases;
 pub mod context;
 mod row;
+mod table;
 
 pub use row::{Kind, Row, key};
 

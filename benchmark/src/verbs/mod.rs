@@ -1,5 +1,7 @@
 //! The verbs of the command, one file each.
 
+mod bench;
+mod interrupt;
 mod main_job;
 mod plan;
 mod run;
@@ -22,6 +24,8 @@ pub enum Verb {
     Plan(plan::Plan),
     /// Run verification cases: errors, observed orders, gates.
     Verify(verify::Verify),
+    /// Measure speed: scenes x particles x threads x methods, stages, other executables.
+    Bench(bench::Bench),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -33,6 +37,7 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
+        Some(Verb::Bench(bench)) => bench.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

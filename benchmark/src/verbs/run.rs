@@ -2,6 +2,7 @@
 
 mod report;
 
+use super::interrupt::interrupt;
 use super::scene;
 use super::settings::Settings;
 use crate::exit::{Failure, Outcome};
@@ -16,7 +17,6 @@ use report::Report;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run a scene; write frames, history and a summary.
@@ -138,15 +138,6 @@ fn save(summary: &Summary, folder: Option<&OutputFolder>) -> bool {
             false
         }
     }
-}
-
-/// A flag that Ctrl-C raises.
-fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&flag);
-    ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
-        .map_err(|error| Failure::BadInput(format!("cannot listen to Ctrl-C: {error}")))?;
-    Ok(flag)
 }
 
 fn bound_words(bound: Bound) -> &'static str {
