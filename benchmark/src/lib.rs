@@ -1,7 +1,9 @@
 //! The benchmark half: what is measured, kept, judged and shown, and the `proctor` command over all of it.
 #![forbid(unsafe_code)]
 
+pub mod bench;
 mod exit;
+pub mod frames;
 pub mod measure;
 pub mod precision;
 mod progress;

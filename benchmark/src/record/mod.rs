@@ -8,6 +8,7 @@ mod error;
 mod machine;
 mod read;
 mod row;
+mod table;
 
 pub use error::RecordError;
 pub use row::{Kind, Row, key};

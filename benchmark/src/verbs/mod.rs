@@ -1,5 +1,6 @@
 //! The verbs of the command, one file each.
 
+mod bench;
 mod interrupt;
 mod main_job;
 mod names;
@@ -27,6 +28,8 @@ pub enum Verb {
     Verify(verify::Verify),
     /// Error against run time, for every case with an exact solution.
     Precision(precision::Precision),
+    /// Measure speed: scenes x particles x threads x methods, stages, other executables.
+    Bench(bench::Bench),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -39,6 +42,7 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
         Some(Verb::Precision(precision)) => precision.run(out),
+        Some(Verb::Bench(bench)) => bench.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

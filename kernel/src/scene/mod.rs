@@ -27,7 +27,7 @@ pub use method::{
     Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
 };
 #[cfg(feature = "json")]
-pub use raw::{from_json, read, schema};
+pub use raw::{from_json, listed, nearest, parse, place, read, schema, words_of};
 pub use results::{Field, Outside, Probe, Results};
 
 /// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.

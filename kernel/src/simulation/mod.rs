@@ -9,6 +9,8 @@ mod history;
 mod loads;
 mod measure;
 mod passes;
+mod phase;
+mod rehearsal;
 mod relaxation;
 mod setup;
 mod step;
@@ -17,6 +19,8 @@ pub use clock::{Bound, StepInfo, has_safe_step, stability_number};
 pub use error::{Event, EventKind, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
 pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
+pub use phase::Phase;
+pub use rehearsal::{Part, Rehearsal};
 
 use crate::constitutive::Parameters;
 use crate::lanes::{LaneChoice, Selected};

@@ -6,9 +6,10 @@ use super::{BodyRun, Simulation};
 use crate::lanes::Selected;
 use crate::particles::ParticleSet;
 use crate::plan::Plan;
+use crate::scene::Scene;
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
-use crate::stage::solve::{EmptyNode, Forces, PlaneSums, Planes, Wall};
+use crate::stage::solve::{EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -63,27 +64,12 @@ impl Simulation {
             self.stencil,
             Carry::All,
         );
-        let forces = Forces {
-            gravity: self.scene.gravity,
-            loads: &self.loads,
-            local_damping: self.plan.local_damping,
-            kick: acting.kick,
-        };
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting);
         let measure = self.plan.measure;
         let results = self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
             let groups = mapping.run(&mut planes);
-            planes.fold(&acting.walls, true, true);
-            planes.velocities();
-            planes.load(forces.loads)?;
-            planes.accelerate(&forces);
-            let mut sums = vec![PlaneSums::default(); planes.range.len()];
-            planes.add_power_of_driven(&acting.driven, forces.kick, &mut sums);
-            planes.drive(&acting.driven, true);
-            planes.add_power_of_walls(&acting.walls, forces.kick, &mut sums);
-            planes.constrain(&acting.walls, true);
-            planes.unfold(&acting.walls, true);
-            planes.add_sums(&forces, measure, &mut sums);
+            let sums = equation_of_motion(&mut planes, acting, &forces, measure)?;
             Ok((sums, groups))
         });
         let mut total = PlaneSums::default();
@@ -222,6 +208,43 @@ impl Simulation {
     }
 }
 
+/// The forces on nodes in this step.
+pub(super) fn forces<'a>(
+    scene: &Scene,
+    plan: &Plan,
+    loads: &'a [NodeForce],
+    acting: &Acting,
+) -> Forces<'a> {
+    Forces {
+        gravity: scene.gravity,
+        loads,
+        local_damping: plan.local_damping,
+        kick: acting.kick,
+    }
+}
+
+/// Velocities, accelerations and boundary conditions on one slab, from its masses, momenta and forces; what was
+/// measured on each plane.
+pub(super) fn equation_of_motion(
+    planes: &mut Planes<'_>,
+    acting: &Acting,
+    forces: &Forces<'_>,
+    measure: bool,
+) -> Result<Vec<PlaneSums>, EmptyNode> {
+    planes.fold(&acting.walls, true, true);
+    planes.velocities();
+    planes.load(forces.loads)?;
+    planes.accelerate(&forces);
+    let mut sums = vec![PlaneSums::default(); planes.range.len()];
+    planes.add_power_of_driven(&acting.driven, forces.kick, &mut sums);
+    planes.drive(&acting.driven, true);
+    planes.add_power_of_walls(&acting.walls, forces.kick, &mut sums);
+    planes.constrain(&acting.walls, true);
+    planes.unfold(&acting.walls, true);
+    planes.add_sums(&forces, measure, &mut sums);
+    Ok(sums)
+}
+
 /// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
 fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
     walls
@@ -234,7 +257,7 @@ fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
 }
 
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
-fn free_bodies<'a>(
+pub(super) fn free_bodies<'a>(
     plan: &Plan,
     sets: &'a [ParticleSet],
     bodies: &'a [BodyRun],
@@ -254,7 +277,7 @@ fn free_bodies<'a>(
 }
 
 /// A mapping of all bodies that are not driven onto one slab after the other.
-struct FreeBodies<'a> {
+pub(super) struct FreeBodies<'a> {
     sets: &'a [ParticleSet],
     bodies: &'a [BodyRun],
     lanes: Selected,
@@ -265,7 +288,7 @@ struct FreeBodies<'a> {
 
 impl FreeBodies<'_> {
     /// Maps onto the planes of a slab; returns the number of groups in the layers that the slab owns.
-    fn run(&self, planes: &mut Planes<'_>) -> usize {
+    pub(super) fn run(&self, planes: &mut Planes<'_>) -> usize {
         let mut groups = 0;
         for (set, body) in self.sets.iter().zip(self.bodies) {
             if body.motion.is_some() {

@@ -3,6 +3,7 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::{Event, EventKind, StepError};
+use super::phase::Phase;
 use crate::constitutive::Configuration;
 use crate::particles::Layout;
 use crate::scene::StressScheme;
@@ -19,12 +20,27 @@ impl Simulation {
     /// # Errors
     /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error.
     pub fn step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
+        self.step_watched(stop, &mut |_| ())
+    }
+
+    /// [`Simulation::step`] with a watcher, who is told of each phase when it has ended.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`].
+    pub fn step_watched(
+        &mut self,
+        stop: f64,
+        ended: &mut dyn FnMut(Phase),
+    ) -> Result<StepInfo, StepError> {
         let mut info = self.choose_time_step(stop)?;
+        ended(Phase::TimeStep);
         self.sort_if_stale();
+        ended(Phase::Sort);
         let acting = self.acting(&info);
         self.set_body_force();
 
         self.map_to_nodes(&acting)?;
+        ended(Phase::NodesFromParticles);
         info.measured = self.measured();
         let relax = self.peak_of_kinetic_energy(&info);
         let drift = relax.unwrap_or(info.dt);
@@ -42,7 +58,9 @@ impl Simulation {
                     kick: true,
                     ..self.task(None, None)
                 })?;
+                ended(Phase::ParticlesFromNodes);
                 self.remap(&acting);
+                ended(Phase::Remap);
                 self.interpolate(Task {
                     gradient_of_upper: true,
                     affine: Affine::Leave,
@@ -56,8 +74,11 @@ impl Simulation {
                     mesh_shift: moved,
                     ..self.task(Some(drift), None)
                 })?;
+                ended(Phase::ParticlesFromNodes);
                 self.sort_if_stale();
+                ended(Phase::Sort);
                 self.map_momentum(&acting);
+                ended(Phase::Remap);
                 let strain = Some((drift, Configuration::End));
                 self.interpolate(Task {
                     strain,
@@ -66,9 +87,11 @@ impl Simulation {
                 })?;
             }
         }
+        ended(Phase::ParticlesFromNodes);
         self.move_driven_bodies(&info, &moved)?;
         self.mesh_shift = std::array::from_fn(|axis| self.mesh_shift[axis] + moved[axis]);
         self.finish(&info, relax.is_some());
+        ended(Phase::Finish);
         Ok(info)
     }
 

@@ -7,6 +7,7 @@ mod bits;
 mod conservation;
 mod mapping;
 mod motion;
+mod rehearsal;
 mod scaling;
 mod symmetry;
 mod weights;

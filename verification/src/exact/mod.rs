@@ -10,3 +10,4 @@ pub mod boussinesq_half_space;
 pub mod rotation;
 pub mod self_weight;
 pub mod special;
+pub mod sudden_weight;
