@@ -8,8 +8,8 @@ pub mod measure;
 pub mod precision;
 mod progress;
 pub mod record;
+pub mod report;
 pub mod show;
-mod speed;
 pub mod suite;
 mod verbs;
 

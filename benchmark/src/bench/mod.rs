@@ -9,7 +9,7 @@ pub mod counts;
 pub mod machine;
 mod memory;
 mod plan;
-mod rows;
+pub mod rows;
 mod sample;
 pub mod scenes;
 mod session;

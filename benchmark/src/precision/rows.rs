@@ -70,6 +70,7 @@ impl Record {
                 self.push(row);
             }
         }
+        self.details.push_study(studied);
     }
 }
 

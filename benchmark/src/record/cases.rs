@@ -10,6 +10,7 @@ impl Record {
             self.push(run_row(ran.case.name(), rung, threads));
         }
         self.push(verdict_row(ran, threads));
+        self.details.push_case(ran);
     }
 }
 

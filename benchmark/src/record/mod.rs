@@ -4,12 +4,14 @@
 
 mod cases;
 pub mod context;
+pub mod details;
 mod error;
 mod machine;
 mod read;
 mod row;
 mod table;
 
+pub use details::Details;
 pub use error::RecordError;
 pub use row::{Kind, Row, key};
 
@@ -32,6 +34,8 @@ pub struct Record {
     pub context: Value,
     /// Rows in the order in which they were measured.
     pub rows: Vec<Row>,
+    /// What does not fit into flat rows.
+    pub details: Details,
 }
 
 impl Record {
@@ -41,6 +45,7 @@ impl Record {
         Self {
             context: context::now(options),
             rows: vec![],
+            details: Details::default(),
         }
     }
 
@@ -72,7 +77,10 @@ impl Record {
     /// [`OutputError`] if the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), OutputError> {
         let rows: Vec<Value> = self.rows.iter().map(Row::to_json).collect();
-        let record = json!({ "context": self.context, "benchmarks": rows });
+        let mut record = json!({ "context": self.context, "benchmarks": rows });
+        if !self.details.is_empty() {
+            record["details"] = json!(self.details);
+        }
         atomic::write(path, |file| writeln!(file, "{record:#}"))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::context::SCHEMA_VERSION;
 use super::error::{Reason, RecordError};
-use super::{Kind, Record, Row};
+use super::{Details, Kind, Record, Row};
 use crate::measure::Spent;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
@@ -48,6 +48,7 @@ impl Record {
         Ok(Self {
             context: file.context.into(),
             rows: file.benchmarks,
+            details: file.details,
         })
     }
 }
@@ -65,6 +66,7 @@ fn without_place(error: &serde_json::Error) -> String {
 struct File {
     context: Map<String, Value>,
     benchmarks: Vec<Row>,
+    details: Details,
 }
 
 impl<'de> Deserialize<'de> for File {
@@ -83,7 +85,7 @@ impl<'de> Visitor<'de> for FileVisitor {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<File, A::Error> {
-        let (mut context, mut benchmarks) = (None, None);
+        let (mut context, mut benchmarks, mut details) = (None, None, Details::default());
         while let Some(key) = map.next_key::<String>()? {
             match key.as_str() {
                 "context" => {
@@ -94,9 +96,10 @@ impl<'de> Visitor<'de> for FileVisitor {
                     });
                 }
                 "benchmarks" => benchmarks = Some(map.next_value::<Rows>()?.0),
+                "details" => details = map.next_value()?,
                 other => {
                     return Err(A::Error::custom(format!(
-                        "found the key `{other}`; a record has `context` and `benchmarks`"
+                        "found the key `{other}`; a record has `context`, `benchmarks` and `details`"
                     )));
                 }
             }
@@ -105,6 +108,7 @@ impl<'de> Visitor<'de> for FileVisitor {
         Ok(File {
             context: context.ok_or_else(|| missing("context"))?,
             benchmarks: benchmarks.ok_or_else(|| missing("benchmarks"))?,
+            details,
         })
     }
 }

@@ -102,6 +102,12 @@ impl Table {
         }
     }
 
+    /// Its lines, the headings first.
+    #[must_use]
+    pub fn lines(&self) -> &[Vec<String>] {
+        &self.lines
+    }
+
     /// Adds a line; cells that are missing at its end stay empty.
     pub fn push<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
         self.lines.push(cells.into_iter().map(Into::into).collect());

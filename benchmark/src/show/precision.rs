@@ -23,21 +23,44 @@ pub fn study(studied: &Studied, all: bool, out: &mut dyn Write) -> io::Result<()
         studied.study.question()
     )?;
     for (number, measure) in studied.study.measures().iter().enumerate() {
-        let findings = Findings::new(studied, number);
         writeln!(out, "\n  {}", measure.word)?;
-        let ranked = findings.ranked();
-        let shown = if all { ranked.len() } else { SHOWN };
-        write!(out, "{}", table(studied, &findings, &ranked, shown))?;
-        if ranked.len() > shown {
-            let rest = ranked.len() - shown;
-            writeln!(out, "  and {rest} more; --all shows them")?;
+        let summary = summary(studied, number, all);
+        write!(out, "{}", summary.table)?;
+        if summary.left_out > 0 {
+            writeln!(out, "  and {} more; --all shows them", summary.left_out)?;
         }
-        for (level, name) in NAMES.iter().enumerate().take(LEVELS.len()) {
-            writeln!(out, "  {}", best(&findings, level, name))?;
+        for line in &summary.best {
+            writeln!(out, "  {line}")?;
         }
     }
     failures(studied, out)?;
     writeln!(out)
+}
+
+/// What a study says of one error.
+pub struct Summary {
+    /// Lines by their cost, the best first.
+    pub table: Table,
+    /// Number of lines that the table leaves out.
+    pub left_out: usize,
+    /// What is best for each level of error.
+    pub best: Vec<String>,
+}
+
+/// The summary of a study for one of its errors, with `all` lines or the best and the default.
+#[must_use]
+pub fn summary(studied: &Studied, measure: usize, all: bool) -> Summary {
+    let findings = Findings::new(studied, measure);
+    let ranked = findings.ranked();
+    let shown = if all { ranked.len() } else { SHOWN };
+    let levels = NAMES.iter().enumerate().take(LEVELS.len());
+    Summary {
+        table: table(studied, &findings, &ranked, shown),
+        left_out: ranked.len().saturating_sub(shown),
+        best: levels
+            .map(|(level, name)| best(&findings, level, name))
+            .collect(),
+    }
 }
 
 fn table(studied: &Studied, findings: &Findings, ranked: &[&LineFindings], shown: usize) -> Table {

@@ -6,6 +6,7 @@ mod main_job;
 mod names;
 mod plan;
 mod precision;
+mod report;
 mod run;
 mod schema;
 mod settings;
@@ -30,6 +31,8 @@ pub enum Verb {
     Precision(precision::Precision),
     /// Measure speed: scenes x particles x threads x methods, stages, other executables.
     Bench(bench::Bench),
+    /// Make the page of a record.
+    Report(report::Report),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -43,6 +46,7 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Verify(verify)) => verify.run(out),
         Some(Verb::Precision(precision)) => precision.run(out),
         Some(Verb::Bench(bench)) => bench.run(out),
+        Some(Verb::Report(report)) => report.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

@@ -1,9 +1,10 @@
 //! Axes: what they show, and where values lie on them.
 
 use super::text::superscript;
+use serde::{Deserialize, Serialize};
 
 /// An axis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// Quantity and unit.
     pub label: String,
@@ -14,7 +15,7 @@ pub struct Axis {
 }
 
 /// How values are placed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Scale {
     /// Evenly.
     Linear,
@@ -25,7 +26,7 @@ pub enum Scale {
 }
 
 /// How values are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
     /// As numbers; the exponent of very large and small ones stands at the label or as a power of ten.
     Number,

@@ -13,8 +13,10 @@ mod text;
 pub use axis::{Axis, Format, Scale};
 pub use style::{Colour, Mark, Stroke};
 
+use serde::{Deserialize, Serialize};
+
 /// A chart.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Chart {
     /// What is shown; above the chart and for screen readers.
     pub title: String,
@@ -33,7 +35,7 @@ pub struct Chart {
 }
 
 /// Points with one look.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     /// Colour.
     pub colour: Colour,
@@ -48,7 +50,7 @@ pub struct Series {
 }
 
 /// How much a series stands out from the others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Strength {
     /// Steps back behind others, though its points can be read.
     Faint,
@@ -59,7 +61,7 @@ pub enum Strength {
 }
 
 /// A point of a series.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Along the horizontal axis; for named axes the number of the name.
     pub x: f64,
@@ -71,7 +73,7 @@ pub struct Point {
 }
 
 /// A reference line with a label at its end.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Guide {
     /// Where it begins, in values of the axes.
     pub from: [f64; 2],
@@ -82,7 +84,7 @@ pub struct Guide {
 }
 
 /// A line of the legend.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Entry {
     /// What it means.
     pub label: String,

@@ -1,10 +1,11 @@
 //! Colours, marks and strokes.
 
+use serde::{Deserialize, Serialize};
 use std::fmt::{self, Write};
 
 /// A colour of the palette by its meaning-free number; Okabe and Ito's, which people with any colour vision tell
 /// apart, and a lighter set of the same hues on dark paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Colour {
     /// The colour of text.
     Ink,
@@ -29,7 +30,7 @@ const PAPER: (&str, &str) = ("#ffffff", "#14171b");
 const GRID: (&str, &str) = ("#d5d9de", "#363c44");
 
 /// A mark at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mark {
     /// None: the line alone.
     None,
@@ -48,7 +49,7 @@ pub enum Mark {
 }
 
 /// How points are joined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Stroke {
     /// Not at all.
     None,
