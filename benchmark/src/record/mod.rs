@@ -5,12 +5,16 @@
 mod cases;
 pub mod context;
 mod error;
+pub mod export;
+mod join;
 mod machine;
 mod read;
 mod row;
+mod series;
 
 pub use error::RecordError;
 pub use row::{Kind, Row, key};
+pub use series::{CaseKey, Cases, Series};
 
 use proctor_kernel::output::{OutputError, atomic};
 use proctor_kernel::simulation::Options;

@@ -1,6 +1,7 @@
 //! Numbers and tables as text.
 
 pub mod case;
+pub mod comparison;
 
 use std::fmt::{self, Write as _};
 

@@ -1,6 +1,9 @@
 //! The verbs of the command, one file each.
 
+mod compare;
+mod export;
 mod main_job;
+mod noise;
 mod plan;
 mod run;
 mod schema;
@@ -22,6 +25,12 @@ pub enum Verb {
     Plan(plan::Plan),
     /// Run verification cases: errors, observed orders, gates.
     Verify(verify::Verify),
+    /// Compare two records: errors exactly, counts nearly exactly, times by interleaved passes.
+    Compare(compare::Compare),
+    /// Measure the noise of each case: the same program against itself.
+    Noise(noise::Noise),
+    /// Write a record in the shape that another tool reads.
+    Export(export::Export),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -33,6 +42,9 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
+        Some(Verb::Compare(compare)) => compare.run(out),
+        Some(Verb::Noise(noise)) => noise.run(out),
+        Some(Verb::Export(export)) => export.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }
