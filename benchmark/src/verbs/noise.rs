@@ -22,8 +22,8 @@ const SIDES: usize = 2;
 /// Measure the noise of each case: the same program against itself.
 ///
 /// Without RECORDS the short ladders are run on two sides that do not differ, interleaved, pass by pass. With RECORDS (two
-/// or more of the same program, or folders of records) nothing is run. The band of a case is the third quartile of the
-/// change of time between passes; `proctor compare --noise FILE` judges by twice of it where that is more than 3 %.
+/// or more of the same program, or folders of records) nothing is run. The band of a case is the largest change
+/// of time between passes; `proctor compare --noise FILE` judges by twice of it where that is more than 3 %.
 #[derive(Args)]
 #[command(after_help = "Example: proctor noise --json noise.json, then\n  \
     proctor compare base.json head.json --noise noise.json\n\
@@ -121,7 +121,7 @@ fn measured(options: &Options, passes: u64, interrupt: &Interrupt) -> Vec<Record
 }
 
 fn show(bands: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
-    let mut table = Table::new(["case", "threads", "pairs", "median", "band", "most"]);
+    let mut table = Table::new(["case", "threads", "pairs", "median", "band"]);
     for row in bands {
         let percent = |key: &str| {
             let value = row.counters.get(key);
@@ -134,7 +134,6 @@ fn show(bands: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
             pairs.to_string(),
             percent("noise_median"),
             percent("noise_band"),
-            percent("noise_maximum"),
         ]);
     }
     writeln!(
