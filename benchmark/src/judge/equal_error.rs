@@ -10,12 +10,13 @@ use crate::statistics::median;
 #[must_use]
 pub fn cost(base: &Cases, case: &CaseKey, key: &str, error: f64) -> Option<f64> {
     let own = base.get(case)?;
+    let ladder = own.ladder.as_ref()?;
     let mut points: Vec<(f64, f64)> = base
         .list
         .iter()
         .filter(|(other, series)| {
             let kind = other.aggregate.is_none() && other.threads == case.threads;
-            kind && series.ladder == own.ladder && series.error.is_none()
+            kind && series.ladder.as_ref() == Some(ladder) && series.error.is_none()
         })
         .filter_map(|(_, series)| {
             let error = series.counters.get(key)?.first()?;

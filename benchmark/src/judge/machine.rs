@@ -3,18 +3,50 @@
 use crate::record::Record;
 use serde_json::Value;
 
-/// Keys of a context that decide the machine code.
-const BUILD: [(&str, &str); 3] = [
-    ("library_build_type", "build type"),
-    ("target", "target"),
-    ("target_features_compiled", "target features"),
+/// A key of a context that matters.
+struct Condition {
+    key: &'static str,
+    /// What people call it.
+    word: &'static str,
+    /// Whether a record that does not say it cannot be compared with one that does.
+    needed: bool,
+}
+
+const fn needed(key: &'static str, word: &'static str) -> Condition {
+    Condition {
+        key,
+        word,
+        needed: true,
+    }
+}
+
+const fn if_known(key: &'static str, word: &'static str) -> Condition {
+    Condition {
+        key,
+        word,
+        needed: false,
+    }
+}
+
+/// What decides the machine code.
+const BUILD: [Condition; 3] = [
+    needed("library_build_type", "build type"),
+    if_known("target", "target"),
+    if_known("target_features_compiled", "target features"),
 ];
-/// Keys of a context that decide how fast it runs.
-const MACHINE: [(&str, &str); 4] = [
-    ("cpu_model", "processor"),
-    ("lanes", "lanes"),
-    ("num_cpus", "number of logical processors"),
-    ("cores_physical", "number of cores"),
+/// What decides the inner loops.
+const LANES: Condition = needed("lanes", "lanes");
+/// What decides how fast it runs.
+const MACHINE: [Condition; 4] = [
+    needed("cpu_model", "processor"),
+    LANES,
+    needed("num_cpus", "number of logical processors"),
+    if_known("cores_physical", "number of cores"),
+];
+/// What may explain a change.
+const HINTS: [Condition; 2] = [
+    if_known("rustc", "compiler"),
+    if_known("features", "features"),
 ];
 
 /// Why two records cannot be compared in full; `times` if their times matter.
@@ -32,7 +64,7 @@ pub fn obstacles(base: &Record, head: &Record, times: bool) -> Vec<String> {
     if times {
         obstacles.extend(differences(base, head, &MACHINE, "another machine"));
     } else if counts_instructions(base) || counts_instructions(head) {
-        obstacles.extend(differences(base, head, &MACHINE[1..2], "another machine"));
+        obstacles.extend(differences(base, head, &[LANES], "another machine"));
     }
     obstacles
 }
@@ -40,12 +72,7 @@ pub fn obstacles(base: &Record, head: &Record, times: bool) -> Vec<String> {
 /// What else differs and may explain a change.
 #[must_use]
 pub fn notes(base: &Record, head: &Record) -> Vec<String> {
-    let mut notes = differences(
-        base,
-        head,
-        &[("rustc", "compiler"), ("features", "features")],
-        "note",
-    );
+    let mut notes = differences(base, head, &HINTS, "note");
     for (name, record) in [("BASE", base), ("HEAD", head)] {
         if record.context["dirty"] == true {
             notes.push(format!(
@@ -61,23 +88,24 @@ fn counts_instructions(record: &Record) -> bool {
     keys.any(|key| key.starts_with("instructions"))
 }
 
-/// Keys whose values differ, or which only one of the two has.
-fn differences(base: &Record, head: &Record, keys: &[(&str, &str)], what: &str) -> Vec<String> {
+/// What differs, or is needed and said by only one of the two.
+fn differences(base: &Record, head: &Record, conditions: &[Condition], what: &str) -> Vec<String> {
     let said = |value: &Value| match value {
         Value::Null => "unknown".to_owned(),
         Value::String(word) if word.is_empty() => "none".to_owned(),
         Value::String(word) => word.clone(),
         other => other.to_string(),
     };
-    keys.iter()
-        .map(|(key, word)| (word, &base.context[*key], &head.context[*key]))
-        .filter(|(_, base, head)| base != head)
-        .map(|(word, base, head)| {
-            format!(
-                "{what}: {word} {} in BASE, {} in HEAD",
-                said(base),
-                said(head)
-            )
+    let of = |record: &Record, key: &str| record.context[key].clone();
+    conditions
+        .iter()
+        .map(|condition| (condition, of(base, condition.key), of(head, condition.key)))
+        .filter(|(condition, base, head)| {
+            base != head && (condition.needed || !base.is_null() && !head.is_null())
+        })
+        .map(|(condition, base, head)| {
+            let (word, base, head) = (condition.word, said(&base), said(&head));
+            format!("{what}: {word} {base} in BASE, {head} in HEAD")
         })
         .collect()
 }

@@ -22,7 +22,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Label that rows of one ladder share: runs that differ in resolution alone, so that their errors and times say what
-/// accuracy costs. Without it a ladder is made of the rows whose names agree up to their last `/`.
+/// accuracy costs. Rows without it belong to none.
 pub const LADDER: &str = "ladder";
 
 /// Key of the context that marks a record of interrupted work.

@@ -55,7 +55,7 @@ pub struct Series {
     /// Hash of the final state, where it was kept.
     pub state_hash: Option<String>,
     /// Rows with the same ladder differ in resolution alone.
-    pub ladder: String,
+    pub ladder: Option<String>,
     /// Why a run failed, if one did.
     pub error: Option<String>,
 }
@@ -70,10 +70,7 @@ impl Series {
             self.counters.entry(key.clone()).or_default().push(*value);
         }
         self.state_hash = row.labels.get("state_hash").cloned();
-        self.ladder = row.labels.get(LADDER).cloned().unwrap_or_else(|| {
-            let parent = row.name.rsplit_once('/').map(|(parent, _)| parent);
-            parent.unwrap_or(&row.name).to_owned()
-        });
+        self.ladder = row.labels.get(LADDER).cloned();
         if self.error.is_none() {
             self.error.clone_from(&row.error);
         }

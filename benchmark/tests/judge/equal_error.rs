@@ -2,16 +2,23 @@
 
 use crate::synthetic::{compare, of, record, steady_with};
 use proctor_benchmark::judge::{CaseVerdict, equal_error};
-use proctor_benchmark::record::{Cases, Record};
+use proctor_benchmark::record::{Cases, LADDER, Record, Row};
 
 /// A ladder of second order in three dimensions: the error falls with h², the time rises with h⁻⁴, so that the error
 /// goes with the time to the power -1/2. `time` and `error` scale all of it.
 fn ladder(time: f64, error: f64) -> Record {
+    let mut record = record([]);
     let rungs = [1.0, 2.0, 4.0].into_iter().flat_map(|n: f64| {
         let counters = [("error_l2", 0.1 * error / n.powi(2))];
         steady_with(&format!("bar/h={n}"), time * 0.01 * n.powi(4), &counters)
     });
-    record(rungs)
+    record.rows.extend(rungs.map(on_a_ladder));
+    record
+}
+
+fn on_a_ladder(mut row: Row) -> Row {
+    row.label(LADDER, "bar");
+    row
 }
 
 #[test]
@@ -70,7 +77,7 @@ fn without_a_ladder_a_bought_gain_is_no_gain() {
 fn a_ladder_on_which_time_buys_no_accuracy_is_none() {
     let mut rows = steady_with("bar/1", 1.0, &[("error_l2", 0.01)]);
     rows.extend(steady_with("bar/2", 2.0, &[("error_l2", 0.02)]));
-    let cases = Cases::of(&record(rows));
+    let cases = Cases::of(&record(rows.into_iter().map(on_a_ladder)));
     let (case, _) = &cases.list[0];
     assert_eq!(equal_error::cost(&cases, case, "error_l2", 0.015), None);
 }
