@@ -4,8 +4,11 @@ use super::{LADDER, Record, Row, key};
 use crate::suite::{Ran, RanRung};
 
 impl Record {
-    /// Adds a row per run of a case, and one for its verdict.
+    /// Adds a row per run of a case, and one for its verdict where anything was run.
     pub fn push_case(&mut self, ran: &Ran, threads: usize) {
+        if ran.rungs.is_empty() {
+            return;
+        }
         for rung in &ran.rungs {
             self.push(run_row(ran.case.name(), rung, threads));
         }

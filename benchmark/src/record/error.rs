@@ -34,6 +34,17 @@ pub enum Reason {
     NoBenchmarks,
 }
 
+impl RecordError {
+    /// An error about a file as a whole.
+    pub(super) fn new(path: &std::path::Path, reason: Reason) -> Self {
+        Self {
+            path: path.to_owned(),
+            line: None,
+            reason,
+        }
+    }
+}
+
 impl fmt::Display for RecordError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.path.display())?;

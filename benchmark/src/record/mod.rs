@@ -6,14 +6,18 @@ mod cases;
 pub mod context;
 pub mod details;
 mod error;
+pub mod export;
+mod join;
 mod machine;
 mod read;
 mod row;
+mod series;
 mod table;
 
 pub use details::Details;
 pub use error::RecordError;
 pub use row::{Kind, Row, key};
+pub use series::{CaseKey, Cases, Series};
 
 use proctor_kernel::output::{OutputError, atomic};
 use proctor_kernel::simulation::Options;
@@ -21,7 +25,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Label that rows of one ladder share: runs that differ in resolution alone, so that their errors and times say what
-/// accuracy costs. Without it a ladder is made of the rows whose names agree up to their last `/`.
+/// accuracy costs. Rows without it belong to none.
 pub const LADDER: &str = "ladder";
 
 /// Key of the context that marks a record of interrupted work.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 /// Counter that holds the pass of a row.
-const PASS: &str = "pass";
+pub(super) const PASS: &str = "pass";
 
 /// What a row stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]

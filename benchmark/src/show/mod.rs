@@ -2,6 +2,7 @@
 
 pub mod case;
 pub mod chart;
+pub mod comparison;
 pub mod figures;
 pub mod precision;
 

@@ -1,11 +1,11 @@
 //! `proctor bench`: the configurable multi-thread benchmark.
 
-use super::interrupt;
 use super::settings::Lanes;
 use crate::bench::Session;
 use crate::bench::config::{Asked, Config, FILE};
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
 use crate::record::Record;
 use clap::Args;
 use proctor_kernel::lanes::Selected;
@@ -13,7 +13,6 @@ use proctor_kernel::simulation::Options;
 use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
 
 /// Measure speed: scenes x particles x threads x methods, single stages, other executables.
 ///
@@ -68,9 +67,9 @@ impl Bench {
         // Empty files now rather than files that cannot be written after minutes.
         self.write(&record)?;
         let folder = self.folder()?;
-        let stop = interrupt::flag()?;
-        session.run(&mut record, folder.path(), &stop);
-        let interrupted = stop.load(Ordering::Relaxed);
+        let stop = Interrupt::listen()?;
+        session.run(&mut record, folder.path(), stop.flag());
+        let interrupted = stop.raised();
         if !interrupted && let Some(context) = record.context.as_object_mut() {
             context.remove("incomplete");
         }

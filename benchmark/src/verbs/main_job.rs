@@ -1,11 +1,11 @@
 //! `proctor` without a verb: the main job on the built-in set.
 
-use super::interrupt;
 use super::settings::processors;
 use crate::bench::Session;
 use crate::bench::config::{Asked, Config};
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
 use crate::precision::{Effort, run as study_run};
 use crate::record::Record;
 use crate::report;
@@ -19,14 +19,12 @@ use proctor_verification::case::{self, Size};
 use proctor_verification::study;
 use std::io::Write;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Where record and page go, below the working folder.
 const FOLDER: &str = "target/proctor";
 
 /// Speed of the built-in set: the moving block of the speed fixtures.
-const SPEED: &str =
-    r#"{ "scenes": ["moving-3d"], "particles": 64000, "particle_steps": 4000000 }"#;
+const SPEED: &str = r#"{ "scenes": ["moving-3d"], "particles": 64000, "particle_steps": 4000000 }"#;
 
 const WHERE_TO_GO: &str = "\
 Where to go from here (in a checkout, `cargo run --release --` stands for `proctor`)
@@ -50,13 +48,13 @@ pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
     record
         .write(&folder.join("record.json"))
         .map_err(Failure::bad_input)?;
-    let stop = interrupt::flag()?;
+    let stop = Interrupt::listen()?;
 
     let all = verify(&options, &mut record, &stop, out)?;
     precision(&mut record, &stop, out)?;
     let fast = speed(&mut record, &stop, out)?;
 
-    let interrupted = stop.load(Ordering::Relaxed);
+    let interrupted = stop.raised();
     record.set_incomplete(interrupted);
     write(&record, folder, out)?;
     show::total(&all, out)?;
@@ -75,12 +73,12 @@ pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
 fn verify(
     options: &Options,
     record: &mut Record,
-    stop: &AtomicBool,
+    stop: &Interrupt,
     out: &mut dyn Write,
 ) -> Result<Vec<Ran>, Failure> {
     let mut all: Vec<Ran> = vec![];
     for &case in case::all() {
-        if stop.load(Ordering::Relaxed) {
+        if stop.raised() {
             break;
         }
         let ran = suite::run(case, Size::Quick, options);
@@ -101,7 +99,7 @@ fn verify(
 }
 
 /// Short studies of all cases that can be studied, on one thread.
-fn precision(record: &mut Record, stop: &AtomicBool, out: &mut dyn Write) -> Result<(), Failure> {
+fn precision(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<(), Failure> {
     let options = Options {
         threads: Some(1),
         ..Options::default()
@@ -111,10 +109,10 @@ fn precision(record: &mut Record, stop: &AtomicBool, out: &mut dyn Write) -> Res
         repetitions: 1,
     };
     for &study in study::all() {
-        if stop.load(Ordering::Relaxed) {
+        if stop.raised() {
             break;
         }
-        let studied = study_run::run(study, effort, &options, stop);
+        let studied = study_run::run(study, effort, &options, stop.flag());
         show_study::study(&studied, false, out)?;
         out.flush()?;
         record.push_study(&studied, 1);
@@ -123,7 +121,7 @@ fn precision(record: &mut Record, stop: &AtomicBool, out: &mut dyn Write) -> Res
 }
 
 /// Speed on one thread and on all; whether every sample was taken.
-fn speed(record: &mut Record, stop: &AtomicBool, out: &mut dyn Write) -> Result<bool, Failure> {
+fn speed(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<bool, Failure> {
     let mut threads = vec![1, processors()];
     threads.dedup();
     let asked = Asked {
@@ -136,7 +134,7 @@ fn speed(record: &mut Record, stop: &AtomicBool, out: &mut dyn Write) -> Result<
     let mut session = Session::new(&config, LaneChoice::Auto).map_err(Failure::bad_input)?;
     let first = record.rows.len();
     // Nothing is written there: there are no executables.
-    session.run(record, Path::new(""), stop);
+    session.run(record, Path::new(""), stop.flag());
     let measured = Record {
         rows: record.rows[first..].to_vec(),
         ..record.clone()

@@ -1,9 +1,11 @@
 //! The verbs of the command, one file each.
 
 mod bench;
-mod interrupt;
+mod compare;
+mod export;
 mod main_job;
 mod names;
+mod noise;
 mod plan;
 mod precision;
 mod report;
@@ -33,6 +35,12 @@ pub enum Verb {
     Bench(bench::Bench),
     /// Make the page of a record.
     Report(report::Report),
+    /// Compare two records: errors exactly, counts nearly exactly, times by interleaved passes.
+    Compare(compare::Compare),
+    /// Measure the noise of each case: the same program against itself.
+    Noise(noise::Noise),
+    /// Write a record in the shape that another tool reads.
+    Export(export::Export),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -47,6 +55,9 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Precision(precision)) => precision.run(out),
         Some(Verb::Bench(bench)) => bench.run(out),
         Some(Verb::Report(report)) => report.run(out),
+        Some(Verb::Compare(compare)) => compare.run(out),
+        Some(Verb::Noise(noise)) => noise.run(out),
+        Some(Verb::Export(export)) => export.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

@@ -1,8 +1,9 @@
 //! `proctor precision`: error against run time.
 
+use super::names;
 use super::settings::Settings;
-use super::{interrupt, names};
 use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
 use crate::precision::{Effort, Studied, rows, run};
 use crate::record::Record;
 use crate::show::{figures, precision as show};
@@ -14,7 +15,6 @@ use proctor_verification::study;
 use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
 
 /// Error against run time, for every case with an exact solution.
 ///
@@ -67,21 +67,21 @@ impl Precision {
         };
         let mut record = Record::new(&options);
         self.can_write(&record)?;
-        let interrupt = interrupt::flag()?;
+        let interrupt = Interrupt::listen()?;
         let mut studied: Vec<Studied> = vec![];
         for study in studies {
-            let ran = run::run(study, effort, &options, &interrupt);
+            let ran = run::run(study, effort, &options, interrupt.flag());
             show::study(&ran, self.all, out)?;
             out.flush()?;
             record.push_study(&ran, threads);
             studied.push(ran);
-            if interrupt.load(Ordering::Relaxed) {
-                record.context["incomplete"] = true.into();
+            if interrupt.raised() {
+                record.set_incomplete(true);
                 break;
             }
         }
         self.write(&record, &studied, out)?;
-        Ok(if interrupt.load(Ordering::Relaxed) {
+        Ok(if interrupt.raised() {
             Outcome::Interrupted
         } else {
             Outcome::Fine

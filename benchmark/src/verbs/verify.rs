@@ -3,6 +3,7 @@
 use super::names;
 use super::settings::{Settings, processors};
 use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
 use crate::record::Record;
 use crate::show::case as show;
 use crate::suite::{self, Ran};
@@ -25,7 +26,7 @@ pub struct Verify {
     /// Run the short ladder of each case
     #[arg(long)]
     quick: bool,
-    /// Write a record of all runs (Google Benchmark JSON)
+    /// Write a record of all runs (Google Benchmark JSON); Ctrl-C finishes the run and marks the record incomplete
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     #[command(flatten)]
@@ -39,23 +40,30 @@ impl Verify {
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let size = if self.quick { Size::Quick } else { Size::Full };
         let threads = options.threads.unwrap_or_else(processors);
+        let interrupt = Interrupt::listen()?;
         let mut record = Record::new(&options);
+        // Until all is done. A process that is killed leaves it so.
+        record.set_incomplete(true);
         if let Some(path) = &self.json {
             // An empty record now rather than a file that cannot be written after minutes.
             record.write(path).map_err(Failure::bad_input)?;
         }
         let mut all: Vec<Ran> = vec![];
         for case in cases {
-            let ran = suite::run(case, size, &options);
+            let ran = suite::run_while(case, size, &options, &|| !interrupt.raised());
+            record.push_case(&ran, threads);
+            if interrupt.raised() {
+                return self.interrupted(&record);
+            }
             show::runs(&ran, out)?;
             show::tables(&ran, out)?;
             show::gates(&ran, true, out)?;
             show::for_the_record(&ran, out)?;
             out.flush()?;
-            record.push_case(&ran, threads);
             all.push(ran);
         }
         show::total(&all, out)?;
+        record.set_incomplete(false);
         if let Some(path) = &self.json {
             record.write(path).map_err(Failure::bad_input)?;
             writeln!(out, "record in {}", path.display())?;
@@ -65,5 +73,14 @@ impl Verify {
         } else {
             Outcome::Failed
         })
+    }
+
+    /// Writes what was measured until Ctrl-C.
+    fn interrupted(&self, record: &Record) -> Result<Outcome, Failure> {
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+            eprintln!("interrupted; incomplete record in {}", path.display());
+        }
+        Ok(Outcome::Interrupted)
     }
 }
