@@ -175,15 +175,14 @@ fn order_guides(series: &[Series], axes: usize) -> Vec<Guide> {
     if x2 < 4.0 * x1 || y2 < 4.0 * y1 {
         return vec![];
     }
-    // A quarter of the times, from below the middle of the errors so that the runs stay free.
-    let from = [x1, y1 * (y2 / y1).powf(0.42)];
-    let ratio = (x2 / x1).powf(0.25);
+    // At the lower left, where no run is fast and accurate at once: down to the smallest error at order 2.
+    let slope_of = |order: i32| f64::from(order) / (axes as f64 + 1.0);
+    let ratio = (x2 / x1).powf(0.22);
+    let from = [x1, y1 * ratio.powf(slope_of(2))];
     [1, 2]
         .into_iter()
         .map(|order| {
-            let slope = f64::from(order) / (axes as f64 + 1.0);
-            // No lower than the runs.
-            let ratio = ratio.min((from[1] / y1).powf(1.0 / slope));
+            let slope = slope_of(order);
             Guide {
                 from,
                 to: [from[0] * ratio, from[1] * ratio.powf(-slope)],
@@ -198,13 +197,14 @@ fn legend(studied: &Studied, series: &[Series]) -> Vec<Entry> {
     let lines = &studied.plan.lines;
     let any = |test: &dyn Fn(&Method) -> bool| lines.iter().any(|line| test(&line.method));
     let mut entries = vec![];
-    let mut push = |label: &str, colour, mark, stroke, open| {
+    let mut push = |label: &str, colour, mark, stroke| {
         entries.push(Entry {
             label: label.to_owned(),
             colour,
             mark,
             stroke,
-            open,
+            strength: Strength::Plain,
+            open: false,
         });
     };
     let default = Method::DEFAULT;
@@ -215,13 +215,13 @@ fn legend(studied: &Studied, series: &[Series]) -> Vec<Entry> {
                 ..default
             }
             .weighting_word();
-            push(word, Colour::Hue(i), Mark::None, Stroke::Solid, false);
+            push(word, Colour::Hue(i), Mark::None, Stroke::Solid);
         }
     }
     for (i, scheme) in SCHEMES.into_iter().enumerate() {
         if any(&|m| m.scheme == scheme) {
             let word = Method { scheme, ..default }.scheme_word();
-            push(word, Colour::Ink, SCHEME_MARKS[i], Stroke::None, false);
+            push(word, Colour::Ink, SCHEME_MARKS[i], Stroke::None);
         }
     }
     for (i, transfer) in TRANSFERS.into_iter().enumerate() {
@@ -231,16 +231,34 @@ fn legend(studied: &Studied, series: &[Series]) -> Vec<Entry> {
                 ..default
             }
             .transfer_word();
-            push(word, Colour::Ink, Mark::None, TRANSFER_STROKES[i], false);
+            push(word, Colour::Ink, Mark::None, TRANSFER_STROKES[i]);
         }
     }
+    entries.push(Entry {
+        label: "Pareto front".to_owned(),
+        colour: Colour::Ink,
+        mark: Mark::None,
+        stroke: Stroke::Solid,
+        strength: Strength::Band,
+        open: false,
+    });
+    let mut push = |label: &str, mark, open| {
+        entries.push(Entry {
+            label: label.to_owned(),
+            colour: Colour::Ink,
+            mark,
+            stroke: Stroke::None,
+            strength: Strength::Plain,
+            open,
+        });
+    };
     if series.iter().any(|s| s.mark == Mark::Dot) {
         let words = "other C or particles per cell";
-        push(words, Colour::Ink, Mark::Dot, Stroke::None, false);
+        push(words, Mark::Dot, false);
     }
     let failed = |p: &Point| p.y.is_none();
     if series.iter().any(|s| s.points.iter().any(failed)) {
-        push("failed run", Colour::Ink, Mark::Circle, Stroke::None, true);
+        push("failed run", Mark::Circle, true);
     }
     entries
 }
@@ -299,6 +317,7 @@ fn convergence_of(title: &str, lines: &[(String, &ConvergenceTable, usize)]) -> 
             colour,
             mark,
             stroke: Stroke::Solid,
+            strength: Strength::Plain,
             open: false,
         });
     }
@@ -372,6 +391,7 @@ pub fn curve(curve: &Curve) -> Chart {
         colour,
         mark,
         stroke,
+        strength: Strength::Plain,
         open: false,
     };
     let looks = [

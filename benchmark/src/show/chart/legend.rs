@@ -39,8 +39,10 @@ pub fn draw(svg: &mut String, entry: &Entry, x: f64, y: f64) {
     if entry.stroke != Stroke::None {
         let _ = write!(
             svg,
-            "<path class=\"{class} line\" stroke=\"{light}\" stroke-width=\"2.2\" fill=\"none\"{} d=\"M{x:.1} {middle:.1}h26\"/>",
-            dashes(entry.stroke)
+            "<path class=\"{class} line\" stroke=\"{light}\" stroke-width=\"{}\" fill=\"none\"{}{} d=\"M{x:.1} {middle:.1}h26\"/>",
+            entry.strength.width(),
+            dashes(entry.stroke),
+            entry.strength.opacity()
         );
     }
     if entry.mark != Mark::None {
