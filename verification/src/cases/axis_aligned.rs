@@ -293,7 +293,7 @@ impl Study for AxisAligned {
         let (young, _) = LAW.young_poisson();
         let end = END * SIDE / (young / DENSITY).sqrt();
         let mut scene = Scene::new(self.dimension, mesh, end);
-        scene.name = self.name().to_owned();
+        scene.name = String::from(self.name());
         scene.time_step = settings.equal_steps(end, h, Self::wave_speed()).0;
         scene.results = NO_RESULTS;
         scene.materials = vec![Material {

@@ -192,7 +192,7 @@ impl Study for Bar {
         let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells + AIR, 1, 1]);
         mesh.planes[0][1] = PlaneCondition::Free;
         let mut scene = Scene::new(Dimension::Two, mesh, Self::end());
-        scene.name = "bar".to_owned();
+        scene.name = String::from("bar");
         scene.time_step = settings
             .equal_steps(scene.time, h, Self::exact(1.0).wave_speed())
             .0;

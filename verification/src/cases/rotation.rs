@@ -180,7 +180,7 @@ impl Study for Rotation {
         let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells, cells, 1]);
         mesh.planes[..2].fill([PlaneCondition::Free; 2]);
         let mut scene = Scene::new(Dimension::Two, mesh, PI / Self::spin());
-        scene.name = "rotation".to_owned();
+        scene.name = String::from("rotation");
         scene.time_step = settings.equal_steps(scene.time, h, Self::fastest()).0;
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
