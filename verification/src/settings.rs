@@ -41,7 +41,7 @@ impl Method {
 
     /// Word for the weighting function.
     #[must_use]
-    pub fn weighting_word(&self) -> &'static str {
+    pub fn weighting_word(self) -> &'static str {
         match self.weighting {
             Weighting::Linear => "linear",
             Weighting::UniformGimp => "uGIMP",
@@ -53,7 +53,7 @@ impl Method {
 
     /// Word for the stress scheme.
     #[must_use]
-    pub fn scheme_word(&self) -> &'static str {
+    pub fn scheme_word(self) -> &'static str {
         match self.scheme {
             StressScheme::Usf => "USF",
             StressScheme::Usl => "USL",
@@ -63,7 +63,7 @@ impl Method {
 
     /// Word for the transfer.
     #[must_use]
-    pub fn transfer_word(&self) -> &'static str {
+    pub fn transfer_word(self) -> &'static str {
         match self.transfer {
             TransferKind::Flip => "FLIP",
             TransferKind::Apic => "APIC",
@@ -73,14 +73,14 @@ impl Method {
 
     /// Whether the kernel knows a time step that is safe for every body.
     #[must_use]
-    pub fn has_safe_step(&self) -> bool {
+    pub fn has_safe_step(self) -> bool {
         has_safe_step(self.weighting, self.scheme, self.transfer)
     }
 
     /// Largest stable `c dt/h` that the kernel knows for this many particles per cell and axis; where there is none
     /// that is safe for every body, the one that holds while no node is nearly empty.
     #[must_use]
-    pub fn stability_number(&self, particles_per_cell: usize) -> f64 {
+    pub fn stability_number(self, particles_per_cell: usize) -> f64 {
         let half_length = 0.5 / particles_per_cell as f64;
         stability_number(self.weighting, self.scheme, self.transfer, half_length)
     }

@@ -1,10 +1,18 @@
 //! The cases, quick: they solve, their gates hold, and a wrong reference breaks the gates. The modules mirror
 //! `src/cases`.
 
+#[path = "cases/axis_aligned.rs"]
+mod axis_aligned;
+#[path = "cases/bar.rs"]
+mod bar;
 #[path = "cases/base_acceleration.rs"]
 mod base_acceleration;
 #[path = "cases/boussinesq.rs"]
 mod boussinesq;
+#[path = "cases/rotation.rs"]
+mod rotation;
+#[path = "cases/self_weight.rs"]
+mod self_weight;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};

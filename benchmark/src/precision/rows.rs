@@ -7,7 +7,7 @@ use crate::record::{Record, Row};
 use proctor_verification::settings::Method;
 
 /// Name of the rows of a line.
-fn line_name(case: &str, method: &Method) -> String {
+fn line_name(case: &str, method: Method) -> String {
     format!(
         "precision/{case}/{}-{}-{}",
         method.weighting_word(),
@@ -21,7 +21,7 @@ fn name(case: &str, choice: &Choice) -> String {
     let settings = &choice.settings;
     format!(
         "{}/h={:.4e}/C={:.4}/ppc={}",
-        line_name(case, &settings.method),
+        line_name(case, settings.method),
         choice.rung.cell,
         settings.courant_or_automatic(),
         settings.particles_per_cell
@@ -29,7 +29,7 @@ fn name(case: &str, choice: &Choice) -> String {
 }
 
 /// Labels and numbers of the settings.
-fn describe(row: &mut Row, case: &str, method: &Method) {
+fn describe(row: &mut Row, case: &str, method: Method) {
     row.label("case", case);
     row.label("weighting", method.weighting_word());
     row.label("scheme", method.scheme_word());
@@ -51,9 +51,9 @@ impl Record {
         }
         for (number, measure) in studied.study.measures().iter().enumerate() {
             for line in &Findings::new(studied, number).lines {
-                let name = line_name(case, &line.method);
+                let name = line_name(case, line.method);
                 let mut row = Row::aggregate(name, &format!("cost_{}", measure.word), threads);
-                describe(&mut row, case, &line.method);
+                describe(&mut row, case, line.method);
                 for (level, cost) in LEVELS.iter().zip(line.costs) {
                     if let Some(seconds) = cost.seconds() {
                         row.count(format!("seconds_for_error_{level}"), seconds);
@@ -85,7 +85,7 @@ fn sample_row(
     let case = studied.study.name();
     let mut row =
         Row::sample(name(case, choice), repetition as u64, threads).timed(sample.stepping);
-    describe(&mut row, case, &choice.settings.method);
+    describe(&mut row, case, choice.settings.method);
     row.count("cell_size", choice.rung.cell);
     row.count("courant", choice.settings.courant_or_automatic());
     row.count(
@@ -143,7 +143,7 @@ pub fn csv(studied: &Studied, heading: bool, out: &mut dyn std::io::Write) -> cs
     }
     for (choice, run) in studied.plan.choices.iter().zip(&studied.runs) {
         for (number, measure) in studied.study.measures().iter().enumerate() {
-            let method = &choice.settings.method;
+            let method = choice.settings.method;
             let found = run.found.as_ref().ok();
             let wall = run.minimum_and_median(|s| s.stepping.wall);
             let cpu = run.minimum_and_median(|s| s.stepping.cpu);

@@ -9,7 +9,7 @@ use crate::show::case as show;
 use crate::suite::{self, Ran};
 use clap::Args;
 use proctor_kernel::lanes::Selected;
-use proctor_verification::case::{self, Size};
+use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -35,7 +35,7 @@ pub struct Verify {
 
 impl Verify {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let cases = names::chosen(&self.cases, case::all(), "case", |case| case.name())?;
+        let cases = names::chosen(&self.cases, case::all(), "case", Case::name)?;
         let options = self.settings.options();
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let size = if self.quick { Size::Quick } else { Size::Full };

@@ -4,6 +4,7 @@
 mod bad_input;
 mod pipe;
 mod plan;
+mod precision;
 mod restart;
 mod run;
 mod support;

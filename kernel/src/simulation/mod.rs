@@ -47,6 +47,10 @@ pub type InitialField = Arc<dyn Fn(&Vector) -> InitialState + Send + Sync>;
 pub struct InitialState {
     /// Velocity \[m/s\].
     pub velocity: Vector,
+    /// Velocity gradient \[1/s\], `[a][b]` = dv_a/dx_b: the affine velocity of APIC and TPIC at the start. Without
+    /// it their first mapping loses what the velocity varies by within a cell, a body's spin for one. FLIP has no
+    /// use for it.
+    pub velocity_gradient: [[f64; 3]; 3],
     /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy. The neo-Hookean law computes it from F after the first
     /// step.
     pub stress: [f64; 6],

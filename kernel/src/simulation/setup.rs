@@ -279,6 +279,13 @@ fn start_from(
         for axis in 0..axes {
             set.columns[Layout::velocity(axes) + axis][p] = state.velocity[axis];
         }
+        if let Some(first) = set.layout.affine {
+            for a in 0..axes {
+                for b in 0..axes {
+                    set.columns[first + a * axes + b][p] = state.velocity_gradient[a][b];
+                }
+            }
+        }
         let square: f64 = state.velocity[..axes].iter().map(|v| v * v).sum();
         run.found.speed_squared = run.found.speed_squared.max(square);
         let s = state.stress;

@@ -231,6 +231,7 @@ pub fn rough_drift(
 ) -> InitialField {
     let flat = dimension == Dimension::Two;
     Arc::new(move |x| InitialState {
+        velocity_gradient: [[0.0; 3]; 3],
         velocity: std::array::from_fn(|axis| {
             if flat && axis == 2 {
                 0.0

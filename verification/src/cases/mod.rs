@@ -69,6 +69,7 @@ const NO_RESULTS: Results = Results {
 /// A body at rest and without stress.
 const AT_REST: InitialState = InitialState {
     velocity: [0.0; 3],
+    velocity_gradient: [[0.0; 3]; 3],
     stress: [0.0; 6],
     deformation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
 };

@@ -11,7 +11,9 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Body, Dimension, Mesh, PlaneCondition, Scene, Shape};
+use proctor_kernel::scene::{
+    Body, Dimension, Mesh, PlaneCondition, Scene, Shape, StressScheme, TransferKind,
+};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, advance, l2, ratio};
@@ -131,7 +133,7 @@ impl Case for Rotation {
                 error_gate(&rungs, solved, VELOCITY, 1e-2, reason),
             ],
             tables: vec![(
-                "rotation, uGIMP, USL, FLIP".to_owned(),
+                "rotation, uGIMP, MUSL, APIC".to_owned(),
                 table(solved, VARIANT, &[DISPLACEMENT, VELOCITY]),
             )],
             for_the_record: vec![],
@@ -165,7 +167,11 @@ impl Study for Rotation {
     }
 
     fn own_settings(&self, _: &Rung) -> Settings {
-        Settings::new(Method::DEFAULT)
+        Settings::new(Method {
+            transfer: TransferKind::Apic,
+            scheme: StressScheme::Musl,
+            ..Method::DEFAULT
+        })
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
@@ -174,7 +180,7 @@ impl Study for Rotation {
         let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells, cells, 1]);
         mesh.planes[..2].fill([PlaneCondition::Free; 2]);
         let mut scene = Scene::new(Dimension::Two, mesh, PI / Self::spin());
-        scene.name = "rotation".to_owned();
+        scene.name = String::from("rotation");
         scene.time_step = settings.equal_steps(scene.time, h, Self::fastest()).0;
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
@@ -208,6 +214,11 @@ impl Study for Rotation {
             displacement: true,
             initial: Some(Arc::new(|x| InitialState {
                 velocity: Self::velocity(*x, Self::spin()),
+                velocity_gradient: [
+                    [0.0, -Self::spin(), 0.0],
+                    [Self::spin(), 0.0, 0.0],
+                    [0.0; 3],
+                ],
                 ..super::AT_REST
             })),
             ..options.clone()

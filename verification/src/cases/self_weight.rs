@@ -54,7 +54,7 @@ impl SelfWeight {
         reference_gravity: 1.0,
     };
 
-    fn exact(&self) -> SelfWeightColumn {
+    fn exact(self) -> SelfWeightColumn {
         SelfWeightColumn {
             law: ExactLaw::NeoHookean,
             height: HEIGHT,
@@ -180,7 +180,7 @@ impl Study for SelfWeight {
         mesh.planes[1][1] = PlaneCondition::Free;
         // The end of a relaxation is the rest, not a time.
         let mut scene = Scene::new(Dimension::Two, mesh, 1.0);
-        scene.name = "self_weight".to_owned();
+        scene.name = String::from("self_weight");
         scene.gravity = [0.0, -GRAVITY, 0.0];
         scene.damping = Damping::Kinetic;
         scene.time_step = settings.multiplier();

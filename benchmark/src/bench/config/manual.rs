@@ -349,6 +349,7 @@ impl ManualTest {
         let initial: InitialField = Arc::new(move |x: &Vector| {
             let mut start = InitialState {
                 velocity: [0.0; 3],
+                velocity_gradient: [[0.0; 3]; 3],
                 stress: [0.0; 6],
                 deformation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             };
@@ -356,12 +357,20 @@ impl ManualTest {
                 State::Uniform(v) => start.velocity = v,
                 State::Stretching(rate) => {
                     start.velocity = std::array::from_fn(|axis| rate[axis] * x[axis]);
+                    for axis in 0..3 {
+                        start.velocity_gradient[axis][axis] = rate[axis];
+                    }
                 }
                 State::Spinning(w) => {
                     start.velocity = std::array::from_fn(|i| {
                         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
                         w[j] * x[k] - w[k] * x[j]
                     });
+                    for i in 0..3 {
+                        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                        start.velocity_gradient[i][k] = w[j];
+                        start.velocity_gradient[i][j] = -w[k];
+                    }
                 }
                 State::Stressed(p) => start.stress = [p, p, p, 0.0, 0.0, 0.0],
             }

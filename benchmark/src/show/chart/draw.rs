@@ -1,10 +1,10 @@
 //! From a chart to SVG text.
 
 use super::axis::Ranged;
-use super::legend::{self, dashes, look};
+use super::legend::{self, dashes, look_of_point};
 use super::style::{self, GRID_LIGHT, INK_LIGHT, PAPER_LIGHT, Shape};
 use super::text::{escaped, lines, width};
-use super::{Chart, Guide, Mark, Point, Series, Strength, Stroke};
+use super::{Chart, Guide, Mark, Point, Series, Stroke};
 use std::fmt::Write;
 
 /// Width of the chart in its own units. Text of 14 units is 10 pixels high where the chart is 400 pixels wide.
@@ -252,14 +252,6 @@ fn reference(out: &mut String, layout: &Layout, guide: &Guide) {
     label(out, &guide.label, [x, y], anchor, 0.93 * TEXT, &halo);
 }
 
-fn opacity(strength: Strength) -> &'static str {
-    match strength {
-        Strength::Plain => "",
-        Strength::Faint => " opacity=\"0.38\"",
-        Strength::Band => " opacity=\"0.28\"",
-    }
-}
-
 /// The line of a series, broken where a point has no value.
 fn line(out: &mut String, layout: &Layout, series: &Series) {
     if series.stroke == Stroke::None {
@@ -277,19 +269,15 @@ fn line(out: &mut String, layout: &Layout, series: &Series) {
             None => joined = false,
         }
     }
-    let width = match series.strength {
-        Strength::Band => 13.0,
-        Strength::Plain => 2.2,
-        Strength::Faint => 1.4,
-    };
     let _ = write!(
         out,
-        "<path class=\"{} line\" stroke=\"{}\" stroke-width=\"{width}\" fill=\"none\" stroke-linejoin=\"round\" \
+        "<path class=\"{} line\" stroke=\"{}\" stroke-width=\"{}\" fill=\"none\" stroke-linejoin=\"round\" \
          stroke-linecap=\"round\"{}{} d=\"{path}\"/>",
         series.colour.class(),
         series.colour.light(),
+        series.strength.width(),
         dashes(series.stroke),
-        opacity(series.strength)
+        series.strength.opacity()
     );
 }
 
@@ -298,7 +286,7 @@ fn marks(out: &mut String, layout: &Layout, series: &Series) {
     if series.mark == Mark::None {
         return;
     }
-    let _ = write!(out, "<g{}>", opacity(series.strength));
+    let _ = write!(out, "<g{}>", series.strength.opacity());
     for point in &series.points {
         let place = layout.at(point);
         let title = escaped(&point.title);
@@ -323,7 +311,7 @@ fn marks(out: &mut String, layout: &Layout, series: &Series) {
         let _ = write!(
             out,
             "{shape} {}><title>{title}</title>{}",
-            look(series.colour, open),
+            look_of_point(series.colour, open),
             end_of(series.mark)
         );
     }
@@ -340,7 +328,7 @@ fn bar(out: &mut String, layout: &Layout, series: &Series, point: &Point, at: [f
         y - 0.32 * BAR,
         (x - zero).abs(),
         0.64 * BAR,
-        look(series.colour, false),
+        look_of_point(series.colour, false),
         escaped(&point.title)
     );
     let text = crate::show::number(point.x);

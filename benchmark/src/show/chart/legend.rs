@@ -39,8 +39,10 @@ pub fn draw(svg: &mut String, entry: &Entry, x: f64, y: f64) {
     if entry.stroke != Stroke::None {
         let _ = write!(
             svg,
-            "<path class=\"{class} line\" stroke=\"{light}\" stroke-width=\"2.2\" fill=\"none\"{} d=\"M{x:.1} {middle:.1}h26\"/>",
-            dashes(entry.stroke)
+            "<path class=\"{class} line\" stroke=\"{light}\" stroke-width=\"{}\" fill=\"none\"{}{} d=\"M{x:.1} {middle:.1}h26\"/>",
+            entry.strength.width(),
+            dashes(entry.stroke),
+            entry.strength.opacity()
         );
     }
     if entry.mark != Mark::None {
@@ -70,13 +72,22 @@ pub fn dashes(stroke: Stroke) -> String {
 
 /// Attributes of a mark, filled or open.
 pub fn look(colour: Colour, open: bool) -> String {
+    looks(colour, open, "")
+}
+
+/// The same for a point with values, which a page can find by its class.
+pub fn look_of_point(colour: Colour, open: bool) -> String {
+    looks(colour, open, "point ")
+}
+
+fn looks(colour: Colour, open: bool, first: &str) -> String {
     let (class, light) = (colour.class(), colour.light());
     if open {
         format!(
-            "class=\"{class} open\" fill=\"{}\" stroke=\"{light}\" stroke-width=\"1.8\"",
+            "class=\"{first}{class} open\" fill=\"{}\" stroke=\"{light}\" stroke-width=\"1.8\"",
             super::style::PAPER_LIGHT
         )
     } else {
-        format!("class=\"{class} mark\" fill=\"{light}\"")
+        format!("class=\"{first}{class} mark\" fill=\"{light}\"")
     }
 }

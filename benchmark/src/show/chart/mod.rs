@@ -94,6 +94,8 @@ pub struct Entry {
     pub mark: Mark,
     /// Line of the sample.
     pub stroke: Stroke,
+    /// Strength of the sample.
+    pub strength: Strength,
     /// Whether the sample stands for points without a value.
     pub open: bool,
 }

@@ -1,5 +1,6 @@
 //! Colours, marks and strokes.
 
+use super::Strength;
 use serde::{Deserialize, Serialize};
 use std::fmt::{self, Write};
 
@@ -75,6 +76,26 @@ impl Colour {
         match self {
             Self::Ink => INK.0,
             Self::Hue(hue) => HUES[hue % HUES.len()].0,
+        }
+    }
+}
+
+impl Strength {
+    /// Attribute of opacity, with a blank before it.
+    pub(super) fn opacity(self) -> &'static str {
+        match self {
+            Self::Plain => "",
+            Self::Faint => " opacity=\"0.45\"",
+            Self::Band => " opacity=\"0.22\"",
+        }
+    }
+
+    /// Width of a line.
+    pub(super) fn width(self) -> f64 {
+        match self {
+            Self::Plain => 2.2,
+            Self::Faint => 1.4,
+            Self::Band => 9.0,
         }
     }
 }
