@@ -58,10 +58,13 @@ fn scene() -> Scene {
         point_loads: vec![],
         tractions: vec![],
         box_loads: vec![],
+        contacts: vec![],
+        contact_distance: None,
         outside: Outside::Stop,
         results: Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         },
         probes: vec![],

@@ -104,6 +104,7 @@ fn fields_that_are_kept_are_there_and_filled() {
                 s.results = Results {
                     print: 1,
                     fields: vec![Field::Displacement],
+                    nodal_fields: vec![],
                     checkpoint: false,
                 };
             },
@@ -115,6 +116,7 @@ fn fields_that_are_kept_are_there_and_filled() {
                 s.results = Results {
                     print: 1,
                     fields: vec![Field::DeformationGradient],
+                    nodal_fields: vec![],
                     checkpoint: false,
                 };
             },
@@ -271,6 +273,7 @@ fn features_that_only_watch_change_no_bit() {
                 s.results = Results {
                     print: 3,
                     fields: vec![Field::DeformationGradient, Field::Displacement],
+                    nodal_fields: vec![],
                     checkpoint: true,
                 };
             },

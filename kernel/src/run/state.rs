@@ -16,6 +16,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
         results: Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         },
         probes: vec![],

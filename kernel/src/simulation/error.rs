@@ -98,6 +98,17 @@ pub enum StepErrorKind {
         /// Position of the node \[m\].
         position: [f64; 3],
     },
+    /// Two bodies of a contact approach each other in one step by more than the distance at which they touch.
+    Tunnelling {
+        /// Identifiers of master and slave.
+        bodies: [i64; 2],
+        /// Position of the node \[m\].
+        position: [f64; 3],
+        /// Approach in the step \[m\].
+        approach: f64,
+        /// Distance at which they touch \[m\].
+        distance: f64,
+    },
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -152,6 +163,16 @@ impl fmt::Display for StepError {
                     "a nodal load acts at ({x}, {y}, {z}) m, where no particle reaches"
                 )
             }
+            StepErrorKind::Tunnelling {
+                bodies: [master, slave],
+                position: [x, y, z],
+                approach,
+                distance,
+            } => write!(
+                f,
+                "bodies {master} and {slave} approach by {approach} m in one step at ({x}, {y}, {z}) m, more than the \
+                 {distance} m at which they touch; accepted: a smaller time step"
+            ),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
                 "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"

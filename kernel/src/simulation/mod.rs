@@ -2,9 +2,10 @@
 
 mod acting;
 mod clock;
+mod contact;
 mod error;
 mod faults;
-mod field;
+pub(crate) mod field;
 mod history;
 mod loads;
 mod measure;
@@ -92,6 +93,8 @@ pub(crate) struct BodyRun {
     /// Rate of viscous damping \[1/s\].
     pub(crate) viscous_rate: f64,
     pub(crate) found: Found,
+    /// Whether it has a velocity field of its own, as of the last sort.
+    pub(crate) in_layer: bool,
 }
 
 /// A scene in motion.
@@ -104,6 +107,7 @@ pub struct Simulation {
     pub(crate) sets: Vec<ParticleSet>,
     pub(crate) bodies: Vec<BodyRun>,
     pub(crate) field: Field,
+    pub(crate) contact: crate::contact::State,
     /// Nodes per axis of the stencil, 3 or 4.
     pub(crate) stencil: usize,
     /// Largest travel in cells since the last sort.

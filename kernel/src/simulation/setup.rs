@@ -8,6 +8,7 @@ use super::relaxation::Relaxation;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
 use crate::bodies::{HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
+use crate::contact::State;
 use crate::grid::GridShape;
 use crate::lanes::Selected;
 use crate::particles::{Layout, ParticleSet};
@@ -75,6 +76,7 @@ impl Simulation {
             .iter()
             .map(|b| b.found.half_length)
             .fold(0.0, f64::max);
+        let contact = State::new(scene, &bodies);
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
             base: scene
@@ -89,6 +91,7 @@ impl Simulation {
             sets,
             bodies,
             field: Field::new(shape),
+            contact,
             travel: f64::INFINITY,
             groups: Groups::default(),
             clock: Clock::default(),
@@ -206,6 +209,7 @@ fn fill_body(
             half_length: widest,
             fault: None,
         },
+        in_layer: false,
     };
     Ok((set, run))
 }
