@@ -35,18 +35,15 @@ impl NodeBox {
     /// Whether two boxes share a node.
     #[must_use]
     pub fn meets(&self, other: &Self) -> bool {
-        (0..3).all(|axis| self.first[axis] <= other.last[axis] && other.first[axis] <= self.last[axis])
+        (0..3).all(|axis| {
+            self.first[axis] <= other.last[axis] && other.first[axis] <= self.last[axis]
+        })
     }
 }
 
 /// Which pairs are near, and the bodies of near pairs.
 #[must_use]
-pub fn near(
-    pairs: &[Pair],
-    sets: &[ParticleSet],
-    shape: &GridShape,
-    stencil: usize,
-) -> Vec<bool> {
+pub fn near(pairs: &[Pair], sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> Vec<bool> {
     let mut boxes: Vec<Option<NodeBox>> = vec![None; sets.len()];
     pairs
         .iter()

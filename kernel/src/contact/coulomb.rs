@@ -25,6 +25,8 @@ pub struct Member {
     pub mass: f64,
     /// Velocity \[m/s\].
     pub velocity: Vector,
+    /// Increment of the velocity in this step \[m/s\].
+    pub increment: Vector,
 }
 
 /// Two fields that touch.
@@ -48,6 +50,7 @@ pub struct Coulomb {
     /// Mass and velocity of each group, and smallest mass over mass.
     mass: Vec<f64>,
     trial: Vec<Vector>,
+    increment: Vec<Vector>,
     velocity: Vec<Vector>,
     inverse: Vec<f64>,
     /// Impulse of each touch over the smallest mass \[m/s\].
@@ -56,8 +59,8 @@ pub struct Coulomb {
 }
 
 impl Coulomb {
-    /// Joins the fields `i`, `j` for which `joined(i, j)`, then lets the groups touch. Changes the velocities of the
-    /// fields, and writes the impulse on the slave of each touch \[N s\] to `impulses`.
+    /// Joins the fields `i`, `j` for which `joined(i, j)`, then lets the groups touch. Joined fields get the velocity
+    /// and the increment that they would have in one field; contact changes both alike. Changes the fields, and writes the impulse on the slave of each touch \[N s\] to `impulses`.
     pub fn resolve(
         &mut self,
         members: &mut [Member],
@@ -68,12 +71,18 @@ impl Coulomb {
         self.join(members, joined);
         let smallest = self.mass.iter().copied().fold(f64::INFINITY, f64::min);
         self.inverse.clear();
-        self.inverse.extend(self.mass.iter().map(|m| {
-            if m.is_infinite() { 0.0 } else { smallest / m }
-        }));
+        self.inverse.extend(self.mass.iter().map(
+            |m| {
+                if m.is_infinite() { 0.0 } else { smallest / m }
+            },
+        ));
         self.sweep(touches);
         for (member, &group) in members.iter_mut().zip(&self.group) {
-            member.velocity = self.velocity[group];
+            let (after, trial) = (self.velocity[group], self.trial[group]);
+            member.velocity = after;
+            for axis in 0..3 {
+                member.increment[axis] = self.increment[group][axis] + (after[axis] - trial[axis]);
+            }
         }
         impulses.clear();
         // Where every velocity is prescribed there is nothing to push.
@@ -103,6 +112,8 @@ impl Coulomb {
         self.mass.resize(n, 0.0);
         self.trial.clear();
         self.trial.resize(n, [0.0; 3]);
+        self.increment.clear();
+        self.increment.resize(n, [0.0; 3]);
         for group in 0..n {
             let own = || {
                 members
@@ -117,19 +128,23 @@ impl Coulomb {
             } else {
                 mass
             };
-            // A field that is alone keeps the bits of its velocity.
-            self.trial[group] = if mass.is_infinite() {
-                own()
-                    .filter(|m| m.mass.is_infinite())
-                    .last()
-                    .map_or([0.0; 3], |m| m.velocity)
-            } else if own().count() == 1 {
-                members[group].velocity
-            } else {
-                std::array::from_fn(|axis| {
-                    own().map(|m| m.mass * m.velocity[axis]).sum::<f64>() / mass
-                })
+            let mean = |of: fn(&Member) -> &Vector| -> Vector {
+                if mass.is_infinite() {
+                    own()
+                        .filter(|m| m.mass.is_infinite())
+                        .last()
+                        .map_or([0.0; 3], |m| *of(m))
+                } else if own().count() == 1 {
+                    // A field that is alone keeps its bits.
+                    *of(&members[group])
+                } else {
+                    std::array::from_fn(|axis| {
+                        own().map(|m| m.mass * of(m)[axis]).sum::<f64>() / mass
+                    })
+                }
             };
+            self.trial[group] = mean(|m| &m.velocity);
+            self.increment[group] = mean(|m| &m.increment);
         }
     }
 

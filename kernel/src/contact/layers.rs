@@ -73,11 +73,7 @@ impl Layers {
         let count = field.shape.nodes.iter().product();
         let mut old = std::mem::take(&mut self.list);
         for &body in bodies {
-            let rows = rows_of(
-                std::slice::from_ref(&sets[body]),
-                &field.shape,
-                stencil,
-            );
+            let rows = rows_of(std::slice::from_ref(&sets[body]), &field.shape, stencil);
             let layer = match old.iter().position(|layer| layer.body == body) {
                 Some(at) => Layer {
                     rows,

@@ -175,8 +175,7 @@ impl Meetings {
                 mass: mass(fields, number, at, node),
                 surface: &fields.layers[number - 1].surface[node],
             });
-            if let Some(normal) = normal(bodies.pairs[index].normal, &master, &slave, &shape.cell)
-            {
+            if let Some(normal) = normal(bodies.pairs[index].normal, &master, &slave, &shape.cell) {
                 self.touches.push(Touching {
                     pair: index,
                     sides: [m, s],
@@ -275,6 +274,7 @@ impl Meetings {
                         line[0]
                     },
                     velocity: std::array::from_fn(|axis| line[lane + axis]),
+                    increment: std::array::from_fn(|axis| line[4 + axis]),
                 }
             }));
             touches.clear();
@@ -333,23 +333,28 @@ impl Meetings {
                 }
                 done.nodes += usize::from(acts);
             }
+            let by = numbers
+                .iter()
+                .rposition(|&n| driven[n])
+                .map(|by| members[by].velocity);
             for (&number, member) in numbers.iter().zip(&members) {
+                if driven[number] {
+                    continue;
+                }
                 let line = &mut nodes_mut(fields, number)[meeting.node];
                 for axis in 0..3 {
-                    let change = member.velocity[axis] - line[lane + axis];
-                    if change == 0.0 {
-                        continue;
+                    // Not where nothing changes, so that a zero keeps its sign.
+                    if line[lane + axis] != member.velocity[axis] {
+                        line[lane + axis] = member.velocity[axis];
                     }
-                    line[lane + axis] = member.velocity[axis];
-                    if let On::Trial { kick, .. } = on {
-                        // The force that a driven body must take is its power on what it moves.
-                        if driven[number] {
-                            continue;
-                        }
-                        line[4 + axis] += change;
-                        if let Some(by) = numbers.iter().rposition(|&n| driven[n]) {
-                            done.power[plane] +=
-                                line[0] * change / kick * members[by].velocity[axis];
+                    let change = member.increment[axis] - line[4 + axis];
+                    if let On::Trial { kick, .. } = on
+                        && change != 0.0
+                    {
+                        line[4 + axis] = member.increment[axis];
+                        // What a driven body does to the others is its power.
+                        if let Some(velocity) = by {
+                            done.power[plane] += line[0] * change / kick * velocity[axis];
                         }
                     }
                 }

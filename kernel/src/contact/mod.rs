@@ -5,6 +5,7 @@
 //! - [`broad`]: which pairs are near, at each sort, by boxes of nodes.
 //! - [`surface`]: normals from mass gradients, and the distance of the bodies along them.
 //! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
+//! - [`overlap`]: bodies that overlap at the start.
 //! - [`coulomb`]: impulses at one node: impenetrability and Coulomb friction, for any number of bodies.
 //!
 //! Read as in the manual but for two points. The distance is measured along the normal of the pair, which carries the
@@ -21,6 +22,7 @@ pub mod broad;
 pub mod coulomb;
 pub mod layers;
 pub mod meeting;
+pub mod overlap;
 pub mod surface;
 
 use crate::scene::{ContactNormal, Vector};

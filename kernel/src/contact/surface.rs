@@ -175,8 +175,7 @@ impl Search<'_> {
         for axis in 0..shape.axes {
             let direction = shape.direction(axis);
             let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
-            let base =
-                ((xi - base_offset(self.stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+            let base = ((xi - base_offset(self.stencil)).floor() + GHOSTS_BELOW as f64) as usize;
             let range = base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
             if range.is_empty() {
                 return;

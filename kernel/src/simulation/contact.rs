@@ -1,11 +1,12 @@
 //! The passes of a step where bodies have velocity fields of their own, and what contact tells of itself.
 
 use super::acting::Acting;
-use super::error::{StepError, StepErrorKind};
+use super::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use super::passes::{Mapped, Sums, at_half_step_after, bodies_onto, total, trial};
 use super::{BodyRun, Simulation};
 use crate::contact::layers::{LayerPlanes, SlabFields};
 use crate::contact::meeting::{Bodies, Done, Meetings, On, Tunnelling};
+use crate::contact::overlap::overlap;
 use crate::contact::{Pair, State, broad, surface};
 use crate::particles::ParticleSet;
 use crate::scene::{Contact, Scene, Vector};
@@ -13,8 +14,7 @@ use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
 
 impl State {
-    /// The pairs of a scene whose bodies have the given half-lengths of particles \[cells\]. Two bodies whose motion is
-    /// prescribed cannot act on each other.
+    /// The pairs of a scene. Two bodies whose motion is prescribed cannot act on each other.
     pub(super) fn new(scene: &Scene, bodies: &[BodyRun]) -> Self {
         let index = |id: i64| bodies.iter().position(|b| b.id == id);
         let mut pairs: Vec<Pair> = scene
@@ -40,16 +40,9 @@ impl State {
     }
 }
 
-fn pair(
-    scene: &Scene,
-    bodies: &[BodyRun],
-    contact: &Contact,
-    master: usize,
-    slave: usize,
-) -> Pair {
+fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, slave: usize) -> Pair {
     let of_particles: Vector = std::array::from_fn(|axis| {
-        let half = |body: usize| bodies[body].mapping.half_length[axis];
-        (half(master) + half(slave)) * scene.mesh.cell[axis]
+        bodies[master].particle_half_length[axis] + bodies[slave].particle_half_length[axis]
     });
     let distance = match scene.contact_distance {
         Some(lambda) if lambda > 0.0 => scene.mesh.cell.map(|h| lambda * h),
@@ -67,6 +60,56 @@ fn pair(
 }
 
 impl Simulation {
+    /// Refuses bodies of a pair that overlap at the start.
+    pub(super) fn refuse_overlap(&self) -> Result<(), SetupError> {
+        let half_lengths: Vec<Vector> =
+            self.bodies.iter().map(|b| b.particle_half_length).collect();
+        let origin = self.origin();
+        let all: Vec<Overlapping> = self
+            .contact
+            .pairs
+            .iter()
+            .filter_map(|pair| {
+                let found = overlap(pair, &self.sets, &half_lengths)?;
+                let name = self.scene.contacts.iter().find(|c| c.id == pair.id);
+                Some(Overlapping {
+                    contact: name.map_or_else(String::new, |c| c.name.clone()),
+                    bodies: [self.bodies[pair.master].id, self.bodies[pair.slave].id],
+                    depth: found.depth,
+                    position: std::array::from_fn(|axis| found.at[axis] + origin[axis]),
+                })
+            })
+            .collect();
+        if all.is_empty() {
+            return Ok(());
+        }
+        Err(SetupError::Overlap(all))
+    }
+
+    /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
+    /// other without sharing a node. Only a scene that allows unstable steps gets there.
+    pub(super) fn refuse_leaps(&self, dt: f64) -> Result<(), StepError> {
+        let h = self.scene.mesh.cell[..self.plan.axes]
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        for pair in &self.contact.pairs {
+            let approach = [pair.master, pair.slave]
+                .map(|body| self.bodies[body].found.speed_squared.sqrt() * dt)
+                .iter()
+                .sum::<f64>();
+            if approach > h * (1.0 + 1e-9) {
+                return Err(self.error(StepErrorKind::Tunnelling {
+                    bodies: [self.bodies[pair.master].id, self.bodies[pair.slave].id],
+                    position: None,
+                    approach,
+                    distance: h,
+                }));
+            }
+        }
+        Ok(())
+    }
+
     /// After a sort: which pairs are near, and layers for their bodies.
     pub(super) fn find_near_pairs(&mut self) {
         let (shape, stencil) = (&self.field.shape, self.stencil);
@@ -104,7 +147,14 @@ impl Simulation {
         let plan = &self.plan;
         let driven = driven(&self.bodies);
         let prescribed = prescribed(&self.bodies, acting);
-        let mapping = bodies_onto(plan, &self.sets, &self.bodies, self.lanes, self.stencil, Carry::All);
+        let mapping = bodies_onto(
+            plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            Carry::All,
+        );
         let only_mass = mapping.with(plan, Carry::Momentum);
         let gradient = mapping.with(plan, Carry::MassGradient);
         let forces = Forces {
@@ -114,7 +164,14 @@ impl Simulation {
             kick: acting.kick,
         };
         let contact = &mut self.contact;
-        let bodies = bodies(&contact.pairs, &contact.near, &self.sets, &driven, acting, self.stencil);
+        let bodies = bodies(
+            &contact.pairs,
+            &contact.near,
+            &self.sets,
+            &driven,
+            acting,
+            self.stencil,
+        );
         let results = contact
             .layers
             .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
@@ -129,9 +186,18 @@ impl Simulation {
                 let loads = shared_loads(&fields, forces.loads, &driven)?;
                 let mut sums = vec![PlaneSums::default(); fields.common.range.len()];
                 for (number, own) in loads.iter().enumerate() {
-                    let forces = Forces { loads: own, ..forces };
+                    let forces = Forces {
+                        loads: own,
+                        ..forces
+                    };
                     match number.checked_sub(1).map(|i| &mut fields.layers[i]) {
-                        None => trial(&mut fields.common, acting, &acting.driven, &forces, &mut sums)?,
+                        None => trial(
+                            &mut fields.common,
+                            acting,
+                            &acting.driven,
+                            &forces,
+                            &mut sums,
+                        )?,
                         Some(layer) if driven[layer.body] => {
                             prescribe(layer, &prescribed[layer.body], &acting.walls);
                         }
@@ -145,7 +211,10 @@ impl Simulation {
                     sums.power += power;
                 }
                 for (number, own) in loads.iter().enumerate() {
-                    let forces = Forces { loads: own, ..forces };
+                    let forces = Forces {
+                        loads: own,
+                        ..forces
+                    };
                     let planes = number_of(&mut fields, number);
                     planes.unfold(&acting.walls, true);
                     let body = number.checked_sub(1).map(|i| fields.layers[i].body);
@@ -181,10 +250,24 @@ impl Simulation {
         let plan = &self.plan;
         let driven = driven(&self.bodies);
         let prescribed = prescribed(&self.bodies, acting);
-        let mapping = bodies_onto(plan, &self.sets, &self.bodies, self.lanes, self.stencil, Carry::Remap);
+        let mapping = bodies_onto(
+            plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            Carry::Remap,
+        );
         let still = at_half_step_after(&acting.walls);
         let contact = &mut self.contact;
-        let bodies = bodies(&contact.pairs, &contact.near, &self.sets, &driven, acting, self.stencil);
+        let bodies = bodies(
+            &contact.pairs,
+            &contact.near,
+            &self.sets,
+            &driven,
+            acting,
+            self.stencil,
+        );
         let meetings = &contact.meetings;
         contact
             .layers
@@ -211,7 +294,9 @@ impl Simulation {
                 for planes in all(&mut fields) {
                     planes.constrain_remapped(&still);
                 }
-                meetings[fields.slab].clone().act(&mut fields, &bodies, On::Remapped);
+                meetings[fields.slab]
+                    .clone()
+                    .act(&mut fields, &bodies, On::Remapped);
                 for planes in all(&mut fields) {
                     planes.constrain_remapped(&still);
                 }
@@ -223,12 +308,25 @@ impl Simulation {
         let plan = &self.plan;
         let driven = driven(&self.bodies);
         let prescribed = prescribed(&self.bodies, acting);
-        let mapping =
-            bodies_onto(plan, &self.sets, &self.bodies, self.lanes, self.stencil, Carry::Momentum);
+        let mapping = bodies_onto(
+            plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            Carry::Momentum,
+        );
         let gradient = mapping.with(plan, Carry::MassGradient);
         let still = at_half_step_after(&acting.walls);
         let contact = &mut self.contact;
-        let bodies = bodies(&contact.pairs, &contact.near, &self.sets, &driven, acting, self.stencil);
+        let bodies = bodies(
+            &contact.pairs,
+            &contact.near,
+            &self.sets,
+            &driven,
+            acting,
+            self.stencil,
+        );
         contact
             .layers
             .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
@@ -265,16 +363,13 @@ impl Simulation {
                 }
             }
         }
-        let worst = done
-            .iter()
-            .filter_map(|d| d.tunnelling)
-            .reduce(|a, b| {
-                if b.approach * a.distance > a.approach * b.distance {
-                    b
-                } else {
-                    a
-                }
-            });
+        let worst = done.iter().filter_map(|d| d.tunnelling).reduce(|a, b| {
+            if b.approach * a.distance > a.approach * b.distance {
+                b
+            } else {
+                a
+            }
+        });
         worst.map_or(Ok(()), |at| Err(self.tunnelling(at)))
     }
 
@@ -283,7 +378,9 @@ impl Simulation {
         let local = self.field.shape.position(self.field.shape.index(at.at));
         self.error(StepErrorKind::Tunnelling {
             bodies: [self.bodies[pair.master].id, self.bodies[pair.slave].id],
-            position: std::array::from_fn(|axis| local[axis] + self.origin()[axis]),
+            position: Some(std::array::from_fn(|axis| {
+                local[axis] + self.origin()[axis]
+            })),
             approach: at.approach,
             distance: at.distance,
         })

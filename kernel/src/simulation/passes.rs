@@ -321,7 +321,14 @@ pub(super) struct BodiesOnto<'a> {
 impl<'a> BodiesOnto<'a> {
     /// The same bodies with another carry.
     pub(super) fn with(&self, plan: &Plan, carry: Carry) -> BodiesOnto<'a> {
-        bodies_onto(plan, self.sets, self.bodies, self.lanes, self.stencil, carry)
+        bodies_onto(
+            plan,
+            self.sets,
+            self.bodies,
+            self.lanes,
+            self.stencil,
+            carry,
+        )
     }
 
     /// Maps all bodies that are not driven and have no layer onto the planes of a slab; returns the number of groups in

@@ -105,6 +105,7 @@ impl Simulation {
         for set in &mut simulation.sets {
             set.sort_by_position();
         }
+        simulation.refuse_overlap()?;
         simulation.sort_if_stale();
         simulation.open_ledger();
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
@@ -209,13 +210,19 @@ fn fill_body(
             half_length: widest,
             fault: None,
         },
+        particle_half_length: match &filled.half_length {
+            HalfLength::Uniform(l) => *l,
+            HalfLength::PerParticle(l) => {
+                std::array::from_fn(|axis| l[axis].iter().sum::<f64>() / l[axis].len() as f64)
+            }
+        },
         in_layer: false,
     };
     Ok((set, run))
 }
 
 /// Largest squared speed of a prescribed motion.
-fn fastest(body: &Body) -> f64 {
+pub(super) fn fastest(body: &Body) -> f64 {
     body.motion.as_ref().map_or(0.0, |motion| {
         motion
             .values

@@ -20,6 +20,7 @@ impl Simulation {
     /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error.
     pub fn step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
         let mut info = self.choose_time_step(stop)?;
+        self.refuse_leaps(info.dt)?;
         self.sort_if_stale();
         let acting = self.acting(&info);
         self.set_body_force();

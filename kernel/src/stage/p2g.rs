@@ -277,8 +277,7 @@ impl<const N: usize> Scratch<N> {
                 }
             } else if !FULL && carry == Carry::MassGradient {
                 for axis in 0..D {
-                    lines[Self::lean_line_of::<D>(axis)][4 + axis] =
-                        m * mapping.inverse_cell[axis];
+                    lines[Self::lean_line_of::<D>(axis)][4 + axis] = m * mapping.inverse_cell[axis];
                 }
             }
         }

@@ -72,13 +72,7 @@ fn check_bodies(scene: &Scene, contact: &Contact, path: &str, problems: &mut Col
 
 /// Overlap of boxes and balls, exactly; that of other shapes is looked for among the particles at set-up.
 fn check_overlap(scene: &Scene, contact: &Contact, path: &str, problems: &mut Collector) {
-    let shape = |id: i64| {
-        scene
-            .bodies
-            .iter()
-            .find(|b| b.id == id)
-            .map(|b| &b.shape)
-    };
+    let shape = |id: i64| scene.bodies.iter().find(|b| b.id == id).map(|b| &b.shape);
     let (Some(a), Some(b)) = (shape(contact.master), shape(contact.slave)) else {
         return;
     };

@@ -3,8 +3,8 @@
 use super::build::Build;
 use super::keys::{RawDamping, RawScene};
 use super::words::{
-    DAMPINGS, DOMAIN_UPDATES, DampingKind, FIELDS, NODAL_FIELDS, OUTSIDES, SCHEMES, SHAPE_FUNCTIONS,
-    ShapeFunction, TRANSFERS,
+    DAMPINGS, DOMAIN_UPDATES, DampingKind, FIELDS, NODAL_FIELDS, OUTSIDES, SCHEMES,
+    SHAPE_FUNCTIONS, ShapeFunction, TRANSFERS,
 };
 use crate::scene::{Damping, DomainUpdate, Probe, Scene, TimeStep, Transfer, Weighting};
 
