@@ -18,6 +18,9 @@ const MOST_SWEEPS: usize = 2000;
 /// Change of velocity, as a share of the fastest approach, below which a sweep changes nothing.
 const SMALLEST_CHANGE: f64 = 1e-15;
 
+/// Share of an impulse below which its normal part is round-off of the tangential one.
+const ROUND_OFF: f64 = 1e-14;
+
 /// A velocity field at a node.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Member {
@@ -38,8 +41,19 @@ pub struct Touch {
     pub slave: usize,
     /// Unit normal from master to slave.
     pub normal: Vector,
-    /// Coefficient of friction.
-    pub friction: f64,
+    /// What they may do.
+    pub law: Law,
+}
+
+/// What two fields that touch may do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// Part, slide and stick: Coulomb friction with this coefficient.
+    Coulomb(f64),
+    /// Slide, but neither approach nor part.
+    Slide,
+    /// Nothing: they share their velocity.
+    Stick,
 }
 
 /// Resolves contact at one node after the other, with the memory for it.
@@ -183,7 +197,7 @@ impl Coulomb {
                     scale = scale.max(length(&approach));
                 }
                 let wanted = std::array::from_fn(|k| impulse[k] + share * approach[k] / weight);
-                let next = into_cone(&wanted, &touch.normal, touch.friction);
+                let next = admitted(&wanted, touch);
                 let change: Vector = std::array::from_fn(|k| next[k] - impulse[k]);
                 largest = largest.max(weight * length(&change));
                 *impulse = next;
@@ -218,10 +232,17 @@ impl Coulomb {
     }
 }
 
-/// The impulse with its normal part not negative and its tangential part at most `friction` times that.
-fn into_cone(impulse: &Vector, normal: &Vector, friction: f64) -> Vector {
+/// The nearest impulse that the law of a touch admits. Coulomb: the normal part is not negative and the tangential one
+/// at most friction times that.
+fn admitted(impulse: &Vector, touch: &Touch) -> Vector {
+    let normal = &touch.normal;
     let along: f64 = (0..3).map(|k| impulse[k] * normal[k]).sum();
-    if along <= 0.0 {
+    let friction = match touch.law {
+        Law::Coulomb(friction) => friction,
+        Law::Slide => return normal.map(|n| along * n),
+        Law::Stick => return *impulse,
+    };
+    if along <= ROUND_OFF * length(impulse) {
         return [0.0; 3];
     }
     let tangential: Vector = std::array::from_fn(|k| impulse[k] - along * normal[k]);

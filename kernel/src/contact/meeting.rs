@@ -1,17 +1,22 @@
 //! The nodes of a slab where the fields of bodies meet, and contact there.
 
 use super::Pair;
-use super::coulomb::{Coulomb, Member, Touch};
+use super::coulomb::{Coulomb, Law, Member, Touch};
 use super::layers::SlabFields;
-use super::surface::{Probe, Search, Side, normal};
+use super::surface::{self, Probe, Search, Side, normal};
 use crate::grid::GridShape;
 use crate::particles::ParticleSet;
-use crate::scene::Vector;
+use crate::scene::{ContactNormal, Vector};
 use crate::stage::solve::Wall;
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// Share of the distance of contact within which bodies touch in spite of round-off.
 const TOUCHING: f64 = 1e-9;
+
+/// Share of the distance of contact below which the distance along a normal says that the normal is not one that
+/// separates the bodies: beside a corner that of one body alone points past the other.
+const PLAUSIBLE: f64 = 0.25;
 
 /// The nodes of a slab where fields meet. A field is known by its number: 0 the common one, then the layers.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,7 +32,7 @@ pub struct Meetings {
 /// A node where fields meet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meeting {
-    /// Index of the node in the slab.
+    /// Index of the node in the grid.
     pub node: usize,
     /// Which of [`Meetings::fields`] meet here.
     pub fields: Range<usize>,
@@ -48,7 +53,24 @@ pub struct Touching {
     pub gap: f64,
     /// Force on the slave in the last step \[N\].
     pub force: Vector,
+    /// What it did in the last step.
+    pub state: Touched,
 }
+
+/// What a pair did at a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Touched {
+    /// No force acts.
+    #[default]
+    Open,
+    /// The bodies stick.
+    Sticks,
+    /// The bodies slide.
+    Slides,
+}
+
+/// What pairs did at nodes, by node and pair.
+pub type States = HashMap<(usize, usize), Touched>;
 
 /// What contact knows of the scene beside the fields.
 #[derive(Clone, Copy)]
@@ -78,9 +100,11 @@ pub enum On {
         /// Time step \[s\].
         dt: f64,
     },
-    /// Velocities in the lower lanes, mapped at the new positions (USF). No forces: particles do not feel them.
+    /// Velocities in the lower lanes, mapped at the new positions (USF), from which strain is taken. They feel no
+    /// force: where the pair touched in this step they keep to what it did, elsewhere they are free. To test them for
+    /// approach would clip one side of their noise, and strain the bodies until they hover.
     Mapped,
-    /// Remapped velocities in the upper lanes (MUSL). No forces.
+    /// Remapped velocities in the upper lanes (MUSL). As those of USF.
     Remapped,
 }
 
@@ -182,14 +206,35 @@ impl Meetings {
                     normal,
                     gap: f64::NAN,
                     force: [0.0; 3],
+                    state: Touched::Open,
                 });
             }
         }
         self.nodes.push(Meeting {
-            node,
+            node: shape.index(at),
             fields: first.0..self.fields.len(),
             touches: first.1..self.touches.len(),
         });
+    }
+
+    /// Takes up what pairs did at the same nodes before.
+    pub fn recall(&mut self, states: &States) {
+        for meeting in &self.nodes {
+            for touch in &mut self.touches[meeting.touches.clone()] {
+                let before = states.get(&(meeting.node, touch.pair));
+                touch.state = before.copied().unwrap_or_default();
+            }
+        }
+    }
+
+    /// What pairs did at the nodes where a force acted.
+    pub fn states(&self) -> impl Iterator<Item = ((usize, usize), Touched)> {
+        self.nodes.iter().flat_map(|meeting| {
+            self.touches[meeting.touches.clone()]
+                .iter()
+                .filter(|touch| touch.state != Touched::Open)
+                .map(|touch| ((meeting.node, touch.pair), touch.state))
+        })
     }
 
     /// Measures the gaps of all pairs whose distance matters.
@@ -200,12 +245,6 @@ impl Meetings {
         sides: &[Option<[usize; 2]>],
     ) {
         let shape = fields.common.shape;
-        let search = Search {
-            shape,
-            planes: fields.common.range.clone(),
-            stencil: bodies.stencil,
-        };
-        let first = search.planes.start * shape.plane_nodes();
         for (index, (pair, numbers)) in bodies.pairs.iter().zip(sides).enumerate() {
             let Some(numbers) = numbers.filter(|_| pair.corrects_distance) else {
                 continue;
@@ -214,31 +253,40 @@ impl Meetings {
             for meeting in &self.nodes {
                 for touch in meeting.touches.clone() {
                     if self.touches[touch].pair == index {
-                        own.push((meeting.node, touch));
+                        own.push((meeting.node, touch, self.touches[touch].normal));
                     }
                 }
             }
-            if own.is_empty() {
-                continue;
+            let along = distances(fields, bodies, numbers, &own);
+            let mut doubtful = vec![];
+            for (&(node, touch, normal), distance) in own.iter().zip(along) {
+                let touching = pair.distance_along(&normal);
+                self.touches[touch].gap = distance - touching;
+                if distance < PLAUSIBLE * touching {
+                    let local = node - fields.common.range.start * shape.plane_nodes();
+                    let [master, slave] = numbers.map(|number| {
+                        let layer = &fields.layers[number - 1];
+                        Side {
+                            mass: layer.planes.nodes[local][0],
+                            surface: &layer.surface[local],
+                        }
+                    });
+                    let other = match pair.normal {
+                        ContactNormal::Collinear => ContactNormal::Master,
+                        _ => ContactNormal::Collinear,
+                    };
+                    if let Some(other) = surface::normal(other, &master, &slave, &shape.cell) {
+                        doubtful.push((node, touch, other));
+                    }
+                }
             }
-            let reach = [1.0, -1.0].map(|sign| {
-                let mut probes: Vec<Probe> = own
-                    .iter()
-                    .map(|&(node, touch)| {
-                        let direction = self.touches[touch].normal.map(|c| sign * c);
-                        Probe::new(node, shape.indices(first + node), direction)
-                    })
-                    .collect();
-                let side = if sign > 0.0 { 0 } else { 1 };
-                let layer = &mut fields.layers[numbers[side] - 1];
-                search.probe(&bodies.sets[layer.body], layer.surface, &mut probes);
-                probes
-            });
-            for (i, &(_, touch)) in own.iter().enumerate() {
+            let along = distances(fields, bodies, numbers, &doubtful);
+            for (&(_, touch, normal), distance) in doubtful.iter().zip(along) {
                 let touch = &mut self.touches[touch];
-                // Eq. (8) along one normal: the position of the node drops out.
-                let distance = -reach[0][i].reach - reach[1][i].reach;
-                touch.gap = distance - pair.distance_along(&touch.normal);
+                let gap = distance - pair.distance_along(&normal);
+                if gap > touch.gap {
+                    (touch.gap, touch.normal) = (gap, normal);
+                }
             }
         }
     }
@@ -264,9 +312,10 @@ impl Meetings {
         let mut which = vec![];
         for meeting in &self.nodes {
             let numbers = &self.fields[meeting.fields.clone()];
+            let node = meeting.node - first_plane * per_plane;
             members.clear();
             members.extend(numbers.iter().map(|&number| {
-                let line = &nodes(fields, number)[meeting.node];
+                let line = &nodes(fields, number)[node];
                 Member {
                     mass: if driven[number] {
                         f64::INFINITY
@@ -282,50 +331,41 @@ impl Meetings {
             for index in meeting.touches.clone() {
                 let touch = &mut self.touches[index];
                 let pair = &bodies.pairs[touch.pair];
-                if let On::Trial { dt, .. } = on {
-                    touch.force = [0.0; 3];
-                    let before = |side: usize, axis: usize| {
-                        let line = &nodes(fields, numbers[touch.sides[side]])[meeting.node];
-                        line[1 + axis] - line[4 + axis]
-                    };
-                    let approach = dt
-                        * (0..3)
-                            .map(|axis| touch.normal[axis] * (before(0, axis) - before(1, axis)))
-                            .sum::<f64>();
-                    let distance = pair.distance_along(&touch.normal);
-                    if approach > distance
-                        && done
-                            .tunnelling
-                            .is_none_or(|t| t.approach / t.distance < approach / distance)
-                    {
-                        done.tunnelling = Some(Tunnelling {
-                            pair: touch.pair,
-                            at: shape.indices(first_plane * per_plane + meeting.node),
-                            approach,
-                            distance,
-                        });
+                let law = if let On::Trial { dt, .. } = on {
+                    let [a, b] = touch.sides.map(|side| &members[side]);
+                    done.watch(touch, pair, [a, b], dt, shape.indices(meeting.node));
+                    (touch.force, touch.state) = ([0.0; 3], Touched::Open);
+                    let near = pair.distance_along(&touch.normal) * TOUCHING;
+                    let touching = !pair.corrects_distance || touch.gap <= near;
+                    touching.then_some(Law::Coulomb(pair.friction))
+                } else {
+                    match touch.state {
+                        Touched::Open => None,
+                        Touched::Sticks => Some(Law::Stick),
+                        Touched::Slides => Some(Law::Slide),
                     }
-                }
-                let near = pair.distance_along(&touch.normal) * TOUCHING;
-                if !pair.corrects_distance || touch.gap <= near {
+                };
+                if let Some(law) = law {
                     which.push(index);
                     touches.push(Touch {
                         master: touch.sides[0],
                         slave: touch.sides[1],
                         normal: touch.normal,
-                        friction: pair.friction,
+                        law,
                     });
                 }
             }
             let is_joined = |i: usize, j: usize| joined[numbers[i] * count + numbers[j]];
             coulomb.resolve(&mut members, is_joined, &touches, &mut impulses);
-            let plane = meeting.node / per_plane;
+            let plane = node / per_plane;
             if let On::Trial { kick, .. } = on {
                 let mut acts = false;
                 for (&index, impulse) in which.iter().zip(&impulses) {
                     let touch = &mut self.touches[index];
+                    let friction = bodies.pairs[touch.pair].friction;
                     touch.force = impulse.map(|c| c / kick);
-                    acts |= *impulse != [0.0; 3];
+                    touch.state = touched(impulse, &touch.normal, friction);
+                    acts |= touch.state != Touched::Open;
                     let sum = &mut done.forces[plane * bodies.pairs.len() + touch.pair];
                     for axis in 0..3 {
                         sum[axis] += touch.force[axis];
@@ -341,7 +381,7 @@ impl Meetings {
                 if driven[number] {
                     continue;
                 }
-                let line = &mut nodes_mut(fields, number)[meeting.node];
+                let line = &mut nodes_mut(fields, number)[node];
                 for axis in 0..3 {
                     // Not where nothing changes, so that a zero keeps its sign.
                     if line[lane + axis] != member.velocity[axis] {
@@ -362,6 +402,85 @@ impl Meetings {
         }
         done
     }
+}
+
+impl Done {
+    /// Notes a pair that approaches in one step by more than the distance at which it touches. The velocities before
+    /// the step are means of those of particles; trial velocities of light nodes are not.
+    fn watch(
+        &mut self,
+        touch: &Touching,
+        pair: &Pair,
+        [master, slave]: [&Member; 2],
+        dt: f64,
+        at: [usize; 3],
+    ) {
+        let before = |m: &Member, axis: usize| m.velocity[axis] - m.increment[axis];
+        let approach = dt
+            * (0..3)
+                .map(|axis| touch.normal[axis] * (before(master, axis) - before(slave, axis)))
+                .sum::<f64>();
+        let distance = pair.distance_along(&touch.normal);
+        let worst = self.tunnelling.map_or(1.0, |t| t.approach / t.distance);
+        if approach > worst * distance {
+            self.tunnelling = Some(Tunnelling {
+                pair: touch.pair,
+                at,
+                approach,
+                distance,
+            });
+        }
+    }
+}
+
+/// What a pair does under an impulse.
+fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> Touched {
+    let along: f64 = (0..3).map(|k| impulse[k] * normal[k]).sum();
+    let aside: f64 = (0..3)
+        .map(|k| (impulse[k] - along * normal[k]).powi(2))
+        .sum();
+    if along <= 0.0 {
+        Touched::Open
+    } else if aside.sqrt() < friction * along * (1.0 - 1e-9) {
+        Touched::Sticks
+    } else {
+        Touched::Slides
+    }
+}
+
+/// Distances of the bodies of a pair along a normal at each of some nodes: eq. (8) along one normal, so that the position
+/// of the node drops out. Each node with the index of its touch and the normal.
+fn distances(
+    fields: &mut SlabFields<'_>,
+    bodies: &Bodies<'_>,
+    numbers: [usize; 2],
+    at: &[(usize, usize, Vector)],
+) -> Vec<f64> {
+    if at.is_empty() {
+        return vec![];
+    }
+    let shape = fields.common.shape;
+    let search = Search {
+        shape,
+        planes: fields.common.range.clone(),
+        stencil: bodies.stencil,
+    };
+    let first = search.planes.start * shape.plane_nodes();
+    let mut distances = vec![0.0; at.len()];
+    for (number, sign) in numbers.into_iter().zip([1.0, -1.0]) {
+        let mut probes: Vec<Probe> = at
+            .iter()
+            .map(|&(node, _, normal)| {
+                Probe::new(node - first, shape.indices(node), normal.map(|c| sign * c))
+            })
+            .collect();
+        let layer = &mut fields.layers[number - 1];
+        search.probe(&bodies.sets[layer.body], layer.surface, &mut probes);
+        for (distance, probe) in distances.iter_mut().zip(probes) {
+            *distance -= probe.reach;
+        }
+    }
+    distances
 }
 
 /// Whether two fields share their velocity where they meet: all but the layers of a pair. By numbers, row by row.

@@ -5,7 +5,7 @@ use super::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use super::passes::{Mapped, Sums, at_half_step_after, bodies_onto, total, trial};
 use super::{BodyRun, Simulation};
 use crate::contact::layers::{LayerPlanes, SlabFields};
-use crate::contact::meeting::{Bodies, Done, Meetings, On, Tunnelling};
+use crate::contact::meeting::{Bodies, Done, Meetings, On, States, Tunnelling};
 use crate::contact::overlap::overlap;
 use crate::contact::{Pair, State, broad, surface};
 use crate::particles::ParticleSet;
@@ -132,7 +132,6 @@ impl Simulation {
             .filter(|&i| self.bodies[i].in_layer)
             .collect();
         bodies.sort_by_key(|&i| self.bodies[i].id);
-        contact.meetings.clear();
         contact
             .layers
             .set(&bodies, &self.sets, &self.field, self.stencil);
@@ -327,6 +326,7 @@ impl Simulation {
             acting,
             self.stencil,
         );
+        let states: States = contact.meetings.iter().flat_map(Meetings::states).collect();
         contact
             .layers
             .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
@@ -345,7 +345,9 @@ impl Simulation {
                         layer.planes.constrain(&still, false);
                     }
                 }
-                Meetings::find(&mut fields, &bodies).act(&mut fields, &bodies, On::Mapped);
+                let mut meetings = Meetings::find(&mut fields, &bodies);
+                meetings.recall(&states);
+                meetings.act(&mut fields, &bodies, On::Mapped);
                 for planes in all(&mut fields) {
                     planes.unfold(&still, false);
                 }

@@ -1,7 +1,6 @@
 //! What lies at the nodes, for those who look at it from outside.
 
 use super::Simulation;
-use crate::contact::meeting::Touching;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
 use crate::scene::{PlaneCondition, Vector};
 use std::collections::HashMap;
@@ -53,7 +52,7 @@ impl Simulation {
     pub fn node_values(&self) -> Vec<NodeValues> {
         let touching = self.contact_by_node();
         let mut all = vec![];
-        for (number, (body, rows, lines)) in self.fields().enumerate() {
+        for (body, rows, lines) in self.fields() {
             for plane in 0..self.field.shape.nodes[0] {
                 for row in 0..self.field.shape.nodes[1] {
                     let first = self.field.shape.index([plane, row, 0]);
@@ -63,9 +62,8 @@ impl Simulation {
                             continue;
                         }
                         let local = self.field.shape.position(node);
-                        let (contact_force, contact_gap) = touching
-                            .get(&(number, node))
-                            .copied()
+                        let (contact_force, contact_gap) = body
+                            .and_then(|body| touching.get(&(body, node)).copied())
                             .unwrap_or(([0.0; 3], f64::NAN));
                         all.push(NodeValues {
                             position: std::array::from_fn(|a| local[a] + self.origin()[a]),
@@ -89,24 +87,19 @@ impl Simulation {
         std::iter::once(common).chain(layers.map(|l| (Some(l.body), &l.rows, l.nodes.lines())))
     }
 
-    /// Force on the body and smallest gap by number of the field and node, after the last detection.
+    /// Force on the body and smallest gap by body and node, after the last detection.
     fn contact_by_node(&self) -> HashMap<(usize, usize), (Vector, f64)> {
         let mut found: HashMap<(usize, usize), (Vector, f64)> = HashMap::new();
-        let per_plane = self.field.shape.plane_nodes();
-        for (slab, meetings) in self.field.slabs.iter().zip(&self.contact.meetings) {
+        for meetings in &self.contact.meetings {
             for meeting in &meetings.nodes {
-                let node = slab.start * per_plane + meeting.node;
-                let numbers = &meetings.fields[meeting.fields.clone()];
                 for touch in &meetings.touches[meeting.touches.clone()] {
-                    let Touching {
-                        sides, force, gap, ..
-                    } = touch;
-                    for (side, sign) in sides.iter().zip([-1.0, 1.0]) {
+                    let pair = &self.contact.pairs[touch.pair];
+                    for (body, sign) in [(pair.master, -1.0), (pair.slave, 1.0)] {
                         let at = found
-                            .entry((numbers[*side], node))
+                            .entry((body, meeting.node))
                             .or_insert(([0.0; 3], f64::NAN));
-                        at.0 = std::array::from_fn(|axis| at.0[axis] + sign * force[axis]);
-                        at.1 = at.1.min(*gap);
+                        at.0 = std::array::from_fn(|axis| at.0[axis] + sign * touch.force[axis]);
+                        at.1 = at.1.min(touch.gap);
                     }
                 }
             }

@@ -450,17 +450,27 @@ fn a_driven_body_does_the_work_that_it_gives() {
             values: vec![[0.0; 3], [0.5, 0.0, 0.0]],
         });
         let mut simulation = simulation(&scene);
-        until(&mut simulation, 0.06);
+        let mut work = 0.0;
+        while simulation.time() < 0.06 {
+            let middle = simulation.time();
+            let dt = simulation.step(0.06).expect("the step is sound").dt;
+            let v = 0.5 * ((middle + 0.5 * dt) / 0.02).min(1.0);
+            work += simulation.contact_force(1)[0] * v * dt;
+        }
         let energy = simulation.energy();
         let (m, _, v) = simulation.center(1);
         assert!(v[0] > 0.4, "{v:?}");
-        let driven = 0.5 * simulation.center(0).0 * 0.25;
-        // The energy of the driven body itself is given, not worked.
-        let of_block = energy.kinetic - driven + energy.strain;
         assert!(
-            (energy.external_work - of_block).abs() < 0.05 * m * 0.25,
-            "{scheme:?}: work {} for {of_block}",
-            energy.external_work
+            (energy.external_work - work).abs() < 1.0e-9 * work,
+            "{scheme:?}"
+        );
+        let driven = 0.5 * simulation.center(0).0 * 0.25;
+        // The energy of the driven body itself is given, not worked. USL dissipates some.
+        let of_block = energy.kinetic - driven + energy.strain;
+        let lost = (work - of_block) / (0.5 * m * 0.25);
+        assert!(
+            (-0.02..0.2).contains(&lost),
+            "{scheme:?}: {lost} of the energy lost"
         );
     }
 }
