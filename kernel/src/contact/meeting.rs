@@ -14,8 +14,10 @@ use std::ops::Range;
 /// Share of the distance of contact within which bodies touch in spite of round-off.
 const TOUCHING: f64 = 1e-9;
 
-/// Share of the distance of contact below which the distance along a normal says that the normal is not one that
-/// separates the bodies: beside a corner that of one body alone points past the other.
+/// Share of the distance of contact below which the distance along a normal says that the normal does not separate the
+/// bodies: beside an edge that of one body alone points past the other. The other kind of normal is tried then, and where
+/// that does not separate them either the bodies do not face each other at this node, and no contact acts. The price:
+/// bodies that were pressed into each other by three quarters of that distance are let go.
 const PLAUSIBLE: f64 = 0.25;
 
 /// The nodes of a slab where fields meet. A field is known by its number: 0 the common one, then the layers.
@@ -336,7 +338,8 @@ impl Meetings {
                     done.watch(touch, pair, [a, b], dt, shape.indices(meeting.node));
                     (touch.force, touch.state) = ([0.0; 3], Touched::Open);
                     let near = pair.distance_along(&touch.normal) * TOUCHING;
-                    let touching = !pair.corrects_distance || touch.gap <= near;
+                    let far = (PLAUSIBLE - 1.0) * pair.distance_along(&touch.normal);
+                    let touching = !pair.corrects_distance || (far..=near).contains(&touch.gap);
                     touching.then_some(Law::Coulomb(pair.friction))
                 } else {
                     match touch.state {

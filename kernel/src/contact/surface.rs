@@ -73,8 +73,8 @@ pub fn normal(
             (Some(m), Some(s)) => {
                 let sum: Vector = std::array::from_fn(|axis| m[axis] + s[axis]);
                 let size = length(&sum);
-                // Opposite normals of two bodies on the same side of the node have no mean.
-                Some(if size > SMALLEST_GRADIENT {
+                // Equal outward normals, of two bodies on the same side of the node, have no mean.
+                Some(if size > 1e-6 {
                     sum.map(|c| c / size)
                 } else {
                     m

@@ -89,7 +89,7 @@ proptest! {
             let size = dot(impulse, impulse).sqrt();
             prop_assert!(along >= 0.0, "pulls by {along}");
             let aside = impulse.iter().zip(&touch.normal).map(|(j, n)| (j - along * n).powi(2)).sum::<f64>().sqrt();
-            prop_assert!(aside <= friction * along + 1e-13 * size, "{aside} over {friction} * {along}");
+            prop_assert!(friction.is_infinite() || aside <= friction * along + 1e-13 * size, "{aside} over {friction} * {along}");
         }
         // Velocity and increment change alike.
         for (a, b) in members.iter().zip(&after) {
@@ -116,7 +116,7 @@ proptest! {
         } else {
             let aside: Vector = std::array::from_fn(|k| sticking[k] - normal * touch.normal[k]);
             let size = dot(&aside, &aside).sqrt();
-            let share = if size <= friction * normal.abs() { 1.0 } else { friction * normal.abs() / size };
+            let share = if friction.is_infinite() || size <= friction * normal.abs() { 1.0 } else { friction * normal.abs() / size };
             std::array::from_fn(|k| normal * touch.normal[k] + share * aside[k])
         };
         let scale = dot(&sticking, &sticking).sqrt();
@@ -242,7 +242,7 @@ fn pair(
 
 /// The first body, left of x = 0.81, flies at the second.
 fn flying(scene: &Scene, threads: usize) -> Simulation {
-    let rough = rough_drift(scene.dimension, [0.0; 3], 0.2, 100.0, 7);
+    let rough = rough_drift(scene.dimension, [0.0; 3], 0.2, 0.0, 7);
     let initial = std::sync::Arc::new(move |x: &Vector| {
         let mut state = rough(x);
         if x[0] < 0.81 {
@@ -338,7 +338,13 @@ fn a_mirrored_scene_is_mirrored() {
                     scene.contacts = pair(dimension, 0.0, 0.3, 1.0, normal).contacts;
                     scene.contacts[0].master = 1;
                     let mut simulation = crate::common::simulation(&scene);
-                    crate::common::run(&mut simulation, 40);
+                    let touched = (0..40)
+                        .filter(|_| {
+                            let info = simulation.step(NEVER).expect("the step is sound");
+                            info.contact_nodes > 0
+                        })
+                        .count();
+                    assert!(touched > 4, "{scheme:?} {normal:?}: {touched} steps");
                     simulation
                 };
                 let (plain, mirrored) = (build(false), build(true));
@@ -350,7 +356,6 @@ fn a_mirrored_scene_is_mirrored() {
                         "{scheme:?} {normal:?}: {a:?} {b:?}"
                     );
                 }
-                assert!(plain.contact_force(1)[1] > 0.0);
                 assert_eq!(particles(&plain).len(), particles(&mirrored).len());
             }
         }

@@ -225,7 +225,7 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
     (
         "bodies in contact that overlap",
         "[1, 1, 1]}\n  ]",
-        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.9}
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.25, 1.25, 1.25], "radius": 0.6}
   ], "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 9}]"#,
     ),
     (
