@@ -4,8 +4,9 @@ use super::acting::Acting;
 use super::clock::{Clock, StepInfo};
 use super::error::StepError;
 use super::measure::Ledger;
-use super::passes::{Groups, equation_of_motion, forces, free_bodies};
+use super::passes::{Groups, bodies_onto, equation_of_motion, forces};
 use super::{BodyRun, Simulation};
+use crate::contact;
 use crate::grid::ActiveRows;
 use crate::particles::ParticleSet;
 use crate::stage::g2p::Task;
@@ -14,7 +15,8 @@ use crate::stage::weigh;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// A part of a step that can be done alone.
+/// A part of a step that can be done alone. Bodies that have a layer of the grid of their own, because they are near a
+/// partner of contact, take no part in the mappings to nodes and the equation of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Weights and derivatives of all particles, which the cycle computes on the way.
@@ -67,6 +69,7 @@ struct Kept {
     stencil: usize,
     clock: Clock,
     ledger: Ledger,
+    contact: contact::State,
 }
 
 /// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
@@ -95,6 +98,7 @@ impl Simulation {
             stencil: self.stencil,
             clock: self.clock,
             ledger: self.ledger,
+            contact: self.contact.clone(),
         };
         let info = self.choose_time_step(f64::INFINITY)?;
         let acting = self.acting(&info);
@@ -120,14 +124,16 @@ impl Rehearsal<'_> {
         match self.part {
             Part::Weights | Part::Sort | Part::NodesFromParticles => {}
             Part::Solve => simulation.map_alone(),
-            Part::Remap => simulation.map_to_nodes(&self.acting)?,
+            Part::Remap => {
+                simulation.map_to_nodes(&self.acting, self.info.dt)?;
+            }
             Part::ParticlesFromNodes => {
                 for (set, was) in simulation.sets.iter_mut().zip(&kept.sets) {
                     for (column, was) in set.columns.iter_mut().zip(&was.columns) {
                         column.copy_from_slice(was);
                     }
                 }
-                simulation.map_to_nodes(&self.acting)?;
+                simulation.map_to_nodes(&self.acting, self.info.dt)?;
             }
         }
         Ok(())
@@ -174,13 +180,14 @@ impl Drop for Rehearsal<'_> {
         simulation.stencil = kept.stencil;
         simulation.clock = kept.clock;
         simulation.ledger = kept.ledger;
+        simulation.contact = std::mem::take(&mut kept.contact);
     }
 }
 
 impl Simulation {
     /// Particles to nodes without the equation of motion.
     fn map_alone(&mut self) {
-        let mapping = free_bodies(
+        let mapping = bodies_onto(
             &self.plan,
             &self.sets,
             &self.bodies,

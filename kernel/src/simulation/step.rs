@@ -34,12 +34,13 @@ impl Simulation {
     ) -> Result<StepInfo, StepError> {
         let mut info = self.choose_time_step(stop)?;
         ended(Phase::TimeStep);
+        self.refuse_leaps(info.dt)?;
         self.sort_if_stale();
         ended(Phase::Sort);
         let acting = self.acting(&info);
         self.set_body_force();
 
-        self.map_to_nodes(&acting)?;
+        info.contact_nodes = self.map_to_nodes(&acting, info.dt)?;
         ended(Phase::NodesFromParticles);
         info.measured = self.measured();
         let relax = self.peak_of_kinetic_energy(&info);
@@ -77,6 +78,12 @@ impl Simulation {
                 ended(Phase::ParticlesFromNodes);
                 self.sort_if_stale();
                 ended(Phase::Sort);
+                // A sort may give a driven body a layer, or take it.
+                let acting = if self.contact.pairs.is_empty() {
+                    acting
+                } else {
+                    self.acting(&info)
+                };
                 self.map_momentum(&acting);
                 ended(Phase::Remap);
                 let strain = Some((drift, Configuration::End));

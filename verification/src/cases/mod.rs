@@ -63,6 +63,7 @@ const FIELDS: &[Measure] = &[
 const NO_RESULTS: Results = Results {
     print: 0,
     fields: Vec::new(),
+    nodal_fields: Vec::new(),
     checkpoint: false,
 };
 

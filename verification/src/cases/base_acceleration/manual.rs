@@ -67,6 +67,7 @@ impl Block {
         scene.results = Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         };
         scene.materials = vec![Material {
