@@ -2,7 +2,7 @@
 //!
 //! | format | for | times | beside them |
 //! |---|---|---|---|
-//! | BMF | Bencher (Bencher Metric Format) | `latency` \[ns\], median, least and most | errors, orders, counts as measures |
+//! | BMF | Bencher (Bencher Metric Format) | `latency` \[ns\], median, least and most | errors, orders, counts as benchmarks of their own |
 //! | github | github-action-benchmark, `customSmallerIsBetter` | median \[ms\] | errors and counts, for which less is better |
 //! | critcmp | critcmp, as its own `--export` writes it | mean and median \[ns\] | particles per second |
 //! | CSV | everything else | every row \[s\] | every counter and label |
@@ -85,10 +85,18 @@ fn counters<'a>(
 /// Keys of counters for which less is better.
 const LESS: [&str; 4] = ["error_", "instructions", "steps", "bytes_per_"];
 
+/// What a counter is measured as; Bencher sets its alarms by measure.
+const MEASURES: [(&str, &str); 5] = [
+    ("error_", "error"),
+    ("observed_order", "observed-order"),
+    ("instructions", "instructions"),
+    ("steps", "steps"),
+    ("bytes_per_", "bytes"),
+];
+
 fn bmf(cases: &Cases) -> Option<Value> {
     let mut all = Map::new();
     for (case, series) in sound(cases) {
-        let mut measures = Map::new();
         if let Some(wall) = Summary::of(&series.all_wall()) {
             let ns = 1e9;
             let latency = json!({
@@ -96,14 +104,14 @@ fn bmf(cases: &Cases) -> Option<Value> {
                 "lower_value": wall.minimum * ns,
                 "upper_value": wall.maximum * ns,
             });
-            measures.insert("latency".to_owned(), latency);
+            all.insert(case.to_string(), json!({ "latency": latency }));
         }
-        for (key, value) in counters(series, &[&LESS[..], &["observed_order"]].concat()) {
-            // Names of measures are words joined by hyphens.
-            measures.insert(key.replace('_', "-"), json!({ "value": value }));
-        }
-        if !measures.is_empty() {
-            all.insert(case.to_string(), measures.into());
+        for (start, measure) in MEASURES {
+            for (key, value) in counters(series, &[start]) {
+                // A name of a measure has at most 64 characters, that of a benchmark a thousand.
+                let name = format!("{case}: {key}");
+                all.insert(name, json!({ (measure): { "value": value } }));
+            }
         }
     }
     (!all.is_empty()).then(|| all.into())

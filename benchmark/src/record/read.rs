@@ -249,9 +249,10 @@ impl Fields {
                 )));
             }
         };
-        let iterations = whole(&mut self.numbers, "iterations", 1).max(1);
+        // A sample of no iteration was not timed.
+        let iterations = whole(&mut self.numbers, "iterations", 1);
         let threads = whole(&mut self.numbers, "threads", 1);
-        let spent = self.spent(&name, iterations)?;
+        let spent = self.spent(&name, iterations)?.filter(|_| iterations > 0);
         let message = ["error_message", "skip_message"].map(|key| self.words.remove(key));
         let message = message.into_iter().flatten().next();
         let error = match message {
@@ -266,7 +267,7 @@ impl Fields {
             name,
             kind,
             threads,
-            iterations,
+            iterations: iterations.max(1),
             spent,
             counters: self.numbers,
             labels: self.words,

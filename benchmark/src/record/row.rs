@@ -140,12 +140,21 @@ impl Row {
                 row.insert("aggregate_name".into(), name.clone().into());
             }
         }
-        row.insert("iterations".into(), self.iterations.into());
         row.insert("threads".into(), self.threads.into());
-        if let Some(spent) = self.spent {
-            let per_iteration = |time: Duration| time.as_secs_f64() * 1e3 / self.iterations as f64;
-            row.insert("real_time".into(), per_iteration(spent.wall).into());
-            row.insert("cpu_time".into(), per_iteration(spent.cpu).into());
+        let per_iteration = |time: Duration| time.as_secs_f64() * 1e3 / self.iterations as f64;
+        let (iterations, times) = match (self.spent, &self.kind) {
+            (Some(spent), _) => (
+                self.iterations,
+                Some([spent.wall, spent.cpu].map(per_iteration)),
+            ),
+            // Google Benchmark, and what reads its files, wants a time in every sample: none of no iteration.
+            (None, Kind::Sample { .. }) => (0, Some([0.0; 2])),
+            (None, Kind::Aggregate { .. }) => (self.iterations, None),
+        };
+        row.insert("iterations".into(), iterations.into());
+        if let Some([wall, cpu]) = times {
+            row.insert("real_time".into(), wall.into());
+            row.insert("cpu_time".into(), cpu.into());
             row.insert("time_unit".into(), "ms".into());
         }
         for (key, value) in &self.counters {
