@@ -234,14 +234,14 @@ pub(super) fn equation_of_motion(
     planes.fold(&acting.walls, true, true);
     planes.velocities();
     planes.load(forces.loads)?;
-    planes.accelerate(&forces);
+    planes.accelerate(forces);
     let mut sums = vec![PlaneSums::default(); planes.range.len()];
     planes.add_power_of_driven(&acting.driven, forces.kick, &mut sums);
     planes.drive(&acting.driven, true);
     planes.add_power_of_walls(&acting.walls, forces.kick, &mut sums);
     planes.constrain(&acting.walls, true);
     planes.unfold(&acting.walls, true);
-    planes.add_sums(&forces, measure, &mut sums);
+    planes.add_sums(forces, measure, &mut sums);
     Ok(sums)
 }
 
