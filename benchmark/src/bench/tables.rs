@@ -8,7 +8,8 @@ use super::session::Session;
 use crate::record::{Record, Row};
 use crate::show::{Table, bytes, grouped, number, seconds};
 use proctor_kernel::simulation::Phase;
-use std::fmt::{self, Write as _};
+use std::collections::BTreeSet;
+use std::fmt;
 
 /// Rows of a record by their name.
 struct Samples<'a>(Vec<&'a Row>);
@@ -258,23 +259,23 @@ impl<'a> Report<'a> {
             table.push(child_line(child, &samples));
         }
         writeln!(f, "{table}")?;
-        let exact = self.record.rows.iter().find_map(|row| {
-            row.counters
-                .contains_key("error_l2_displacement")
-                .then_some(&row.labels["error_against"])
-        });
-        let mut notes = String::new();
-        if let Some(exact) = exact {
+        let exact: BTreeSet<String> = children
+            .iter()
+            .filter_map(|child| Some((&child.job.scene, child.job.exact_source()?)))
+            .map(|(scene, source)| format!("{scene} against {source}"))
+            .collect();
+        if !exact.is_empty() {
+            let list: Vec<String> = exact.into_iter().collect();
             writeln!(
-                notes,
-                "  error: of the displacement of the last frame, relative L2, against {exact}"
+                f,
+                "  error: of the displacement of the last frame, relative L2; {}",
+                list.join("; ")
             )?;
         }
         writeln!(
-            notes,
+            f,
             "  difference: the same against this proctor's last frame, particle by particle\n"
-        )?;
-        f.write_str(&notes)
+        )
     }
 
     fn failures(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -119,6 +119,10 @@ fn inflate(bytes: &[u8], layout: Layout) -> Result<Vec<u8>, String> {
 }
 
 /// Numbers of a VTK type.
+#[expect(
+    clippy::cast_lossless,
+    reason = "one macro for types with and without a loss"
+)]
 fn real(bytes: &[u8], kind: &str, big_endian: bool) -> Result<Vec<f64>, String> {
     macro_rules! of {
         ($type:ty) => {{

@@ -2,6 +2,7 @@
 #![allow(missing_docs)]
 
 mod bad_input;
+mod bench;
 mod compare;
 mod pipe;
 mod plan;

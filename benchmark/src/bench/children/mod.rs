@@ -81,7 +81,6 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
                 if values.results.print == 0 {
                     scene["results"]["print"] = 1.into();
                 }
-                // Other solvers may not know how to check it, and read it from disk at every step.
                 let method = words(&values);
                 let size = if choice.scales() {
                     format!("/{particles}")
@@ -115,6 +114,14 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
         }
     }
     Ok(children)
+}
+
+impl Job {
+    /// Where its exact solution comes from, if it has one.
+    #[must_use]
+    pub fn exact_source(&self) -> Option<&'static str> {
+        self.exact.as_ref().map(|(source, _)| *source)
+    }
 }
 
 impl Child {
