@@ -231,15 +231,16 @@ fn judge_time(time: &Time, paid: &Paid) -> (Moved, Option<String>) {
         (Pace::Slower, _) => {
             let least = time.ratios.iter().copied().fold(f64::INFINITY, f64::min);
             let text = format!(
-                "slower in every pass, by at least {} (tolerance {:.1} %)",
-                change(least),
+                "slower in every pass, by {:.1} % or more (tolerance {:.1} %)",
+                100.0 * (least - 1.0),
                 100.0 * time.tolerance
             );
             (Moved::Worse, Some(text))
         }
         (Pace::Faster, Paid::Nothing) => {
             let most = time.ratios.iter().copied().fold(0.0, f64::max);
-            let text = format!("faster in every pass, by at least {}", change(most));
+            let gain = 100.0 * (1.0 - most);
+            let text = format!("faster in every pass, by {gain:.1} % or more");
             (Moved::Better, Some(text))
         }
         (Pace::Faster, Paid::Unknown(key)) => (

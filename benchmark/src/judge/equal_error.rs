@@ -37,5 +37,5 @@ fn time_at(points: &[(f64, f64)], error: f64) -> Option<f64> {
     let at = above.saturating_sub(1).min(last);
     let ((e0, t0), (e1, t1)) = (points[at], points[at + 1]);
     let slope = (t1 - t0) / (e1 - e0);
-    (slope < 0.0).then(|| t0 + slope * (error - e0))
+    (slope < 0.0).then_some(t0 + slope * (error - e0))
 }

@@ -34,7 +34,7 @@ const INCOMPLETE: &str = "incomplete";
 /// A record of one invocation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// Where and how it was measured, a flat JSON object.
+    /// Where and how it was measured, a JSON object.
     pub context: Value,
     /// Rows in the order in which they were measured.
     pub rows: Vec<Row>,

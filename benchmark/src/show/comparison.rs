@@ -7,7 +7,9 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 
 /// Characters of a case's name in the table on a terminal; the reasons below it name the case in full.
-const NAME: usize = 31;
+const NAME: usize = 29;
+/// Characters of a line.
+const WIDTH: usize = 100;
 
 /// The table of a comparison on a terminal, the reasons, the verdict.
 ///
@@ -29,11 +31,12 @@ pub fn terminal(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> 
         "an order of times without a change (Mann-Whitney), tolerance\n"
     )?;
     writeln!(out, "{table}")?;
-    for line in reasons(comparison) {
-        writeln!(out, "  {line}")?;
+    for (about, reason) in reasons(comparison) {
+        paragraph(&about, 2, out)?;
+        paragraph(&reason, 6, out)?;
     }
     for line in comparison.notes.iter().chain(&comparison.obstacles) {
-        writeln!(out, "  {line}")?;
+        paragraph(line, 2, out)?;
     }
     writeln!(out, "{}", verdict_line(comparison))
 }
@@ -51,8 +54,8 @@ pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String
     for line in comparison.obstacles.iter().chain(&comparison.notes) {
         let _ = writeln!(text, "- {}", escaped(line));
     }
-    for line in reasons(comparison) {
-        let _ = writeln!(text, "- {}", escaped(&line));
+    for (about, reason) in reasons(comparison) {
+        let _ = writeln!(text, "- {}: {}", escaped(&about), escaped(&reason));
     }
     let (changed, same): (Vec<&Finding>, Vec<&Finding>) =
         shown(comparison).partition(|finding| finding.verdict != CaseVerdict::Same);
@@ -75,12 +78,16 @@ pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String
     text
 }
 
-const HEADINGS: [&str; 8] = [
-    "case", "error", "count", "time", "95 %", "p", "tol.", "verdict",
+const HEADINGS: [&str; 9] = [
+    "case", "thr.", "error", "count", "time", "95 %", "p", "tol.", "verdict",
 ];
 
 fn markdown_table(findings: &[&Finding]) -> String {
-    let mut text = format!("| {} |\n|---|{}\n", HEADINGS.join(" | "), "--:|".repeat(7));
+    let mut text = format!(
+        "| {} |\n|---|{}\n",
+        HEADINGS.join(" | "),
+        "--:|".repeat(HEADINGS.len() - 1)
+    );
     for finding in findings {
         let cells = cells(finding).map(|cell| escaped(&cell));
         let _ = writeln!(text, "| {} |", cells.join(" | "));
@@ -94,12 +101,19 @@ fn shown(comparison: &Comparison) -> impl Iterator<Item = &Finding> {
     comparison.findings.iter().filter(tells)
 }
 
-fn cells(finding: &Finding) -> [String; 8] {
+fn cells(finding: &Finding) -> [String; 9] {
     let percent = |ratio: f64| format!("{:+.1} %", 100.0 * (ratio - 1.0));
     let or_none = |cell: Option<String>| cell.unwrap_or_else(|| "-".to_owned());
     let time = finding.time.as_ref();
     [
-        finding.case.to_string(),
+        name(finding),
+        or_none(
+            finding
+                .case
+                .aggregate
+                .is_none()
+                .then(|| finding.case.threads.to_string()),
+        ),
         or_none(finding.error_ratio().map(factor)),
         or_none(finding.count_ratio().map(factor)),
         or_none(time.map(|t| percent(t.median))),
@@ -141,8 +155,17 @@ fn word(finding: &Finding) -> &'static str {
     }
 }
 
-/// Why, case by case; cases that lack the same thing share a line.
-fn reasons(comparison: &Comparison) -> Vec<String> {
+/// Name of a case without its threads, which have a column of their own.
+fn name(finding: &Finding) -> String {
+    let case = &finding.case;
+    match &case.aggregate {
+        Some(aggregate) => format!("{} {aggregate}", case.name),
+        None => case.name.clone(),
+    }
+}
+
+/// What is said of which case; cases of which the same is said share a line.
+fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
     let mut lines: Vec<(&str, &str, Vec<String>)> = vec![];
     for finding in &comparison.findings {
         for reason in &finding.reasons {
@@ -154,14 +177,32 @@ fn reasons(comparison: &Comparison) -> Vec<String> {
             }
         }
     }
-    let said = lines
-        .into_iter()
-        .map(|(word, reason, names)| match names.as_slice() {
-            [name] => format!("{word} {name}: {reason}"),
-            [first, rest @ ..] => format!("{word} {first} and {} more: {reason}", rest.len()),
-            [] => String::new(),
-        });
+    let said = lines.into_iter().map(|(word, reason, names)| {
+        let more = match names.len() {
+            1 => String::new(),
+            n => format!(" and {} more", n - 1),
+        };
+        let first = names.into_iter().next().unwrap_or_default();
+        (format!("{word} {first}{more}"), reason.to_owned())
+    });
     said.collect()
+}
+
+/// Text in lines that fit, broken at blanks, all of them indented.
+fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<()> {
+    let mut line = String::new();
+    for word in text.split(' ') {
+        let length = line.chars().count() + 1 + word.chars().count();
+        if !line.is_empty() && indent + length > WIDTH {
+            writeln!(out, "{:indent$}{line}", "")?;
+            line.clear();
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    writeln!(out, "{:indent$}{line}", "")
 }
 
 fn verdict_line(comparison: &Comparison) -> String {

@@ -27,7 +27,8 @@ const SIDES: usize = 2;
 #[derive(Args)]
 #[command(after_help = "Example: proctor noise --json noise.json, then\n  \
     proctor compare base.json head.json --noise noise.json\n\
-    From records: proctor noise first.json second.json --json noise.json")]
+    From the records of scripts/compare-commits HEAD~1, which runs the base twice:\n  \
+    proctor noise target/compare/records/base target/compare/records/again --json noise.json")]
 pub struct Noise {
     /// Records of the same program, or folders of records
     #[arg(value_name = "RECORDS")]
