@@ -46,10 +46,11 @@ impl Findings {
         let at: Vec<Option<At>> = studied
             .runs
             .iter()
-            .map(|run| {
+            .enumerate()
+            .map(|(i, run)| {
                 Some(At {
                     error: run.error(measure).ok()?,
-                    time: run.seconds()?,
+                    time: studied.seconds(i)?,
                 })
             })
             .collect();

@@ -22,6 +22,35 @@ pub struct Studied {
     pub plan: Plan,
     /// One run per choice of the plan; fewer where the user stopped it.
     pub runs: Vec<Run>,
+    /// Threads of every run.
+    pub threads: usize,
+}
+
+impl Studied {
+    /// Run time of a run by its number \[s\]: the stepping loop of the fastest repetition. On one thread it is the time
+    /// on the processor, which other work on the machine does not lengthen; on several, by the clock.
+    #[must_use]
+    pub fn seconds(&self, run: usize) -> Option<f64> {
+        let on_processor = self.threads == 1;
+        let time = |s: &Sample| {
+            if on_processor {
+                s.stepping.cpu
+            } else {
+                s.stepping.wall
+            }
+        };
+        Some(self.runs.get(run)?.minimum_and_median(time)?[0])
+    }
+
+    /// What [`Studied::seconds`] measures, in words.
+    #[must_use]
+    pub fn seconds_words(&self) -> &'static str {
+        if self.threads == 1 {
+            "processor time of the stepping loop, fastest run"
+        } else {
+            "wall time of the stepping loop, fastest run"
+        }
+    }
 }
 
 /// A choice that was run.
@@ -74,13 +103,6 @@ impl Run {
                 "unstable or not converging: relative error {error:.1e}"
             ))
         }
-    }
-
-    /// Time of the stepping loop of the fastest repetition \[s\]; `None` without one.
-    #[must_use]
-    pub fn seconds(&self) -> Option<f64> {
-        let walls = self.samples.iter().map(|s| s.stepping.wall);
-        walls.min().map(|wall| wall.as_secs_f64())
     }
 
     /// Smallest and median of the repetitions of a time \[s\], with the mean of the middle two where they are even.
@@ -160,7 +182,12 @@ pub fn run(
             None => break,
         }
     }
-    Studied { study, plan, runs }
+    Studied {
+        study,
+        plan,
+        runs,
+        threads: options.threads.unwrap_or(1),
+    }
 }
 
 /// The repetitions of one choice; `None` if they were interrupted.

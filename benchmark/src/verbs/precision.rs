@@ -21,8 +21,9 @@ use std::path::{Path, PathBuf};
 /// Each case is solved with every combination of weighting function, stress scheme and transfer: on finer and finer
 /// meshes at a fixed Courant number (0.8 of the kernel's bound) and two particles per cell and axis, then on one mesh
 /// with smaller steps and with other numbers of particles. Time is that of the stepping loop alone, the fastest of the
-/// repetitions; a run longer than two seconds is done once. What an accuracy costs is interpolated along a line,
-/// never extrapolated. Combinations without a step that is safe for every body are tried, and marked with `!`.
+/// repetitions: processor time on one thread (the default), wall time on several. A run longer than two seconds is
+/// done once. What an accuracy costs is interpolated along a line, never extrapolated. Combinations without a step
+/// that is safe for every body are tried, and marked with `!`.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor precision bar axis-aligned --svg charts --csv precision.csv\n\

@@ -42,6 +42,8 @@ const END: f64 = 0.7;
 /// `c dt/h` is this times h/L, so that dt falls like h²: 0.3 at 8 cells, inside the bound where waves run faster in
 /// compression.
 const COURANT_TIMES_CELLS: f64 = 2.4;
+/// Largest of them, which four cells have too.
+const MOST_COURANT: f64 = 0.3;
 /// cpGIMP with the domains' stretch.
 const CONTIGUOUS: Method = Method {
     weighting: Weighting::ContiguousGimp(DomainUpdate::Stretch),
@@ -283,7 +285,7 @@ impl Study for AxisAligned {
         } else {
             CONTIGUOUS
         };
-        Settings::new(method).courant(COURANT_TIMES_CELLS * rung.cell / SIDE)
+        Settings::new(method).courant((COURANT_TIMES_CELLS * rung.cell / SIDE).min(MOST_COURANT))
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {

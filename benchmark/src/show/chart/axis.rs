@@ -98,7 +98,9 @@ impl Axis {
 
     /// `low` and `high` are decimal logarithms.
     fn logarithmic(&self, low: f64, high: f64) -> Ranged {
-        let pad = (MARGIN * (high - low)).max(0.08);
+        // Values close together get a range wide enough for two ticks.
+        let least = if high - low < 0.5 { 0.2 } else { 0.08 };
+        let pad = (MARGIN * (high - low)).max(least);
         let (low, high) = (low - pad, high + pad);
         let decades = (low.floor() as i32)..=(high.ceil() as i32);
         let inside = |value: &f64| (low..=high).contains(&value.log10());
@@ -113,7 +115,10 @@ impl Axis {
         if majors.len() < 3 {
             majors = of(&[1.0, 2.0, 5.0]);
         }
-        let every = majors.len().div_ceil(8);
+        if majors.len() < 2 {
+            majors = of(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+        }
+        let every = majors.len().div_ceil(8).max(1);
         let ticks = majors
             .iter()
             .step_by(every)
@@ -266,7 +271,7 @@ mod tests {
         let (errors, _) = texts(Scale::Log, Format::Percent, &[2e-4, 0.3]);
         assert_eq!(errors, ["0.1 %", "1 %", "10 %"]);
         let (times, _) = texts(Scale::Log, Format::Seconds, &[2e-4, 30.0]);
-        assert_eq!(times, ["1 ms", "10 ms", "0.1 s", "1 s", "10 s"]);
+        assert_eq!(times, ["0.1 ms", "1 ms", "10 ms", "0.1 s", "1 s", "10 s"]);
         let (cells, _) = texts(Scale::Log, Format::Number, &[0.016, 0.125]);
         assert_eq!(cells, ["0.02", "0.05", "0.1"]);
         let (small, _) = texts(Scale::Log, Format::Number, &[2e-9, 5e-6]);

@@ -85,7 +85,7 @@ impl Strength {
     pub(super) fn opacity(self) -> &'static str {
         match self {
             Self::Plain => "",
-            Self::Faint => " opacity=\"0.45\"",
+            Self::Faint => " opacity=\"0.32\"",
             Self::Band => " opacity=\"0.22\"",
         }
     }

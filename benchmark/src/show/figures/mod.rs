@@ -51,11 +51,15 @@ fn convergence_of(title: &str, lines: &[(String, &ConvergenceTable, usize)]) -> 
             Point {
                 x: row.h,
                 y: error.is_finite().then_some(error),
-                title: format!(
-                    "{name}, h = {} m: error {} %{order}",
-                    number(row.h),
-                    number(100.0 * error)
-                ),
+                title: if error.is_finite() {
+                    format!(
+                        "{name}, h = {} m: error {} %{order}",
+                        number(row.h),
+                        number(100.0 * error)
+                    )
+                } else {
+                    format!("{name}, h = {} m: the run failed", number(row.h))
+                },
             }
         });
         let (colour, mark) = (Colour::Hue(i), MARKS[i % MARKS.len()]);

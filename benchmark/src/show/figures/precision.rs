@@ -71,7 +71,7 @@ pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
         ),
         description: description(&findings, word),
         x: Axis {
-            label: "run time of the stepping loop, fastest run".to_owned(),
+            label: studied.seconds_words().to_owned(),
             scale: Scale::Log,
             format: Format::Seconds,
         },
@@ -102,7 +102,7 @@ fn look(method: Method) -> (Colour, Mark, Stroke) {
 fn point(studied: &Studied, measure: usize, i: usize) -> Option<Point> {
     let (choice, run) = (&studied.plan.choices[i], studied.runs.get(i)?);
     let settings = &choice.settings;
-    let time = run.seconds()?;
+    let time = studied.seconds(i)?;
     let error = run.error(measure);
     let outcome = match &error {
         Ok(error) => format!("error {} %, {}", number(100.0 * error), seconds(time)),

@@ -5,7 +5,7 @@ use crate::show::chart::{Guide, Series};
 /// Length of a slope as share of the horizontal axis.
 const LENGTH: f64 = 0.2;
 /// Room for a label, as shares of the axes.
-const LABEL: [f64; 2] = [0.17, 0.035];
+const LABEL: [f64; 2] = [0.17, 0.03];
 /// Least distance from the lines, as share of the axes.
 const CLEAR: f64 = 0.03;
 /// Places tried along each axis.
@@ -23,7 +23,7 @@ pub fn slopes(series: &[Series], slope: impl Fn(i32) -> f64) -> Vec<Guide> {
     // Ends of the two slopes over their beginning, as shares of the vertical axis.
     let ratio = LENGTH * range.span[0];
     let ends = [1, 2].map(|order| slope(order) * ratio / range.span[1]);
-    if (ends[1] - ends[0]).abs() < 2.0 * LABEL[1] {
+    if (ends[1] - ends[0]).abs() < 1.5 * LABEL[1] {
         return vec![];
     }
     let low = ends[0].min(ends[1]).min(0.0) - LABEL[1];
