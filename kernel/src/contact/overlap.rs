@@ -1,7 +1,7 @@
 //! Bodies that overlap at the start, by their particles.
 
 use super::Pair;
-use crate::particles::{Layout, ParticleSet};
+use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use std::collections::HashMap;
 
@@ -36,22 +36,9 @@ pub fn overlap(pair: &Pair, sets: &[ParticleSet], half_lengths: &[Vector]) -> Op
             }
         })
     };
-    // Most bodies of a pair do not come near at the start, so their boxes are asked first.
-    let (mut low, mut high) = ([0.0; 3], [0.0; 3]);
-    for axis in 0..axes {
-        let x = &slave.columns[Layout::POSITION + axis];
-        low[axis] = x.iter().copied().fold(f64::INFINITY, f64::min) - reach[axis];
-        high[axis] = x.iter().copied().fold(f64::NEG_INFINITY, f64::max) + reach[axis];
-    }
     let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
     for p in 0..master.len() {
-        let y = master.position(p);
-        if (0..axes).all(|axis| (low[axis]..=high[axis]).contains(&y[axis])) {
-            cells.entry(cell(&y)).or_default().push(p);
-        }
-    }
-    if cells.is_empty() {
-        return None;
+        cells.entry(cell(&master.position(p))).or_default().push(p);
     }
     let mut deepest: Option<Overlap> = None;
     for q in 0..slave.len() {
