@@ -69,7 +69,9 @@ impl Simulation {
             .contact
             .pairs
             .iter()
-            .filter_map(|pair| {
+            .zip(&self.contact.near)
+            .filter(|(_, near)| **near)
+            .filter_map(|(pair, _)| {
                 let found = overlap(pair, &self.sets, &half_lengths)?;
                 let name = self.scene.contacts.iter().find(|c| c.id == pair.id);
                 Some(Overlapping {

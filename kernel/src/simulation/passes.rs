@@ -320,14 +320,13 @@ pub(super) fn bodies_onto<'a>(
     stencil: usize,
     carry: Carry,
 ) -> BodiesOnto<'a> {
-    let full = plan.full_mapping && carry != Carry::MassGradient;
     BodiesOnto {
         sets,
         bodies,
         lanes,
         stencil,
         carry,
-        call: p2g::instance(plan.axes, stencil, full, carry),
+        call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
     }
 }
 

@@ -105,8 +105,8 @@ impl Simulation {
         for set in &mut simulation.sets {
             set.sort_by_position();
         }
-        simulation.refuse_overlap()?;
         simulation.sort_if_stale();
+        simulation.refuse_overlap()?;
         simulation.open_ledger();
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         Ok(simulation)
