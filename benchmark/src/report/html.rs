@@ -22,6 +22,9 @@ pub fn escape(text: &str) -> String {
     escaped
 }
 
+/// Characters from which on a cell may be broken into lines.
+const SHORT: usize = 24;
+
 /// A paragraph of text.
 #[must_use]
 pub fn paragraph(text: &str) -> String {
@@ -91,10 +94,10 @@ impl Table {
                 if column == 0 {
                     let _ = write!(html, "<th scope=\"row\">{cell}</th>");
                 } else {
-                    let class = if is_number(&cell) {
-                        " class=\"number\""
-                    } else {
-                        ""
+                    let class = match cell.chars().count() {
+                        _ if is_number(&cell) => " class=\"number\"",
+                        0..SHORT => " class=\"short\"",
+                        _ => "",
                     };
                     let _ = write!(html, "<td{class}>{cell}</td>");
                 }
