@@ -7,6 +7,8 @@ use crate::statistics::{mann_whitney, median, ratio_interval};
 pub const PASSES: usize = 3;
 /// Smallest relative change of time that is one.
 pub const TOLERANCE: f64 = 0.03;
+/// Tolerance above which a time is not judged: to find nothing among such noise is no finding.
+const USELESS: f64 = 0.5;
 /// Seed of the bootstrap.
 const SEED: u64 = 1;
 
@@ -45,7 +47,7 @@ pub struct Time {
 /// `band` is the measured noise of the case, as a relative change.
 ///
 /// # Errors
-/// Says why there is no answer, such as fewer than three passes in common.
+/// Says why there is no answer, such as fewer than three passes in common, or noise that would hide anything.
 pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, String> {
     let ratios = ratios(base, head);
     if ratios.len() < PASSES {
@@ -65,6 +67,12 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
     let none = || "a time of zero".to_owned();
     let ratio = |head: &[f64], base: &[f64]| Some(median(head)? / median(base)?);
     let tolerance = TOLERANCE.max(2.0 * band.unwrap_or(0.0));
+    if tolerance > USELESS {
+        return Err(format!(
+            "time: the noise hides every change below {:.0} %; measure on a quiet machine, or leave times out",
+            100.0 * tolerance
+        ));
+    }
     let pace = pace(&ratios, tolerance);
     Ok(Time {
         median: ratio(&head_all, &base_all)

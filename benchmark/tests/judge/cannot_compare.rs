@@ -192,3 +192,19 @@ fn noise_of_another_machine_or_none_at_all() {
     bands.context["cpu_model"] = json!("another");
     refused(&judged(&bands), "noise record: another machine");
 }
+
+#[test]
+fn noise_that_would_hide_anything() {
+    let judged = |band: f64| {
+        let mut bands = base();
+        bands.rows = noise::bands(&[base(), base()]).expect("bands");
+        bands.rows[0].count("noise_band", band);
+        let rules = Rules {
+            noise: Some(&bands),
+            ..Rules::default()
+        };
+        judge::compare(&base(), &base(), &rules)
+    };
+    assert_eq!(judged(0.25).verdict(), Verdict::Fine);
+    refused(&judged(0.26), "the noise hides every change below 52 %");
+}
