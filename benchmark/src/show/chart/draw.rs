@@ -13,8 +13,12 @@ const WIDTH: f64 = 560.0;
 const PLOT: f64 = 330.0;
 /// Height of a bar with its gap.
 const BAR: f64 = 34.0;
+/// Length of the horizontal axis over the longest bar.
+const BAR_ROOM: f64 = 1.12;
 /// Free space at the edges of the chart.
 const EDGE: f64 = 12.0;
+/// From the label of the vertical axis to the plot: the uppermost number may stand half its height above the plot.
+const GAP: f64 = 11.0;
 /// Size of the title.
 const TITLE: f64 = 16.0;
 /// Size of all other text.
@@ -61,7 +65,9 @@ impl Layout {
 pub fn svg(chart: &Chart) -> String {
     let points = || chart.series.iter().flat_map(|s| &s.points);
     let has_bars = chart.series.iter().any(|s| s.mark == Mark::Bar);
-    let x = chart.x.ranged(points().map(|p| p.x), has_bars);
+    // Room for the number at the end of the longest bar.
+    let room = if has_bars { BAR_ROOM } else { 1.0 };
+    let x = chart.x.ranged(points().map(|p| room * p.x), has_bars);
     let y = chart.y.ranged(points().filter_map(|p| p.y), false);
     let title = lines(&chart.title, TITLE, WIDTH - 2.0 * EDGE);
     let tick_width = y.ticks.iter().map(|t| width(&t.text, TEXT));
@@ -71,7 +77,7 @@ pub fn svg(chart: &Chart) -> String {
     let last_tick = x.ticks.last().map_or(0.0, |t| 0.5 * width(&t.text, TEXT));
     let strip = points().any(|p| p.y.is_none_or(|value| y.share(value).is_none()));
     let y_label = if y.label.is_empty() { 0.0 } else { 1.4 * TEXT };
-    let head = EDGE + 1.3 * TITLE * title.len() as f64 + y_label + 6.0;
+    let head = EDGE + 1.3 * TITLE * title.len() as f64 + y_label + GAP;
     let top = head + if strip { STRIP + 4.0 } else { 0.0 };
     let plot = if named {
         BAR * y.ticks.len() as f64 + 10.0
@@ -114,7 +120,7 @@ pub fn svg(chart: &Chart) -> String {
         );
     }
     if !layout.y.label.is_empty() {
-        let at = [EDGE, head - 8.0];
+        let at = [EDGE, head - GAP - 1.0];
         label(&mut out, &layout.y.label, at, "start", TEXT, "");
     }
     grid(&mut out, &layout);
