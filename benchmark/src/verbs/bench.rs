@@ -64,11 +64,12 @@ impl Bench {
         let config = self.config()?;
         let mut session = Session::new(&config, options.lanes).map_err(Failure::bad_input)?;
         let mut record = Record::new(&options);
+        // From here on an interrupt leaves files that say they are incomplete.
+        let stop = interrupt()?;
         record.context["incomplete"] = true.into();
         // Empty files now rather than files that cannot be written after minutes.
         self.write(&record)?;
         let folder = self.folder()?;
-        let stop = interrupt()?;
         session.run(&mut record, folder.path(), &stop);
         let interrupted = stop.load(Ordering::Relaxed);
         if !interrupted && let Some(context) = record.context.as_object_mut() {
