@@ -63,16 +63,15 @@ impl Bench {
         let config = self.config()?;
         let mut session = Session::new(&config, options.lanes).map_err(Failure::bad_input)?;
         let mut record = Record::new(&options);
-        record.context["incomplete"] = true.into();
+        // From here on an interrupt leaves files that say they are incomplete.
+        let stop = interrupt()?;
+        record.set_incomplete(true);
         // Empty files now rather than files that cannot be written after minutes.
         self.write(&record)?;
         let folder = self.folder()?;
-        let stop = Interrupt::listen()?;
         session.run(&mut record, folder.path(), stop.flag());
         let interrupted = stop.raised();
-        if !interrupted && let Some(context) = record.context.as_object_mut() {
-            context.remove("incomplete");
-        }
+        record.set_incomplete(interrupted);
         self.write(&record)?;
         write!(out, "{}", Report::new(&session, &record))?;
         for path in self.json.iter().chain(&self.csv) {

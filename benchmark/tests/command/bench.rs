@@ -238,12 +238,16 @@ fn an_interrupt_leaves_a_valid_record_that_says_it_is_incomplete() {
         &desk,
         &json!({ "scenes": "rest-2d", "particles": 2000, "threads": 1, "particle_steps": 2_000_000, "repetitions": 1000 }),
     );
-    let child = command(&["bench", &config, "--json", &json])
+    let mut child = command(&["bench", &config, "--json", &json])
         .stdout(std::process::Stdio::piped())
         .spawn()
         .expect("the command starts");
     // The record is there, empty, before the first sample; a little later some have been taken.
     while !desk.path("b.json").exists() {
+        assert!(
+            child.try_wait().expect("a child").is_none(),
+            "it ended early"
+        );
         std::thread::sleep(std::time::Duration::from_millis(10));
     }
     assert_eq!(record(&desk.path("b.json"))["context"]["incomplete"], true);
