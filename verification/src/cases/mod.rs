@@ -5,6 +5,9 @@ mod bar;
 mod base_acceleration;
 mod boussinesq;
 mod dynamics;
+mod incline;
+mod inclined_block;
+mod inclined_two_blocks;
 mod rotation;
 mod self_weight;
 mod statics;
@@ -13,6 +16,8 @@ pub use axis_aligned::AxisAligned;
 pub use bar::Bar;
 pub use base_acceleration::BaseAcceleration;
 pub use boussinesq::Boussinesq;
+pub use inclined_block::InclinedBlock;
+pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
 
@@ -31,6 +36,8 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &AxisAligned::SPACE,
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
+    &InclinedBlock::GIVEN,
+    &InclinedTwoBlocks::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.
@@ -42,6 +49,7 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &AxisAligned::SPACE,
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
+    &InclinedBlock::GIVEN,
 ];
 
 /// The error of the stress, where a case has one.
