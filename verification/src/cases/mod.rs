@@ -3,7 +3,9 @@
 mod axis_aligned;
 mod bar;
 mod base_acceleration;
+mod block_on_two_blocks;
 mod boussinesq;
+mod colliding_blocks;
 mod dynamics;
 mod incline;
 mod inclined_block;
@@ -15,7 +17,9 @@ mod statics;
 pub use axis_aligned::AxisAligned;
 pub use bar::Bar;
 pub use base_acceleration::BaseAcceleration;
+pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
+pub use colliding_blocks::CollidingBlocks;
 pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use rotation::Rotation;
@@ -38,6 +42,8 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
     &InclinedTwoBlocks::GIVEN,
+    &CollidingBlocks::GIVEN,
+    &BlockOnTwoBlocks::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.

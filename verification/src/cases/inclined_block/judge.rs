@@ -1,7 +1,7 @@
 //! Gates of the inclined block, and what is said of the manual's own scene.
 
 use super::{ACCELERATION, CREEP, Kind, Problem, WAY};
-use crate::case::{Gate, Relation, Rung, Solved, Verdict};
+use crate::case::{Curve, CurvePoint, Gate, Relation, Rung, Solved, Verdict};
 
 /// Largest relative error of acceleration and displacement.
 const SLIDING_GATE: f64 = 5e-3;
@@ -26,6 +26,7 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
             groups.push((rung.variant, rung.cell));
         }
     }
+    verdict.curves.extend(picture(ladder, solved));
     for (variant, cell) in groups {
         let of_group = |(r, _): &&(Rung, Problem)| r.variant == variant && r.cell == cell;
         let group = || {
@@ -101,6 +102,35 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
         }
     }
     verdict
+}
+
+/// Displacement over time for all frictions in one picture, of the first variant that slides on its finest mesh.
+fn picture(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Option<Curve> {
+    let variant = ladder.first()?.0.variant;
+    let own = || solved.iter().filter(|(rung, _)| rung.variant == variant);
+    let finest = own().map(|(rung, _)| rung.cell).reduce(f64::min)?;
+    let lines = own()
+        .filter(|(rung, _)| rung.cell == finest)
+        .filter_map(|(_, s)| s.curve.as_ref());
+    let mut all: Option<Curve> = None;
+    for line in lines {
+        match &mut all {
+            None => all = Some(line.clone()),
+            Some(all) => {
+                all.points.push(CurvePoint {
+                    at: line.points.first().map_or(0.0, |p| p.at),
+                    computed: f64::NAN,
+                    exact: f64::NAN,
+                });
+                all.points.extend_from_slice(&line.points);
+            }
+        }
+    }
+    let mut all = all?;
+    all.title = format!(
+        "displacement of the centre of mass, mu = 0 (top) to 0.5 (bottom), {variant}, h = {finest} m"
+    );
+    Some(all)
 }
 
 /// Signed relative error.
