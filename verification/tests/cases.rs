@@ -7,8 +7,16 @@ mod axis_aligned;
 mod bar;
 #[path = "cases/base_acceleration.rs"]
 mod base_acceleration;
+#[path = "cases/block_on_two_blocks.rs"]
+mod block_on_two_blocks;
 #[path = "cases/boussinesq.rs"]
 mod boussinesq;
+#[path = "cases/colliding_blocks.rs"]
+mod colliding_blocks;
+#[path = "cases/inclined_block.rs"]
+mod inclined_block;
+#[path = "cases/inclined_two_blocks.rs"]
+mod inclined_two_blocks;
 #[path = "cases/rotation.rs"]
 mod rotation;
 #[path = "cases/self_weight.rs"]

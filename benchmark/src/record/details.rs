@@ -130,6 +130,13 @@ impl Details {
                 chart: figures::curve(curve),
             });
         }
+        curves.extend(ran.verdict.curves.iter().map(|curve| Figure {
+            caption: format!(
+                "{} over {}: computed against exact, several runs.",
+                curve.ordinate, curve.abscissa
+            ),
+            chart: figures::curve(curve),
+        }));
         let refined = ran.verdict.tables.iter();
         let refined = refined.filter(|(_, table)| table.rows().len() > 1);
         let convergence = refined.map(|(title, table)| Figure {

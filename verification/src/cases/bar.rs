@@ -161,7 +161,7 @@ impl Case for Bar {
                 order_gate(&table, STRESS, STRESS_ORDER_GATE, first),
             ],
             tables: vec![("bar, uGIMP, USL, FLIP, dt like h²".to_owned(), table)],
-            for_the_record: vec![],
+            ..Verdict::default()
         }
     }
 }

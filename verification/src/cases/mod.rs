@@ -3,8 +3,13 @@
 mod axis_aligned;
 mod bar;
 mod base_acceleration;
+mod block_on_two_blocks;
 mod boussinesq;
+mod colliding_blocks;
 mod dynamics;
+mod incline;
+mod inclined_block;
+mod inclined_two_blocks;
 mod rotation;
 mod self_weight;
 mod statics;
@@ -12,7 +17,11 @@ mod statics;
 pub use axis_aligned::AxisAligned;
 pub use bar::Bar;
 pub use base_acceleration::BaseAcceleration;
+pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
+pub use colliding_blocks::CollidingBlocks;
+pub use inclined_block::InclinedBlock;
+pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
 
@@ -31,6 +40,10 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &AxisAligned::SPACE,
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
+    &InclinedBlock::GIVEN,
+    &InclinedTwoBlocks::GIVEN,
+    &CollidingBlocks::GIVEN,
+    &BlockOnTwoBlocks::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.
@@ -42,6 +55,7 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &AxisAligned::SPACE,
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
+    &InclinedBlock::GIVEN,
 ];
 
 /// The error of the stress, where a case has one.

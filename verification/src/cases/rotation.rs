@@ -136,7 +136,7 @@ impl Case for Rotation {
                 "rotation, uGIMP, MUSL, APIC".to_owned(),
                 table(solved, VARIANT, &[DISPLACEMENT, VELOCITY]),
             )],
-            for_the_record: vec![],
+            ..Verdict::default()
         }
     }
 }

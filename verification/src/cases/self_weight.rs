@@ -145,7 +145,7 @@ impl Case for SelfWeight {
                 order_gate(&table, STRESS, 0.9, order),
             ],
             tables: vec![("self-weight, cpGIMP, USL, FLIP".to_owned(), table)],
-            for_the_record: vec![],
+            ..Verdict::default()
         }
     }
 }

@@ -4,10 +4,12 @@
 
 pub mod axis_aligned_mms;
 pub mod bar;
+pub mod bar_impact;
 pub mod base_column;
 pub mod boussinesq_box;
 pub mod boussinesq_half_space;
 pub mod rotation;
 pub mod self_weight;
+pub mod sliding;
 pub mod special;
 pub mod sudden_weight;

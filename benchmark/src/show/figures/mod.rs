@@ -101,7 +101,8 @@ pub fn curve(curve: &Curve) -> Chart {
     let side = |word: &str, value: fn(&CurvePoint) -> f64| {
         let points = curve.points.iter().map(move |p| Point {
             x: p.at,
-            y: Some(value(p)),
+            // A point that is not a number parts two lines.
+            y: Some(value(p)).filter(|y| y.is_finite()),
             title: format!("{word}: {} at {}", number(value(p)), number(p.at)),
         });
         points.collect::<Vec<_>>()
