@@ -9,6 +9,7 @@ use super::chart::{
     Axis, Chart, Colour, Entry, Format, Guide, Mark, Point, Scale, Series, Strength, Stroke,
 };
 use super::number;
+use crate::precision::findings::LineFindings;
 use proctor_verification::case::{Curve, CurvePoint};
 use proctor_verification::convergence::ConvergenceTable;
 use slopes::slopes;
@@ -19,12 +20,33 @@ const MARKS: [Mark; 4] = [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diam
 /// Errors over cell size, one line per quantity, with the slopes of orders 1 and 2.
 #[must_use]
 pub fn convergence(title: &str, table: &ConvergenceTable) -> Chart {
+    let lines: Vec<(String, &ConvergenceTable, usize)> = table
+        .quantities()
+        .iter()
+        .enumerate()
+        .map(|(i, name)| (name.clone(), table, i))
+        .collect();
+    convergence_of(title, &lines)
+}
+
+/// Errors over cell size of the lines of a study, the best first, at most as many as there are colours.
+#[must_use]
+pub fn convergence_of_lines(title: &str, lines: &[&LineFindings]) -> Chart {
+    let lines: Vec<(String, &ConvergenceTable, usize)> = lines
+        .iter()
+        .take(MARKS.len())
+        .map(|line| (line.method.to_string(), &line.table, 0))
+        .collect();
+    convergence_of(title, &lines)
+}
+
+fn convergence_of(title: &str, lines: &[(String, &ConvergenceTable, usize)]) -> Chart {
     let (mut series, mut legend) = (vec![], vec![]);
-    for (i, name) in table.quantities().iter().enumerate() {
+    for (i, (name, table, quantity)) in lines.iter().enumerate() {
         let points = table.rows().iter().enumerate().map(|(r, row)| {
-            let error = row.errors[i];
+            let error = row.errors[*quantity];
             let order = table
-                .order(i, r)
+                .order(*quantity, r)
                 .map_or_else(String::new, |p| format!(", order {p:.2}"));
             Point {
                 x: row.h,
@@ -60,13 +82,11 @@ pub fn convergence(title: &str, table: &ConvergenceTable) -> Chart {
     Chart {
         title: title.to_owned(),
         description: format!("Relative errors over cell size, both logarithmic. {}", {
-            let orders: Vec<String> = table
-                .quantities()
+            let orders: Vec<String> = lines
                 .iter()
-                .enumerate()
-                .map(|(i, name)| {
+                .map(|(name, table, quantity)| {
                     let last = table.rows().len().checked_sub(1);
-                    match last.and_then(|last| table.order(i, last)) {
+                    match last.and_then(|last| table.order(*quantity, last)) {
                         Some(order) => format!("{name} falls with order {order:.2} at the end."),
                         None => format!("{name} shows no order."),
                     }
