@@ -64,7 +64,7 @@ impl Bench {
         let mut session = Session::new(&config, options.lanes).map_err(Failure::bad_input)?;
         let mut record = Record::new(&options);
         // From here on an interrupt leaves files that say they are incomplete.
-        let stop = interrupt()?;
+        let stop = Interrupt::listen()?;
         record.set_incomplete(true);
         // Empty files now rather than files that cannot be written after minutes.
         self.write(&record)?;
