@@ -12,6 +12,7 @@ mod passes;
 mod relaxation;
 mod setup;
 mod step;
+mod surfaces;
 
 pub use clock::{Bound, StepInfo, stability_number};
 pub use error::{Event, EventKind, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
@@ -92,6 +93,9 @@ pub(crate) struct BodyRun {
     /// Rate of viscous damping \[1/s\].
     pub(crate) viscous_rate: f64,
     pub(crate) found: Found,
+    /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
+    /// function has no domain.
+    pub(crate) reach: Option<[f64; 3]>,
 }
 
 /// A scene in motion.
@@ -118,6 +122,8 @@ pub struct Simulation {
     pub(crate) relaxation: relaxation::Relaxation,
     pub(crate) ledger: measure::Ledger,
     pub(crate) events: Vec<Event>,
+    /// Contact with rigid surfaces; absent where the scene has none.
+    pub(crate) surfaces: Option<surfaces::Surfaces>,
 }
 
 impl Simulation {

@@ -6,9 +6,10 @@ use super::{BodyRun, Simulation};
 use crate::lanes::Selected;
 use crate::particles::ParticleSet;
 use crate::plan::Plan;
+use crate::scene::Scene;
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
-use crate::stage::solve::{EmptyNode, Forces, PlaneSums, Planes, Wall};
+use crate::stage::solve::{EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -50,6 +51,9 @@ impl Simulation {
             }
             self.travel = 0.0;
             self.groups = Groups::default();
+            if let Some(surfaces) = &mut self.surfaces {
+                surfaces.forget();
+            }
         }
     }
 
@@ -63,13 +67,10 @@ impl Simulation {
             self.stencil,
             Carry::All,
         );
-        let forces = Forces {
-            gravity: self.scene.gravity,
-            loads: &self.loads,
-            local_damping: self.plan.local_damping,
-            kick: acting.kick,
-        };
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
         let measure = self.plan.measure;
+        // Contact still changes the velocities, and takes the sums after it.
+        let is_final = self.surfaces.is_none();
         let results = self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
             let groups = mapping.run(&mut planes);
@@ -83,7 +84,9 @@ impl Simulation {
             planes.add_power_of_walls(&acting.walls, forces.kick, &mut sums);
             planes.constrain(&acting.walls, true);
             planes.unfold(&acting.walls, true);
-            planes.add_sums(&forces, measure, &mut sums);
+            if is_final {
+                planes.add_sums(&forces, measure, &mut sums);
+            }
             Ok((sums, groups))
         });
         let mut total = PlaneSums::default();
@@ -103,7 +106,7 @@ impl Simulation {
         }
         self.ledger.sums = total;
         self.groups.count(groups);
-        Ok(())
+        self.touch_surfaces(acting)
     }
 
     /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
@@ -222,8 +225,23 @@ impl Simulation {
     }
 }
 
+/// What acts at the nodes for a change of velocity over `kick` \[s\].
+pub(super) fn forces<'a>(
+    scene: &Scene,
+    plan: &Plan,
+    loads: &'a [NodeForce],
+    kick: f64,
+) -> Forces<'a> {
+    Forces {
+        gravity: scene.gravity,
+        loads,
+        local_damping: plan.local_damping,
+        kick,
+    }
+}
+
 /// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
-fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
+pub(super) fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
     walls
         .iter()
         .map(|wall| Wall {

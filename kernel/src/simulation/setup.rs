@@ -5,6 +5,7 @@ use super::field::Field;
 use super::measure::Ledger;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
+use super::surfaces::Surfaces;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
 use crate::bodies::{HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
@@ -98,11 +99,13 @@ impl Simulation {
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),
             events: vec![],
+            surfaces: Surfaces::new(scene),
         };
         for set in &mut simulation.sets {
             set.sort_by_position();
         }
         simulation.sort_if_stale();
+        simulation.check_overlap()?;
         simulation.open_ledger();
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         Ok(simulation)
@@ -205,6 +208,10 @@ fn fill_body(
             travel: 0.0,
             half_length: widest,
             fault: None,
+        },
+        reach: match filled.half_length {
+            HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
+            _ => None,
         },
     };
     Ok((set, run))

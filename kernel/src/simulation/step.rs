@@ -43,6 +43,7 @@ impl Simulation {
                     ..self.task(None, None)
                 })?;
                 self.remap(&acting);
+                self.hold_at_surfaces(&acting, 4)?;
                 self.interpolate(Task {
                     gradient_of_upper: true,
                     affine: Affine::Leave,
@@ -58,6 +59,7 @@ impl Simulation {
                 })?;
                 self.sort_if_stale();
                 self.map_momentum(&acting);
+                self.hold_at_surfaces(&acting, 1)?;
                 let strain = Some((drift, Configuration::End));
                 self.interpolate(Task {
                     strain,

@@ -24,12 +24,12 @@ pub struct Wall {
 }
 
 impl Wall {
-    fn prescribes(&self, axis: usize) -> bool {
+    pub(crate) fn prescribes(&self, axis: usize) -> bool {
         self.fixed || axis == self.axis
     }
 
     /// Storage indices along the direction of the normal: ghost, plane, mirror.
-    fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
+    pub(crate) fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
         if self.side == 0 {
             (GHOSTS_BELOW - 1, GHOSTS_BELOW, GHOSTS_BELOW + 1)
         } else {

@@ -1,0 +1,556 @@
+//! Contact with rigid surfaces in the cycle.
+
+use super::acting::{Acting, node_weights};
+use super::error::{SetupError, StepError, StepErrorKind};
+use super::history::integral;
+use super::passes::{at_half_step_after, forces};
+use super::{BodyRun, Simulation};
+use crate::grid::{GridShape, Line};
+use crate::particles::{Layout, ParticleSet};
+use crate::scene::{RigidSurface, Scene, Vector};
+use crate::stage::solve::{PlaneSums, Wall};
+use crate::stage::touch::{Touch, TouchedNode, apply, resolve};
+use crate::surface::Nearest;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
+const TOLERANCE: f64 = 1e-9;
+/// Most sweeps of a step. What is left then is made good in the next step: see [`Touch::bound`].
+const SWEEPS: usize = 100;
+/// Share of the smallest cell edge by which a body may overlap a surface at the start.
+const OVERLAP: f64 = 0.01;
+
+/// What the cycle keeps of the surfaces. Nothing of it decides a result: the list of particles near a surface only
+/// spares searches, and the impulses are records.
+#[derive(Debug)]
+pub(crate) struct Surfaces {
+    near: Option<Near>,
+    /// Touches of the present step, with where they belong.
+    touches: Vec<Touch>,
+    places: Vec<Place>,
+    /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
+    pub(crate) last: Vec<Vec<Vector>>,
+    pub(crate) last_kick: f64,
+    /// The same summed since the start \[N s\].
+    pub(crate) total: Vec<Vec<Vector>>,
+}
+
+/// Particles that may touch a surface until they have moved by half the margin.
+#[derive(Debug)]
+struct Near {
+    /// Surface, set and particle.
+    particles: Vec<Place>,
+    /// Travel of the particles \[cells\] and displacement of the surfaces \[m\] when the list was made.
+    travel: f64,
+    shifts: Vec<Vector>,
+    /// Distance beyond the threshold that is covered \[m\].
+    margin: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Place {
+    surface: usize,
+    set: usize,
+    p: usize,
+}
+
+impl Surfaces {
+    pub(super) fn new(scene: &Scene) -> Option<Self> {
+        let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; scene.surfaces.len()];
+        (!scene.surfaces.is_empty()).then(|| Self {
+            near: None,
+            touches: vec![],
+            places: vec![],
+            last: zero.clone(),
+            last_kick: 0.0,
+            total: zero,
+        })
+    }
+
+    /// Particles have new places.
+    pub(super) fn forget(&mut self) {
+        self.near = None;
+    }
+}
+
+impl Simulation {
+    /// Force of the surfaces on a body in the last step \[N\]; zero where there is none.
+    #[must_use]
+    pub fn contact_force(&self, set: usize) -> Vector {
+        let mut force = [0.0; 3];
+        for surface in 0..self.scene.surfaces.len() {
+            let own = self.surface_force_on(surface, set);
+            force = std::array::from_fn(|axis| force[axis] + own[axis]);
+        }
+        force
+    }
+
+    /// Force of the bodies on a surface in the last step \[N\].
+    #[must_use]
+    pub fn surface_force(&self, surface: usize) -> Vector {
+        let mut force = [0.0; 3];
+        for set in 0..self.sets.len() {
+            let own = self.surface_force_on(surface, set);
+            force = std::array::from_fn(|axis| force[axis] - own[axis]);
+        }
+        force
+    }
+
+    fn surface_force_on(&self, surface: usize, set: usize) -> Vector {
+        match &self.surfaces {
+            Some(s) if s.last_kick > 0.0 => s.last[surface][set].map(|i| i / s.last_kick),
+            _ => [0.0; 3],
+        }
+    }
+
+    /// Impulse of a surface on a body since the start \[N s\].
+    #[must_use]
+    pub fn surface_impulse(&self, surface: usize, set: usize) -> Vector {
+        self.surfaces
+            .as_ref()
+            .map_or([0.0; 3], |s| s.total[surface][set])
+    }
+
+    /// Displacement of a surface since the start \[m\].
+    #[must_use]
+    pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
+        let motion = self.scene.surfaces[surface].motion.as_ref();
+        motion.map_or([0.0; 3], |motion| integral(motion, time))
+    }
+
+    /// Gap between a particle and a surface \[m\], and the point of the surface, if it is smaller than `within` and the
+    /// particle lies over the surface rather than beside it.
+    ///
+    /// The particle reaches as far as the ellipsoid in its domain: |l n| with the half-lengths l and the normal n.
+    #[must_use]
+    pub fn surface_gap(
+        &self,
+        surface: usize,
+        set: usize,
+        p: usize,
+        within: f64,
+    ) -> Option<(f64, Nearest)> {
+        let shift = self.surface_shift(surface, self.clock.time);
+        let x = self.position(set, p);
+        let local = std::array::from_fn(|axis| x[axis] - shift[axis]);
+        gap(
+            &self.scene.surfaces[surface],
+            &local,
+            &half_lengths(&self.sets[set], &self.bodies[set], p),
+            within,
+        )
+    }
+
+    /// No body may overlap a surface at the start.
+    pub(super) fn check_overlap(&self) -> Result<(), SetupError> {
+        let allowed = OVERLAP * self.smallest_cell();
+        for surface in 0..self.scene.surfaces.len() {
+            let mut deepest: Option<(f64, usize, usize)> = None;
+            for set in 0..self.sets.len() {
+                for p in 0..self.sets[set].len() {
+                    let threshold = self.scene.surfaces[surface].distance_threshold;
+                    if let Some((gap, _)) = self.surface_gap(surface, set, p, threshold)
+                        && gap < -allowed
+                        && deepest.is_none_or(|d| gap < d.0)
+                    {
+                        deepest = Some((gap, set, p));
+                    }
+                }
+            }
+            if let Some((gap, set, p)) = deepest {
+                let [x, y, z] = self.position(set, p);
+                return Err(SetupError::Body {
+                    body: self.scene.bodies[set].name.clone(),
+                    reason: format!(
+                        "it reaches {} m through the surface {:?} at the start, at ({x}, {y}, {z}) m; accepted: bodies \
+                         on the side to which the normals of the surface point",
+                        -gap, self.scene.surfaces[surface].name
+                    ),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Corrects the nodal velocities after the solve so that no particle goes through a surface.
+    pub(super) fn touch_surfaces(&mut self, acting: &Acting) -> Result<(), StepError> {
+        let Some(mut surfaces) = self.surfaces.take() else {
+            return Ok(());
+        };
+        let found = self.touches(&mut surfaces, acting, 1);
+        self.surfaces = Some(surfaces);
+        let mut nodes = found?;
+        let Some(surfaces) = &mut self.surfaces else {
+            return Ok(());
+        };
+        let touches = &mut surfaces.touches;
+        resolve(touches, &mut nodes, TOLERANCE, SWEEPS);
+        for bodies in &mut surfaces.last {
+            bodies.fill([0.0; 3]);
+        }
+        surfaces.last_kick = acting.kick;
+        for (touch, place) in touches.iter().zip(&surfaces.places) {
+            let impulse = touch.impulse();
+            for axis in 0..3 {
+                surfaces.last[place.surface][place.set][axis] += impulse[axis];
+            }
+        }
+        let mut power = 0.0;
+        for surface in 0..surfaces.last.len() {
+            let v = velocity(&self.scene.surfaces[surface], self.clock.time, acting.drift);
+            for set in 0..self.sets.len() {
+                for axis in 0..3 {
+                    let impulse = surfaces.last[surface][set][axis];
+                    surfaces.total[surface][set][axis] += impulse;
+                    power += impulse * v[axis] / acting.kick;
+                }
+            }
+        }
+        apply(&nodes, self.field.nodes.lines_mut(), 1, true);
+        self.sum_after_contact(acting, power);
+        Ok(())
+    }
+
+    /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
+    fn sum_after_contact(&mut self, acting: &Acting, power: f64) {
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
+        let measure = self.plan.measure;
+        let per_slab = self.field.visit(self.pool.as_ref(), |mut planes| {
+            planes.unfold(&acting.walls, true);
+            let mut sums = vec![PlaneSums::default(); planes.range.len()];
+            planes.add_sums(&forces, measure, &mut sums);
+            sums
+        });
+        let sums = &mut self.ledger.sums;
+        sums.power += power;
+        for plane in per_slab.into_iter().flatten() {
+            sums.power += plane.power;
+            sums.kinetic += plane.kinetic;
+            sums.unbalanced_squared += plane.unbalanced_squared;
+        }
+    }
+
+    /// Holds the velocities that strain the particles to the surfaces, without friction and without a record: as the
+    /// boundary planes do it for a second mapping. `lane` is where the nodes hold the velocities.
+    pub(super) fn hold_at_surfaces(
+        &mut self,
+        acting: &Acting,
+        lane: usize,
+    ) -> Result<(), StepError> {
+        let Some(mut surfaces) = self.surfaces.take() else {
+            return Ok(());
+        };
+        let found = self.touches(&mut surfaces, acting, lane);
+        let mut nodes = match found {
+            Ok(nodes) => nodes,
+            Err(error) => {
+                self.surfaces = Some(surfaces);
+                return Err(error);
+            }
+        };
+        for touch in &mut surfaces.touches {
+            touch.friction = 0.0;
+            touch.floor = 0.0;
+        }
+        resolve(&mut surfaces.touches, &mut nodes, TOLERANCE, SWEEPS);
+        self.surfaces = Some(surfaces);
+        apply(&nodes, self.field.nodes.lines_mut(), lane, false);
+        let still = at_half_step_after(&acting.walls);
+        self.field.visit(self.pool.as_ref(), |mut planes| {
+            if lane == 4 {
+                planes.constrain_remapped(&still);
+            } else {
+                planes.unfold(&still, false);
+            }
+        });
+        Ok(())
+    }
+
+    /// The particles within the threshold of a surface, with their velocities over it from the lanes of the nodes that
+    /// begin at `lane`; and the nodes that they reach.
+    fn touches(
+        &mut self,
+        surfaces: &mut Surfaces,
+        acting: &Acting,
+        lane: usize,
+    ) -> Result<Vec<TouchedNode>, StepError> {
+        surfaces.touches.clear();
+        surfaces.places.clear();
+        let near = self.near(surfaces.near.take(), acting.drift);
+        let mut at_node = BTreeMap::new();
+        let mut nodes = vec![];
+        for place in &near.particles {
+            if let Some(touch) = self.touch(*place, acting, lane, &mut at_node, &mut nodes)? {
+                surfaces.touches.push(touch);
+                surfaces.places.push(*place);
+            }
+        }
+        surfaces.near = Some(near);
+        Ok(nodes)
+    }
+
+    /// The list of particles near a surface, made anew where it no longer covers what may touch in this step.
+    fn near(&self, known: Option<Near>, dt: f64) -> Near {
+        let cell = &self.scene.mesh.cell;
+        let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
+        let speed = self
+            .bodies
+            .iter()
+            .map(|b| b.found.speed_squared)
+            .fold(0.0, f64::max)
+            .sqrt();
+        let shifts: Vec<Vector> = (0..self.scene.surfaces.len())
+            .map(|s| self.surface_shift(s, self.clock.time))
+            .collect();
+        let fastest = self
+            .scene
+            .surfaces
+            .iter()
+            .map(|s| length(&velocity(s, self.clock.time, dt)))
+            .fold(0.0, f64::max);
+        // Twice the way at the present speed, since contact and forces may make particles faster within the step.
+        let step = 2.0 * dt * (speed + fastest);
+        if let Some(near) = known {
+            let by_surface = shifts
+                .iter()
+                .zip(&near.shifts)
+                .map(|(a, b)| length(&std::array::from_fn(|axis| a[axis] - b[axis])))
+                .fold(0.0, f64::max);
+            let moved = (self.travel - near.travel) * diagonal + by_surface;
+            if moved + step <= near.margin {
+                return near;
+            }
+        }
+        let margin = (0.25 * diagonal).max(2.0 * step);
+        let mut particles = vec![];
+        for (surface, shift) in shifts.iter().enumerate() {
+            for set in 0..self.sets.len() {
+                if self.bodies[set].motion.is_none() {
+                    particles.extend(self.near_particles(surface, set, shift, margin));
+                }
+            }
+        }
+        Near {
+            particles,
+            travel: self.travel,
+            shifts,
+            margin,
+        }
+    }
+
+    /// Particles of a set near a surface, in the order of their identifiers.
+    fn near_particles(
+        &self,
+        surface: usize,
+        set: usize,
+        shift: &Vector,
+        margin: f64,
+    ) -> Vec<Place> {
+        let (rigid, particles, body) = (
+            &self.scene.surfaces[surface],
+            &self.sets[set],
+            &self.bodies[set],
+        );
+        let origin = self.origin();
+        let is_near = |p: &usize| {
+            let x = particles.position(*p);
+            let local = std::array::from_fn(|axis| x[axis] + origin[axis] - shift[axis]);
+            let reach = length(&half_lengths(particles, body, *p));
+            let within = rigid.distance_threshold + reach + margin;
+            rigid.surface.nearest(&local, within).is_some()
+        };
+        let mut found: Vec<usize> = match &self.pool {
+            Some(pool) => pool.install(|| {
+                (0..particles.len())
+                    .into_par_iter()
+                    .filter(is_near)
+                    .collect()
+            }),
+            None => (0..particles.len()).filter(is_near).collect(),
+        };
+        found.sort_unstable_by_key(|&p| particles.id[p]);
+        found
+            .into_iter()
+            .map(|p| Place { surface, set, p })
+            .collect()
+    }
+
+    /// The touch of one particle, if it is within the threshold.
+    fn touch(
+        &self,
+        place: Place,
+        acting: &Acting,
+        lane: usize,
+        at_node: &mut BTreeMap<usize, usize>,
+        nodes: &mut Vec<TouchedNode>,
+    ) -> Result<Option<Touch>, StepError> {
+        let Place { surface, set, p } = place;
+        let rigid = &self.scene.surfaces[surface];
+        let margin = rigid.distance_threshold + self.smallest_cell();
+        let Some((gap, nearest)) = self.surface_gap(surface, set, p, margin) else {
+            return Ok(None);
+        };
+        if nearest.distance < 0.0 {
+            return Err(self.error(StepErrorKind::ThroughSurface {
+                particle: self.particle_at(set, p),
+                surface: rigid.name.clone(),
+                depth: -nearest.distance,
+            }));
+        }
+        let shape = &self.field.shape;
+        let weights = node_weights(&self.sets[set], &self.bodies[set], shape, self.stencil, p);
+        let lines = self.field.nodes.lines();
+        let v_s = velocity(rigid, self.clock.time, acting.drift);
+        let mut relative = v_s.map(|v| -v);
+        for &(node, w) in &weights {
+            for axis in 0..3 {
+                relative[axis] += w * lines[node][lane + axis];
+            }
+        }
+        let normal = nearest.normal;
+        let approach = -acting.drift
+            * (0..3)
+                .map(|axis| normal[axis] * relative[axis])
+                .sum::<f64>();
+        if approach > gap.max(0.0) && approach > rigid.distance_threshold {
+            return Err(self.error(StepErrorKind::TooFastForSurface {
+                particle: self.particle_at(set, p),
+                surface: rigid.name.clone(),
+                approach,
+                threshold: rigid.distance_threshold,
+            }));
+        }
+        if gap >= rigid.distance_threshold {
+            return Ok(None);
+        }
+        let mut folded: BTreeMap<usize, [f64; 3]> = BTreeMap::new();
+        for (node, w) in weights {
+            let (node, sign) = fold(shape, &acting.walls, node);
+            let sum = folded.entry(node).or_insert([0.0; 3]);
+            for axis in 0..3 {
+                sum[axis] += sign[axis] * w;
+            }
+        }
+        let weights = folded
+            .into_iter()
+            .map(|(node, w)| {
+                let place = *at_node.entry(node).or_insert_with(|| {
+                    nodes.push(TouchedNode {
+                        node,
+                        mobility: mobility(shape, acting, node, &lines[node]),
+                        change: [0.0; 3],
+                    });
+                    nodes.len() - 1
+                });
+                (place, w)
+            })
+            .collect();
+        let floor = rigid.penalty_stiffness.unwrap_or(0.0) * (-gap).max(0.0) * acting.kick;
+        Ok(Some(Touch {
+            weights,
+            normal,
+            relative,
+            bound: -gap.max(0.0) / acting.drift,
+            floor,
+            friction: rigid.friction,
+            normal_impulse: 0.0,
+            tangential_impulse: [0.0; 3],
+        }))
+    }
+
+    fn smallest_cell(&self) -> f64 {
+        self.scene.mesh.cell[..self.plan.axes]
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Gap and nearest point for a particle at `x` in the coordinates of the surface.
+fn gap(rigid: &RigidSurface, x: &Vector, half: &Vector, within: f64) -> Option<(f64, Nearest)> {
+    let nearest = rigid.surface.nearest(x, within + length(half))?;
+    if nearest.on_rim {
+        return None;
+    }
+    let reach = length(&std::array::from_fn(|axis| {
+        half[axis] * nearest.normal[axis]
+    }));
+    let gap = nearest.distance - reach;
+    (gap < within).then_some((gap, nearest))
+}
+
+/// Half-lengths of the domain of a particle \[m\]. Weighting functions without a domain leave its volume, a cube.
+fn half_lengths(set: &ParticleSet, body: &BodyRun, p: usize) -> Vector {
+    if let Some(half) = body.reach {
+        return half;
+    }
+    match body.mapping.half_length_column {
+        Some(first) => std::array::from_fn(|axis| {
+            if axis < set.layout.axes {
+                set.columns[first + axis][p] * body.mapping.cell[axis]
+            } else {
+                0.0
+            }
+        }),
+        None => [0.5 * set.columns[Layout::VOLUME][p].cbrt(); 3],
+    }
+}
+
+/// Mean velocity of a surface over a step \[m/s\].
+fn velocity(rigid: &RigidSurface, time: f64, dt: f64) -> Vector {
+    let Some(motion) = &rigid.motion else {
+        return [0.0; 3];
+    };
+    let (from, to) = (integral(motion, time), integral(motion, time + dt));
+    std::array::from_fn(|axis| (to[axis] - from[axis]) / dt)
+}
+
+fn length(v: &Vector) -> f64 {
+    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
+}
+
+/// The node inside the mesh whose velocity a node has, and the sign of each component; the node itself where it is no
+/// ghost.
+fn fold(shape: &GridShape, walls: &[Wall], node: usize) -> (usize, [f64; 3]) {
+    let mut at = shape.indices(node);
+    let mut sign = [1.0; 3];
+    for wall in walls {
+        let (ghost, _, mirror) = wall.layers(shape);
+        let direction = shape.direction(wall.axis);
+        if at[direction] == ghost {
+            at[direction] = mirror;
+            for axis in 0..3 {
+                if wall.prescribes(axis) {
+                    sign[axis] = -sign[axis];
+                }
+            }
+        }
+    }
+    (shape.index(at), sign)
+}
+
+/// 1/m, zero where a boundary plane or a driven body prescribes the velocity.
+fn mobility(shape: &GridShape, acting: &Acting, node: usize, line: &Line) -> [f64; 3] {
+    if line[0] <= 0.0
+        || acting
+            .driven
+            .binary_search_by_key(&node, |d| d.node)
+            .is_ok()
+    {
+        return [0.0; 3];
+    }
+    let at = shape.indices(node);
+    let mut mobility = [1.0 / line[0]; 3];
+    for wall in &acting.walls {
+        let (_, plane, _) = wall.layers(shape);
+        if at[shape.direction(wall.axis)] == plane {
+            for axis in 0..3 {
+                if wall.prescribes(axis) {
+                    mobility[axis] = 0.0;
+                }
+            }
+        }
+    }
+    mobility
+}
