@@ -87,6 +87,16 @@ impl Files {
             names.push(format!("body{body}_mass"));
             names.extend(letters.iter().map(|l| format!("body{body}_{l}")));
             names.extend(letters.iter().map(|l| format!("body{body}_v{l}")));
+            if simulation.has_contact() {
+                names.extend(letters.iter().map(|l| format!("body{body}_contact_f{l}")));
+            }
+        }
+        for surface in 0..simulation.scene().surfaces.len() {
+            names.extend(
+                letters
+                    .iter()
+                    .map(|l| format!("surface{surface}_contact_f{l}")),
+            );
         }
         for probe in &self.probes {
             names.extend(letters.iter().map(|l| format!("{}_u{l}", probe.name)));
@@ -111,6 +121,12 @@ impl Files {
             row.push(mass);
             row.extend_from_slice(&x[..axes]);
             row.extend_from_slice(&v[..axes]);
+            if simulation.has_contact() {
+                row.extend_from_slice(&simulation.contact_force(set)[..axes]);
+            }
+        }
+        for surface in 0..simulation.scene().surfaces.len() {
+            row.extend_from_slice(&simulation.surface_force(surface)[..axes]);
         }
         for probe in &self.probes {
             let set = &simulation.sets()[probe.set];

@@ -15,9 +15,9 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
-const TOLERANCE: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-6;
 /// Most sweeps of a step. What is left then is made good in the next step: see [`Touch::bound`].
-const SWEEPS: usize = 100;
+const SWEEPS: usize = 50;
 /// Share of the smallest cell edge by which a body may overlap a surface at the start.
 const OVERLAP: f64 = 0.01;
 
@@ -29,6 +29,8 @@ pub(crate) struct Surfaces {
     /// Touches of the present step, with where they belong.
     touches: Vec<Touch>,
     places: Vec<Place>,
+    /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier.
+    pushed: BTreeMap<(usize, usize, u64), bool>,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
     pub(crate) last: Vec<Vec<Vector>>,
     pub(crate) last_kick: f64,
@@ -62,6 +64,7 @@ impl Surfaces {
             near: None,
             touches: vec![],
             places: vec![],
+            pushed: BTreeMap::new(),
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
@@ -75,6 +78,12 @@ impl Surfaces {
 }
 
 impl Simulation {
+    /// Whether anything can touch a body, so that contact forces are worth a column.
+    #[must_use]
+    pub fn has_contact(&self) -> bool {
+        self.surfaces.is_some()
+    }
+
     /// Force of the surfaces on a body in the last step \[N\]; zero where there is none.
     #[must_use]
     pub fn contact_force(&self, set: usize) -> Vector {
@@ -190,7 +199,12 @@ impl Simulation {
             bodies.fill([0.0; 3]);
         }
         surfaces.last_kick = acting.kick;
+        surfaces.pushed.clear();
         for (touch, place) in touches.iter().zip(&surfaces.places) {
+            if let (true, held) = touch.pushes_and_holds() {
+                let id = self.sets[place.set].id[place.p];
+                surfaces.pushed.insert((place.surface, place.set, id), held);
+            }
             let impulse = touch.impulse();
             for axis in 0..3 {
                 surfaces.last[place.surface][place.set][axis] += impulse[axis];
@@ -231,8 +245,12 @@ impl Simulation {
         }
     }
 
-    /// Holds the velocities that strain the particles to the surfaces, without friction and without a record: as the
-    /// boundary planes do it for a second mapping. `lane` is where the nodes hold the velocities.
+    /// Gives the velocities of a second mapping, which strain the particles, to the surfaces as the boundary planes do:
+    /// without a record, and only where a surface pushes in this step. There the normal velocity is prescribed, and
+    /// the tangential one too where friction holds. A bound instead, which lets noise away from the surface pass and
+    /// stops noise towards it, would swell the layer of particles on the surface step by step.
+    ///
+    /// `lane` is where the nodes hold the velocities.
     pub(super) fn hold_at_surfaces(
         &mut self,
         acting: &Acting,
@@ -249,10 +267,18 @@ impl Simulation {
                 return Err(error);
             }
         };
-        for touch in &mut surfaces.touches {
-            touch.friction = 0.0;
-            touch.floor = 0.0;
-        }
+        let mut held = surfaces.places.iter().map(|place| {
+            let id = self.sets[place.set].id[place.p];
+            surfaces.pushed.get(&(place.surface, place.set, id))
+        });
+        surfaces.touches.retain_mut(|touch| {
+            let Some(&held) = held.next().flatten() else {
+                return false;
+            };
+            touch.floor = f64::NEG_INFINITY;
+            touch.friction = if held { f64::INFINITY } else { 0.0 };
+            true
+        });
         resolve(&mut surfaces.touches, &mut nodes, TOLERANCE, SWEEPS);
         self.surfaces = Some(surfaces);
         apply(&nodes, self.field.nodes.lines_mut(), lane, false);

@@ -45,9 +45,9 @@ pub struct Touch {
     pub relative: [f64; 3],
     /// Smallest normal velocity that is let through \[m/s\], zero or negative.
     pub bound: f64,
-    /// Smallest normal impulse \[N s\]: that of the penalty force.
+    /// Smallest normal impulse \[N s\]: that of the penalty force, else 0; minus infinity makes the bound an equation.
     pub floor: f64,
-    /// Coefficient of friction.
+    /// Coefficient of friction; infinite for a particle that sticks whatever the normal impulse.
     pub friction: f64,
     /// Normal impulse found \[N s\].
     pub normal_impulse: f64,
@@ -62,6 +62,18 @@ impl Touch {
         std::array::from_fn(|axis| {
             self.normal_impulse * self.normal[axis] + self.tangential_impulse[axis]
         })
+    }
+
+    /// Whether the surface pushes the particle, and whether friction holds it.
+    #[must_use]
+    pub fn pushes_and_holds(&self) -> (bool, bool) {
+        let held = self.friction * self.normal_impulse;
+        let tau = dot(&self.tangential_impulse, &self.tangential_impulse);
+        (
+            self.normal_impulse > 0.0,
+            // A slipping particle is on the cone to round-off.
+            tau < held * held * (1.0 - 1e-9),
+        )
     }
 
     /// Response sum_I S_Ip² / m_I per axis \[1/kg\].
@@ -152,7 +164,11 @@ fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) ->
             touch.tangential_impulse[axis] - (v[axis] - v_n * n[axis]) / across
         });
         let size = dot(&wanted, &wanted).sqrt();
-        let cap = touch.friction * normal_impulse;
+        let cap = if touch.friction.is_finite() {
+            touch.friction * normal_impulse
+        } else {
+            f64::INFINITY
+        };
         let share = if size > cap { cap / size } else { 1.0 };
         for axis in 0..3 {
             let next = share * wanted[axis];

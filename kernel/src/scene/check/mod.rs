@@ -6,6 +6,7 @@ mod body;
 mod collector;
 mod load;
 mod polygon;
+mod surface;
 
 use self::collector::Collector;
 use super::{Damping, Dimension, PlaneCondition, Scene, SceneError, TimeStep};
@@ -25,6 +26,7 @@ impl Scene {
         self.check_materials(&mut problems);
         body::check(self, mesh_is_sound, &mut problems);
         load::check(self, mesh_is_sound, &mut problems);
+        surface::check(self, &mut problems);
         self.check_results(&mut problems);
         SceneError::unless_empty(problems.found)
     }

@@ -56,10 +56,11 @@ impl<'a> Build<'a> {
         scene.materials = self.materials(raw);
         scene.bodies = self.bodies(raw, &scene.materials);
         self.loads(raw, &mut scene);
+        scene.surfaces = self.surfaces(raw, &scene.mesh);
         scene
     }
 
-    /// Contact and a second phase are part of the manuals' language, so they are refused by name rather than as
+    /// Contact between bodies and a second phase are part of the manuals' language, so they are refused by name rather than as
     /// unknown keys, and only where they would act.
     fn refuse_what_is_not_built(&mut self, raw: &RawScene) {
         if let Some(phases) = raw.n_phases.filter(|n| *n != 1) {
@@ -84,14 +85,6 @@ impl<'a> Build<'a> {
                 path,
                 "contact between bodies, and contact is not built yet",
                 "no `contact`, or `contact_manager.active` false",
-            );
-        }
-        let terrain = raw.terrain_contact.as_ref();
-        if terrain.is_some_and(|terrain| terrain.active == Some(true)) {
-            self.add(
-                "terrain_contact.active",
-                "contact with a terrain, and contact is not built yet",
-                "no `terrain_contact`, or `terrain_contact.active` false",
             );
         }
     }

@@ -11,6 +11,7 @@ mod message;
 mod method;
 mod position;
 mod shapes;
+mod surfaces;
 mod words;
 
 use std::path::Path;
