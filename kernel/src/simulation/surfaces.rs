@@ -9,7 +9,7 @@ use crate::grid::{GridShape, Line};
 use crate::particles::{Layout, ParticleSet};
 use crate::scene::{RigidSurface, Scene, Vector};
 use crate::stage::solve::{PlaneSums, Wall};
-use crate::stage::touch::{Touch, TouchedNode, apply, resolve};
+use crate::stage::touch::{Touch, TouchedNode, apply, resolve, resolve_damped};
 use crate::surface::Nearest;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -194,7 +194,15 @@ impl Simulation {
             return Ok(());
         };
         let touches = &mut surfaces.touches;
-        resolve(touches, &mut nodes, TOLERANCE, SWEEPS);
+        match self.plan.local_damping {
+            None => {
+                resolve(touches, &mut nodes, TOLERANCE, SWEEPS);
+            }
+            Some(alpha) => {
+                let lines = self.field.nodes.lines();
+                resolve_damped(touches, &mut nodes, lines, alpha, TOLERANCE, SWEEPS);
+            }
+        }
         for bodies in &mut surfaces.last {
             bodies.fill([0.0; 3]);
         }

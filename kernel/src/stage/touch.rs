@@ -142,6 +142,56 @@ pub fn resolve(
     most
 }
 
+/// The same where local damping acts, which resists by alpha times the unbalanced force. Contact is a part of what
+/// balances: damped without it, a body at rest on a surface would be carried by its damping, by a share alpha of its
+/// weight. So the damping of the touched nodes is taken back, the contact found, and both done again together.
+///
+/// `lines` are the nodes after the damped solve.
+pub fn resolve_damped(
+    touches: &mut [Touch],
+    nodes: &mut [TouchedNode],
+    lines: &[Line],
+    alpha: f64,
+    tolerance: f64,
+    most: usize,
+) {
+    // Increment and velocity before it along an axis, where the node is free and damping had a direction.
+    let damped = |node: &TouchedNode, axis: usize| {
+        let line = &lines[node.node];
+        let (dv, before) = (line[4 + axis], line[1 + axis] - line[4 + axis]);
+        (node.mobility[axis] > 0.0 && before != 0.0).then_some((dv, before))
+    };
+    let undamped = |dv: f64, before: f64| {
+        let kept = 1.0 - alpha * before.signum() * dv.signum();
+        // A factor of 1 took everything; then there is nothing to give back.
+        if kept > 0.0 { dv / kept } else { dv }
+    };
+    for node in nodes.iter_mut() {
+        for axis in 0..3 {
+            if let Some((dv, before)) = damped(node, axis) {
+                node.change[axis] = undamped(dv, before) - dv;
+            }
+        }
+    }
+    resolve(touches, nodes, tolerance, most);
+    for node in nodes.iter_mut() {
+        let mut change = [0.0; 3];
+        for axis in 0..3 {
+            if let Some((dv, before)) = damped(node, axis) {
+                let unbalanced = dv + node.change[axis];
+                change[axis] =
+                    undamped(dv, before) - dv - alpha * unbalanced.abs() * before.signum();
+            }
+        }
+        node.change = change;
+    }
+    for touch in touches.iter_mut() {
+        touch.normal_impulse = 0.0;
+        touch.tangential_impulse = [0.0; 3];
+    }
+    resolve(touches, nodes, tolerance, most);
+}
+
 /// Corrects one touch with all others held; returns the change of its velocity.
 fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) -> f64 {
     let n = touch.normal;

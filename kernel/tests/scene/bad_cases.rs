@@ -203,17 +203,17 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
     (
         "terrain that is no surface",
         r#""time": 1.0"#,
-        r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "degenerate.stl"}"#,
+        r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "../surfaces/degenerate.stl"}"#,
     ),
     (
         "terrain with values out of range",
         r#""time": 1.0"#,
-        r#""time": 1.0, "terrain_contact": [{"active": true, "stl_mesh": "slope.stl", "friction": -0.1, "distance_threshold": 0, "penalty_contact_active": true}]"#,
+        r#""time": 1.0, "terrain_contact": [{"active": true, "stl_mesh": "../surfaces/slope.stl", "friction": -0.1, "distance_threshold": 0, "penalty_contact_active": true}]"#,
     ),
     (
         "terrain with an unknown key",
         r#""time": 1.0"#,
-        r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "slope.stl", "fricton": 0.1}"#,
+        r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "../surfaces/slope.stl", "fricton": 0.1}"#,
     ),
     (
         "two phases",
