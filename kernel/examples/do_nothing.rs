@@ -64,6 +64,7 @@ fn scene() -> Scene {
             fields: vec![],
             checkpoint: false,
         },
+        surfaces: vec![],
         probes: vec![],
         threads: Some(1),
     }

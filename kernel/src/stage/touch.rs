@@ -18,7 +18,12 @@
 //! and strains follow the nodes, which do not know of it; what the surface carries is then never a force at the nodes,
 //! and a body at rest sinks with a speed of the order g dt. And why not a condition on the nodes beyond the surface:
 //! a node knows the surface to a cell, and a body that slides over a tilted one meets a staircase of nodes that come
-//! and go.
+//! and go. Here a block on a plane at 30 degrees to the grid keeps its lowest particles on the plane to 3e-5 of a
+//! cell, and without friction slides as it should to round-off.
+//!
+//! Left out: a particle touches the nearest triangle alone, so in a groove that is narrower than a particle the second
+//! flank is met a step later. An undamped body that starts to slide keeps ringing; while it rings faster than it
+//! slides, parts of it slip backwards or stick, and the friction of the whole is a little less than mu N.
 
 use crate::grid::Line;
 

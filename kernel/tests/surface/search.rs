@@ -26,7 +26,7 @@ fn cuboid(size: [f64; 3]) -> Surface {
         for side in 0..2 {
             let x = |u: usize, v: usize| {
                 let mut x = [0.0; 3];
-                x[axis] = side as f64 * size[axis];
+                x[axis] = f64::from(side) * size[axis];
                 x[(axis + 1) % 3] = u as f64 * size[(axis + 1) % 3];
                 x[(axis + 2) % 3] = v as f64 * size[(axis + 2) % 3];
                 x

@@ -86,7 +86,7 @@ fn a_binary_file_that_is_cut_off() {
 fn fault(text: &str, expected: (usize, usize)) {
     match parse(text.as_bytes()) {
         Err(SurfaceErrorKind::Line { line, triangle, .. }) => {
-            assert_eq!((line, triangle), expected)
+            assert_eq!((line, triangle), expected);
         }
         other => panic!("{other:?}"),
     }

@@ -1,25 +1,25 @@
 //! Contact with rigid surfaces in the cycle.
 
+mod gap;
+mod near;
+
+use super::Simulation;
 use super::acting::{Acting, node_weights};
-use super::error::{SetupError, StepError, StepErrorKind};
+use super::error::{StepError, StepErrorKind};
 use super::history::integral;
 use super::passes::{at_half_step_after, forces};
-use super::{BodyRun, Simulation};
 use crate::grid::{GridShape, Line};
-use crate::particles::{Layout, ParticleSet};
-use crate::scene::{RigidSurface, Scene, Vector};
+use crate::scene::{Scene, Vector};
 use crate::stage::solve::{PlaneSums, Wall};
 use crate::stage::touch::{Touch, TouchedNode, apply, resolve, resolve_damped};
-use crate::surface::Nearest;
-use rayon::prelude::*;
+use gap::velocity;
+use near::{Near, Place};
 use std::collections::BTreeMap;
 
 /// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
 const TOLERANCE: f64 = 1e-6;
 /// Most sweeps of a step. What is left then is made good in the next step: see [`Touch::bound`].
 const SWEEPS: usize = 50;
-/// Share of the smallest cell edge by which a body may overlap a surface at the start.
-const OVERLAP: f64 = 0.01;
 
 /// What the cycle keeps of the surfaces. Nothing of it decides a result: the list of particles near a surface only
 /// spares searches, and the impulses are records.
@@ -36,25 +36,6 @@ pub(crate) struct Surfaces {
     pub(crate) last_kick: f64,
     /// The same summed since the start \[N s\].
     pub(crate) total: Vec<Vec<Vector>>,
-}
-
-/// Particles that may touch a surface until they have moved by half the margin.
-#[derive(Debug)]
-struct Near {
-    /// Surface, set and particle.
-    particles: Vec<Place>,
-    /// Travel of the particles \[cells\] and displacement of the surfaces \[m\] when the list was made.
-    travel: f64,
-    shifts: Vec<Vector>,
-    /// Distance beyond the threshold that is covered \[m\].
-    margin: f64,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Place {
-    surface: usize,
-    set: usize,
-    p: usize,
 }
 
 impl Surfaces {
@@ -126,60 +107,6 @@ impl Simulation {
     pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
         let motion = self.scene.surfaces[surface].motion.as_ref();
         motion.map_or([0.0; 3], |motion| integral(motion, time))
-    }
-
-    /// Gap between a particle and a surface \[m\], and the point of the surface, if it is smaller than `within` and the
-    /// particle lies over the surface rather than beside it.
-    ///
-    /// The particle reaches as far as the ellipsoid in its domain: |l n| with the half-lengths l and the normal n.
-    #[must_use]
-    pub fn surface_gap(
-        &self,
-        surface: usize,
-        set: usize,
-        p: usize,
-        within: f64,
-    ) -> Option<(f64, Nearest)> {
-        let shift = self.surface_shift(surface, self.clock.time);
-        let x = self.position(set, p);
-        let local = std::array::from_fn(|axis| x[axis] - shift[axis]);
-        gap(
-            &self.scene.surfaces[surface],
-            &local,
-            &half_lengths(&self.sets[set], &self.bodies[set], p),
-            within,
-        )
-    }
-
-    /// No body may overlap a surface at the start.
-    pub(super) fn check_overlap(&self) -> Result<(), SetupError> {
-        let allowed = OVERLAP * self.smallest_cell();
-        for surface in 0..self.scene.surfaces.len() {
-            let mut deepest: Option<(f64, usize, usize)> = None;
-            for set in 0..self.sets.len() {
-                for p in 0..self.sets[set].len() {
-                    let threshold = self.scene.surfaces[surface].distance_threshold;
-                    if let Some((gap, _)) = self.surface_gap(surface, set, p, threshold)
-                        && gap < -allowed
-                        && deepest.is_none_or(|d| gap < d.0)
-                    {
-                        deepest = Some((gap, set, p));
-                    }
-                }
-            }
-            if let Some((gap, set, p)) = deepest {
-                let [x, y, z] = self.position(set, p);
-                return Err(SetupError::Body {
-                    body: self.scene.bodies[set].name.clone(),
-                    reason: format!(
-                        "it reaches {} m through the surface {:?} at the start, at ({x}, {y}, {z}) m; accepted: bodies \
-                         on the side to which the normals of the surface point",
-                        -gap, self.scene.surfaces[surface].name
-                    ),
-                });
-            }
-        }
-        Ok(())
     }
 
     /// Corrects the nodal velocities after the solve so that no particle goes through a surface.
@@ -311,7 +238,7 @@ impl Simulation {
     ) -> Result<Vec<TouchedNode>, StepError> {
         surfaces.touches.clear();
         surfaces.places.clear();
-        let near = self.near(surfaces.near.take(), acting.drift);
+        let near = self.near_surfaces(surfaces.near.take(), acting.drift);
         let mut at_node = BTreeMap::new();
         let mut nodes = vec![];
         for place in &near.particles {
@@ -322,92 +249,6 @@ impl Simulation {
         }
         surfaces.near = Some(near);
         Ok(nodes)
-    }
-
-    /// The list of particles near a surface, made anew where it no longer covers what may touch in this step.
-    fn near(&self, known: Option<Near>, dt: f64) -> Near {
-        let cell = &self.scene.mesh.cell;
-        let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
-        let speed = self
-            .bodies
-            .iter()
-            .map(|b| b.found.speed_squared)
-            .fold(0.0, f64::max)
-            .sqrt();
-        let shifts: Vec<Vector> = (0..self.scene.surfaces.len())
-            .map(|s| self.surface_shift(s, self.clock.time))
-            .collect();
-        let fastest = self
-            .scene
-            .surfaces
-            .iter()
-            .map(|s| length(&velocity(s, self.clock.time, dt)))
-            .fold(0.0, f64::max);
-        // Twice the way at the present speed, since contact and forces may make particles faster within the step.
-        let step = 2.0 * dt * (speed + fastest);
-        if let Some(near) = known {
-            let by_surface = shifts
-                .iter()
-                .zip(&near.shifts)
-                .map(|(a, b)| length(&std::array::from_fn(|axis| a[axis] - b[axis])))
-                .fold(0.0, f64::max);
-            let moved = (self.travel - near.travel) * diagonal + by_surface;
-            if moved + step <= near.margin {
-                return near;
-            }
-        }
-        let margin = (0.25 * diagonal).max(2.0 * step);
-        let mut particles = vec![];
-        for (surface, shift) in shifts.iter().enumerate() {
-            for set in 0..self.sets.len() {
-                if self.bodies[set].motion.is_none() {
-                    particles.extend(self.near_particles(surface, set, shift, margin));
-                }
-            }
-        }
-        Near {
-            particles,
-            travel: self.travel,
-            shifts,
-            margin,
-        }
-    }
-
-    /// Particles of a set near a surface, in the order of their identifiers.
-    fn near_particles(
-        &self,
-        surface: usize,
-        set: usize,
-        shift: &Vector,
-        margin: f64,
-    ) -> Vec<Place> {
-        let (rigid, particles, body) = (
-            &self.scene.surfaces[surface],
-            &self.sets[set],
-            &self.bodies[set],
-        );
-        let origin = self.origin();
-        let is_near = |p: &usize| {
-            let x = particles.position(*p);
-            let local = std::array::from_fn(|axis| x[axis] + origin[axis] - shift[axis]);
-            let reach = length(&half_lengths(particles, body, *p));
-            let within = rigid.distance_threshold + reach + margin;
-            rigid.surface.nearest(&local, within).is_some()
-        };
-        let mut found: Vec<usize> = match &self.pool {
-            Some(pool) => pool.install(|| {
-                (0..particles.len())
-                    .into_par_iter()
-                    .filter(is_near)
-                    .collect()
-            }),
-            None => (0..particles.len()).filter(is_near).collect(),
-        };
-        found.sort_unstable_by_key(|&p| particles.id[p]);
-        found
-            .into_iter()
-            .map(|p| Place { surface, set, p })
-            .collect()
     }
 
     /// The touch of one particle, if it is within the threshold.
@@ -492,56 +333,6 @@ impl Simulation {
             tangential_impulse: [0.0; 3],
         }))
     }
-
-    fn smallest_cell(&self) -> f64 {
-        self.scene.mesh.cell[..self.plan.axes]
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min)
-    }
-}
-
-/// Gap and nearest point for a particle at `x` in the coordinates of the surface.
-fn gap(rigid: &RigidSurface, x: &Vector, half: &Vector, within: f64) -> Option<(f64, Nearest)> {
-    let nearest = rigid.surface.nearest(x, within + length(half))?;
-    if nearest.on_rim {
-        return None;
-    }
-    let reach = length(&std::array::from_fn(|axis| {
-        half[axis] * nearest.normal[axis]
-    }));
-    let gap = nearest.distance - reach;
-    (gap < within).then_some((gap, nearest))
-}
-
-/// Half-lengths of the domain of a particle \[m\]. Weighting functions without a domain leave its volume, a cube.
-fn half_lengths(set: &ParticleSet, body: &BodyRun, p: usize) -> Vector {
-    if let Some(half) = body.reach {
-        return half;
-    }
-    match body.mapping.half_length_column {
-        Some(first) => std::array::from_fn(|axis| {
-            if axis < set.layout.axes {
-                set.columns[first + axis][p] * body.mapping.cell[axis]
-            } else {
-                0.0
-            }
-        }),
-        None => [0.5 * set.columns[Layout::VOLUME][p].cbrt(); 3],
-    }
-}
-
-/// Mean velocity of a surface over a step \[m/s\].
-fn velocity(rigid: &RigidSurface, time: f64, dt: f64) -> Vector {
-    let Some(motion) = &rigid.motion else {
-        return [0.0; 3];
-    };
-    let (from, to) = (integral(motion, time), integral(motion, time + dt));
-    std::array::from_fn(|axis| (to[axis] - from[axis]) / dt)
-}
-
-fn length(v: &Vector) -> f64 {
-    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
 }
 
 /// The node inside the mesh whose velocity a node has, and the sign of each component; the node itself where it is no
