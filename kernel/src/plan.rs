@@ -4,8 +4,8 @@
 
 use crate::particles::{Layout, Optional};
 use crate::scene::{
-    Body, ContactNormal, Damping, Dimension, DomainUpdate, Field, Law, PlaneCondition, Scene,
-    Shape, StressScheme, TransferKind, Weighting,
+    Body, ContactNormal, Damping, Dimension, DomainUpdate, Field, Law, PlaneCondition,
+    RigidSurface, Scene, Shape, StressScheme, TransferKind, Weighting,
 };
 use crate::simulation::has_safe_step;
 use crate::stage::g2p::Affine;
@@ -279,6 +279,14 @@ impl Plan {
             "no body has a prescribed velocity",
         );
         contact_words(scene, &mut list);
+        let surfaces: Vec<String> = scene.surfaces.iter().map(surface_words).collect();
+        list.choose(
+            "stage",
+            "contact with rigid surfaces",
+            !surfaces.is_empty(),
+            &surfaces.join("; "),
+            "the scene has none",
+        );
         list.choose(
             "stage",
             "measurement at the nodes",
@@ -394,6 +402,35 @@ fn contact_words(scene: &Scene, list: &mut Words) {
 /// Whether the particles of a body are given one by one.
 fn is_list(body: &Body) -> bool {
     matches!(body.shape, Shape::Particles(_))
+}
+
+/// A surface in a few words, its open edges among them: a terrain has some, a closed body none.
+fn surface_words(rigid: &RigidSurface) -> String {
+    let edges = rigid.surface.open_edges().map_or_else(
+        || "closed".to_owned(),
+        |open| {
+            let [a, b] = open.first;
+            format!(
+                "{} open edges, the first at triangle {} from {a:?} to {b:?} m",
+                open.count, open.triangle
+            )
+        },
+    );
+    format!(
+        "{}, {} triangles, {edges}{}{}",
+        rigid.name,
+        rigid.surface.triangle_count(),
+        if rigid.motion.is_some() {
+            ", moving"
+        } else {
+            ""
+        },
+        if rigid.penalty_stiffness.is_some() {
+            ", with a penalty force"
+        } else {
+            ""
+        },
+    )
 }
 
 fn weighting_words(weighting: Weighting) -> &'static str {

@@ -91,6 +91,13 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         let forces = contact.forces.as_flattened().to_vec();
         checkpoint.push::<f64>("contact/forces", forces);
     }
+    if let Some(surfaces) = &simulation.surfaces {
+        let flat =
+            |impulses: &[Vec<[f64; 3]>]| impulses.iter().flatten().flatten().copied().collect();
+        checkpoint.push::<f64>("surfaces/kick", vec![surfaces.last_kick]);
+        checkpoint.push::<f64>("surfaces/last", flat(&surfaces.last));
+        checkpoint.push::<f64>("surfaces/total", flat(&surfaces.total));
+    }
     save_events(simulation, &mut checkpoint);
     checkpoint
 }
@@ -170,6 +177,16 @@ pub(super) fn restore(
             half_length: found[3],
             fault: None,
         };
+    }
+    if let Some(surfaces) = &mut simulation.surfaces {
+        surfaces.last_kick = checkpoint.array::<f64>("surfaces/kick", 1)?[0];
+        for (name, impulses) in [("last", &mut surfaces.last), ("total", &mut surfaces.total)] {
+            let count = 3 * impulses.iter().map(Vec::len).sum::<usize>();
+            let values = checkpoint.array::<f64>(&format!("surfaces/{name}"), count)?;
+            for (impulse, value) in impulses.iter_mut().flatten().flatten().zip(values) {
+                *impulse = *value;
+            }
+        }
     }
     let clock = &mut simulation.clock;
     clock.step = counters[0];

@@ -18,6 +18,7 @@ mod method;
 mod raw;
 pub mod record;
 mod results;
+mod surface;
 
 pub use body::{Body, ParticleSeed, Shape};
 pub use contact::{Contact, ContactNormal};
@@ -31,6 +32,7 @@ pub use method::{
 #[cfg(feature = "json")]
 pub use raw::{from_json, listed, nearest, parse, place, read, schema, words_of};
 pub use results::{Field, NodalField, Outside, Probe, Results};
+pub use surface::RigidSurface;
 
 /// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.
 pub type Vector = [f64; 3];
@@ -80,6 +82,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Bodies, in the order of the file.
     pub bodies: Vec<Body>,
+    /// Rigid surfaces (3D), the terrain among them.
+    pub surfaces: Vec<RigidSurface>,
     /// Numerical damping.
     pub damping: Damping,
     /// Motion of one boundary plane, if any ("earthquake").
@@ -126,6 +130,7 @@ impl Scene {
             transfer: Transfer::new(TransferKind::Flip),
             materials: Vec::new(),
             bodies: Vec::new(),
+            surfaces: Vec::new(),
             damping: Damping::None,
             base_motion: None,
             point_loads: Vec::new(),

@@ -152,6 +152,26 @@ pub enum StepErrorKind {
         /// Distance at which they touch, or without a position one cell \[m\].
         distance: f64,
     },
+    /// A particle's centre lies behind a rigid surface.
+    ThroughSurface {
+        /// The particle.
+        particle: ParticleAt,
+        /// Name of the surface.
+        surface: String,
+        /// How far behind \[m\].
+        depth: f64,
+    },
+    /// A particle would come closer to a rigid surface in one step than its distance threshold, and reach it.
+    TooFastForSurface {
+        /// The particle.
+        particle: ParticleAt,
+        /// Name of the surface.
+        surface: String,
+        /// Approach within the step \[m\].
+        approach: f64,
+        /// Distance threshold of the surface \[m\].
+        threshold: f64,
+    },
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -220,6 +240,21 @@ impl fmt::Display for StepError {
                      at which that is seen; accepted: a smaller time step"
                 )
             }
+            StepErrorKind::ThroughSurface {
+                particle,
+                surface,
+                depth,
+            } => write!(f, "{particle} is {depth} m behind the surface {surface:?}"),
+            StepErrorKind::TooFastForSurface {
+                particle,
+                surface,
+                approach,
+                threshold,
+            } => write!(
+                f,
+                "{particle} approaches the surface {surface:?} by {approach} m in one step, more than the distance \
+                 threshold {threshold} m; accepted: a smaller time step or a larger distance_threshold"
+            ),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
                 "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"

@@ -17,6 +17,7 @@ mod rehearsal;
 mod relaxation;
 mod setup;
 mod step;
+mod surfaces;
 
 pub use clock::{Bound, StepInfo, has_safe_step, stability_number};
 pub use error::{
@@ -110,6 +111,9 @@ pub(crate) struct BodyRun {
     pub(crate) particle_half_length: Vector,
     /// Whether it has a velocity field of its own, as of the last sort.
     pub(crate) in_layer: bool,
+    /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
+    /// function has no domain.
+    pub(crate) reach: Option<[f64; 3]>,
 }
 
 /// A scene in motion.
@@ -137,6 +141,8 @@ pub struct Simulation {
     pub(crate) relaxation: relaxation::Relaxation,
     pub(crate) ledger: measure::Ledger,
     pub(crate) events: Vec<Event>,
+    /// Contact with rigid surfaces; absent where the scene has none.
+    pub(crate) surfaces: Option<surfaces::Surfaces>,
 }
 
 impl Simulation {

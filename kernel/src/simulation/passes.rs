@@ -54,6 +54,9 @@ impl Simulation {
             if !self.contact.pairs.is_empty() {
                 self.find_near_pairs();
             }
+            if let Some(surfaces) = &mut self.surfaces {
+                surfaces.forget();
+            }
         }
     }
 
@@ -73,12 +76,14 @@ impl Simulation {
             self.stencil,
             Carry::All,
         );
-        let forces = forces(&self.scene, &self.plan, &self.loads, acting);
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
         let measure = self.plan.measure;
+        // Contact with surfaces still changes the velocities, and takes the sums after it.
+        let measured = self.surfaces.is_none().then_some(measure);
         let results = self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
             let groups = mapping.run(&mut planes);
-            let sums = equation_of_motion(&mut planes, acting, &forces, measure)?;
+            let sums = equation_of_motion(&mut planes, acting, &forces, measured)?;
             Ok(Sums { sums, groups })
         });
         let mut sums = vec![];
@@ -88,6 +93,7 @@ impl Simulation {
         let Mapped { total, groups } = total(sums);
         self.ledger.sums = total;
         self.groups.count(groups);
+        self.touch_surfaces(acting)?;
         Ok(0)
     }
 
@@ -220,35 +226,37 @@ impl Simulation {
     }
 }
 
-/// The forces on nodes in this step.
+/// What acts at the nodes for a change of velocity over `kick` \[s\].
 pub(super) fn forces<'a>(
     scene: &Scene,
     plan: &Plan,
     loads: &'a [NodeForce],
-    acting: &Acting,
+    kick: f64,
 ) -> Forces<'a> {
     Forces {
         gravity: scene.gravity,
         loads,
         local_damping: plan.local_damping,
-        kick: acting.kick,
+        kick,
     }
 }
 
 /// Velocities, accelerations and boundary conditions on one slab, from its masses, momenta and forces; what was
-/// measured on each plane.
+/// measured on each plane, or without `measured` what boundary conditions did alone.
 pub(super) fn equation_of_motion(
     planes: &mut Planes<'_>,
     acting: &Acting,
     forces: &Forces<'_>,
-    measure: bool,
+    measured: Option<bool>,
 ) -> Result<Vec<PlaneSums>, EmptyNode> {
     planes.fold(&acting.walls, true, true);
     planes.velocities();
     let mut sums = vec![PlaneSums::default(); planes.range.len()];
     trial(planes, acting, &acting.driven, forces, &mut sums)?;
     planes.unfold(&acting.walls, true);
-    planes.add_sums(forces, measure, &mut sums);
+    if let Some(measure) = measured {
+        planes.add_sums(forces, measure, &mut sums);
+    }
     Ok(sums)
 }
 

@@ -204,10 +204,10 @@ impl Simulation {
     /// The equation of motion on the sums that lie on the nodes. A load on an empty node, which a step would report,
     /// is left to the step.
     fn solve_alone(&mut self, acting: &Acting) {
-        let forces = forces(&self.scene, &self.plan, &self.loads, acting);
-        let measure = self.plan.measure;
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
+        let measured = Some(self.plan.measure);
         self.field.visit(self.pool.as_ref(), |mut planes| {
-            equation_of_motion(&mut planes, acting, &forces, measure).is_ok()
+            equation_of_motion(&mut planes, acting, &forces, measured).is_ok()
         });
     }
 

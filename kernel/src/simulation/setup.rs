@@ -5,6 +5,7 @@ use super::field::Field;
 use super::measure::Ledger;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
+use super::surfaces::Surfaces;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
 use crate::bodies::{HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
@@ -101,12 +102,14 @@ impl Simulation {
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),
             events: vec![],
+            surfaces: Surfaces::new(scene),
         };
         for set in &mut simulation.sets {
             set.sort_by_position();
         }
         simulation.sort_if_stale();
         simulation.refuse_overlap()?;
+        simulation.refuse_overlap_with_surfaces()?;
         simulation.open_ledger();
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         Ok(simulation)
@@ -217,6 +220,10 @@ fn fill_body(
             }
         },
         in_layer: false,
+        reach: match filled.half_length {
+            HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
+            _ => None,
+        },
     };
     Ok((set, run))
 }

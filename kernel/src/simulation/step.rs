@@ -61,6 +61,7 @@ impl Simulation {
                 })?;
                 ended(Phase::ParticlesFromNodes);
                 self.remap(&acting);
+                self.hold_at_surfaces(&acting, 4)?;
                 ended(Phase::Remap);
                 self.interpolate(Task {
                     gradient_of_upper: true,
@@ -85,6 +86,7 @@ impl Simulation {
                     self.acting(&info)
                 };
                 self.map_momentum(&acting);
+                self.hold_at_surfaces(&acting, 1)?;
                 ended(Phase::Remap);
                 let strain = Some((drift, Configuration::End));
                 self.interpolate(Task {

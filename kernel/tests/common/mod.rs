@@ -113,6 +113,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         transfer: FLIP,
         materials: vec![material(ELASTIC)],
         bodies: vec![],
+        surfaces: vec![],
         damping: Damping::None,
         base_motion: None,
         point_loads: vec![],

@@ -7,6 +7,7 @@ mod collector;
 mod contact;
 mod load;
 mod polygon;
+mod surface;
 
 use self::collector::Collector;
 use super::{Damping, Dimension, PlaneCondition, Scene, SceneError, TimeStep};
@@ -27,6 +28,7 @@ impl Scene {
         body::check(self, mesh_is_sound, &mut problems);
         load::check(self, mesh_is_sound, &mut problems);
         contact::check(self, &mut problems);
+        surface::check(self, &mut problems);
         self.check_results(&mut problems);
         SceneError::unless_empty(problems.found)
     }

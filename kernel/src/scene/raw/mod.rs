@@ -12,6 +12,7 @@ mod message;
 mod method;
 mod position;
 mod shapes;
+mod surfaces;
 mod words;
 
 use std::path::Path;
