@@ -54,13 +54,14 @@ fn failing(verdict: &Verdict) -> Vec<String> {
         .collect()
 }
 
-/// Asserts that all gates of a case hold and that without any run none does.
-fn holds(case: &dyn Case) {
+/// Asserts that all gates of a case hold and that without any run none does; the verdict.
+fn holds(case: &dyn Case) -> Verdict {
     let verdict = case.judge(Size::Quick, &solve(case));
     assert_eq!(failing(&verdict), Vec::<String>::new());
     assert!(verdict.passed());
     let nothing = case.judge(Size::Quick, &[]);
     assert_eq!(failing(&nothing).len(), nothing.gates.len());
+    verdict
 }
 
 #[test]

@@ -188,7 +188,7 @@ impl Case for BlockOnTwoBlocks {
         let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], counts);
         mesh.planes[up][1] = PlaneCondition::Free;
         let mut scene = Scene::new(dimension, mesh, SETTLING + WINDOW);
-        scene.name = "block_on_two_blocks".to_owned();
+        scene.name = String::from("block_on_two_blocks");
         scene.results = NO_RESULTS;
         scene.scheme = scheme;
         scene.damping = Damping::Local { alpha: DAMPING };

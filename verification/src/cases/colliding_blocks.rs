@@ -66,7 +66,7 @@ impl CollidingBlocks {
     }
 
     /// The exact impact of a variant, where there is one.
-    fn exact(&self, variant: &Variant) -> Option<BarImpact> {
+    fn exact(self, variant: &Variant) -> Option<BarImpact> {
         let mut impact = variant.impact()?;
         for bar in &mut impact.bars {
             bar.modulus *= self.reference_stiffness;
@@ -102,7 +102,7 @@ impl CollidingBlocks {
     }
 
     fn quantities(
-        &self,
+        self,
         variant: &Variant,
         simulation: &Simulation,
         seen: &Collision,
@@ -156,7 +156,7 @@ impl CollidingBlocks {
         all.push(compared(
             IMPULSE,
             seen.impulse,
-            exact.stress() * duration * variant.section(simulation.scene()),
+            exact.stress() * duration * Variant::section(simulation.scene()),
             "N s",
         ));
         all.push(compared(RESTITUTION, restitution, of_exact, "1"));

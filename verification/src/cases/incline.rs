@@ -112,7 +112,7 @@ impl Incline {
         mesh.planes[self.up()][1] = PlaneCondition::Free;
         let settling = if self.held { self.settling() } else { 0.0 };
         let mut scene = Scene::new(self.dimension, mesh, settling + time);
-        scene.name = name.to_owned();
+        scene.name = String::from(name);
         scene.gravity = self.inclined(self.gravity);
         scene.damping = self
             .damping
@@ -202,6 +202,11 @@ impl Incline {
         }
         Ok(simulation)
     }
+}
+
+/// Shear wave speed of the manual's material \[m/s\].
+pub fn shear_wave_speed() -> f64 {
+    (YOUNG / (2.0 * (1.0 + POISSON)) / DENSITY).sqrt()
 }
 
 /// The manual's material.

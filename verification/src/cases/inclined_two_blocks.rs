@@ -92,7 +92,7 @@ impl InclinedTwoBlocks {
         (dimension, scheme, lifts)
     }
 
-    fn incline(&self, rung: &Rung) -> Incline {
+    fn incline(self, rung: &Rung) -> Incline {
         let (dimension, _, lifts) = Self::variant(rung);
         let h = rung.cell;
         Incline {

@@ -1,7 +1,6 @@
 //! Blocks that slide on an incline under Coulomb friction (contact manual, eq. 9, with stick and lift-off).
 //!
-//! Rigid blocks that start from rest. An elastic block differs by its shear, `rho g_x H²/3G` at its centre of mass,
-//! and by the swing that the release excites; its mean force on the incline is its weight.
+//! Blocks that start from rest; rigid, but for [`Slope::elastic_displacement`].
 
 /// A block on an incline, in the frame of the incline.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +39,23 @@ impl Slope {
     #[must_use]
     pub fn displacement(&self, t: f64) -> f64 {
         0.5 * self.acceleration() * t * t
+    }
+
+    /// Displacement of the centre of mass (m) of a wide elastic block that slides, of `height` (m) and shear wave speed
+    /// `shear_speed` (m/s), at `t` (s) after tangential gravity and friction begin to act on it at rest.
+    ///
+    /// Its base sticks until the shear wave from it has brought the traction rho c_s g_x t to mu rho g_n H, at
+    /// t* = mu g_n H/(c_s g_x). Until then friction is smaller than the limit, which leaves the block faster by
+    /// mu g_n t*/2 for good. For t >= t* and t* <= 2H/c_s.
+    #[must_use]
+    pub fn elastic_displacement(&self, t: f64, height: f64, shear_speed: f64) -> f64 {
+        if self.sticks() {
+            return 0.0;
+        }
+        let limit = self.friction * self.normal();
+        let onset = limit * height / (shear_speed * self.along.abs());
+        let gained = 0.5 * limit * onset * self.along.signum();
+        self.displacement(t) + gained * (t - onset / 3.0)
     }
 }
 

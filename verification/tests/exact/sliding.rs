@@ -73,3 +73,44 @@ fn blocks_meet_when_the_one_behind_is_faster() {
         max_relative = 1e-14
     );
 }
+
+/// A shear column by characteristics: waves take one of `n` elements per step.
+#[test]
+fn an_elastic_block_slips_late_by_its_shear_wave() {
+    let (n, c_s, height) = (400, 100.0, 2.0);
+    let dt = height / c_s / f64::from(n);
+    for friction in [0.1, 0.5] {
+        let slope = slope(friction);
+        // v - s/Z going up and v + s/Z going down, s over rho c_s.
+        let mut up = vec![0.0; n as usize];
+        let mut down = up.clone();
+        let limit = friction * slope.into * height / c_s;
+        let (mut x, mut t, mut before) = (0.0, 0.0, 0.0);
+        while t < 0.2 {
+            for w in up.iter_mut().chain(&mut down) {
+                *w += slope.along * dt;
+            }
+            // At the base v + s = down. It sticks, v = 0, while s is within the limit.
+            let traction = down[0].min(limit);
+            let velocity = down[0] - traction;
+            let top = up[n as usize - 1];
+            up.rotate_right(1);
+            down.rotate_left(1);
+            up[0] = velocity - traction;
+            down[n as usize - 1] = top;
+            let mean = up
+                .iter()
+                .zip(&down)
+                .map(|(a, b)| 0.5 * (a + b))
+                .sum::<f64>()
+                / f64::from(n);
+            x += 0.5 * (before + mean) * dt;
+            before = mean;
+            t += dt;
+        }
+        let exact = slope.elastic_displacement(t, height, c_s);
+        let late = exact - slope.displacement(t);
+        assert!(late > 0.0);
+        assert_abs_diff_eq!(x, exact, epsilon = 0.02 * late + 2e-4 * exact);
+    }
+}

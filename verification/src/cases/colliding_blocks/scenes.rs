@@ -149,7 +149,7 @@ impl Variant {
     }
 
     /// Cross-section of a bar of a scene \[m²\]: one cell wide and high, in two dimensions 1 m thick.
-    pub fn section(&self, scene: &Scene) -> f64 {
+    pub fn section(scene: &Scene) -> f64 {
         scene.mesh.cell[1] * scene.mesh.cell[2]
     }
 
@@ -172,7 +172,7 @@ impl Variant {
         }
         let transit = l_1.max(l_2) / (YOUNG / DENSITY).sqrt();
         let mut scene = Scene::new(self.dimension, mesh, 3.0 * transit);
-        scene.name = "colliding_blocks".to_owned();
+        scene.name = String::from("colliding_blocks");
         scene.results = NO_RESULTS;
         scene.scheme = self.scheme;
         scene.transfer = Transfer::new(self.transfer);
