@@ -118,11 +118,10 @@ fn refinement_guides(series: &[Series]) -> Vec<Guide> {
 /// Computed against exact along a coordinate.
 #[must_use]
 pub fn curve(curve: &Curve) -> Chart {
-    let side = |word: &str, value: fn(&CurvePoint) -> f64| {
-        let points = curve.points.iter().map(move |p| Point {
+    let side = |line: &[CurvePoint], word: &str, value: fn(&CurvePoint) -> f64| {
+        let points = line.iter().map(move |p| Point {
             x: p.at,
-            // A point that is not a number parts two lines.
-            y: Some(value(p)).filter(|y| y.is_finite()),
+            y: Some(value(p)),
             title: format!("{word}: {} at {}", number(value(p)), number(p.at)),
         });
         points.collect::<Vec<_>>()
@@ -139,6 +138,8 @@ pub fn curve(curve: &Curve) -> Chart {
         ("exact", Colour::Ink, Mark::None, Stroke::Solid),
         ("computed", Colour::Hue(1), Mark::Dot, Stroke::None),
     ];
+    // A point that is not a number parts two lines.
+    let lines = curve.points.split(|p| !p.exact.is_finite());
     let largest = curve
         .points
         .iter()
@@ -162,18 +163,19 @@ pub fn curve(curve: &Curve) -> Chart {
             scale: Scale::Linear,
             format: Format::Number,
         },
-        series: looks
-            .iter()
-            .map(|&(word, colour, mark, stroke)| Series {
-                colour,
-                mark,
-                stroke,
-                strength: Strength::Plain,
-                points: if word == "exact" {
-                    side(word, |p| p.exact)
-                } else {
-                    side(word, |p| p.computed)
-                },
+        series: lines
+            .flat_map(|line| {
+                looks.map(|(word, colour, mark, stroke)| Series {
+                    colour,
+                    mark,
+                    stroke,
+                    strength: Strength::Plain,
+                    points: if word == "exact" {
+                        side(line, word, |p| p.exact)
+                    } else {
+                        side(line, word, |p| p.computed)
+                    },
+                })
             })
             .collect(),
         guides: vec![],

@@ -127,9 +127,7 @@ fn picture(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Option<Curv
         }
     }
     let mut all = all?;
-    all.title = format!(
-        "displacement of the centre of mass, mu = 0 (top) to 0.5 (bottom), {variant}, h = {finest} m"
-    );
+    all.title = format!("sliding block, mu = 0 (top) to 0.5, {variant}, h = {finest} m");
     Some(all)
 }
 
