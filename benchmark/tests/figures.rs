@@ -188,7 +188,11 @@ fn failed_runs_are_open_marks_and_break_the_line() {
     let marks = |class: &str| {
         all.iter()
             .filter(|e| e.name == "rect")
-            .filter(|e| e.attributes.get("class").is_some_and(|c| c == class))
+            .filter(|e| {
+                e.attributes
+                    .get("class")
+                    .is_some_and(|c| c.ends_with(class))
+            })
             .count()
     };
     assert_eq!(marks("hue0 mark"), 2);
@@ -324,7 +328,11 @@ fn bars_begin_at_zero_and_carry_name_and_value() {
     let bars: Vec<&Element> = all
         .iter()
         .filter(|e| e.name == "rect")
-        .filter(|e| e.attributes.get("class").is_some_and(|c| c == "hue0 mark"))
+        .filter(|e| {
+            e.attributes
+                .get("class")
+                .is_some_and(|c| c.ends_with("hue0 mark"))
+        })
         .collect();
     assert_eq!(bars.len(), 3);
     let scale = bars[0].number("width") / 100.0;

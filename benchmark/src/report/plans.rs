@@ -28,9 +28,9 @@ pub fn section(record: &Record) -> Option<Section> {
 fn push(body: &mut String, detail: &PlanDetail) {
     let plan = &detail.plan;
     let count = |key: &str| plan[key].as_array().map_or(0, Vec::len);
-    let _ = write!(
+    let _ = writeln!(
         body,
-        "<details><summary>{}: {} kept, {} left out, {} bytes per particle, {} per node</summary>\n",
+        "<details><summary>{}: {} kept, {} left out, {} bytes per particle, {} per node</summary>",
         escape(&detail.scene),
         count("kept"),
         count("left_out"),

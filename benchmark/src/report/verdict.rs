@@ -31,11 +31,12 @@ pub fn html(record: &Record) -> String {
         gates.len(),
         record.details.cases.len()
     );
-    match failed_rows(record) {
-        0 => {}
-        1 => text.push_str(" One run failed."),
-        n => text.push_str(&format!(" {n} runs failed.")),
-    }
+    let failed = match failed_rows(record) {
+        0 => String::new(),
+        1 => " One run failed.".to_owned(),
+        n => format!(" {n} runs failed."),
+    };
+    text.push_str(&failed);
     if record.context["incomplete"] == true {
         text.push_str(" The record is incomplete: it was interrupted.");
     }

@@ -289,10 +289,9 @@ mod tests {
         let name = "whole-step/two-bodies-3d/uGIMP/USL/FLIP/64000";
         let short = shortened(name);
         assert_eq!(short.chars().count(), NAME);
-        assert!(
-            short.starts_with("whole-step/two-") && short.ends_with("USL/FLIP/64000"),
-            "{short}"
-        );
+        let (head, tail) = short.split_once('…').expect("something is left out");
+        assert!(name.starts_with(head) && name.ends_with(tail), "{short}");
+        assert!(head.len().abs_diff(tail.len()) <= 1, "{short}");
         assert_eq!(shortened("short"), "short");
     }
 
