@@ -245,8 +245,8 @@ fn features(counter: &Counter, record: &mut Record) -> Result<bool, Box<dyn Erro
     let mut far = plain["body"][0].clone();
     for (key, value) in [
         ("id", json!(2)),
-        ("point_p1", json!([1.6, 1.6, 1.6])),
-        ("point_p2", json!([1.7, 1.7, 1.7])),
+        ("point_p1", json!([1.7, 1.7, 1.7])),
+        ("point_p2", json!([1.8, 1.8, 1.8])),
         ("initial_velocity", json!([0, 0, 0])),
     ] {
         far[key] = value;
