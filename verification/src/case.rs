@@ -69,6 +69,15 @@ pub struct CurvePoint {
     pub exact: f64,
 }
 
+impl CurvePoint {
+    /// Puts points in order and keeps one of those that lie within `width` of each other: particles of one layer of a
+    /// problem in one dimension.
+    pub fn one_per_place(points: &mut Vec<Self>, width: f64) {
+        points.sort_by(|p, q| p.at.total_cmp(&q.at));
+        points.dedup_by(|p, q| (p.at - q.at).abs() < width);
+    }
+}
+
 /// What a run of one rung gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
