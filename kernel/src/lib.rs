@@ -9,6 +9,7 @@ pub mod bodies;
 pub mod constitutive;
 pub mod grid;
 pub mod lanes;
+pub mod mortar;
 #[cfg(feature = "frames")]
 pub mod output;
 pub mod particles;

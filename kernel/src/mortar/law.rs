@@ -1,0 +1,151 @@
+//! Normal contact pressure as a function of the gap, and Coulomb friction.
+
+/// Pressure against gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NormalLaw {
+    /// Barrier -kappa (g - g_c)² ln(g/g_c) below the critical gap (eq. 47, 48), continued below `floor` g_c along its
+    /// tangent so that slope and time step stay finite and a gap below zero still pushes.
+    Barrier {
+        /// kappa \[Pa/m\].
+        stiffness: f64,
+        /// g_c \[m\].
+        critical_gap: f64,
+        /// Share of the critical gap below which the pressure is linear, between 0 and 1.
+        floor: f64,
+    },
+    /// Pressure proportional to penetration.
+    Penalty {
+        /// \[Pa/m\].
+        stiffness: f64,
+    },
+}
+
+/// Share of the critical gap below which the pressure of the barrier is linear. With 0.001 explicit steps pump energy
+/// into a fast impact; with 0.2 the layer is too soft for it.
+pub const FLOOR: f64 = 0.05;
+
+impl NormalLaw {
+    /// The barrier with the usual floor.
+    #[must_use]
+    pub fn barrier(stiffness: f64, critical_gap: f64) -> Self {
+        Self::Barrier {
+            stiffness,
+            critical_gap,
+            floor: FLOOR,
+        }
+    }
+
+    /// Gap below which there is pressure \[m\].
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        match self {
+            Self::Barrier { critical_gap, .. } => *critical_gap,
+            Self::Penalty { .. } => 0.0,
+        }
+    }
+
+    /// Contact pressure lambda_n \[Pa\], zero or positive.
+    #[must_use]
+    pub fn pressure(&self, gap: f64) -> f64 {
+        match *self {
+            Self::Barrier {
+                stiffness,
+                critical_gap,
+                floor,
+            } => {
+                let g_f = floor * critical_gap;
+                if gap >= critical_gap {
+                    0.0
+                } else if gap >= g_f {
+                    barrier_pressure(stiffness, critical_gap, gap)
+                } else {
+                    barrier_pressure(stiffness, critical_gap, g_f)
+                        + barrier_slope(stiffness, critical_gap, g_f) * (g_f - gap)
+                }
+            }
+            Self::Penalty { stiffness } => stiffness * (-gap).max(0.0),
+        }
+    }
+
+    /// Slope -d lambda_n/dg \[Pa/m\], zero or positive.
+    #[must_use]
+    pub fn slope(&self, gap: f64) -> f64 {
+        match *self {
+            Self::Barrier {
+                stiffness,
+                critical_gap,
+                floor,
+            } => {
+                if gap >= critical_gap {
+                    0.0
+                } else {
+                    barrier_slope(stiffness, critical_gap, gap.max(floor * critical_gap))
+                }
+            }
+            Self::Penalty { stiffness } if gap < 0.0 => stiffness,
+            Self::Penalty { .. } => 0.0,
+        }
+    }
+
+    /// Stored energy per area \[J/m²\], of which the pressure is the negative derivative.
+    #[must_use]
+    pub fn energy(&self, gap: f64) -> f64 {
+        match *self {
+            Self::Barrier {
+                stiffness,
+                critical_gap,
+                floor,
+            } => {
+                let g_f = floor * critical_gap;
+                if gap >= critical_gap {
+                    return 0.0;
+                }
+                let g = gap.max(g_f);
+                let below = (g_f - gap).max(0.0);
+                let barrier = -stiffness * (g - critical_gap).powi(2) * (g / critical_gap).ln();
+                barrier
+                    + below
+                        * (barrier_pressure(stiffness, critical_gap, g_f)
+                            + 0.5 * below * barrier_slope(stiffness, critical_gap, g_f))
+            }
+            Self::Penalty { stiffness } => 0.5 * stiffness * gap.min(0.0).powi(2),
+        }
+    }
+}
+
+/// Eq. 48 for 0 < g <= g_c.
+fn barrier_pressure(stiffness: f64, g_c: f64, g: f64) -> f64 {
+    stiffness * (g - g_c) * (2.0 * (g / g_c).ln() - g_c / g + 1.0)
+}
+
+/// Its slope with the sign turned.
+fn barrier_slope(stiffness: f64, g_c: f64, g: f64) -> f64 {
+    let r = g_c / g;
+    -stiffness * ((2.0 * (g / g_c).ln() - r + 1.0) + (g - g_c) * (2.0 / g + r / g))
+}
+
+/// Coulomb friction with a tangential spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// Coefficient mu.
+    pub coefficient: f64,
+    /// Stiffness kappa_t of the spring \[Pa/m\].
+    pub stiffness: f64,
+}
+
+impl Friction {
+    /// Tangential traction \[Pa\] for an elastic slip \[m\] under a normal pressure \[Pa\], and the elastic slip that
+    /// remains: kappa_t u, mapped back to the cone |lambda_t| <= mu lambda_n. Without the mapping the spring would go
+    /// on to stretch while the surfaces slide, and would have to be unloaded by as much when they turn back.
+    #[must_use]
+    pub fn traction(&self, slip: f64, pressure: f64) -> (f64, f64) {
+        let most = self.coefficient * pressure;
+        let trial = self.stiffness * slip;
+        if trial.abs() <= most {
+            (trial, slip)
+        } else {
+            let traction = most.copysign(trial);
+            (traction, traction / self.stiffness)
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Mortar segment-to-segment contact between polylines of boundary vertices, in two dimensions (Liang, Fang, Yin
+//! and Zhao 2024).
+//!
+//! The parts, in the order in which a step uses them:
+//! - [`boundary`]: the polylines, checked; [`outline`]: polylines of the shapes of bodies;
+//! - [`weights`]: augmented weights of a vertex, which give no share to nodes without mass; [`motion`]: how vertices
+//!   follow the body;
+//! - [`broad`]: pairs of segments that can meet;
+//! - [`segments`]: projection, mortar segments and their Gauss points;
+//! - [`law`]: pressure against gap; [`pair`]: weighted gaps, friction and forces of a pair of boundaries;
+//! - [`bound`]: the time step that the stiffness of the contact allows.
+//!
+//! The paper is read so: the gap g = n_s . (x_m - x_s) is positive when apart (eq. 31 has the other sign than 37 and
+//! 40); forces are f_s = -D lambda and f_m = M^T lambda with a tangential traction that has the sign of the slip
+//! (eq. 50 has none) and is mapped back to the cone; the slip of eq. 51 is divided by the row sum of D, as the gap
+//! is; vertices follow the velocity at the end of the step (eq. 29 prints that at its beginning, with which rolling
+//! blows up); the barrier goes on below the gap instead of ending there (eq. 48 lets bodies pass through each other
+//! in explicit steps).
+
+pub mod bound;
+pub mod boundary;
+pub mod broad;
+pub mod law;
+pub mod motion;
+pub mod outline;
+pub mod pair;
+pub mod segments;
+pub mod weights;
+
+/// A point or vector of the plane \[m\].
+pub type Point = nalgebra::Vector2<f64>;
+
+/// z component of the product a x b.
+#[inline]
+#[must_use]
+pub fn cross(a: &Point, b: &Point) -> f64 {
+    a.x * b.y - a.y * b.x
+}

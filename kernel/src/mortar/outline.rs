@@ -1,0 +1,124 @@
+//! Polylines along the boundaries of shapes.
+
+use super::boundary::{Chain, Side};
+use super::{Point, cross};
+use crate::scene::Shape;
+use std::f64::consts::TAU;
+use std::fmt;
+
+/// Why a shape gives no polyline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OutlineError {
+    /// The length of a segment is not a positive number \[m\].
+    Segment(f64),
+    /// The shape has no boundary of its own in the plane: particles one by one, or a shape of three dimensions.
+    Shape,
+}
+
+impl fmt::Display for OutlineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Segment(length) => {
+                write!(f, "a segment of {length} m; its length must be positive")
+            }
+            Self::Shape => write!(
+                f,
+                "a shape without an outline of its own: only rectangles, discs, rings and polygons have one"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for OutlineError {}
+
+/// Vertices along the boundary of a shape, no more than `segment` \[m\] apart, equally spaced on each edge or circle.
+/// The vertices of a circle lie on it.
+///
+/// # Errors
+/// A length that is not positive, or a shape without an outline.
+pub fn outline(shape: &Shape, segment: f64) -> Result<Vec<Chain>, OutlineError> {
+    if !(segment > 0.0 && segment.is_finite()) {
+        return Err(OutlineError::Segment(segment));
+    }
+    let outer = |points| Chain {
+        points,
+        side: Side::Outer,
+    };
+    match shape {
+        Shape::Cuboid { p1, p2 } => Ok(vec![outer(along(
+            &[
+                Point::new(p1[0], p1[1]),
+                Point::new(p2[0], p1[1]),
+                Point::new(p2[0], p2[1]),
+                Point::new(p1[0], p2[1]),
+            ],
+            segment,
+        ))]),
+        Shape::Sphere { center, radius } => Ok(vec![outer(circle(center, *radius, segment))]),
+        Shape::Ring {
+            center,
+            inner,
+            outer: radius,
+        } => {
+            let mut hole = circle(center, *inner, segment);
+            hole.reverse();
+            Ok(vec![
+                outer(circle(center, *radius, segment)),
+                Chain {
+                    points: hole,
+                    side: Side::Hole,
+                },
+            ])
+        }
+        Shape::Polygon { points } => {
+            let mut corners: Vec<Point> = points.iter().map(|p| Point::new(p[0], p[1])).collect();
+            if signed_area(&corners) < 0.0 {
+                corners.reverse();
+            }
+            Ok(vec![outer(along(&corners, segment))])
+        }
+        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Particles(_) => {
+            Err(OutlineError::Shape)
+        }
+    }
+}
+
+/// Number of equal parts of a length that are no longer than `segment`. A length that is a multiple but for round-off
+/// gets no part more.
+fn parts(length: f64, segment: f64) -> usize {
+    ((length / segment) * (1.0 - 4.0 * f64::EPSILON))
+        .ceil()
+        .max(1.0) as usize
+}
+
+/// Vertices of a circle, counter-clockwise from the positive x axis.
+fn circle(center: &[f64; 3], radius: f64, segment: f64) -> Vec<Point> {
+    let count = parts(TAU * radius, segment).max(3);
+    (0..count)
+        .map(|k| {
+            let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
+            Point::new(center[0] + radius * cos, center[1] + radius * sin)
+        })
+        .collect()
+}
+
+/// Corners of a closed polygon with vertices between them.
+fn along(corners: &[Point], segment: f64) -> Vec<Point> {
+    let mut points = vec![];
+    for (k, a) in corners.iter().enumerate() {
+        let edge = corners[(k + 1) % corners.len()] - a;
+        let count = parts(edge.norm(), segment);
+        points.extend((0..count).map(|i| a + edge * (i as f64 / count as f64)));
+    }
+    points
+}
+
+fn signed_area(corners: &[Point]) -> f64 {
+    let Some(origin) = corners.first() else {
+        return 0.0;
+    };
+    corners
+        .windows(2)
+        .map(|w| cross(&(w[0] - origin), &(w[1] - origin)))
+        .sum()
+}

@@ -1,0 +1,255 @@
+//! Projection of a slave boundary onto a master boundary, and the points at which integrals over their contact are
+//! evaluated.
+//!
+//! Slave points are projected along the normal field of the slave, interpolated between its vertices. A slave segment
+//! is cut where master vertices project onto it; on each piece (mortar segment) one master segment is seen, and two
+//! Gauss points lie on it (algorithm 1). D and M are both sums over these points and no others, so that the forces on
+//! the two bodies cancel whatever part of a segment is covered.
+
+use super::boundary::Boundary;
+use super::broad::near_segments;
+use super::{Point, cross};
+
+/// How contact is found along the slave.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detection {
+    /// Integrals over mortar segments.
+    #[default]
+    Mortar,
+    /// At the vertices of the slave, each with half the length of its segments.
+    NodeToSegment,
+}
+
+/// Where the master is looked for along the slave's normals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Search {
+    /// Largest gap \[m\].
+    pub reach: f64,
+    /// Deepest penetration \[m\].
+    pub depth: f64,
+}
+
+impl Search {
+    fn contains(&self, gap: f64) -> bool {
+        (-self.depth..=self.reach).contains(&gap)
+    }
+}
+
+/// Cosine between the normals of facing surfaces, below which they can touch.
+const FACING: f64 = -0.2;
+
+/// Pieces of a segment shorter than this share of it are left out: they hold nothing but round-off.
+const SHORTEST: f64 = 1.0e-12;
+
+/// Places of the two Gauss points in a piece, in shares of its length.
+const GAUSS: [f64; 2] = [0.211_324_865_405_187_13, 0.788_675_134_594_812_9];
+
+/// A point of the slave, the point of the master that it faces, and its share of the length of the contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MortarPoint {
+    /// The two vertices of the slave, and their shape functions N_i at the point.
+    pub slave: [(usize, f64); 2],
+    /// The same for the master.
+    pub master: [(usize, f64); 2],
+    /// Weight of the point in an integral over the slave, w_g J_l \[m\].
+    pub weight: f64,
+}
+
+impl MortarPoint {
+    /// Interpolates values of the slave's vertices to the point.
+    #[must_use]
+    pub fn on_slave(&self, values: &[Point]) -> Point {
+        interpolate(&self.slave, values)
+    }
+
+    /// Interpolates values of the master's vertices to the facing point.
+    #[must_use]
+    pub fn on_master(&self, values: &[Point]) -> Point {
+        interpolate(&self.master, values)
+    }
+}
+
+fn interpolate(on: &[(usize, f64); 2], values: &[Point]) -> Point {
+    on[0].1 * values[on[0].0] + on[1].1 * values[on[1].0]
+}
+
+/// The points of a pair, in order along the slave. `normals` are those of the slave's vertices.
+#[must_use]
+pub fn mortar_points(
+    slave: &Boundary,
+    normals: &[Point],
+    master: &Boundary,
+    detection: Detection,
+    search: Search,
+) -> Vec<MortarPoint> {
+    let near = near_segments(slave, master, search.reach.max(search.depth));
+    match detection {
+        Detection::Mortar => near
+            .iter()
+            .flat_map(|(s, masters)| points_of_segment(slave, normals, *s, master, masters, search))
+            .collect(),
+        Detection::NodeToSegment => points_of_vertices(slave, normals, master, &near, search),
+    }
+}
+
+/// Where the ray from a point along a direction meets a master segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// Position on the segment, 0 at its first vertex and 1 at its second.
+    pub eta: f64,
+    /// Distance along the direction, negative behind the point \[m\].
+    pub gap: f64,
+}
+
+/// Projects a point along a direction (of any length) onto the line through a master segment; nothing where the
+/// segment does not face the direction.
+#[must_use]
+pub fn project(
+    x: &Point,
+    direction: &Point,
+    master: &Boundary,
+    segment: usize,
+) -> Option<Projection> {
+    let n = direction.try_normalize(0.0)?;
+    if n.dot(&master.segment_normal(segment)) >= FACING {
+        return None;
+    }
+    let y = master.points[master.segments()[segment][0]];
+    let edge = master.edge(segment);
+    let eta = cross(&(x - y), &n) / cross(&edge, &n);
+    Some(Projection {
+        eta,
+        gap: n.dot(&(y + eta * edge - x)),
+    })
+}
+
+/// Positions xi in (0, 1) on a slave segment whose interpolated normals pass through a point: the roots of
+/// (y - x(xi)) x n(xi) = 0, a quadratic.
+#[must_use]
+pub fn feet(y: &Point, x: [&Point; 2], n: [&Point; 2]) -> Vec<f64> {
+    // About the middle of the segment, so that the wanted root is the one that is small, which is computed without
+    // cancellation also where the normals are parallel and the equation is linear.
+    let (edge, turn) = (x[1] - x[0], n[1] - n[0]);
+    let (d, middle) = (y - 0.5 * (x[0] + x[1]), 0.5 * (n[0] + n[1]));
+    let a = -cross(&edge, &turn);
+    let b = cross(&d, &turn) - cross(&edge, &middle);
+    let c = cross(&d, &middle);
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant.is_nan() || discriminant < 0.0 {
+        return vec![];
+    }
+    let q = -0.5 * (b + discriminant.sqrt().copysign(b));
+    let mut roots: Vec<f64> = [c / q, q / a]
+        .into_iter()
+        .map(|s| 0.5 + s)
+        .filter(|xi| 0.0 < *xi && *xi < 1.0)
+        .collect();
+    roots.dedup();
+    roots
+}
+
+fn points_of_segment(
+    slave: &Boundary,
+    normals: &[Point],
+    segment: usize,
+    master: &Boundary,
+    masters: &[usize],
+    search: Search,
+) -> Vec<MortarPoint> {
+    let [a, b] = slave.segments()[segment];
+    let x = |xi: f64| slave.points[a] * (1.0 - xi) + slave.points[b] * xi;
+    let n = |xi: f64| normals[a] * (1.0 - xi) + normals[b] * xi;
+    // Only vertices that are seen cut: others would change the quadrature with what else is near.
+    let mut cuts = vec![0.0, 1.0];
+    for &m in masters {
+        for v in master.segments()[m] {
+            let ends = [&slave.points[a], &slave.points[b]];
+            let feet = feet(&master.points[v], ends, [&normals[a], &normals[b]]);
+            cuts.extend(feet.into_iter().filter(|xi| {
+                project(&x(*xi), &n(*xi), master, m).is_some_and(|p| search.contains(p.gap))
+            }));
+        }
+    }
+    cuts.sort_unstable_by(f64::total_cmp);
+    let length = slave.edge(segment).norm();
+    let mut points = vec![];
+    for cut in cuts.windows(2) {
+        let (from, width) = (cut[0], cut[1] - cut[0]);
+        if width < SHORTEST {
+            continue;
+        }
+        let middle = from + 0.5 * width;
+        let Some(seen) = nearest(&x(middle), &n(middle), master, masters, search) else {
+            continue;
+        };
+        for place in GAUSS {
+            let xi = from + place * width;
+            let Some(projection) = project(&x(xi), &n(xi), master, seen) else {
+                continue;
+            };
+            // Between the cuts the point lies on the segment but for round-off.
+            let eta = projection.eta.clamp(0.0, 1.0);
+            let [c, d] = master.segments()[seen];
+            points.push(MortarPoint {
+                slave: [(a, 1.0 - xi), (b, xi)],
+                master: [(c, 1.0 - eta), (d, eta)],
+                weight: 0.5 * width * length,
+            });
+        }
+    }
+    points
+}
+
+/// The master segment that a ray meets first, of those that face it within the search.
+fn nearest(
+    x: &Point,
+    n: &Point,
+    master: &Boundary,
+    masters: &[usize],
+    search: Search,
+) -> Option<usize> {
+    masters
+        .iter()
+        .filter_map(|m| {
+            let p = project(x, n, master, *m)?;
+            let on = (0.0..=1.0).contains(&p.eta);
+            (on && search.contains(p.gap)).then_some((*m, p.gap.abs()))
+        })
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(m, _)| m)
+}
+
+fn points_of_vertices(
+    slave: &Boundary,
+    normals: &[Point],
+    master: &Boundary,
+    near: &[(usize, Vec<usize>)],
+    search: Search,
+) -> Vec<MortarPoint> {
+    let lengths = slave.tributary_lengths();
+    let mut seen = vec![vec![]; slave.points.len()];
+    for (s, masters) in near {
+        for v in slave.segments()[*s] {
+            seen[v].extend_from_slice(masters);
+        }
+    }
+    let mut points = vec![];
+    for (v, mut masters) in seen.into_iter().enumerate() {
+        masters.sort_unstable();
+        masters.dedup();
+        let (x, n) = (&slave.points[v], &normals[v]);
+        let Some(m) = nearest(x, n, master, &masters, search) else {
+            continue;
+        };
+        let Some(projection) = project(x, n, master, m) else {
+            continue;
+        };
+        let [c, d] = master.segments()[m];
+        points.push(MortarPoint {
+            slave: [(v, 1.0), (v, 0.0)],
+            master: [(c, 1.0 - projection.eta), (d, projection.eta)],
+            weight: lengths[v],
+        });
+    }
+    points
+}

@@ -1,0 +1,61 @@
+//! The bound of the time step against frequencies that are known.
+
+use crate::support::point;
+use proctor_kernel::mortar::bound::{NodalStiffness, SAFETY};
+use proctor_kernel::mortar::weights::VertexWeights;
+use proctor_kernel::weights::Family;
+
+#[test]
+fn one_node_on_a_spring() {
+    // All of the vertex hangs on one node of mass m: omega² = k/m on a rigid body, 2 k/m between two equal ones.
+    let mut masses = [0.0; 9];
+    masses[4] = 2.0;
+    let w = VertexWeights::new(Family::Gimp, &point(1.1, 0.9), 0.25)
+        .augmented(&masses)
+        .expect("has mass");
+    let mut nodes = NodalStiffness::default();
+    assert_eq!(nodes.time_step(), f64::INFINITY);
+    nodes.add(&w, &masses, 0.0);
+    assert_eq!(nodes.frequency(), 0.0);
+    nodes.add(&w, &masses, 50.0);
+    let between_equals = (2.0 * 50.0 / 2.0_f64).sqrt();
+    assert!((nodes.frequency() - between_equals).abs() < 1e-14);
+    assert!((nodes.time_step() - SAFETY * 2.0 / between_equals).abs() < 1e-15);
+}
+
+/// The bound is not below the largest eigenvalue of a patch on springs to a rigid body, K = sum S k S^T, and stays
+/// finite beside nodes of nearly no mass.
+#[test]
+fn the_bound_is_above_the_frequencies_of_a_patch() {
+    let masses = [1.0, 0.3, 1e-12, 0.8, 0.1, 1e-15, 0.5, 0.0, 0.0];
+    let mut nodes = NodalStiffness::default();
+    let mut k = nalgebra::SMatrix::<f64, 9, 9>::zeros();
+    for (x, y, stiffness) in [(0.7, 0.8, 30.0), (1.1, 1.2, 70.0), (1.4, 1.45, 20.0)] {
+        let w = VertexWeights::new(Family::Gimp, &point(x, y), 0.25)
+            .augmented(&masses)
+            .expect("has mass");
+        assert_eq!(w.base, [0, 0]);
+        nodes.add(&w, &masses, stiffness);
+        let s = nalgebra::SVector::from(w.weights);
+        k += stiffness * s * s.transpose();
+    }
+    // M^-1/2 K M^-1/2 on the nodes with mass.
+    let scale = nalgebra::SVector::<f64, 9>::from_fn(|i, _| {
+        if masses[i] > 0.0 {
+            1.0 / masses[i].sqrt()
+        } else {
+            0.0
+        }
+    });
+    let scaled = nalgebra::SMatrix::<f64, 9, 9>::from_fn(|i, j| scale[i] * k[(i, j)] * scale[j]);
+    let largest = nalgebra::DMatrix::from_fn(9, 9, |i, j| scaled[(i, j)])
+        .symmetric_eigenvalues()
+        .max();
+    let bound = nodes.frequency();
+    assert!(bound * bound >= largest, "{} {largest}", bound * bound);
+    assert!(
+        bound * bound < 40.0 * largest,
+        "{} {largest}",
+        bound * bound
+    );
+}

@@ -1,0 +1,15 @@
+//! Mortar contact: boundaries, weights, projection, laws and forces against geometry and balance; the modules mirror
+//! `src/mortar`.
+
+mod bound;
+mod boundary;
+mod broad;
+#[path = "../common/mod.rs"]
+mod common;
+mod law;
+mod motion;
+mod outline;
+mod pair;
+mod segments;
+mod support;
+mod weights;

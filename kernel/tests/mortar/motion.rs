@@ -1,0 +1,63 @@
+//! How vertices follow rotations and linear fields, in a full patch and beside empty nodes.
+
+use crate::support::point;
+use nalgebra::Matrix2;
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::motion::{Follow, NodalGradient, vertex_velocity};
+use proctor_kernel::mortar::weights::VertexWeights;
+use proctor_kernel::weights::Family;
+
+const CELL: [f64; 2] = [0.25, 0.5];
+
+/// Velocity of a vertex at a place given in cells, in a field v = c + G x on nodes with the given masses.
+fn follow(xi: Point, gradient: Matrix2<f64>, masses: &[f64; 9], how: Follow) -> (Point, Point) {
+    let cell = Point::from(CELL);
+    let w = VertexWeights::new(Family::Gimp, &xi, 0.25)
+        .augmented(masses)
+        .expect("has mass");
+    let field = |x: Point| point(0.3, -0.7) + gradient * x;
+    let velocities = std::array::from_fn(|k| {
+        let node = point(
+            (w.base[0] + (k / 3) as i64) as f64,
+            (w.base[1] + (k % 3) as i64) as f64,
+        );
+        field(node.component_mul(&cell))
+    });
+    let found = vertex_velocity(&w, &velocities, &[gradient; 9], how, &cell);
+    (found, field(xi.component_mul(&cell)))
+}
+
+/// Only the nodes with x below the vertex have mass, as at a boundary on the right of a body.
+const LEFT: [f64; 9] = [3.0, 2.0, 1.0, 1.0, 0.5, 0.2, 0.0, 0.0, 0.0];
+
+#[test]
+fn gradients_carry_every_linear_field_past_empty_nodes() {
+    let xi = point(7.3, 2.1);
+    let spin = Matrix2::new(0.0, -2.0, 2.0, 0.0);
+    let shear = Matrix2::new(0.4, 1.5, -0.3, -0.9);
+    let error = |gradient, masses, how| {
+        let (found, exact): (Point, Point) = follow(xi, gradient, masses, how);
+        (found - exact).norm()
+    };
+    // With equal masses the weights reproduce linear fields by themselves.
+    for how in [Follow::Velocity, Follow::Spin, Follow::Gradient] {
+        assert!(error(spin, &[1.0; 9], how) < 1e-14, "{how:?}");
+    }
+    // Beside empty nodes the velocity alone is that of a point inside the body: 2/s times a quarter of a cell.
+    assert!(error(spin, &LEFT, Follow::Velocity) > 0.1);
+    assert!(error(spin, &LEFT, Follow::Spin) < 1e-14);
+    assert!(error(spin, &LEFT, Follow::Gradient) < 1e-14);
+    assert!(error(shear, &LEFT, Follow::Spin) > 0.05);
+    assert!(error(shear, &LEFT, Follow::Gradient) < 1e-14);
+}
+
+#[test]
+fn the_nodal_gradient_is_the_mean_by_mass() {
+    let mut node = NodalGradient::default();
+    assert_eq!(node.mean(), Matrix2::zeros());
+    let a = Matrix2::new(1.0, 2.0, 3.0, 4.0);
+    node.add(0.5, 2.0, &a);
+    node.add(0.25, 12.0, &(-a));
+    // (0.5 * 2 - 0.25 * 12) / (1 + 3).
+    assert!((node.mean() + 0.5 * a).norm() < 1e-15);
+}

@@ -1,0 +1,148 @@
+//! Projections, and the points at which the mortar integrals are evaluated.
+
+use crate::common::cases;
+use crate::support::{ceiling, floor, open, point};
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::boundary::Boundary;
+use proctor_kernel::mortar::segments::{
+    Detection, MortarPoint, Search, feet, mortar_points, project,
+};
+use proptest::prelude::*;
+
+const SEARCH: Search = Search {
+    reach: 0.5,
+    depth: 0.5,
+};
+
+fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<MortarPoint> {
+    mortar_points(slave, &slave.normals(), master, detection, SEARCH)
+}
+
+fn covered(points: &[MortarPoint]) -> f64 {
+    points.iter().map(|p| p.weight).sum()
+}
+
+#[test]
+fn only_facing_segments_are_seen() {
+    let master = floor(&[0.0, 2.0], 0.0);
+    let down = point(0.0, -3.0);
+    let seen = project(&point(0.5, 0.2), &down, &master, 0).expect("faces");
+    // The floor runs from x = 2 to 0.
+    assert!((seen.eta - 0.75).abs() < 1e-15 && (seen.gap - 0.2).abs() < 1e-15);
+    let inside = project(&point(0.5, -0.2), &down, &master, 0).expect("faces");
+    assert!((inside.gap + 0.2).abs() < 1e-15);
+    assert_eq!(
+        project(&point(0.5, 0.2), &point(0.0, 1.0), &master, 0),
+        None
+    );
+    assert_eq!(
+        project(&point(0.5, 0.2), &point(0.0, 0.0), &master, 0),
+        None
+    );
+}
+
+proptest! {
+    #![proptest_config(cases(256))]
+
+    /// The point at a known place on a slave segment, moved along the normal there, projects back to that place.
+    #[test]
+    fn feet_are_found(xi in 0.01..0.99_f64, gap in -0.3..0.3_f64, t1 in -0.5..0.5_f64, t2 in -0.5..0.5_f64,
+        angle in 0.0..6.3_f64) {
+        let turn = nalgebra::Rotation2::new(angle);
+        let x = [turn * point(-0.5, 0.1), turn * point(0.5, 0.1)];
+        let n = [t1, t2].map(|t: f64| turn * point(t.sin(), -t.cos()));
+        let normal = n[0] * (1.0 - xi) + n[1] * xi;
+        let y = x[0] * (1.0 - xi) + x[1] * xi + gap * normal;
+        let found = feet(&y, [&x[0], &x[1]], [&n[0], &n[1]]);
+        prop_assert!(found.iter().any(|f| (f - xi).abs() < 1e-9), "{found:?} {xi}");
+    }
+
+    /// Parallel lines of any division: the whole overlap is covered once, and D and M have the same total.
+    #[test]
+    fn flat_surfaces_are_covered_once(
+        mut cuts in prop::collection::vec(0.01..0.99_f64, 0..8), mut others in prop::collection::vec(-0.49..1.49_f64, 0..8),
+        from in -0.5..0.4_f64, to in 0.6..1.5_f64,
+    ) {
+        cuts.extend([0.0, 1.0]);
+        others.retain(|x| from < *x && *x < to);
+        others.extend([from, to]);
+        for list in [&mut cuts, &mut others] {
+            list.sort_unstable_by(f64::total_cmp);
+            list.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+        }
+        let slave = ceiling(&cuts, 0.1);
+        let master = floor(&others, 0.0);
+        let overlap = to.min(1.0) - from.max(0.0);
+        let found = points(&slave, &master, Detection::Mortar);
+        prop_assert!((covered(&found) - overlap).abs() < 1e-12);
+        for p in &found {
+            let apart = p.on_master(&master.points) - p.on_slave(&slave.points);
+            // The projection is vertical.
+            prop_assert!((apart - point(0.0, -0.1)).norm() < 1e-13, "{apart}");
+            prop_assert!((p.master[0].1 + p.master[1].1 - 1.0).abs() < 1e-15);
+        }
+        // The integral of a product of shape functions is exact: row sums of D are half the lengths of the segments
+        // where the master covers them whole.
+        if from < 0.0 && to > 1.0 {
+            let mut rows = vec![0.0; cuts.len()];
+            for p in &found {
+                for (k, share) in p.slave {
+                    rows[k] += share * p.weight;
+                }
+            }
+            for (row, length) in rows.iter().zip(slave.tributary_lengths()) {
+                prop_assert!((row - length).abs() < 1e-13);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_nearest_of_several_masters_is_seen() {
+    // A slot: two floors, one under the other.
+    let near = [[1.0, 0.0], [0.0, 0.0]];
+    let far = [[1.0, -0.2], [0.0, -0.2]];
+    let both = Boundary::new(&[
+        crate::support::chain(&far, proctor_kernel::mortar::boundary::Side::Open),
+        crate::support::chain(&near, proctor_kernel::mortar::boundary::Side::Open),
+    ])
+    .expect("sound");
+    let slave = ceiling(&[0.2, 0.8], 0.1);
+    for detection in [Detection::Mortar, Detection::NodeToSegment] {
+        let found = points(&slave, &both, detection);
+        assert!((covered(&found) - 0.6).abs() < 1e-14);
+        for p in found {
+            assert!(p.master[0].0 >= 2, "{p:?}");
+        }
+    }
+}
+
+#[test]
+fn search_ends_at_reach_and_depth() {
+    let master = floor(&[-1.0, 2.0], 0.0);
+    for (y, seen) in [(0.49, true), (0.51, false), (-0.49, true), (-0.51, false)] {
+        let slave = ceiling(&[0.0, 1.0], y);
+        for detection in [Detection::Mortar, Detection::NodeToSegment] {
+            let found = !points(&slave, &master, detection).is_empty();
+            assert_eq!(found, seen, "{y} {detection:?}");
+        }
+    }
+}
+
+/// On a convex slave the fan of normals at a corner still gives every point of the slave one point of the master.
+#[test]
+fn a_corner_is_covered_once() {
+    let slave = open(&[[-0.3, 0.3], [0.0, 0.05], [0.3, 0.3]]);
+    let master = floor(&[-2.0, -0.1, 0.05, 2.0], 0.0);
+    let found = points(&slave, &master, Detection::Mortar);
+    let whole = 2.0 * 0.3_f64.hypot(0.25);
+    assert!(
+        (covered(&found) - whole).abs() < 1e-12,
+        "{}",
+        covered(&found)
+    );
+    for p in &found {
+        let on: Point = p.on_master(&master.points);
+        assert!(on.y.abs() < 1e-14);
+    }
+}
