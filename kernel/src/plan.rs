@@ -354,6 +354,9 @@ fn weighting_words(weighting: Weighting) -> &'static str {
         Weighting::ContiguousGimp(DomainUpdate::Stretch) => {
             "cpGIMP, domain by U_ii; 3 nodes per axis, 4 once a half-length exceeds h/2"
         }
+        Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => {
+            "cpGIMP, domain by V_ii; 3 nodes per axis, 4 once a half-length exceeds h/2"
+        }
         Weighting::QuadraticBSpline => "quadratic B-spline, 3 nodes per axis",
     }
 }

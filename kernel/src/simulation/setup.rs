@@ -333,11 +333,8 @@ fn start_domain(
         DomainUpdate::Determinant => {
             nalgebra::Vector3::repeat(f.determinant().powf(1.0 / axes as f64))
         }
-        DomainUpdate::Stretch => {
-            let mut square = (f.transpose() * f).symmetric_eigen();
-            square.eigenvalues.apply(|x| *x = x.sqrt());
-            square.recompose().diagonal()
-        }
+        DomainUpdate::Stretch => root_diagonal(f.transpose() * f),
+        DomainUpdate::LeftStretch => root_diagonal(f * f.transpose()),
     };
     let mut widest = 0.0_f64;
     for axis in 0..axes {
@@ -346,6 +343,13 @@ fn start_domain(
         widest = widest.max(l);
     }
     widest
+}
+
+/// Diagonal of the square root of a symmetric matrix.
+fn root_diagonal(square: nalgebra::Matrix3<f64>) -> nalgebra::Vector3<f64> {
+    let mut square = square.symmetric_eigen();
+    square.eigenvalues.apply(|x| *x = x.sqrt());
+    square.recompose().diagonal()
 }
 
 /// Spreads a box load by volume over the particles in the box.

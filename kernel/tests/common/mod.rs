@@ -14,11 +14,12 @@ use std::sync::Arc;
 
 pub const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
 pub const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Musl, StressScheme::Usf];
-pub const WEIGHTINGS: [Weighting; 5] = [
+pub const WEIGHTINGS: [Weighting; 6] = [
     Weighting::Linear,
     Weighting::UniformGimp,
     Weighting::ContiguousGimp(DomainUpdate::Determinant),
     Weighting::ContiguousGimp(DomainUpdate::Stretch),
+    Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
     Weighting::QuadraticBSpline,
 ];
 pub const FLIP: Transfer = Transfer {

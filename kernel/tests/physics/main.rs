@@ -8,3 +8,4 @@ mod damping;
 mod dimension;
 mod faults;
 mod loads;
+mod rotation;

@@ -39,7 +39,7 @@ pub(super) struct RawScene {
     #[schemars(extend("enum" = ["linear", "GIMP", "uGIMP", "cpGIMP", "quadratic_bspline"]))]
     pub shape_function: Option<String>,
     /// How the particle domain of cpGIMP follows the deformation. Default: determinant.
-    #[schemars(extend("enum" = ["determinant", "stretch"]))]
+    #[schemars(extend("enum" = ["determinant", "stretch", "left_stretch"]))]
     pub domain_update: Option<String>,
     /// How velocity is carried between particles and nodes. Default: FLIP, as in the manuals.
     #[schemars(extend("enum" = ["FLIP", "APIC", "TPIC"]))]

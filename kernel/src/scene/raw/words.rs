@@ -29,6 +29,7 @@ pub(super) const SHAPE_FUNCTIONS: Words<ShapeFunction> = &[
 pub(super) const DOMAIN_UPDATES: Words<DomainUpdate> = &[
     ("determinant", DomainUpdate::Determinant),
     ("stretch", DomainUpdate::Stretch),
+    ("left_stretch", DomainUpdate::LeftStretch),
 ];
 
 pub(super) const SCHEMES: Words<StressScheme> = &[
