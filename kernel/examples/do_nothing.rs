@@ -1,11 +1,12 @@
 //! A small block of particles with a feature that does nothing, for `scripts/count-instructions.sh`.
 //!
 //! `do_nothing FEATURE`: one of `none`, `local-damping`, `viscous-damping`, `second-material`, `far-plane`,
-//! `zero-load`.
+//! `zero-load`, `far-body`, `far-contact`. The last is to be compared with the one before it.
 
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, Law, Material, Mesh, ObjectiveRate, Outside, PlaneCondition,
-    PointLoad, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
+    Body, Contact, ContactNormal, Damping, Dimension, Law, Material, Mesh, ObjectiveRate, Outside,
+    PlaneCondition, PointLoad, Results, Scene, Shape, StressScheme, TimeStep, Transfer,
+    TransferKind, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -58,10 +59,13 @@ fn scene() -> Scene {
         point_loads: vec![],
         tractions: vec![],
         box_loads: vec![],
+        contacts: vec![],
+        contact_distance: None,
         outside: Outside::Stop,
         results: Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         },
         probes: vec![],
@@ -82,6 +86,28 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 position: [0.7; 3],
                 force: [0.0; 3],
             }];
+        }
+        Some(feature @ ("far-body" | "far-contact")) => {
+            scene.bodies.push(Body {
+                name: "far block".into(),
+                id: 2,
+                shape: Shape::Cuboid {
+                    p1: [1.7; 3],
+                    p2: [1.8; 3],
+                },
+                velocity: [0.0; 3],
+                ..scene.bodies[0].clone()
+            });
+            if feature == "far-contact" {
+                scene.contacts = vec![Contact {
+                    name: "contact".into(),
+                    id: 1,
+                    friction: 0.3,
+                    master: 1,
+                    slave: 2,
+                    normal: ContactNormal::Collinear,
+                }];
+            }
         }
         Some(other) => return Err(format!("no feature {other}").into()),
     }

@@ -7,6 +7,7 @@
 
 pub mod bodies;
 pub mod constitutive;
+pub mod contact;
 pub mod grid;
 pub mod lanes;
 pub mod mortar;

@@ -4,8 +4,8 @@
 
 use crate::particles::{Layout, Optional};
 use crate::scene::{
-    Body, Damping, Dimension, DomainUpdate, Field, Law, PlaneCondition, Scene, Shape, StressScheme,
-    TransferKind, Weighting,
+    Body, ContactNormal, Damping, Dimension, DomainUpdate, Field, Law, PlaneCondition, Scene,
+    Shape, StressScheme, TransferKind, Weighting,
 };
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
@@ -156,6 +156,13 @@ impl Plan {
         size_of::<crate::grid::Line>()
     }
 
+    /// Bytes per node of the velocity field of a body near a partner of contact: its line, and a second one for normals
+    /// and distances.
+    #[must_use]
+    pub fn bytes_per_node_of_layer(&self) -> usize {
+        2 * size_of::<crate::grid::Line>()
+    }
+
     fn describe(&self, scene: &Scene, demands: Demands) -> Vec<Entry> {
         let mut list = Words(vec![]);
         let dimension = match scene.dimension {
@@ -270,7 +277,7 @@ impl Plan {
             "a body has a prescribed velocity",
             "no body has a prescribed velocity",
         );
-        list.leave("stage", "contact", "the scene asks for none");
+        contact_words(scene, &mut list);
         list.choose(
             "stage",
             "measurement at the nodes",
@@ -337,6 +344,52 @@ impl Plan {
         );
         list.0
     }
+}
+
+/// One entry per pair, and what goes with contact.
+fn contact_words(scene: &Scene, list: &mut Words) {
+    let driven = |id: i64| {
+        scene
+            .bodies
+            .iter()
+            .any(|b| b.id == id && b.motion.is_some())
+    };
+    for contact in &scene.contacts {
+        let normal = match contact.normal {
+            ContactNormal::Master => "normal of the master",
+            ContactNormal::Slave => "normal of the slave",
+            ContactNormal::Collinear => "mean of both normals",
+        };
+        list.choose(
+            "stage",
+            &format!("contact {}", contact.id),
+            !(driven(contact.master) && driven(contact.slave)),
+            &format!(
+                "bodies {} (master) and {}, friction {}, {normal}; on the grid, while the boxes of the bodies meet",
+                contact.master, contact.slave, contact.friction
+            ),
+            "the motion of both bodies is prescribed",
+        );
+    }
+    if scene.contacts.is_empty() {
+        list.leave("stage", "contact", "the scene asks for none");
+        return;
+    }
+    list.choose(
+        "stage",
+        "real distance of contacts",
+        scene.contact_distance != Some(0.0),
+        &scene.contact_distance.map_or_else(
+            || "contact acts below the sum of the half-lengths of the particles".to_owned(),
+            |lambda| format!("contact acts below {lambda} cells"),
+        ),
+        "its coefficient is zero",
+    );
+    list.keep(
+        "node field",
+        "mass gradient, second velocity field",
+        "128 bytes per node of a body while it is near a partner",
+    );
 }
 
 /// Whether the particles of a body are given one by one.

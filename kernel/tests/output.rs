@@ -3,6 +3,9 @@
 
 #[path = "output/checkpoint.rs"]
 mod checkpoint;
+#[cfg(feature = "json")]
+#[path = "output/contact.rs"]
+mod contact;
 #[path = "output/folder.rs"]
 mod folder;
 #[path = "output/frames.rs"]

@@ -10,8 +10,8 @@ use common::{
 use proctor_kernel::particles::Layout;
 use proctor_kernel::plan::{Demands, Entry, Plan};
 use proctor_kernel::scene::{
-    BaseMotion, BoxLoad, Damping, Dimension, Field, History, Motion, PlaneCondition, PointLoad,
-    Results, Scene, Traction, Transfer, TransferKind, Weighting,
+    BaseMotion, BoxLoad, Contact, ContactNormal, Damping, Dimension, Field, History, Motion,
+    PlaneCondition, PointLoad, Results, Scene, Traction, Transfer, TransferKind, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -104,6 +104,7 @@ fn fields_that_are_kept_are_there_and_filled() {
                 s.results = Results {
                     print: 1,
                     fields: vec![Field::Displacement],
+                    nodal_fields: vec![],
                     checkpoint: false,
                 };
             },
@@ -115,6 +116,7 @@ fn fields_that_are_kept_are_there_and_filled() {
                 s.results = Results {
                     print: 1,
                     fields: vec![Field::DeformationGradient],
+                    nodal_fields: vec![],
                     checkpoint: false,
                 };
             },
@@ -271,6 +273,7 @@ fn features_that_only_watch_change_no_bit() {
                 s.results = Results {
                     print: 3,
                     fields: vec![Field::DeformationGradient, Field::Displacement],
+                    nodal_fields: vec![],
                     checkpoint: true,
                 };
             },
@@ -388,4 +391,88 @@ fn the_plan_says_why() {
         Demands::default(),
     );
     assert!(plan.layouts[0].affine.is_some() && plan.full_mapping);
+}
+
+fn contact(master: i64, slave: i64) -> Contact {
+    Contact {
+        name: "contact".into(),
+        id: 4,
+        friction: 0.3,
+        master,
+        slave,
+        normal: ContactNormal::Collinear,
+    }
+}
+
+/// Bodies of a pair whose boxes never meet stay in the common field: no second one, and the same bits. So does a third
+/// body beside two that do meet.
+#[test]
+fn contact_of_bodies_that_never_meet_changes_no_bit() {
+    for dimension in DIMENSIONS {
+        for weighting in WEIGHTINGS {
+            for scheme in SCHEMES {
+                let mut scene = common::empty(dimension, [24, 8, 7], 0.1);
+                (scene.weighting, scene.scheme) = (weighting, scheme);
+                scene.bodies = vec![
+                    body(1, cuboid([0.21, 0.22, 0.23], [0.61, 0.52, 0.53])),
+                    body(2, cuboid([1.5, 0.22, 0.23], [1.9, 0.52, 0.53])),
+                ];
+                common::calm(&mut scene);
+                let without = after(&scene, &options());
+                assert!(!entry(without.plan(), "contact").kept);
+                scene.contacts = vec![contact(2, 1)];
+                let with = after(&scene, &options());
+                assert!(entry(with.plan(), "contact 4").kept);
+                assert_eq!(with.contact_layers(), 0);
+                assert_eq!(
+                    with.state_hash(),
+                    without.state_hash(),
+                    "{weighting:?} {scheme:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn only_bodies_near_a_partner_have_a_field_of_their_own() {
+    let mut scene = common::empty(Dimension::Two, [40, 8, 1], 0.1);
+    let at = |x: f64| cuboid([x, 0.2, 0.0], [x + 0.4, 0.5, 0.0]);
+    scene.bodies = vec![
+        body(1, at(0.2)),
+        body(2, at(0.6)),
+        body(3, at(2.0)),
+        body(4, at(2.4)),
+    ];
+    scene.contacts = vec![
+        contact(1, 2),
+        Contact {
+            id: 5,
+            ..contact(2, 3)
+        },
+    ];
+    let simulation = common::simulation(&scene);
+    // Bodies 3 and 4 touch, but are not a pair.
+    assert_eq!(simulation.contact_layers(), 2);
+    assert!(simulation.has_contact(2) && !simulation.has_contact(3));
+}
+
+#[test]
+fn contact_of_two_driven_bodies_is_left_out() {
+    let mut scene = plain(Dimension::Two);
+    scene
+        .bodies
+        .push(body(2, cuboid([0.7, 0.2, 0.0], [0.8, 0.3, 0.0])));
+    for body in &mut scene.bodies {
+        body.motion = Some(History {
+            times: vec![0.0],
+            values: vec![[0.0; 3]],
+        });
+    }
+    scene.contacts = vec![contact(1, 2)];
+    let simulation = common::simulation(&scene);
+    let entry = entry(simulation.plan(), "contact 4");
+    assert!(!entry.kept && entry.because.contains("both bodies is prescribed"));
+    assert_eq!(simulation.contact_layers(), 0);
+    assert!(!simulation.has_contact(0));
 }

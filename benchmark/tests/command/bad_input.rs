@@ -57,12 +57,27 @@ fn all_problems_are_reported_at_once() {
 }
 
 #[test]
-fn contact_is_refused_by_name() {
-    let scene = fixture("fixtures/scenes/manual/inclined_two_blocks.json");
+fn bodies_in_contact_that_overlap_are_refused_with_depth_and_place() {
     let desk = Desk::new();
+    let text = fs::read_to_string(fixture("fixtures/scenes/manual/inclined_two_blocks.json"))
+        .expect("the fixture");
+    // Both blocks sink into the plane by 0.25 m.
+    let text = text
+        .replace("[ 2, 2, 2 ]", "[ 2, 2, 1.75 ]")
+        .replace("[ 12, 2, 2 ]", "[ 12, 2, 1.75 ]");
+    let scene = desk.scene("scene.json", &serde_json::from_str(&text).expect("JSON"));
     let output = desk.run(&scene, "out", &[]);
     assert_eq!(code(&output), 2);
-    assert!(stderr(&output).contains("contact is not built yet"));
+    let message = stderr(&output);
+    assert_eq!(
+        message.matches("overlap by 0.25 m at").count(),
+        2,
+        "{message}"
+    );
+    assert!(
+        message.contains("contact[0]") && message.contains("contact[1]"),
+        "{message}"
+    );
     assert!(!desk.path("out").exists());
 }
 

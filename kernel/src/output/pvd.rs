@@ -3,12 +3,15 @@
 use std::fmt::Write as _;
 use std::fs;
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::vtu::{self, Compression, Frame, escape, unescape};
 use super::{OutputError, OutputFolder, atomic};
 
-/// Name of the list in the output folder.
+/// Beginning of the names of the files that hold particles.
+const PARTICLES: &str = "particles";
+
+/// Name of the list of particle frames in the output folder.
 pub const LIST: &str = "particles.pvd";
 
 /// One frame in the list.
@@ -24,6 +27,7 @@ pub struct Entry {
 #[derive(Debug)]
 pub struct Series {
     folder: OutputFolder,
+    stem: &'static str,
     compression: Compression,
     entries: Vec<Entry>,
 }
@@ -35,8 +39,21 @@ impl Series {
     /// # Errors
     /// [`OutputError::Write`].
     pub fn create(folder: OutputFolder, compression: Compression) -> Result<Self, OutputError> {
+        Self::create_named(folder, PARTICLES, compression)
+    }
+
+    /// As [`Series::create`], with another word than `particles` at the beginning of the names of its files.
+    ///
+    /// # Errors
+    /// [`OutputError::Write`].
+    pub fn create_named(
+        folder: OutputFolder,
+        stem: &'static str,
+        compression: Compression,
+    ) -> Result<Self, OutputError> {
         let series = Self {
             folder,
+            stem,
             compression,
             entries: Vec::new(),
         };
@@ -55,10 +72,24 @@ impl Series {
         compression: Compression,
         restart_time: f64,
     ) -> Result<Self, OutputError> {
-        let mut entries = read_list(&folder)?;
+        Self::resume_named(folder, PARTICLES, compression, restart_time)
+    }
+
+    /// As [`Series::resume`], for a series that [`Series::create_named`] began.
+    ///
+    /// # Errors
+    /// As [`Series::resume`].
+    pub fn resume_named(
+        folder: OutputFolder,
+        stem: &'static str,
+        compression: Compression,
+        restart_time: f64,
+    ) -> Result<Self, OutputError> {
+        let mut entries = read_list(&folder.file(&list_name(stem)))?;
         entries.retain(|entry| entry.time <= restart_time);
         let series = Self {
             folder,
+            stem,
             compression,
             entries,
         };
@@ -81,7 +112,7 @@ impl Series {
                 last: Some(last),
             });
         }
-        let file = frame_name(self.next_number());
+        let file = name_of(self.stem, self.next_number());
         let path = self.folder.file(&file);
         vtu::write(&path, frame, self.compression)?;
         self.entries.push(Entry {
@@ -109,14 +140,14 @@ impl Series {
     }
 
     fn list_path(&self) -> PathBuf {
-        self.folder.file(LIST)
+        self.folder.file(&list_name(self.stem))
     }
 
     /// One more than the number in the last file name: after a restart no listed file is ever replaced.
     fn next_number(&self) -> u64 {
         self.entries
             .iter()
-            .filter_map(|entry| frame_number(&entry.file))
+            .filter_map(|entry| frame_number(self.stem, &entry.file))
             .max()
             .map_or(0, |number| number + 1)
     }
@@ -143,27 +174,35 @@ impl Series {
 /// File name of the frame with this number: `particles_000000.vtu`, and more digits when six are not enough.
 #[must_use]
 pub fn frame_name(number: u64) -> String {
-    format!("particles_{number:06}.vtu")
+    name_of(PARTICLES, number)
 }
 
-fn frame_number(file: &str) -> Option<u64> {
-    file.strip_prefix("particles_")?
+fn name_of(stem: &str, number: u64) -> String {
+    format!("{stem}_{number:06}.vtu")
+}
+
+fn list_name(stem: &str) -> String {
+    format!("{stem}.pvd")
+}
+
+fn frame_number(stem: &str, file: &str) -> Option<u64> {
+    file.strip_prefix(stem)?
+        .strip_prefix('_')?
         .strip_suffix(".vtu")?
         .parse()
         .ok()
 }
 
 /// Reads the list as [`Series`] writes it, one frame a line; empty where there is none.
-fn read_list(folder: &OutputFolder) -> Result<Vec<Entry>, OutputError> {
-    let path = folder.file(LIST);
-    let text = match fs::read_to_string(&path) {
+fn read_list(path: &Path) -> Result<Vec<Entry>, OutputError> {
+    let text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
-        Err(error) => return Err(OutputError::read(&path, error)),
+        Err(error) => return Err(OutputError::read(path, error)),
     };
     if !text.contains("type=\"Collection\"") {
         return Err(OutputError::malformed(
-            &path,
+            path,
             1,
             "this is no list of frames (VTK collection)",
         ));
@@ -173,7 +212,7 @@ fn read_list(folder: &OutputFolder) -> Result<Vec<Entry>, OutputError> {
         let Some(attributes) = line.trim_start().strip_prefix("<DataSet ") else {
             continue;
         };
-        let malformed = |reason: &str| OutputError::malformed(&path, index + 1, reason);
+        let malformed = |reason: &str| OutputError::malformed(path, index + 1, reason);
         let time = attribute(attributes, "timestep").and_then(|text| text.parse().ok());
         let time: f64 = time
             .filter(|time: &f64| time.is_finite())

@@ -1,16 +1,21 @@
 //! The state of a simulation as frames, history rows and checkpoints.
 
-use super::{RunError, state};
+use super::{RunError, grid, state};
 use crate::output::checkpoint::CHECKPOINT;
 use crate::output::{Array, ArrayData, Compression, Frame, HistoryWriter, OutputFolder, Series};
 use crate::particles::ParticleSet;
 use crate::scene::Field;
 use crate::simulation::Simulation;
 
+/// Beginning of the names of the files that hold nodes.
+const GRID: &str = "grid";
+
 /// The growing files of a run.
 pub(super) struct Files {
     folder: OutputFolder,
     series: Option<Series>,
+    /// Frames of the nodes, where the scene asks for nodal fields.
+    grid: Option<Series>,
     history: Option<HistoryWriter>,
     probes: Vec<ProbedParticle>,
 }
@@ -32,6 +37,7 @@ impl Files {
         let mut files = Self {
             folder,
             series: None,
+            grid: None,
             history: None,
             probes: probed(simulation),
         };
@@ -49,6 +55,14 @@ impl Files {
                 files.series = Some(Series::create(files.folder.clone(), Compression::None)?);
                 files.history = Some(HistoryWriter::create(&files.folder, &columns)?);
             }
+            if !simulation.scene().results.nodal_fields.is_empty() {
+                let folder = files.folder.clone();
+                files.grid = Some(if resume {
+                    Series::resume_named(folder, GRID, Compression::None, time)?
+                } else {
+                    Series::create_named(folder, GRID, Compression::None)?
+                });
+            }
         }
         Ok(files)
     }
@@ -65,6 +79,12 @@ impl Files {
             && series.last_time().is_none_or(|last| last < time)
         {
             series.write_frame(&frame(simulation))?;
+        }
+        if let Some(grid) = &mut self.grid
+            && grid.last_time().is_none_or(|last| last < time)
+            && let Some(frame) = grid::frame(simulation)
+        {
+            grid.write_frame(&frame)?;
         }
         if let Some(history) = &mut self.history
             && history.last_time().is_none_or(|last| last < time)
@@ -87,6 +107,9 @@ impl Files {
             names.push(format!("body{body}_mass"));
             names.extend(letters.iter().map(|l| format!("body{body}_{l}")));
             names.extend(letters.iter().map(|l| format!("body{body}_v{l}")));
+            if simulation.has_contact(set) {
+                names.extend(letters.iter().map(|l| format!("body{body}_contact_f{l}")));
+            }
         }
         for probe in &self.probes {
             names.extend(letters.iter().map(|l| format!("{}_u{l}", probe.name)));
@@ -111,6 +134,9 @@ impl Files {
             row.push(mass);
             row.extend_from_slice(&x[..axes]);
             row.extend_from_slice(&v[..axes]);
+            if simulation.has_contact(set) {
+                row.extend_from_slice(&simulation.contact_force(set)[..axes]);
+            }
         }
         for probe in &self.probes {
             let set = &simulation.sets()[probe.set];

@@ -6,13 +6,14 @@
 //! let mut run = Run::start(&scene, &options, Some(folder), None)?;
 //! while let Some(stop) = run.next_stop() {
 //!     run.advance(stop, |_| Go::On)?;   // steps
-//!     run.write()?;                     // frame, history row, checkpoint
+//!     run.write()?;                     // frames, history row, checkpoint
 //! }
 //! run.summary()
 //! ```
 
 mod error;
 mod files;
+mod grid;
 mod state;
 
 pub use error::RunError;

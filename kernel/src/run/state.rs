@@ -16,6 +16,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
         results: Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         },
         probes: vec![],
@@ -82,6 +83,13 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         for (c, column) in set.columns.iter().enumerate() {
             checkpoint.push::<f64>(format!("set{i}/column{c}"), column.clone());
         }
+    }
+    let contact = &simulation.contact;
+    if !contact.pairs.is_empty() {
+        let near = contact.near.iter().map(|&near| u64::from(near)).collect();
+        checkpoint.push::<u64>("contact/near", near);
+        let forces = contact.forces.as_flattened().to_vec();
+        checkpoint.push::<f64>("contact/forces", forces);
     }
     save_events(simulation, &mut checkpoint);
     checkpoint
@@ -185,6 +193,13 @@ pub(super) fn restore(
     simulation
         .field
         .resume(&simulation.sets, simulation.stencil, simulation.threads);
+    let pairs = simulation.contact.pairs.len();
+    if pairs > 0 {
+        let near = checkpoint.array::<u64>("contact/near", pairs)?;
+        let forces = checkpoint.array::<f64>("contact/forces", 3 * pairs)?;
+        simulation.set_near_pairs(near.iter().map(|&near| near != 0).collect());
+        simulation.contact.forces = forces.as_chunks().0.to_vec();
+    }
     Ok(())
 }
 

@@ -8,6 +8,7 @@
 
 mod body;
 mod check;
+mod contact;
 mod error;
 mod load;
 mod material;
@@ -19,6 +20,7 @@ pub mod record;
 mod results;
 
 pub use body::{Body, ParticleSeed, Shape};
+pub use contact::{Contact, ContactNormal};
 pub use error::{Location, Problem, SceneError};
 pub use load::{BaseMotion, BoxLoad, History, Motion, PointLoad, Traction};
 pub use material::{Law, Material, ObjectiveRate};
@@ -28,7 +30,7 @@ pub use method::{
 };
 #[cfg(feature = "json")]
 pub use raw::{from_json, read, schema};
-pub use results::{Field, Outside, Probe, Results};
+pub use results::{Field, NodalField, Outside, Probe, Results};
 
 /// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.
 pub type Vector = [f64; 3];
@@ -88,6 +90,12 @@ pub struct Scene {
     pub tractions: Vec<Traction>,
     /// Total forces spread over the particles that lie in a box at the start, and move with them.
     pub box_loads: Vec<BoxLoad>,
+    /// Pairs of bodies in contact.
+    pub contacts: Vec<Contact>,
+    /// Factor lambda of the real-distance correction: contact acts where the surfaces of the particles of a pair are
+    /// closer than lambda cells (contact manual, section 1.2). 0 switches the correction off. `None`: the sum of the
+    /// half-lengths of the particles of both bodies, which is the manual's 0.5 with two particles per cell and axis.
+    pub contact_distance: Option<f64>,
     /// What happens to a particle that leaves the mesh.
     pub outside: Outside,
     /// What is written, and how often.
@@ -123,6 +131,8 @@ impl Scene {
             point_loads: Vec::new(),
             tractions: Vec::new(),
             box_loads: Vec::new(),
+            contacts: Vec::new(),
+            contact_distance: None,
             outside: Outside::Stop,
             results: Results::default(),
             probes: Vec::new(),

@@ -19,6 +19,8 @@ pub struct Results {
     pub print: usize,
     /// Particle fields in the frames.
     pub fields: Vec<Field>,
+    /// Nodal fields in the grid frames; none: no grid frames.
+    pub nodal_fields: Vec<NodalField>,
     /// Write a checkpoint with each frame (the last one is kept).
     pub checkpoint: bool,
 }
@@ -54,6 +56,34 @@ pub enum Field {
     ExternalForce,
 }
 
+/// A nodal field that grid frames can hold. A node has one point for each velocity field that has mass there: one for
+/// all bodies that are not near a partner of contact, and one for each body that is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NodalField {
+    /// Mass \[kg\].
+    Mass,
+    /// Velocity half a step before the time of the frame \[m/s\].
+    Velocity,
+    /// Body identifier, of the velocity fields that belong to one body; the smallest integer for the common field.
+    Body,
+    /// Contact force on the body \[N\].
+    ContactForce,
+    /// Distance to the nearest partner less the distance at which contact acts \[m\]; not a number where no partner
+    /// is near.
+    ContactGap,
+}
+
+impl NodalField {
+    /// Every field, in the order in which frames hold them.
+    pub const ALL: [Self; 5] = [
+        Self::Mass,
+        Self::Velocity,
+        Self::Body,
+        Self::ContactForce,
+        Self::ContactGap,
+    ];
+}
+
 /// A particle whose state is written to `history.csv`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
@@ -69,6 +99,7 @@ impl Default for Results {
         Self {
             print: 10,
             fields: vec![Field::Id, Field::Displacement],
+            nodal_fields: vec![],
             checkpoint: true,
         }
     }

@@ -15,10 +15,12 @@ pub(super) struct Acting {
     pub(super) walls: Vec<Wall>,
     pub(super) driven: Vec<DrivenNode>,
     pub(super) kick: f64,
+    /// Half a step before and half a step after \[s\].
+    pub(super) half_steps: [f64; 2],
 }
 
 impl Simulation {
-    /// Walls with their velocities at the two half-steps, and the nodes of driven bodies.
+    /// Walls with their velocities at the two half-steps, and the nodes of driven bodies in the common field.
     pub(super) fn acting(&self, info: &StepInfo) -> Acting {
         let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * info.dt);
         let mut walls = vec![];
@@ -54,7 +56,7 @@ impl Simulation {
         }
         let mut driven = vec![];
         for (set, body) in self.sets.iter().zip(&self.bodies) {
-            if let Some(motion) = &body.motion {
+            if let (Some(motion), false) = (&body.motion, body.in_layer) {
                 let (before, after) = (history_value(motion, before), history_value(motion, after));
                 let nodes = nodes_of(set, body, &self.field.shape, self.stencil);
                 driven.extend(nodes.into_iter().map(|node| DrivenNode {
@@ -70,6 +72,7 @@ impl Simulation {
             walls,
             driven,
             kick: 0.5 * (self.clock.dt_before + info.dt),
+            half_steps: [before, after],
         }
     }
 

@@ -56,6 +56,8 @@ pub struct StepInfo {
     pub bound: Bound,
     /// Kinetic energy at the nodes \[J\] and norm of the unbalanced nodal forces \[N\], where measured.
     pub measured: Option<(f64, f64)>,
+    /// Number of nodes at which a contact force acts.
+    pub contact_nodes: usize,
 }
 
 /// Largest stable C = (c + |v|) dt / min(h) of a scheme, weighting function and transfer.
@@ -215,6 +217,7 @@ impl Simulation {
             dt_critical,
             bound,
             measured: None,
+            contact_nodes: 0,
         })
     }
 

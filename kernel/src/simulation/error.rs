@@ -30,6 +30,28 @@ pub enum SetupError {
     },
     /// The thread pool could not be made.
     Threads(String),
+    /// Pairs of contact whose bodies overlap at the start.
+    Overlap(Vec<Overlapping>),
+    /// A change between two stages that cannot be made.
+    Change {
+        /// What was to be changed.
+        what: String,
+        /// Why it cannot.
+        reason: String,
+    },
+}
+
+/// Two bodies in contact that overlap at the start.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Overlapping {
+    /// Name of the contact, as a path into the scene.
+    pub contact: String,
+    /// Identifiers of master and slave.
+    pub bodies: [i64; 2],
+    /// Depth \[m\].
+    pub depth: f64,
+    /// Where it is deepest \[m\].
+    pub position: [f64; 3],
 }
 
 /// A time step above the critical one.
@@ -65,6 +87,27 @@ impl fmt::Display for SetupError {
             Self::Load { path, reason } => write!(f, "{path}: {reason}"),
             Self::TooLarge { what } => write!(f, "{what}"),
             Self::Threads(reason) => write!(f, "threads: {reason}"),
+            Self::Overlap(all) => {
+                for (
+                    i,
+                    Overlapping {
+                        contact,
+                        bodies: [master, slave],
+                        depth,
+                        position,
+                    },
+                ) in all.iter().enumerate()
+                {
+                    let line = if i > 0 { "\n" } else { "" };
+                    write!(
+                        f,
+                        "{line}{contact}: the bodies {master} and {slave} overlap by {depth} m at {position:?} m; \
+                         accepted: bodies that touch at most"
+                    )?;
+                }
+                Ok(())
+            }
+            Self::Change { what, reason } => write!(f, "{what}: {reason}"),
         }
     }
 }
@@ -97,6 +140,17 @@ pub enum StepErrorKind {
     LoadOnEmptyNode {
         /// Position of the node \[m\].
         position: [f64; 3],
+    },
+    /// Two bodies of a contact approach each other in one step by more than the distance at which they touch.
+    Tunnelling {
+        /// Identifiers of master and slave.
+        bodies: [i64; 2],
+        /// Position of the node \[m\]; `None` where they move too fast to be compared node by node.
+        position: Option<[f64; 3]>,
+        /// Approach in the step \[m\].
+        approach: f64,
+        /// Distance at which they touch, or without a position one cell \[m\].
+        distance: f64,
     },
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
@@ -150,6 +204,20 @@ impl fmt::Display for StepError {
                 write!(
                     f,
                     "a nodal load acts at ({x}, {y}, {z}) m, where no particle reaches"
+                )
+            }
+            StepErrorKind::Tunnelling {
+                bodies: [master, slave],
+                position,
+                approach,
+                distance,
+            } => {
+                let place =
+                    position.map_or_else(String::new, |[x, y, z]| format!(" at ({x}, {y}, {z}) m"));
+                write!(
+                    f,
+                    "bodies {master} and {slave} approach by {approach} m in one step{place}, more than the {distance} m \
+                     at which that is seen; accepted: a smaller time step"
                 )
             }
             StepErrorKind::DomainTooLarge { half_length } => write!(

@@ -1,6 +1,6 @@
 //! The grid as the cycle uses it: nodes, active rows, and slabs of planes that threads own.
 
-use crate::grid::{ActiveRows, GridShape, Nodes};
+use crate::grid::{ActiveRows, GridShape, Line, Nodes};
 #[cfg(feature = "frames")]
 use crate::particles::rows_of;
 use crate::particles::{ParticleSet, sort_sets};
@@ -93,21 +93,35 @@ impl Field {
     ) -> Vec<R> {
         let per_plane = self.shape.plane_nodes();
         let (shape, rows) = (&self.shape, &self.rows);
-        let mut rest = self.nodes.lines_mut();
-        let mut parts = Vec::with_capacity(self.slabs.len());
-        for slab in &self.slabs {
-            let (own, tail) = rest.split_at_mut(slab.len() * per_plane);
-            parts.push(Planes {
+        let parts: Vec<Planes<'_>> = split(&mut self.nodes, &self.slabs, per_plane)
+            .into_iter()
+            .zip(&self.slabs)
+            .map(|(nodes, slab)| Planes {
                 shape,
                 rows,
                 range: slab.clone(),
-                nodes: own,
-            });
-            rest = tail;
-        }
+                nodes,
+            })
+            .collect();
         match pool {
             Some(pool) => pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect()),
             None => parts.into_iter().map(act).collect(),
         }
     }
+}
+
+/// The nodes of each slab.
+pub fn split<'a>(
+    nodes: &'a mut Nodes,
+    slabs: &[Range<usize>],
+    per_plane: usize,
+) -> Vec<&'a mut [Line]> {
+    let mut rest = nodes.lines_mut();
+    let mut parts = Vec::with_capacity(slabs.len());
+    for slab in slabs {
+        let (own, tail) = rest.split_at_mut(slab.len() * per_plane);
+        parts.push(own);
+        rest = tail;
+    }
+    parts
 }

@@ -147,7 +147,7 @@ impl Simulation {
     }
 
     /// Sum of dead load times position: weight and box loads.
-    fn dead_load_potential(&self) -> f64 {
+    pub(super) fn dead_load_potential(&self) -> f64 {
         self.sum(|set, p| self.dead_load(set, p))
     }
 

@@ -1,22 +1,28 @@
 //! A scene in motion: state, explicit cycle, and what can be asked of it.
 
 mod acting;
+mod change;
 mod clock;
+mod contact;
 mod error;
 mod faults;
-mod field;
+pub(crate) mod field;
 mod history;
 mod loads;
 mod measure;
+mod nodes;
 mod passes;
 mod relaxation;
 mod setup;
 mod step;
 
 pub use clock::{Bound, StepInfo, stability_number};
-pub use error::{Event, EventKind, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
+pub use error::{
+    Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
+};
 pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
+pub use nodes::NodeValues;
 
 use crate::constitutive::Parameters;
 use crate::lanes::{LaneChoice, Selected};
@@ -92,6 +98,10 @@ pub(crate) struct BodyRun {
     /// Rate of viscous damping \[1/s\].
     pub(crate) viscous_rate: f64,
     pub(crate) found: Found,
+    /// Half-lengths of its particles at the start \[m\], the mean where they differ.
+    pub(crate) particle_half_length: Vector,
+    /// Whether it has a velocity field of its own, as of the last sort.
+    pub(crate) in_layer: bool,
 }
 
 /// A scene in motion.
@@ -104,6 +114,7 @@ pub struct Simulation {
     pub(crate) sets: Vec<ParticleSet>,
     pub(crate) bodies: Vec<BodyRun>,
     pub(crate) field: Field,
+    pub(crate) contact: crate::contact::State,
     /// Nodes per axis of the stencil, 3 or 4.
     pub(crate) stencil: usize,
     /// Largest travel in cells since the last sort.
@@ -259,24 +270,5 @@ impl Simulation {
             .map_or([0.0; 3], |first| particles.vector(first, p));
         let m = particles.columns[Layout::MASS][p];
         std::array::from_fn(|axis| m * self.scene.gravity[axis] + own[axis])
-    }
-
-    /// Number of nodes with mass after the last mapping.
-    #[must_use]
-    pub fn nodes_with_mass(&self) -> usize {
-        let (shape, lines) = (&self.field.shape, self.field.nodes.lines());
-        let mut count = 0;
-        for plane in 0..shape.nodes[0] {
-            for row in 0..shape.nodes[1] {
-                let first = shape.index([plane, row, 0]);
-                count += self
-                    .field
-                    .rows
-                    .span(plane, row)
-                    .filter(|k| lines[first + k][0] > 0.0)
-                    .count();
-            }
-        }
-        count
     }
 }

@@ -8,7 +8,7 @@ use crate::particles::ParticleSet;
 use crate::plan::Plan;
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
-use crate::stage::solve::{EmptyNode, Forces, PlaneSums, Planes, Wall};
+use crate::stage::solve::{DrivenNode, EmptyNode, Forces, PlaneSums, Planes, Wall};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -50,12 +50,21 @@ impl Simulation {
             }
             self.travel = 0.0;
             self.groups = Groups::default();
+            if !self.contact.pairs.is_empty() {
+                self.find_near_pairs();
+            }
         }
     }
 
-    /// Mass, momentum and force to the nodes, then the equation of motion.
-    pub(super) fn map_to_nodes(&mut self, acting: &Acting) -> Result<(), StepError> {
-        let mapping = free_bodies(
+    /// Mass, momentum and force to the nodes, then the equation of motion, then contact; the number of nodes where a
+    /// contact force acts.
+    pub(super) fn map_to_nodes(&mut self, acting: &Acting, dt: f64) -> Result<usize, StepError> {
+        if !self.contact.layers.is_empty() {
+            let (groups, touching) = self.map_to_layers(acting, dt)?;
+            self.groups.count(groups);
+            return Ok(touching);
+        }
+        let mapping = bodies_onto(
             &self.plan,
             &self.sets,
             &self.bodies,
@@ -75,40 +84,34 @@ impl Simulation {
             let groups = mapping.run(&mut planes);
             planes.fold(&acting.walls, true, true);
             planes.velocities();
-            planes.load(forces.loads)?;
-            planes.accelerate(&forces);
             let mut sums = vec![PlaneSums::default(); planes.range.len()];
-            planes.add_power_of_driven(&acting.driven, forces.kick, &mut sums);
-            planes.drive(&acting.driven, true);
-            planes.add_power_of_walls(&acting.walls, forces.kick, &mut sums);
-            planes.constrain(&acting.walls, true);
+            trial(&mut planes, acting, &acting.driven, &forces, &mut sums)?;
             planes.unfold(&acting.walls, true);
             planes.add_sums(&forces, measure, &mut sums);
-            Ok((sums, groups))
+            Ok(Sums { sums, groups })
         });
-        let mut total = PlaneSums::default();
-        let mut groups = 0;
+        let mut sums = vec![];
         for result in results {
-            let (sums, own_groups) = result.map_err(|EmptyNode(node)| {
-                let local = self.field.shape.position(node);
-                let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
-                self.error(StepErrorKind::LoadOnEmptyNode { position })
-            })?;
-            groups += own_groups;
-            for plane in sums {
-                total.power += plane.power;
-                total.kinetic += plane.kinetic;
-                total.unbalanced_squared += plane.unbalanced_squared;
-            }
+            sums.push(result.map_err(|EmptyNode(node)| self.load_on_empty_node(node))?);
         }
+        let Mapped { total, groups } = total(sums);
         self.ledger.sums = total;
         self.groups.count(groups);
-        Ok(())
+        Ok(0)
+    }
+
+    pub(super) fn load_on_empty_node(&self, node: usize) -> StepError {
+        let local = self.field.shape.position(node);
+        let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
+        self.error(StepErrorKind::LoadOnEmptyNode { position })
     }
 
     /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
     pub(super) fn remap(&mut self, acting: &Acting) {
-        let mapping = free_bodies(
+        if !self.contact.layers.is_empty() {
+            return self.remap_layers(acting);
+        }
+        let mapping = bodies_onto(
             &self.plan,
             &self.sets,
             &self.bodies,
@@ -129,7 +132,10 @@ impl Simulation {
 
     /// The mapping of USF: momentum at the new positions.
     pub(super) fn map_momentum(&mut self, acting: &Acting) {
-        let mapping = free_bodies(
+        if !self.contact.layers.is_empty() {
+            return self.map_momentum_to_layers(acting);
+        }
+        let mapping = bodies_onto(
             &self.plan,
             &self.sets,
             &self.bodies,
@@ -154,7 +160,7 @@ impl Simulation {
         let call = g2p::instance(self.plan.axes, self.stencil, &task);
         let mesh = &self.scene.mesh;
         let extent = std::array::from_fn(|axis| mesh.cells[axis] as f64 * mesh.cell[axis]);
-        let nodes = self.field.nodes.lines();
+        let common = self.field.nodes.lines();
         let lanes = self.lanes;
         let mut travel = 0.0_f64;
         let mut faults = vec![];
@@ -170,6 +176,7 @@ impl Simulation {
                 .collect();
             let layout = set.layout;
             let run = &*body;
+            let nodes = self.contact.layers.nodes_of(index).unwrap_or(common);
             let act = |mut columns: Vec<&mut [f64]>| {
                 call(
                     lanes,
@@ -223,7 +230,7 @@ impl Simulation {
 }
 
 /// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
-fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
+pub(super) fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
     walls
         .iter()
         .map(|wall| Wall {
@@ -233,28 +240,76 @@ fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
         .collect()
 }
 
+/// From mapped sums to trial velocities that keep to the walls and to driven bodies.
+pub(super) fn trial(
+    planes: &mut Planes<'_>,
+    acting: &Acting,
+    driven: &[DrivenNode],
+    forces: &Forces<'_>,
+    sums: &mut [PlaneSums],
+) -> Result<(), EmptyNode> {
+    planes.load(forces.loads)?;
+    planes.accelerate(forces);
+    planes.add_power_of_driven(driven, forces.kick, sums);
+    planes.drive(driven, true);
+    planes.add_power_of_walls(&acting.walls, forces.kick, sums);
+    planes.constrain(&acting.walls, true);
+    Ok(())
+}
+
+/// What a mapping onto one slab gave.
+pub(super) struct Sums {
+    /// Sums of each plane.
+    pub(super) sums: Vec<PlaneSums>,
+    /// Groups in the layers that the slab owns.
+    pub(super) groups: usize,
+}
+
+/// What a mapping onto all slabs gave.
+pub(super) struct Mapped {
+    pub(super) total: PlaneSums,
+    pub(super) groups: usize,
+}
+
+/// Adds up plane after plane, so that the slabs do not matter.
+pub(super) fn total(slabs: Vec<Sums>) -> Mapped {
+    let mut all = Mapped {
+        total: PlaneSums::default(),
+        groups: 0,
+    };
+    for slab in slabs {
+        all.groups += slab.groups;
+        for plane in slab.sums {
+            all.total.power += plane.power;
+            all.total.kinetic += plane.kinetic;
+            all.total.unbalanced_squared += plane.unbalanced_squared;
+        }
+    }
+    all
+}
+
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
-fn free_bodies<'a>(
+pub(super) fn bodies_onto<'a>(
     plan: &Plan,
     sets: &'a [ParticleSet],
     bodies: &'a [BodyRun],
     lanes: Selected,
     stencil: usize,
     carry: Carry,
-) -> FreeBodies<'a> {
-    let call = p2g::instance(plan.axes, stencil, plan.full_mapping, carry);
-    FreeBodies {
+) -> BodiesOnto<'a> {
+    let full = plan.full_mapping && carry != Carry::MassGradient;
+    BodiesOnto {
         sets,
         bodies,
         lanes,
         stencil,
         carry,
-        call,
+        call: p2g::instance(plan.axes, stencil, full, carry),
     }
 }
 
-/// A mapping of all bodies that are not driven onto one slab after the other.
-struct FreeBodies<'a> {
+/// A mapping of bodies onto one slab after the other.
+pub(super) struct BodiesOnto<'a> {
     sets: &'a [ParticleSet],
     bodies: &'a [BodyRun],
     lanes: Selected,
@@ -263,39 +318,57 @@ struct FreeBodies<'a> {
     call: P2gFn,
 }
 
-impl FreeBodies<'_> {
-    /// Maps onto the planes of a slab; returns the number of groups in the layers that the slab owns.
-    fn run(&self, planes: &mut Planes<'_>) -> usize {
+impl<'a> BodiesOnto<'a> {
+    /// The same bodies with another carry.
+    pub(super) fn with(&self, plan: &Plan, carry: Carry) -> BodiesOnto<'a> {
+        bodies_onto(
+            plan,
+            self.sets,
+            self.bodies,
+            self.lanes,
+            self.stencil,
+            carry,
+        )
+    }
+
+    /// Maps all bodies that are not driven and have no layer onto the planes of a slab; returns the number of groups in
+    /// the layers of particles that the slab owns.
+    pub(super) fn run(&self, planes: &mut Planes<'_>) -> usize {
         let mut groups = 0;
-        for (set, body) in self.sets.iter().zip(self.bodies) {
-            if body.motion.is_some() {
-                continue;
+        for (index, body) in self.bodies.iter().enumerate() {
+            if body.motion.is_none() && !body.in_layer {
+                groups += self.map(index, planes);
             }
-            // A particle may have left its layer by one cell since the last sort.
-            let first = planes.range.start.saturating_sub(self.stencil);
-            let last = (planes.range.end + 1).min(set.layers.len() - 1);
-            let layers = (first..last)
-                .map(|layer| {
-                    (
-                        set.in_layers(layer..layer + 1),
-                        planes.range.contains(&layer),
-                    )
-                })
-                .filter(|(particles, _)| !particles.is_empty());
-            groups += (self.call)(
-                self.lanes,
-                P2g {
-                    columns: &set.columns,
-                    layout: &set.layout,
-                    mapping: &body.mapping,
-                    layers: layers.collect(),
-                    planes: planes.range.clone(),
-                    nodes: planes.nodes,
-                    carry: self.carry,
-                    viscous_rate: body.viscous_rate,
-                },
-            );
         }
         groups
+    }
+
+    /// Maps one body.
+    pub(super) fn map(&self, index: usize, planes: &mut Planes<'_>) -> usize {
+        let (set, body) = (&self.sets[index], &self.bodies[index]);
+        // A particle may have left its layer by one cell since the last sort.
+        let first = planes.range.start.saturating_sub(self.stencil);
+        let last = (planes.range.end + 1).min(set.layers.len() - 1);
+        let layers = (first..last)
+            .map(|layer| {
+                (
+                    set.in_layers(layer..layer + 1),
+                    planes.range.contains(&layer),
+                )
+            })
+            .filter(|(particles, _)| !particles.is_empty());
+        (self.call)(
+            self.lanes,
+            P2g {
+                columns: &set.columns,
+                layout: &set.layout,
+                mapping: &body.mapping,
+                layers: layers.collect(),
+                planes: planes.range.clone(),
+                nodes: planes.nodes,
+                carry: self.carry,
+                viscous_rate: body.viscous_rate,
+            },
+        )
     }
 }

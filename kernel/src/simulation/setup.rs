@@ -8,6 +8,7 @@ use super::relaxation::Relaxation;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
 use crate::bodies::{HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
+use crate::contact::State;
 use crate::grid::GridShape;
 use crate::lanes::Selected;
 use crate::particles::{Layout, ParticleSet};
@@ -75,6 +76,7 @@ impl Simulation {
             .iter()
             .map(|b| b.found.half_length)
             .fold(0.0, f64::max);
+        let contact = State::new(scene, &bodies);
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
             base: scene
@@ -89,6 +91,7 @@ impl Simulation {
             sets,
             bodies,
             field: Field::new(shape),
+            contact,
             travel: f64::INFINITY,
             groups: Groups::default(),
             clock: Clock::default(),
@@ -102,6 +105,7 @@ impl Simulation {
         for set in &mut simulation.sets {
             set.sort_by_position();
         }
+        simulation.refuse_overlap()?;
         simulation.sort_if_stale();
         simulation.open_ledger();
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
@@ -206,12 +210,19 @@ fn fill_body(
             half_length: widest,
             fault: None,
         },
+        particle_half_length: match &filled.half_length {
+            HalfLength::Uniform(l) => *l,
+            HalfLength::PerParticle(l) => {
+                std::array::from_fn(|axis| l[axis].iter().sum::<f64>() / l[axis].len() as f64)
+            }
+        },
+        in_layer: false,
     };
     Ok((set, run))
 }
 
 /// Largest squared speed of a prescribed motion.
-fn fastest(body: &Body) -> f64 {
+pub(super) fn fastest(body: &Body) -> f64 {
     body.motion.as_ref().map_or(0.0, |motion| {
         motion
             .values

@@ -20,11 +20,12 @@ impl Simulation {
     /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error.
     pub fn step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
         let mut info = self.choose_time_step(stop)?;
+        self.refuse_leaps(info.dt)?;
         self.sort_if_stale();
         let acting = self.acting(&info);
         self.set_body_force();
 
-        self.map_to_nodes(&acting)?;
+        info.contact_nodes = self.map_to_nodes(&acting, info.dt)?;
         info.measured = self.measured();
         let relax = self.peak_of_kinetic_energy(&info);
         let drift = relax.unwrap_or(info.dt);
@@ -57,6 +58,12 @@ impl Simulation {
                     ..self.task(Some(drift), None)
                 })?;
                 self.sort_if_stale();
+                // A sort may give a driven body a layer, or take it.
+                let acting = if self.contact.pairs.is_empty() {
+                    acting
+                } else {
+                    self.acting(&info)
+                };
                 self.map_momentum(&acting);
                 let strain = Some((drift, Configuration::End));
                 self.interpolate(Task {

@@ -23,6 +23,9 @@ pub enum Carry {
     Force,
     /// Momentum to the upper lanes (the second mapping of MUSL).
     Remap,
+    /// Mass gradient sum m grad S to the upper lanes, for the normals of contact; mass and momentum to the lower ones.
+    /// Only without affine terms and forces (`full` false).
+    MassGradient,
 }
 
 /// One call: the particles of some layers of a set onto some planes.
@@ -55,7 +58,7 @@ pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
 #[must_use]
 pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn {
-    let gradient = full || matches!(carry, Carry::All | Carry::Force);
+    let gradient = full || matches!(carry, Carry::All | Carry::Force | Carry::MassGradient);
     match (axes, stencil, full, gradient) {
         (2, 3, false, true) => entry::<2, 3, false, true>,
         (2, 3, false, false) => entry::<2, 3, false, false>,
@@ -271,6 +274,10 @@ impl<const N: usize> Scratch<N> {
                             lines[0][4 + c] -= viscous_rate * m * columns[velocity + c][i];
                         }
                     }
+                }
+            } else if !FULL && carry == Carry::MassGradient {
+                for axis in 0..D {
+                    lines[Self::lean_line_of::<D>(axis)][4 + axis] = m * mapping.inverse_cell[axis];
                 }
             }
         }

@@ -29,7 +29,7 @@ impl Wall {
     }
 
     /// Storage indices along the direction of the normal: ghost, plane, mirror.
-    fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
+    pub(crate) fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
         if self.side == 0 {
             (GHOSTS_BELOW - 1, GHOSTS_BELOW, GHOSTS_BELOW + 1)
         } else {
@@ -119,7 +119,7 @@ impl Planes<'_> {
     }
 
     #[inline(always)]
-    fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
+    pub(crate) fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
         for plane in self.range.clone() {
             for row in 0..self.shape.nodes[1] {
                 let span = self.rows.span(plane, row);
@@ -451,7 +451,7 @@ impl Planes<'_> {
     /// Calls `act(nodes, a, b)` for every active pair of nodes in the layers `a` and `b` of the direction of
     /// an axis that lies in the owned planes.
     #[inline(always)]
-    fn for_pairs(
+    pub(crate) fn for_pairs(
         &mut self,
         axis: usize,
         a: usize,

@@ -119,10 +119,13 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         point_loads: vec![],
         tractions: vec![],
         box_loads: vec![],
+        contacts: vec![],
+        contact_distance: None,
         outside: Outside::Stop,
         results: Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         },
         probes: vec![],

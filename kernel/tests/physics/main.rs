@@ -4,6 +4,7 @@
 mod common;
 
 mod bar;
+mod contact;
 mod damping;
 mod dimension;
 mod faults;

@@ -5,6 +5,7 @@ mod common;
 
 mod bits;
 mod conservation;
+mod contact;
 mod mapping;
 mod motion;
 mod scaling;

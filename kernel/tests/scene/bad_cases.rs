@@ -181,14 +181,74 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
         r#""time": 1.0, "traction": [{"point_p1": [0, 0, 0], "point_p2": [1, 1, 1], "traction": [1, 0, 0]}]"#,
     ),
     (
-        "contact without a manager",
-        r#""time": 1.0"#,
-        r#""time": 1.0, "contact": [{"id": 1, "master_id": 1, "slave_id": 2}]"#,
+        "contact of unknown bodies",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": [{"id": 1, "friction": 0.2, "master_id": 1, "slave_id": 7}, {"id": 1, "friction": 0.2, "master_id": 8, "slave_id": 9}]"#,
+    ),
+    (
+        "contact of a body with itself",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": [{"friction": 0.2, "master_id": 9, "slave_id": 9}]"#,
+    ),
+    (
+        "contact twice, the other way round",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 9}, {"friction": 0.1, "master_id": 9, "slave_id": 1}]"#,
+    ),
+    (
+        "negative friction",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": {"floor": {"friction": -0.2, "master_id": 1, "slave_id": 9}}"#,
+    ),
+    (
+        "contact that lacks everything",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": [{}]"#,
+    ),
+    (
+        "unknown normal",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 9, "normal_type": "colinear"}]"#,
+    ),
+    (
+        "mortar contact",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 9, "method": "mortar"}]"#,
+    ),
+    (
+        "bodies in contact that overlap",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.25, 1.25, 1.25], "radius": 0.6}
+  ], "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 9}]"#,
+    ),
+    (
+        "contact without bodies",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": true"#,
+    ),
+    (
+        "negative contact distance",
+        "[1, 1, 1]}\n  ]",
+        r#"[1, 1, 1]}, {"type": "sphere", "id": 9, "material_id": 1, "center": [1.5, 1.5, 1.5], "radius": 0.4}
+  ], "contact": [], "contact_manager": {"active": true, "real_distance_correction_coefficient": -0.5}"#,
     ),
     (
         "terrain contact",
         r#""time": 1.0"#,
         r#""time": 1.0, "terrain_contact": {"active": true}"#,
+    ),
+    (
+        "unknown nodal field",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "results": {"grid_nodal_results": ["contact_gaps"]}"#,
     ),
     (
         "two phases",

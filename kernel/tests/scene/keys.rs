@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use proctor_kernel::scene::{
-    Damping, Dimension, DomainUpdate, Field, Law, Motion, ObjectiveRate, Outside, PlaneCondition,
-    Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Weighting, from_json, schema,
+    ContactNormal, Damping, Dimension, DomainUpdate, Field, Law, Motion, NodalField, ObjectiveRate,
+    Outside, PlaneCondition, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
+    Weighting, from_json, schema,
 };
 
 fn parse(text: &str) -> Scene {
@@ -166,8 +167,41 @@ fn loads_results_and_probes() {
     // What is switched off is not read.
     let off = with(r#""earthquake": {"active": false, "file": "nowhere.csv"},"#);
     assert!(off.base_motion.is_none());
-    let no_contact = with(r#""contact": [], "terrain_contact": {"active": false},"#);
-    assert!(no_contact.point_loads.is_empty());
+    let no_contact = with(
+        r#""contact": [{"friction": 1, "master_id": 1, "slave_id": 2}], "contact_manager": {"active": false},
+        "terrain_contact": {"active": false},"#,
+    );
+    assert!(no_contact.contacts.is_empty());
+}
+
+/// Contacts as a list or by name; ids are any integers, and what is not given has its default.
+#[test]
+fn contacts_and_their_defaults() {
+    let text = |contact: &str| {
+        format!(
+            r#"{{"dimension": 2, "time": 1, "mesh": {{"cells_dimension": [1, 1], "cells_number": [4, 4]}},
+            "material": [{{"type": "elastic", "id": 0, "young": 1, "poisson": 0, "density": 1}}],
+            "results": {{"grid_nodal_results": ["contact_gap", "mass", "mass"]}},
+            "body": [{{"type": "cuboid", "id": -3, "material_id": 0, "point_p1": [0, 0], "point_p2": [1, 1]}},
+                     {{"type": "cuboid", "id": 40, "material_id": 0, "point_p1": [1, 0], "point_p2": [2, 1]}}],
+            "contact": {contact}}}"#
+        )
+    };
+    let entry = r#"{"friction": 0.25, "master_id": 40, "slave_id": -3, "method": "grid"}"#;
+    for contact in [format!("[{entry}]"), format!(r#"{{"sides": {entry}}}"#)] {
+        let scene = parse(&text(&contact));
+        let [contact] = scene.contacts.as_slice() else {
+            panic!("one contact")
+        };
+        assert_eq!((contact.id, contact.master, contact.slave), (1, 40, -3));
+        assert_eq!(contact.friction, 0.25);
+        assert_eq!(contact.normal, ContactNormal::Collinear);
+        assert_eq!(scene.contact_distance, None);
+        assert_eq!(
+            scene.results.nodal_fields,
+            [NodalField::ContactGap, NodalField::Mass]
+        );
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use proctor_kernel::scene::record::{self, Harmonic};
 use proctor_kernel::scene::{
-    Damping, Dimension, Field, Law, Motion, ObjectiveRate, PlaneCondition, Scene, SceneError,
+    ContactNormal, Damping, Dimension, Field, Law, Motion, ObjectiveRate, PlaneCondition, Scene,
     Shape, StressScheme, TimeStep, TransferKind, Weighting, read,
 };
 
@@ -158,26 +158,21 @@ fn the_record_of_the_manual_is_its_formula() {
     assert!(text == stored, "the fixture is not the formula");
 }
 
-fn refused(name: &str) -> SceneError {
-    read(&file(name)).expect_err("contact is not built")
-}
-
 #[test]
-fn contact_is_refused_by_name_and_nothing_else_is_wrong() {
-    for (name, line) in [
-        ("inclined_block.json", 60),
-        ("inclined_two_blocks.json", 67),
-    ] {
-        let error = refused(name);
-        assert_eq!(error.problems.len(), 1, "{error}");
-        let problem = &error.problems[0];
-        assert_eq!(problem.path, "contact_manager.active");
-        assert!(
-            problem.found.contains("contact is not built yet"),
-            "{error}"
-        );
-        assert_eq!(problem.location.as_ref().map(|at| at.line), Some(line));
-    }
+fn the_inclined_blocks_are_in_contact_as_printed() {
+    let one = scene("inclined_block.json");
+    let [contact] = one.contacts.as_slice() else {
+        panic!("one contact, not {:?}", one.contacts)
+    };
+    assert_eq!((contact.id, contact.master, contact.slave), (1, 1, 2));
+    assert_eq!(contact.friction, 0.5);
+    assert_eq!(contact.normal, ContactNormal::Master);
+    assert_eq!(one.contact_distance, Some(0.5));
+    let two = scene("inclined_two_blocks.json");
+    let frictions: Vec<f64> = two.contacts.iter().map(|c| c.friction).collect();
+    assert_eq!(frictions, [0.2, 0.0]);
+    // The manual's default of 0.5 is the distance of two particles per cell and axis.
+    assert_eq!(two.contact_distance, None);
 }
 
 #[test]
@@ -187,6 +182,7 @@ fn without_contact_the_inclined_plane_is_a_scene() {
     let scene = proctor_kernel::scene::from_json(&text, "plane.json", &file(""))
         .unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scene.bodies.len(), 3);
+    assert!(scene.contacts.is_empty());
     assert_eq!(
         scene.bodies.iter().map(|b| b.material).collect::<Vec<_>>(),
         [0, 1, 1]

@@ -4,6 +4,7 @@
 
 mod body;
 mod collector;
+mod contact;
 mod load;
 mod polygon;
 
@@ -25,6 +26,7 @@ impl Scene {
         self.check_materials(&mut problems);
         body::check(self, mesh_is_sound, &mut problems);
         load::check(self, mesh_is_sound, &mut problems);
+        contact::check(self, &mut problems);
         self.check_results(&mut problems);
         SceneError::unless_empty(problems.found)
     }

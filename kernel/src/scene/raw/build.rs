@@ -4,7 +4,6 @@
 use std::path::Path;
 
 use super::keys::RawScene;
-use super::lists::Contacts;
 use super::words::{Words, listed, meaning, nearest};
 use crate::scene::{Dimension, Problem, Scene, SceneError, Vector};
 
@@ -56,10 +55,11 @@ impl<'a> Build<'a> {
         scene.materials = self.materials(raw);
         scene.bodies = self.bodies(raw, &scene.materials);
         self.loads(raw, &mut scene);
+        self.contacts(raw, &mut scene);
         scene
     }
 
-    /// Contact and a second phase are part of the manuals' language, so they are refused by name rather than as
+    /// Contact with a terrain and a second phase are part of the manuals' language, so they are refused by name rather than as
     /// unknown keys, and only where they would act.
     fn refuse_what_is_not_built(&mut self, raw: &RawScene) {
         if let Some(phases) = raw.n_phases.filter(|n| *n != 1) {
@@ -69,28 +69,11 @@ impl<'a> Build<'a> {
                 "1",
             );
         }
-        let switch = raw
-            .contact_manager
-            .as_ref()
-            .and_then(|manager| manager.active);
-        let path = match (&raw.contact, switch) {
-            (_, Some(false)) | (None | Some(Contacts::Switch(false)), None) => None,
-            (Some(Contacts::List(list)), None) if list.is_empty() => None,
-            (_, Some(true)) => Some("contact_manager.active"),
-            (Some(_), None) => Some("contact"),
-        };
-        if let Some(path) = path {
-            self.add(
-                path,
-                "contact between bodies, and contact is not built yet",
-                "no `contact`, or `contact_manager.active` false",
-            );
-        }
         let terrain = raw.terrain_contact.as_ref();
         if terrain.is_some_and(|terrain| terrain.active == Some(true)) {
             self.add(
                 "terrain_contact.active",
-                "contact with a terrain, and contact is not built yet",
+                "contact with a terrain, which is not built yet",
                 "no `terrain_contact`, or `terrain_contact.active` false",
             );
         }

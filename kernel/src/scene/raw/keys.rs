@@ -107,6 +107,8 @@ pub(super) struct RawResults {
     pub fields: Option<Vec<String>>,
     /// Another spelling of `fields`.
     pub material_point_results: Option<Vec<String>>,
+    /// Nodal fields in the grid frames, `all` or `none`. Default: none, and then there are no grid frames.
+    pub grid_nodal_results: Option<Vec<String>>,
     /// Write a checkpoint with each frame. Default: true.
     pub checkpoint: Option<bool>,
 }
@@ -292,12 +294,8 @@ pub(super) struct RawProbe {
     deny_unknown_fields,
     expecting = "an object with the keys of a contact"
 )]
-#[expect(
-    dead_code,
-    reason = "read so that the manuals' inputs are understood, and refused by name"
-)]
 pub(super) struct RawContact {
-    /// Identifier.
+    /// Identifier. Default: the place in the list, from 1.
     pub id: Option<i64>,
     /// Coefficient of friction.
     pub friction: Option<f64>,
@@ -305,8 +303,12 @@ pub(super) struct RawContact {
     pub master_id: Option<i64>,
     /// Identifier of the slave body.
     pub slave_id: Option<i64>,
-    /// How the normal is found.
+    /// How the normal is found. Default: collinear.
+    #[schemars(extend("enum" = ["master", "slave", "collinear"]))]
     pub normal_type: Option<String>,
+    /// Method of contact. Default: grid, the only one that is built.
+    #[schemars(extend("enum" = ["grid"]))]
+    pub method: Option<String>,
 }
 
 /// Settings of all contacts.
@@ -316,10 +318,10 @@ pub(super) struct RawContact {
     expecting = "an object with the keys of a contact manager"
 )]
 pub(super) struct RawContactManager {
-    /// Whether contacts act.
+    /// Whether contacts act. Default: true where there are any.
     pub active: Option<bool>,
-    /// Factor lambda on the cell size in the distance correction.
-    #[expect(dead_code, reason = "as for a contact")]
+    /// Factor lambda on the cell size in the real-distance correction; 0 for none. Default: the sum of the
+    /// half-lengths of the particles, in cells: 0.5, as in the manual, with two particles per cell and axis.
     pub real_distance_correction_coefficient: Option<f64>,
 }
 
@@ -329,7 +331,10 @@ pub(super) struct RawContactManager {
     deny_unknown_fields,
     expecting = "an object with the keys of a terrain contact"
 )]
-#[expect(dead_code, reason = "as for a contact")]
+#[expect(
+    dead_code,
+    reason = "read so that the manuals' inputs are understood, and refused by name"
+)]
 pub(super) struct RawTerrainContact {
     /// Whether it acts. Default: false, as in the manuals' program.
     pub active: Option<bool>,

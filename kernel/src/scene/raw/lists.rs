@@ -225,11 +225,11 @@ impl JsonSchema for VectorOrTable {
     }
 }
 
-/// Contacts as a list, or the switch that an older form of the language has in its place.
+/// Contacts as a list or by name, or the switch that an older form of the language has in its place.
 #[derive(Debug)]
 pub(super) enum Contacts {
     Switch(bool),
-    List(Vec<RawContact>),
+    List(Entries<RawContact>),
 }
 
 struct ContactsVisitor;
@@ -238,19 +238,23 @@ impl<'de> Visitor<'de> for ContactsVisitor {
     type Value = Contacts;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list of contacts, true or false")
+        f.write_str("a list or an object of named contacts")
     }
 
     fn visit_bool<E: Error>(self, value: bool) -> Result<Contacts, E> {
         Ok(Contacts::Switch(value))
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Contacts, A::Error> {
-        let mut contacts = Vec::new();
-        while let Some(contact) = list.next_element()? {
-            contacts.push(contact);
-        }
-        Ok(Contacts::List(contacts))
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Contacts, A::Error> {
+        EntriesVisitor(PhantomData)
+            .visit_seq(list)
+            .map(Contacts::List)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Contacts, A::Error> {
+        EntriesVisitor(PhantomData)
+            .visit_map(map)
+            .map(Contacts::List)
     }
 }
 
@@ -266,7 +270,7 @@ impl JsonSchema for Contacts {
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let contact = generator.subschema_for::<RawContact>();
-        json_schema!({ "anyOf": [{ "type": "boolean" }, { "type": "array", "items": contact }] })
+        let list = generator.subschema_for::<Entries<RawContact>>();
+        json_schema!({ "anyOf": [{ "type": "boolean" }, list] })
     }
 }

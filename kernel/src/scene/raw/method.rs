@@ -3,8 +3,8 @@
 use super::build::Build;
 use super::keys::{RawDamping, RawScene};
 use super::words::{
-    DAMPINGS, DOMAIN_UPDATES, DampingKind, FIELDS, OUTSIDES, SCHEMES, SHAPE_FUNCTIONS,
-    ShapeFunction, TRANSFERS,
+    DAMPINGS, DOMAIN_UPDATES, DampingKind, FIELDS, NODAL_FIELDS, OUTSIDES, SCHEMES,
+    SHAPE_FUNCTIONS, ShapeFunction, TRANSFERS,
 };
 use crate::scene::{Damping, DomainUpdate, Probe, Scene, TimeStep, Transfer, Weighting};
 
@@ -179,6 +179,18 @@ impl Build<'_> {
                             scene.results.fields.push(*field);
                         }
                     }
+                }
+            }
+        }
+        let nodal = raw
+            .results
+            .as_ref()
+            .and_then(|r| r.grid_nodal_results.as_ref());
+        for (i, word) in nodal.into_iter().flatten().enumerate() {
+            let path = format!("results.grid_nodal_results[{i}]");
+            for field in self.word(&path, word, NODAL_FIELDS).unwrap_or_default() {
+                if !scene.results.nodal_fields.contains(field) {
+                    scene.results.nodal_fields.push(*field);
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod build;
+mod contact;
 mod keys;
 mod lists;
 mod loads;

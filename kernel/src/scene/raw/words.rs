@@ -1,8 +1,8 @@
 //! Words of the scene language, and the nearest known one to a word that is not.
 
 use crate::scene::{
-    Dimension, DomainUpdate, Field, ObjectiveRate, Outside, PlaneCondition, StressScheme,
-    TransferKind,
+    ContactNormal, Dimension, DomainUpdate, Field, NodalField, ObjectiveRate, Outside,
+    PlaneCondition, StressScheme, TransferKind,
 };
 
 /// A word and what it means.
@@ -167,6 +167,35 @@ pub(super) const FIELDS: Words<&[Field]> = &[
     ("external_force", &[Field::ExternalForce]),
     ("all", &Field::ALL),
     ("none", &[]),
+];
+
+/// Fields of grid frames.
+pub(super) const NODAL_FIELDS: Words<&[NodalField]> = &[
+    ("mass", &[NodalField::Mass]),
+    ("velocity", &[NodalField::Velocity]),
+    ("body", &[NodalField::Body]),
+    ("contact_force", &[NodalField::ContactForce]),
+    ("contact_gap", &[NodalField::ContactGap]),
+    ("all", &NodalField::ALL),
+    ("none", &[]),
+];
+
+pub(super) const CONTACT_NORMALS: Words<ContactNormal> = &[
+    ("master", ContactNormal::Master),
+    ("slave", ContactNormal::Slave),
+    ("collinear", ContactNormal::Collinear),
+];
+
+/// Methods of contact.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum ContactMethod {
+    Grid,
+    Mortar,
+}
+
+pub(super) const CONTACT_METHODS: Words<ContactMethod> = &[
+    ("grid", ContactMethod::Grid),
+    ("mortar", ContactMethod::Mortar),
 ];
 
 /// What a word means; upper and lower case are the same.

@@ -148,6 +148,7 @@ impl Column {
         scene.results = Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         };
         scene.materials = elastic(DENSITY, YOUNG, POISSON);

@@ -66,6 +66,7 @@ impl Block {
         scene.results = Results {
             print: 0,
             fields: vec![],
+            nodal_fields: vec![],
             checkpoint: false,
         };
         scene.materials = vec![Material {

@@ -74,6 +74,7 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
     scene.results = Results {
         print: 0,
         fields: vec![],
+        nodal_fields: vec![],
         checkpoint: false,
     };
     scene.materials = elastic(DENSITY, YOUNG, POISSON);

@@ -1,0 +1,140 @@
+//! Layers of the grid: a velocity field of one body, beside the common field of all others.
+//!
+//! A layer has nodes of its own on the shape of the grid, and rows in use of its own. Its memory is that of the nodes
+//! which its body touches; the rest is never committed. It is cut into the same slabs as the common field, so that
+//! whoever owns a slab owns all fields of its nodes.
+
+use crate::grid::{ActiveRows, Line, Nodes};
+use crate::particles::{ParticleSet, rows_of};
+use crate::simulation::field::{Field, split};
+use crate::stage::solve::Planes;
+use rayon::ThreadPool;
+use rayon::prelude::*;
+
+/// The velocity field of one body.
+#[derive(Debug)]
+pub struct Layer {
+    /// Index of the body.
+    pub body: usize,
+    /// Values of the nodes, as in the common field.
+    pub nodes: Nodes,
+    /// A second line per node: what a method of contact knows of the body's surface there.
+    pub surface: Nodes,
+    /// Rows in use, as of the last sort.
+    pub rows: ActiveRows,
+}
+
+/// All layers, in order of the identifier of the body.
+#[derive(Debug, Default)]
+pub struct Layers {
+    /// The layers.
+    pub list: Vec<Layer>,
+}
+
+/// The part of a layer that one visit owns.
+pub struct LayerPlanes<'a> {
+    /// Index of the body.
+    pub body: usize,
+    /// Nodes.
+    pub planes: Planes<'a>,
+    /// Second lines of the nodes.
+    pub surface: &'a mut [Line],
+}
+
+/// All fields of the planes that one visit owns.
+pub struct SlabFields<'a> {
+    /// Number of the slab.
+    pub slab: usize,
+    /// Field of the bodies without a layer.
+    pub common: Planes<'a>,
+    /// Layers, in order of the identifier of the body.
+    pub layers: Vec<LayerPlanes<'a>>,
+}
+
+impl Layers {
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Nodes of the layer of a body.
+    #[must_use]
+    pub fn nodes_of(&self, body: usize) -> Option<&[Line]> {
+        self.list
+            .iter()
+            .find(|layer| layer.body == body)
+            .map(|layer| layer.nodes.lines())
+    }
+
+    /// Has layers for exactly these bodies (indices in order of the identifier), with rows for where their particles
+    /// are now.
+    pub fn set(&mut self, bodies: &[usize], sets: &[ParticleSet], field: &Field, stencil: usize) {
+        let count = field.shape.nodes.iter().product();
+        let mut old = std::mem::take(&mut self.list);
+        for &body in bodies {
+            let rows = rows_of(std::slice::from_ref(&sets[body]), &field.shape, stencil);
+            let layer = match old.iter().position(|layer| layer.body == body) {
+                Some(at) => Layer {
+                    rows,
+                    ..old.swap_remove(at)
+                },
+                None => Layer {
+                    body,
+                    nodes: Nodes::new(count),
+                    surface: Nodes::new(count),
+                    rows,
+                },
+            };
+            self.list.push(layer);
+        }
+    }
+
+    /// Calls `act` for every slab with all its fields, in parallel where there is a pool, and returns the results in
+    /// order.
+    pub fn visit<R: Send>(
+        &mut self,
+        field: &mut Field,
+        pool: Option<&ThreadPool>,
+        act: impl Fn(SlabFields<'_>) -> R + Send + Sync,
+    ) -> Vec<R> {
+        let Field {
+            shape,
+            nodes,
+            rows,
+            slabs,
+        } = field;
+        let (shape, rows, slabs) = (&*shape, &*rows, &*slabs);
+        let per_plane = shape.plane_nodes();
+        let planes = |rows, slab: usize, nodes| Planes {
+            shape,
+            rows,
+            range: slabs[slab].clone(),
+            nodes,
+        };
+        let mut parts: Vec<SlabFields<'_>> = split(nodes, slabs, per_plane)
+            .into_iter()
+            .enumerate()
+            .map(|(slab, nodes)| SlabFields {
+                slab,
+                common: planes(rows, slab, nodes),
+                layers: vec![],
+            })
+            .collect();
+        for layer in &mut self.list {
+            let own = split(&mut layer.nodes, slabs, per_plane);
+            let surfaces = split(&mut layer.surface, slabs, per_plane);
+            for (slab, (nodes, surface)) in own.into_iter().zip(surfaces).enumerate() {
+                parts[slab].layers.push(LayerPlanes {
+                    body: layer.body,
+                    planes: planes(&layer.rows, slab, nodes),
+                    surface,
+                });
+            }
+        }
+        match pool {
+            Some(pool) => pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect()),
+            None => parts.into_iter().map(act).collect(),
+        }
+    }
+}

@@ -1,0 +1,545 @@
+//! The nodes of a slab where the fields of bodies meet, and contact there.
+
+use super::Pair;
+use super::coulomb::{Coulomb, Law, Member, Touch};
+use super::layers::SlabFields;
+use super::surface::{self, Probe, Search, Side, normal};
+use crate::grid::GridShape;
+use crate::particles::ParticleSet;
+use crate::scene::{ContactNormal, Vector};
+use crate::stage::solve::Wall;
+use std::collections::HashMap;
+use std::ops::Range;
+
+/// Share of the distance of contact within which bodies touch in spite of round-off.
+const TOUCHING: f64 = 1e-9;
+
+/// Share of the distance of contact below which the distance along a normal says that the normal does not separate the
+/// bodies: beside an edge that of one body alone points past the other. The other kind of normal is tried then, and where
+/// that does not separate them either the bodies do not face each other at this node, and no contact acts. The price:
+/// bodies that were pressed into each other by three quarters of that distance are let go.
+const PLAUSIBLE: f64 = 0.25;
+
+/// The nodes of a slab where fields meet. A field is known by its number: 0 the common one, then the layers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Meetings {
+    /// The nodes, increasing.
+    pub nodes: Vec<Meeting>,
+    /// Numbers of the fields that meet, node by node.
+    pub fields: Vec<usize>,
+    /// Pairs that meet, node by node.
+    pub touches: Vec<Touching>,
+}
+
+/// A node where fields meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meeting {
+    /// Index of the node in the grid.
+    pub node: usize,
+    /// Which of [`Meetings::fields`] meet here.
+    pub fields: Range<usize>,
+    /// Which of [`Meetings::touches`] meet here.
+    pub touches: Range<usize>,
+}
+
+/// A pair at a node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touching {
+    /// Index of the pair.
+    pub pair: usize,
+    /// Places of master and slave among the fields of the node.
+    pub sides: [usize; 2],
+    /// Unit normal from master to slave.
+    pub normal: Vector,
+    /// Distance of the bodies less that at which they touch \[m\]; not a number where it is not looked for.
+    pub gap: f64,
+    /// Force on the slave in the last step \[N\].
+    pub force: Vector,
+    /// What it did in the last step.
+    pub state: Touched,
+}
+
+/// What a pair did at a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Touched {
+    /// No force acts.
+    #[default]
+    Open,
+    /// The bodies stick.
+    Sticks,
+    /// The bodies slide.
+    Slides,
+}
+
+/// What pairs did at nodes, by node and pair.
+pub type States = HashMap<(usize, usize), Touched>;
+
+/// What contact knows of the scene beside the fields.
+#[derive(Clone, Copy)]
+pub struct Bodies<'a> {
+    /// All pairs.
+    pub pairs: &'a [Pair],
+    /// Which of them are near.
+    pub near: &'a [bool],
+    /// Particles of all bodies.
+    pub sets: &'a [ParticleSet],
+    /// Whether the motion of a body is prescribed.
+    pub driven: &'a [bool],
+    /// Boundary planes with a condition.
+    pub walls: &'a [Wall],
+    /// Nodes per axis of the stencil.
+    pub stencil: usize,
+}
+
+/// Which velocities contact acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum On {
+    /// Trial velocities in the lower lanes and their increments in the upper ones. Forces are those that act over the
+    /// time `kick` \[s\]; `dt` is the step by which bodies move \[s\].
+    Trial {
+        /// Time over which velocities change \[s\].
+        kick: f64,
+        /// Time step \[s\].
+        dt: f64,
+    },
+    /// Velocities in the lower lanes, mapped at the new positions (USF), from which strain is taken. They feel no
+    /// force: where the pair touched in this step they keep to what it did, elsewhere they are free. To test them for
+    /// approach would clip one side of their noise, and strain the bodies until they hover.
+    Mapped,
+    /// Remapped velocities in the upper lanes (MUSL). As those of USF.
+    Remapped,
+}
+
+/// What contact did in a slab.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Done {
+    /// Force on the slave of each pair \[N\], plane by plane.
+    pub forces: Vec<Vector>,
+    /// Power of driven bodies \[W\], plane by plane.
+    pub power: Vec<f64>,
+    /// Number of nodes where a contact force acts.
+    pub nodes: usize,
+    /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
+    pub tunnelling: Option<Tunnelling>,
+}
+
+/// A pair that would pass through itself in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tunnelling {
+    /// Index of the pair.
+    pub pair: usize,
+    /// Storage indices of the node.
+    pub at: [usize; 3],
+    /// Approach in one step \[m\].
+    pub approach: f64,
+    /// Distance of contact \[m\].
+    pub distance: f64,
+}
+
+impl Meetings {
+    /// Finds the nodes of a slab where fields meet, with the normals and gaps of the pairs. Masses and mass gradients
+    /// of the slab must be there, folded.
+    #[must_use]
+    pub fn find(fields: &mut SlabFields<'_>, bodies: &Bodies<'_>) -> Self {
+        let mut found = Self::default();
+        let shape = fields.common.shape;
+        let sides: Vec<Option<[usize; 2]>> = bodies
+            .pairs
+            .iter()
+            .zip(bodies.near)
+            .map(|(pair, near)| {
+                let number = |body| fields.layers.iter().position(|l| l.body == body);
+                if !near {
+                    return None;
+                }
+                Some([number(pair.master)? + 1, number(pair.slave)? + 1])
+            })
+            .collect();
+        for plane in fields.common.range.clone() {
+            for row in 0..shape.nodes[1] {
+                let Some(span) = union_of_rows(fields, plane, row) else {
+                    continue;
+                };
+                for k in span {
+                    if !is_ghost(shape, bodies.walls, [plane, row, k]) {
+                        found.add(fields, bodies, &sides, [plane, row, k]);
+                    }
+                }
+            }
+        }
+        found.measure(fields, bodies, &sides);
+        found
+    }
+
+    /// Adds a node, if fields meet there.
+    fn add(
+        &mut self,
+        fields: &SlabFields<'_>,
+        bodies: &Bodies<'_>,
+        sides: &[Option<[usize; 2]>],
+        at: [usize; 3],
+    ) {
+        let shape = fields.common.shape;
+        let node = shape.index(at) - fields.common.range.start * shape.plane_nodes();
+        let first = (self.fields.len(), self.touches.len());
+        for number in 0..=fields.layers.len() {
+            if mass(fields, number, at, node) > 0.0 {
+                self.fields.push(number);
+            }
+        }
+        let present = &self.fields[first.0..];
+        if present.len() < 2 {
+            self.fields.truncate(first.0);
+            return;
+        }
+        for (index, numbers) in sides.iter().enumerate() {
+            let Some(numbers) = numbers else { continue };
+            let [Some(m), Some(s)] = numbers.map(|n| present.iter().position(|p| *p == n)) else {
+                continue;
+            };
+            let [master, slave] = numbers.map(|number| Side {
+                mass: mass(fields, number, at, node),
+                surface: &fields.layers[number - 1].surface[node],
+            });
+            if let Some(normal) = normal(bodies.pairs[index].normal, &master, &slave, &shape.cell) {
+                self.touches.push(Touching {
+                    pair: index,
+                    sides: [m, s],
+                    normal,
+                    gap: f64::NAN,
+                    force: [0.0; 3],
+                    state: Touched::Open,
+                });
+            }
+        }
+        self.nodes.push(Meeting {
+            node: shape.index(at),
+            fields: first.0..self.fields.len(),
+            touches: first.1..self.touches.len(),
+        });
+    }
+
+    /// Takes up what pairs did at the same nodes before.
+    pub fn recall(&mut self, states: &States) {
+        for meeting in &self.nodes {
+            for touch in &mut self.touches[meeting.touches.clone()] {
+                let before = states.get(&(meeting.node, touch.pair));
+                touch.state = before.copied().unwrap_or_default();
+            }
+        }
+    }
+
+    /// What pairs did at the nodes where a force acted.
+    pub fn states(&self) -> impl Iterator<Item = ((usize, usize), Touched)> {
+        self.nodes.iter().flat_map(|meeting| {
+            self.touches[meeting.touches.clone()]
+                .iter()
+                .filter(|touch| touch.state != Touched::Open)
+                .map(|touch| ((meeting.node, touch.pair), touch.state))
+        })
+    }
+
+    /// Measures the gaps of all pairs whose distance matters.
+    fn measure(
+        &mut self,
+        fields: &mut SlabFields<'_>,
+        bodies: &Bodies<'_>,
+        sides: &[Option<[usize; 2]>],
+    ) {
+        let shape = fields.common.shape;
+        for (index, (pair, numbers)) in bodies.pairs.iter().zip(sides).enumerate() {
+            let Some(numbers) = numbers.filter(|_| pair.corrects_distance) else {
+                continue;
+            };
+            let mut own = vec![];
+            for meeting in &self.nodes {
+                for touch in meeting.touches.clone() {
+                    if self.touches[touch].pair == index {
+                        own.push((meeting.node, touch, self.touches[touch].normal));
+                    }
+                }
+            }
+            let along = distances(fields, bodies, numbers, &own);
+            let mut doubtful = vec![];
+            for (&(node, touch, normal), distance) in own.iter().zip(along) {
+                let touching = pair.distance_along(&normal);
+                self.touches[touch].gap = distance - touching;
+                if distance < PLAUSIBLE * touching {
+                    let local = node - fields.common.range.start * shape.plane_nodes();
+                    let [master, slave] = numbers.map(|number| {
+                        let layer = &fields.layers[number - 1];
+                        Side {
+                            mass: layer.planes.nodes[local][0],
+                            surface: &layer.surface[local],
+                        }
+                    });
+                    let other = match pair.normal {
+                        ContactNormal::Collinear => ContactNormal::Master,
+                        _ => ContactNormal::Collinear,
+                    };
+                    if let Some(other) = surface::normal(other, &master, &slave, &shape.cell) {
+                        doubtful.push((node, touch, other));
+                    }
+                }
+            }
+            let along = distances(fields, bodies, numbers, &doubtful);
+            for (&(_, touch, normal), distance) in doubtful.iter().zip(along) {
+                let touch = &mut self.touches[touch];
+                let gap = distance - pair.distance_along(&normal);
+                if gap > touch.gap {
+                    (touch.gap, touch.normal) = (gap, normal);
+                }
+            }
+        }
+    }
+
+    /// Joins fields without a pair and lets pairs touch, on one kind of velocity.
+    pub fn act(&mut self, fields: &mut SlabFields<'_>, bodies: &Bodies<'_>, on: On) -> Done {
+        let shape = fields.common.shape;
+        let (first_plane, per_plane) = (fields.common.range.start, shape.plane_nodes());
+        let planes = fields.common.range.len();
+        let mut done = Done {
+            forces: vec![[0.0; 3]; planes * bodies.pairs.len()],
+            power: vec![0.0; planes],
+            ..Done::default()
+        };
+        let joined = joined_fields(fields, bodies.pairs);
+        let count = fields.layers.len() + 1;
+        let driven: Vec<bool> = std::iter::once(false)
+            .chain(fields.layers.iter().map(|l| bodies.driven[l.body]))
+            .collect();
+        let lane = if on == On::Remapped { 4 } else { 1 };
+        let mut coulomb = Coulomb::default();
+        let (mut members, mut touches, mut impulses) = (vec![], vec![], vec![]);
+        let mut which = vec![];
+        for meeting in &self.nodes {
+            let numbers = &self.fields[meeting.fields.clone()];
+            let node = meeting.node - first_plane * per_plane;
+            members.clear();
+            members.extend(numbers.iter().map(|&number| {
+                let line = &nodes(fields, number)[node];
+                Member {
+                    mass: if driven[number] {
+                        f64::INFINITY
+                    } else {
+                        line[0]
+                    },
+                    velocity: std::array::from_fn(|axis| line[lane + axis]),
+                    increment: std::array::from_fn(|axis| line[4 + axis]),
+                }
+            }));
+            touches.clear();
+            which.clear();
+            for index in meeting.touches.clone() {
+                let touch = &mut self.touches[index];
+                let pair = &bodies.pairs[touch.pair];
+                let law = if let On::Trial { dt, .. } = on {
+                    let [a, b] = touch.sides.map(|side| &members[side]);
+                    done.watch(touch, pair, [a, b], dt, shape.indices(meeting.node));
+                    (touch.force, touch.state) = ([0.0; 3], Touched::Open);
+                    let near = pair.distance_along(&touch.normal) * TOUCHING;
+                    let far = (PLAUSIBLE - 1.0) * pair.distance_along(&touch.normal);
+                    let touching = !pair.corrects_distance || (far..=near).contains(&touch.gap);
+                    touching.then_some(Law::Coulomb(pair.friction))
+                } else {
+                    match touch.state {
+                        Touched::Open => None,
+                        Touched::Sticks => Some(Law::Stick),
+                        Touched::Slides => Some(Law::Slide),
+                    }
+                };
+                if let Some(law) = law {
+                    which.push(index);
+                    touches.push(Touch {
+                        master: touch.sides[0],
+                        slave: touch.sides[1],
+                        normal: touch.normal,
+                        law,
+                    });
+                }
+            }
+            let is_joined = |i: usize, j: usize| joined[numbers[i] * count + numbers[j]];
+            coulomb.resolve(&mut members, is_joined, &touches, &mut impulses);
+            let plane = node / per_plane;
+            if let On::Trial { kick, .. } = on {
+                let mut acts = false;
+                for (&index, impulse) in which.iter().zip(&impulses) {
+                    let touch = &mut self.touches[index];
+                    let friction = bodies.pairs[touch.pair].friction;
+                    touch.force = impulse.map(|c| c / kick);
+                    touch.state = touched(impulse, &touch.normal, friction);
+                    acts |= touch.state != Touched::Open;
+                    let sum = &mut done.forces[plane * bodies.pairs.len() + touch.pair];
+                    for axis in 0..3 {
+                        sum[axis] += touch.force[axis];
+                    }
+                }
+                done.nodes += usize::from(acts);
+            }
+            let by = numbers
+                .iter()
+                .rposition(|&n| driven[n])
+                .map(|by| members[by].velocity);
+            for (&number, member) in numbers.iter().zip(&members) {
+                if driven[number] {
+                    continue;
+                }
+                let line = &mut nodes_mut(fields, number)[node];
+                for axis in 0..3 {
+                    // Not where nothing changes, so that a zero keeps its sign.
+                    if line[lane + axis] != member.velocity[axis] {
+                        line[lane + axis] = member.velocity[axis];
+                    }
+                    let change = member.increment[axis] - line[4 + axis];
+                    if let On::Trial { kick, .. } = on
+                        && change != 0.0
+                    {
+                        line[4 + axis] = member.increment[axis];
+                        // What a driven body does to the others is its power.
+                        if let Some(velocity) = by {
+                            done.power[plane] += line[0] * change / kick * velocity[axis];
+                        }
+                    }
+                }
+            }
+        }
+        done
+    }
+}
+
+impl Done {
+    /// Notes a pair that approaches in one step by more than the distance at which it touches. The velocities before
+    /// the step are means of those of particles; trial velocities of light nodes are not.
+    fn watch(
+        &mut self,
+        touch: &Touching,
+        pair: &Pair,
+        [master, slave]: [&Member; 2],
+        dt: f64,
+        at: [usize; 3],
+    ) {
+        let before = |m: &Member, axis: usize| m.velocity[axis] - m.increment[axis];
+        let approach = dt
+            * (0..3)
+                .map(|axis| touch.normal[axis] * (before(master, axis) - before(slave, axis)))
+                .sum::<f64>();
+        let distance = pair.distance_along(&touch.normal);
+        let worst = self.tunnelling.map_or(1.0, |t| t.approach / t.distance);
+        if approach > worst * distance {
+            self.tunnelling = Some(Tunnelling {
+                pair: touch.pair,
+                at,
+                approach,
+                distance,
+            });
+        }
+    }
+}
+
+/// What a pair does under an impulse.
+fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> Touched {
+    let along: f64 = (0..3).map(|k| impulse[k] * normal[k]).sum();
+    let aside: f64 = (0..3)
+        .map(|k| (impulse[k] - along * normal[k]).powi(2))
+        .sum();
+    if along <= 0.0 {
+        Touched::Open
+    } else if aside.sqrt() < friction * along * (1.0 - 1e-9) {
+        Touched::Sticks
+    } else {
+        Touched::Slides
+    }
+}
+
+/// Distances of the bodies of a pair along a normal at each of some nodes: eq. (8) along one normal, so that the position
+/// of the node drops out. Each node with the index of its touch and the normal.
+fn distances(
+    fields: &mut SlabFields<'_>,
+    bodies: &Bodies<'_>,
+    numbers: [usize; 2],
+    at: &[(usize, usize, Vector)],
+) -> Vec<f64> {
+    if at.is_empty() {
+        return vec![];
+    }
+    let shape = fields.common.shape;
+    let search = Search {
+        shape,
+        planes: fields.common.range.clone(),
+        stencil: bodies.stencil,
+    };
+    let first = search.planes.start * shape.plane_nodes();
+    let mut distances = vec![0.0; at.len()];
+    for (number, sign) in numbers.into_iter().zip([1.0, -1.0]) {
+        let mut probes: Vec<Probe> = at
+            .iter()
+            .map(|&(node, _, normal)| {
+                Probe::new(node - first, shape.indices(node), normal.map(|c| sign * c))
+            })
+            .collect();
+        let layer = &mut fields.layers[number - 1];
+        search.probe(&bodies.sets[layer.body], layer.surface, &mut probes);
+        for (distance, probe) in distances.iter_mut().zip(probes) {
+            *distance -= probe.reach;
+        }
+    }
+    distances
+}
+
+/// Whether two fields share their velocity where they meet: all but the layers of a pair. By numbers, row by row.
+fn joined_fields(fields: &SlabFields<'_>, pairs: &[Pair]) -> Vec<bool> {
+    let count = fields.layers.len() + 1;
+    let mut joined = vec![true; count * count];
+    for pair in pairs {
+        let number = |body| fields.layers.iter().position(|l| l.body == body);
+        if let (Some(m), Some(s)) = (number(pair.master), number(pair.slave)) {
+            joined[(m + 1) * count + s + 1] = false;
+            joined[(s + 1) * count + m + 1] = false;
+        }
+    }
+    joined
+}
+
+/// From the first to the last node of a row that any layer uses.
+fn union_of_rows(fields: &SlabFields<'_>, plane: usize, row: usize) -> Option<Range<usize>> {
+    fields
+        .layers
+        .iter()
+        .map(|layer| layer.planes.rows.span(plane, row))
+        .filter(|span| !span.is_empty())
+        .reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
+}
+
+/// Whether a node is the ghost of a wall, which mirrors what lies inside.
+fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {
+    walls
+        .iter()
+        .any(|wall| at[shape.direction(wall.axis)] == wall.layers(shape).0)
+}
+
+/// Mass of a field at a node; zero outside the rows that the field uses, where old values lie.
+fn mass(fields: &SlabFields<'_>, number: usize, at: [usize; 3], node: usize) -> f64 {
+    let planes = match number {
+        0 => &fields.common,
+        _ => &fields.layers[number - 1].planes,
+    };
+    if planes.rows.span(at[0], at[1]).contains(&at[2]) {
+        planes.nodes[node][0]
+    } else {
+        0.0
+    }
+}
+
+fn nodes<'a>(fields: &'a SlabFields<'_>, number: usize) -> &'a [crate::grid::Line] {
+    match number {
+        0 => fields.common.nodes,
+        _ => fields.layers[number - 1].planes.nodes,
+    }
+}
+
+fn nodes_mut<'a>(fields: &'a mut SlabFields<'_>, number: usize) -> &'a mut [crate::grid::Line] {
+    match number {
+        0 => fields.common.nodes,
+        _ => fields.layers[number - 1].planes.nodes,
+    }
+}

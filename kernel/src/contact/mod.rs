@@ -1,0 +1,76 @@
+//! Slave-master contact on the grid (contact manual v0.1, section 1).
+//!
+//! - [`layers`]: a velocity field of the grid for each body that is near a partner. Bodies that are not stay in the
+//!   common field, as in a scene without contact.
+//! - [`broad`]: which pairs are near, at each sort, by boxes of nodes.
+//! - [`surface`]: normals from mass gradients, and the distance of the bodies along them.
+//! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
+//! - [`overlap`]: bodies that overlap at the start.
+//! - [`coulomb`]: impulses at one node: impenetrability and Coulomb friction, for any number of bodies.
+//!
+//! Read as in the manual but for two points. The distance is measured along the normal of the pair, which carries the
+//! impulse, between the particles that reach farthest along it near the node; the particles nearest to the node, as
+//! printed, lie in the second layer of a body where its surface runs through the middle of a cell. And a node where the
+//! mass gradient of the body that gives the normal vanishes takes the normal of the other body.
+//!
+//! **Bodies without a pair** share one velocity where they share a node, as in MPM without contact, also where one
+//! or both of them have a field of their own. **Three and more bodies at a node**: bodies without a pair are joined
+//! first; between what remains the impulses of all pairs act at once and are iterated until none changes
+//! ([`coulomb`]). Both are formed in order of the identifiers of the bodies, whatever the order in the scene.
+
+pub mod broad;
+pub mod coulomb;
+pub mod layers;
+pub mod meeting;
+pub mod overlap;
+pub mod surface;
+
+use crate::scene::{ContactNormal, Vector};
+use layers::Layers;
+use meeting::Meetings;
+
+/// A pair of bodies in contact, as the cycle sees it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pair {
+    /// Identifier of the contact in the scene.
+    pub id: i64,
+    /// Index of the master body.
+    pub master: usize,
+    /// Index of the slave body.
+    pub slave: usize,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// How the normal is found.
+    pub normal: ContactNormal,
+    /// Distance of particles at which the bodies touch, for a normal along each axis \[m\].
+    pub distance: Vector,
+    /// Whether that distance is a condition for contact.
+    pub corrects_distance: bool,
+}
+
+impl Pair {
+    /// Distance of particles at which the bodies touch, for a normal \[m\]: an ellipsoid through the values along
+    /// the axes.
+    #[must_use]
+    pub fn distance_along(&self, normal: &Vector) -> f64 {
+        (0..3)
+            .map(|axis| (normal[axis] * self.distance[axis]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    }
+}
+
+/// What contact keeps from step to step.
+#[derive(Debug, Default)]
+pub struct State {
+    /// All pairs, in order of the identifiers of their bodies.
+    pub pairs: Vec<Pair>,
+    /// Which of them are near, as of the last sort.
+    pub near: Vec<bool>,
+    /// Velocity fields of the bodies of near pairs.
+    pub layers: Layers,
+    /// Nodes where bodies meet, per slab, as of the last detection.
+    pub meetings: Vec<Meetings>,
+    /// Force on the slave of each pair in the last step \[N\].
+    pub forces: Vec<Vector>,
+}

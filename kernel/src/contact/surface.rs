@@ -1,0 +1,207 @@
+//! The surface of a body at the nodes: outward normal from the mass gradient, and how far particles reach along it.
+//!
+//! The mass gradient sum m grad N (contact manual, eq. 2, with the gradient that the print lacks) lies in the upper
+//! lanes of the second line of a node of a layer. Its derivative is that by the position of the particle, so it points
+//! from the body outward. At a wall the body goes on as its mirror image, as its mass does.
+
+use crate::grid::{GHOSTS_BELOW, GridShape, Line};
+use crate::particles::{Layout, ParticleSet};
+use crate::scene::{ContactNormal, Vector};
+use crate::stage::solve::{Planes, Wall};
+use crate::weights::base_offset;
+use std::ops::Range;
+
+/// Mass gradient times cell over mass below which it is no normal: deep in a body it cancels to what the unevenness of
+/// the particles leaves. Half a cell below a surface it is about 0.5, one cell below it 0.
+const SMALLEST_GRADIENT: f64 = 0.02;
+
+/// First lane of the mass gradient in the second line of a node.
+const GRADIENT: usize = 4;
+/// Lane of the second line that marks nodes whose distance is looked for.
+const MARK: usize = 7;
+
+/// Folds mass gradients on ghost nodes onto their mirror nodes; on a plane the gradient along its normal cancels
+/// against that of the mirror image.
+pub fn fold_gradient(surface: &mut Planes<'_>, walls: &[Wall]) {
+    for wall in walls {
+        let (ghost, plane, mirror) = wall.layers(surface.shape);
+        surface.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+            for axis in 0..3 {
+                let from = nodes[ghost][GRADIENT + axis];
+                nodes[mirror][GRADIENT + axis] += if axis == wall.axis { -from } else { from };
+            }
+        });
+        surface.for_pairs(wall.axis, plane, plane, |nodes, node, _| {
+            nodes[node][GRADIENT + wall.axis] = 0.0;
+        });
+    }
+}
+
+/// What is known of one body at a node.
+#[derive(Clone, Copy, Debug)]
+pub struct Side<'a> {
+    /// Mass of the body at the node \[kg\].
+    pub mass: f64,
+    /// Second line of the node.
+    pub surface: &'a Line,
+}
+
+impl Side<'_> {
+    /// Outward unit normal, where the gradient is one.
+    fn normal(&self, cell: &Vector) -> Option<Vector> {
+        let g: Vector = std::array::from_fn(|axis| self.surface[GRADIENT + axis]);
+        let size = length(&g);
+        let scaled = length(&std::array::from_fn(|axis| g[axis] * cell[axis]));
+        (scaled > SMALLEST_GRADIENT * self.mass && size > 0.0).then(|| g.map(|c| c / size))
+    }
+}
+
+/// Unit normal of a pair at a node, from master to slave. `None` where neither body has one.
+#[must_use]
+pub fn normal(
+    kind: ContactNormal,
+    master: &Side<'_>,
+    slave: &Side<'_>,
+    cell: &Vector,
+) -> Option<Vector> {
+    let of_master = master.normal(cell);
+    let of_slave = slave.normal(cell).map(|n| n.map(|c| -c));
+    match kind {
+        ContactNormal::Master => of_master.or(of_slave),
+        ContactNormal::Slave => of_slave.or(of_master),
+        ContactNormal::Collinear => match (of_master, of_slave) {
+            (Some(m), Some(s)) => {
+                let sum: Vector = std::array::from_fn(|axis| m[axis] + s[axis]);
+                let size = length(&sum);
+                // Equal outward normals, of two bodies on the same side of the node, have no mean.
+                Some(if size > 1e-6 {
+                    sum.map(|c| c / size)
+                } else {
+                    m
+                })
+            }
+            (m, s) => m.or(s),
+        },
+    }
+}
+
+/// A node where the reach of the particles of a body along a direction is looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// Index of the node among those that are owned.
+    pub node: usize,
+    /// Storage indices of the node.
+    pub at: [usize; 3],
+    /// Unit direction.
+    pub direction: Vector,
+    /// Reach from the node along the direction \[m\]; minus infinity where there is no particle.
+    pub reach: f64,
+    /// By what the particle was chosen: its reach less a share of its distance from the line through the node.
+    rank: f64,
+}
+
+impl Probe {
+    /// A probe that has seen no particle.
+    #[must_use]
+    pub fn new(node: usize, at: [usize; 3], direction: Vector) -> Self {
+        Self {
+            node,
+            at,
+            direction,
+            reach: f64::NEG_INFINITY,
+            rank: f64::NEG_INFINITY,
+        }
+    }
+
+    /// Takes the particle at `d` from the node if it is the one that a ball of radius `radius`, coming along the line
+    /// through the node, meets first: the surface of the body as seen from the node.
+    fn see(&mut self, d: &Vector, radius: f64) {
+        let along: f64 = (0..3).map(|k| d[k] * self.direction[k]).sum();
+        let aside: f64 = (0..3)
+            .map(|k| (d[k] - along * self.direction[k]).powi(2))
+            .sum();
+        let rank = along - aside / (2.0 * radius);
+        if rank > self.rank || (rank == self.rank && along > self.reach) {
+            self.rank = rank;
+            self.reach = along;
+        }
+    }
+}
+
+/// The planes in which [`probe`] looks.
+pub struct Search<'a> {
+    /// Shape of the grid.
+    pub shape: &'a GridShape,
+    /// Planes that are owned.
+    pub planes: Range<usize>,
+    /// Nodes per axis of the stencil.
+    pub stencil: usize,
+}
+
+impl Search<'_> {
+    /// Finds the reach of the particles of a body at probes, which are at different nodes. `surface` are the second
+    /// lines of the nodes of the owned planes.
+    pub fn probe(&self, set: &ParticleSet, surface: &mut [Line], probes: &mut [Probe]) {
+        let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
+        for (slot, probe) in probes.iter().enumerate() {
+            surface[probe.node][MARK] = (slot + 1) as f64;
+            for k in 0..3 {
+                low[k] = low[k].min(probe.at[k]);
+                high[k] = high[k].max(probe.at[k]);
+            }
+        }
+        // A particle may have left its layer by one cell since the last sort.
+        let first = self.planes.start.saturating_sub(self.stencil);
+        for p in set.in_layers(first..self.planes.end + 1) {
+            self.show(set, p, &low, &high, surface, probes);
+        }
+        for probe in probes.iter() {
+            surface[probe.node][MARK] = 0.0;
+        }
+    }
+
+    /// Shows a particle to the probes at the nodes of its stencil that lie between `low` and `high`.
+    fn show(
+        &self,
+        set: &ParticleSet,
+        p: usize,
+        low: &[usize; 3],
+        high: &[usize; 3],
+        surface: &[Line],
+        probes: &mut [Probe],
+    ) {
+        let shape = self.shape;
+        let mut reach: [Range<usize>; 3] = [0..1, 0..1, 0..1];
+        for axis in 0..shape.axes {
+            let direction = shape.direction(axis);
+            let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
+            let base = ((xi - base_offset(self.stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+            let range = base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
+            if range.is_empty() {
+                return;
+            }
+            reach[direction] = range;
+        }
+        let x = set.position(p);
+        let radius = (0..shape.axes)
+            .map(|axis| shape.cell[axis])
+            .fold(f64::INFINITY, f64::min);
+        for i in reach[0].clone() {
+            for j in reach[1].clone() {
+                let row = ((i - self.planes.start) * shape.nodes[1] + j) * shape.nodes[2];
+                for k in reach[2].clone() {
+                    let slot = surface[row + k][MARK] as usize;
+                    if slot > 0 {
+                        let probe = &mut probes[slot - 1];
+                        let node = shape.position(shape.index([i, j, k]));
+                        probe.see(&std::array::from_fn(|a| x[a] - node[a]), radius);
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn length(v: &Vector) -> f64 {
+    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
+}

@@ -1,0 +1,126 @@
+//! Changes between two stages of one simulation, such as settling and release.
+//!
+//! A block that is to slide from rest, for example: run with `set_motion` holding the base, gravity normal to it and
+//! local damping until the block is at rest, then `set_local_damping(None)`, `set_gravity` to the inclined one and go
+//! on. The scene of the simulation changes with it, so a checkpoint of a later stage belongs to the changed scene.
+
+use super::Simulation;
+use super::error::SetupError;
+use super::setup::fastest;
+use crate::contact::State;
+use crate::scene::{Damping, History, Vector};
+
+impl Simulation {
+    /// Sets the acceleration of gravity \[m/s²\] from here on. The energy balance goes on: the potential of the old
+    /// gravity is booked as work done.
+    ///
+    /// # Errors
+    /// A component that is not finite, or one along an axis that does not exist.
+    pub fn set_gravity(&mut self, gravity: Vector) -> Result<(), SetupError> {
+        let flat = gravity[self.plan.axes..].iter().all(|g| *g == 0.0);
+        if !flat || gravity.iter().any(|g| !g.is_finite()) {
+            return Err(refused(
+                "gravity",
+                &format!("{gravity:?}, not a finite vector of the scene"),
+            ));
+        }
+        let before = self.dead_load_potential();
+        self.ledger.external_work += before - self.ledger.dead_load_origin;
+        self.scene.gravity = gravity;
+        self.plan.gravity = gravity != [0.0; 3];
+        self.ledger.dead_load_origin = self.dead_load_potential();
+        Ok(())
+    }
+
+    /// Sets the coefficient of friction of the contact with identifier `contact` from here on.
+    ///
+    /// # Errors
+    /// No such contact, or a coefficient that is negative or not a number.
+    pub fn set_friction(&mut self, contact: i64, friction: f64) -> Result<(), SetupError> {
+        if friction.is_nan() || friction < 0.0 {
+            return Err(refused(
+                "friction",
+                &format!("{friction}; accepted: a number, 0 or greater"),
+            ));
+        }
+        let entry = self.scene.contacts.iter_mut().find(|c| c.id == contact);
+        let Some(entry) = entry else {
+            return Err(refused(
+                "contact",
+                &format!("{contact}, which no contact has as its id"),
+            ));
+        };
+        entry.friction = friction;
+        for pair in self.contact.pairs.iter_mut().filter(|p| p.id == contact) {
+            pair.friction = friction;
+        }
+        Ok(())
+    }
+
+    /// Prescribes the velocity of the body with identifier `body` from here on, or with `None` releases it: it goes on
+    /// with the velocity and the stress that it has.
+    ///
+    /// # Errors
+    /// No such body, or a history that is empty or not finite or whose times do not increase.
+    pub fn set_motion(&mut self, body: i64, motion: Option<History>) -> Result<(), SetupError> {
+        let Some(index) = self.bodies.iter().position(|b| b.id == body) else {
+            return Err(refused(
+                "body",
+                &format!("{body}, which no body has as its id"),
+            ));
+        };
+        if let Some(history) = &motion {
+            let sound = !history.times.is_empty()
+                && history.times.len() == history.values.len()
+                && history.times.windows(2).all(|t| t[0] < t[1])
+                && history.times.iter().all(|t| t.is_finite())
+                && history.values.iter().flatten().all(|v| v.is_finite());
+            if !sound {
+                return Err(refused(
+                    "motion",
+                    "not a history of increasing times and finite velocities",
+                ));
+            }
+        }
+        self.scene.bodies[index].motion.clone_from(&motion);
+        let run = &mut self.bodies[index];
+        run.motion = motion;
+        run.found.speed_squared = run
+            .found
+            .speed_squared
+            .max(fastest(&self.scene.bodies[index]));
+        // Pairs of two driven bodies do not act, so the pairs may be others now.
+        self.contact = State::new(&self.scene, &self.bodies);
+        self.find_near_pairs();
+        Ok(())
+    }
+
+    /// Sets the factor of local damping from here on; `None` for no damping.
+    ///
+    /// # Errors
+    /// A factor outside 0 to 1, or a scene with another kind of damping.
+    pub fn set_local_damping(&mut self, alpha: Option<f64>) -> Result<(), SetupError> {
+        if matches!(
+            self.scene.damping,
+            Damping::Kinetic | Damping::Viscous { .. }
+        ) {
+            return Err(refused("damping", "the scene has another kind of damping"));
+        }
+        if alpha.is_some_and(|alpha| !(0.0..=1.0).contains(&alpha)) {
+            return Err(refused(
+                "damping",
+                &format!("{alpha:?}; accepted: a number from 0 to 1"),
+            ));
+        }
+        self.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
+        self.plan.local_damping = alpha.filter(|alpha| *alpha != 0.0);
+        Ok(())
+    }
+}
+
+fn refused(what: &str, reason: &str) -> SetupError {
+    SetupError::Change {
+        what: what.into(),
+        reason: reason.into(),
+    }
+}

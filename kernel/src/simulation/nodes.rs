@@ -1,0 +1,126 @@
+//! What lies at the nodes, for those who look at it from outside.
+
+use super::Simulation;
+use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
+use crate::scene::{PlaneCondition, Vector};
+use std::collections::HashMap;
+
+/// One velocity field at a node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeValues {
+    /// Position in the coordinates of the scene \[m\].
+    pub position: Vector,
+    /// Identifier of the body whose own field this is; `None` for the common field.
+    pub body: Option<i64>,
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Velocity \[m/s\], half a step after the positions from which it was mapped.
+    pub velocity: Vector,
+    /// Contact force on the body in the last step \[N\].
+    pub contact_force: Vector,
+    /// Smallest distance to a partner of contact less that at which they touch \[m\]; not a number where no partner is
+    /// near or its distance is not looked for.
+    pub contact_gap: f64,
+}
+
+impl Simulation {
+    /// Number of nodes with mass after the last mapping.
+    #[must_use]
+    pub fn nodes_with_mass(&self) -> usize {
+        let mut count = 0;
+        for plane in 0..self.field.shape.nodes[0] {
+            for row in 0..self.field.shape.nodes[1] {
+                let first = self.field.shape.index([plane, row, 0]);
+                count += self
+                    .field
+                    .rows
+                    .span(plane, row)
+                    .filter(|&k| {
+                        self.fields().any(|(_, rows, lines)| {
+                            rows.span(plane, row).contains(&k) && lines[first + k][0] > 0.0
+                        })
+                    })
+                    .count();
+            }
+        }
+        count
+    }
+
+    /// All fields at all nodes with mass as the last step left them, field by field, in order of the node. Ghost nodes
+    /// of walls, which mirror what lies inside, are left out.
+    #[must_use]
+    pub fn node_values(&self) -> Vec<NodeValues> {
+        let touching = self.contact_by_node();
+        let mut all = vec![];
+        for (body, rows, lines) in self.fields() {
+            for plane in 0..self.field.shape.nodes[0] {
+                for row in 0..self.field.shape.nodes[1] {
+                    let first = self.field.shape.index([plane, row, 0]);
+                    for k in rows.span(plane, row) {
+                        let (node, line) = (first + k, &lines[first + k]);
+                        if line[0] <= 0.0 || self.is_ghost([plane, row, k]) {
+                            continue;
+                        }
+                        let local = self.field.shape.position(node);
+                        let (contact_force, contact_gap) = body
+                            .and_then(|body| touching.get(&(body, node)).copied())
+                            .unwrap_or(([0.0; 3], f64::NAN));
+                        all.push(NodeValues {
+                            position: std::array::from_fn(|a| local[a] + self.origin()[a]),
+                            body: body.map(|b| self.bodies[b].id),
+                            mass: line[0],
+                            velocity: [line[1], line[2], line[3]],
+                            contact_force,
+                            contact_gap,
+                        });
+                    }
+                }
+            }
+        }
+        all
+    }
+
+    /// All fields: the body whose own field it is, rows in use, values.
+    fn fields(&self) -> impl Iterator<Item = (Option<usize>, &ActiveRows, &[Line])> {
+        let common = (None, &self.field.rows, self.field.nodes.lines());
+        let layers = self.contact.layers.list.iter();
+        std::iter::once(common).chain(layers.map(|l| (Some(l.body), &l.rows, l.nodes.lines())))
+    }
+
+    /// Force on the body and smallest gap by body and node, after the last detection.
+    fn contact_by_node(&self) -> HashMap<(usize, usize), (Vector, f64)> {
+        let mut found: HashMap<(usize, usize), (Vector, f64)> = HashMap::new();
+        for meetings in &self.contact.meetings {
+            for meeting in &meetings.nodes {
+                for touch in &meetings.touches[meeting.touches.clone()] {
+                    let pair = &self.contact.pairs[touch.pair];
+                    for (body, sign) in [(pair.master, -1.0), (pair.slave, 1.0)] {
+                        let at = found
+                            .entry((body, meeting.node))
+                            .or_insert(([0.0; 3], f64::NAN));
+                        at.0 = std::array::from_fn(|axis| at.0[axis] + sign * touch.force[axis]);
+                        at.1 = at.1.min(touch.gap);
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a node lies behind a plane with a condition.
+    fn is_ghost(&self, at: [usize; 3]) -> bool {
+        let shape = &self.field.shape;
+        (0..shape.axes).any(|axis| {
+            let index = at[shape.direction(axis)];
+            let upper = GHOSTS_BELOW + shape.cells[axis];
+            let moving = |side| {
+                let base = self.scene.base_motion.as_ref();
+                base.is_some_and(|b| b.axis == axis && b.side == side)
+            };
+            let wall = |side: usize| {
+                self.scene.mesh.planes[axis][side] != PlaneCondition::Free || moving(side)
+            };
+            (index < GHOSTS_BELOW && wall(0)) || (index > upper && wall(1))
+        })
+    }
+}
