@@ -4,8 +4,8 @@
 //! `zero-load`, `far-body`, `far-contact`. The last is to be compared with the one before it.
 
 use proctor_kernel::scene::{
-    Body, Contact, ContactNormal, Damping, Dimension, Law, Material, Mesh, ObjectiveRate, Outside,
-    PlaneCondition, PointLoad, Results, Scene, Shape, StressScheme, TimeStep, Transfer,
+    Body, Contact, ContactNormal, Damping, Dimension, Law, Material, Mesh, Mortar, ObjectiveRate,
+    Outside, PlaneCondition, PointLoad, Results, Scene, Shape, StressScheme, TimeStep, Transfer,
     TransferKind, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
@@ -61,6 +61,7 @@ fn scene() -> Scene {
         box_loads: vec![],
         contacts: vec![],
         contact_distance: None,
+        mortar: Mortar::default(),
         outside: Outside::Stop,
         results: Results {
             print: 0,

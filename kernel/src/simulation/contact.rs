@@ -455,11 +455,16 @@ fn bodies<'a>(
 }
 
 /// The fields of a slab, common one first.
-fn all<'f, 'a>(fields: &'f mut SlabFields<'a>) -> impl Iterator<Item = &'f mut Planes<'a>> {
+pub(super) fn all<'f, 'a>(
+    fields: &'f mut SlabFields<'a>,
+) -> impl Iterator<Item = &'f mut Planes<'a>> {
     std::iter::once(&mut fields.common).chain(fields.layers.iter_mut().map(|l| &mut l.planes))
 }
 
-fn number_of<'f, 'a>(fields: &'f mut SlabFields<'a>, number: usize) -> &'f mut Planes<'a> {
+pub(super) fn number_of<'f, 'a>(
+    fields: &'f mut SlabFields<'a>,
+    number: usize,
+) -> &'f mut Planes<'a> {
     match number {
         0 => &mut fields.common,
         _ => &mut fields.layers[number - 1].planes,
@@ -519,7 +524,7 @@ fn for_masses(planes: &mut Planes<'_>, act: impl Fn(&mut crate::grid::Line)) {
 }
 
 /// Shares nodal loads between the fields of a node by their mass. Lists by number of the field.
-fn shared_loads(
+pub(super) fn shared_loads(
     fields: &SlabFields<'_>,
     loads: &[NodeForce],
     driven: &[bool],

@@ -53,12 +53,18 @@ impl Simulation {
             if !self.contact.pairs.is_empty() {
                 self.find_near_pairs();
             }
+            if !self.mortar.pairs.is_empty() {
+                self.set_mortar_layers();
+            }
         }
     }
 
     /// Mass, momentum and force to the nodes, then the equation of motion, then contact; the number of nodes where a
     /// contact force acts.
     pub(super) fn map_to_nodes(&mut self, acting: &Acting, dt: f64) -> Result<usize, StepError> {
+        if !self.mortar.pairs.is_empty() {
+            return self.solve_with_mortar(acting);
+        }
         if !self.contact.layers.is_empty() {
             let (groups, touching) = self.map_to_layers(acting, dt)?;
             self.groups.count(groups);

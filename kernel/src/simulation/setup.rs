@@ -3,6 +3,7 @@
 use super::error::SetupError;
 use super::field::Field;
 use super::measure::Ledger;
+use super::mortar::MortarState;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
@@ -77,6 +78,7 @@ impl Simulation {
             .map(|b| b.found.half_length)
             .fold(0.0, f64::max);
         let contact = State::new(scene, &bodies);
+        let mortar = MortarState::new(scene, &bodies)?;
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
             base: scene
@@ -92,6 +94,7 @@ impl Simulation {
             bodies,
             field: Field::new(shape),
             contact,
+            mortar,
             travel: f64::INFINITY,
             groups: Groups::default(),
             clock: Clock::default(),

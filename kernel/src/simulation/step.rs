@@ -19,10 +19,16 @@ impl Simulation {
     /// # Errors
     /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error.
     pub fn step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
+        if !self.mortar.pairs.is_empty() {
+            self.sort_if_stale();
+            self.meet_boundaries()?;
+        }
         let mut info = self.choose_time_step(stop)?;
         self.refuse_leaps(info.dt)?;
-        self.sort_if_stale();
-        let acting = self.acting(&info);
+        if self.mortar.pairs.is_empty() {
+            self.sort_if_stale();
+        }
+        let acting = self.acting(info.dt);
         self.set_body_force();
 
         info.contact_nodes = self.map_to_nodes(&acting, info.dt)?;
@@ -30,6 +36,9 @@ impl Simulation {
         let relax = self.peak_of_kinetic_energy(&info);
         let drift = relax.unwrap_or(info.dt);
         let moved = self.mesh_velocity(&info).map(|v| v * drift);
+        if !self.mortar.pairs.is_empty() {
+            self.move_vertices(drift, acting.half_steps[1]);
+        }
         match self.scene.scheme {
             StressScheme::Usl => {
                 self.interpolate(Task {
@@ -62,7 +71,7 @@ impl Simulation {
                 let acting = if self.contact.pairs.is_empty() {
                     acting
                 } else {
-                    self.acting(&info)
+                    self.acting(info.dt)
                 };
                 self.map_momentum(&acting);
                 let strain = Some((drift, Configuration::End));

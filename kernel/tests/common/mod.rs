@@ -5,7 +5,7 @@
 
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, ObjectiveRate, Outside,
+    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, Mortar, ObjectiveRate, Outside,
     PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector,
     Weighting,
 };
@@ -121,6 +121,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         box_loads: vec![],
         contacts: vec![],
         contact_distance: None,
+        mortar: Mortar::default(),
         outside: Outside::Stop,
         results: Results {
             print: 0,

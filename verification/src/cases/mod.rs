@@ -2,17 +2,23 @@
 
 mod base_acceleration;
 mod boussinesq;
+mod rolling_disk;
 mod statics;
 
 pub use base_acceleration::BaseAcceleration;
 pub use boussinesq::Boussinesq;
+pub use rolling_disk::RollingDisk;
 
 use crate::case::{Case, CaseError, Rung, Solved};
 use crate::convergence::{ConvergenceTable, Row};
 use proctor_kernel::scene::{Law, Material, ObjectiveRate};
 
 /// All cases, in the order in which they are shown.
-pub(crate) static ALL: &[&dyn Case] = &[&Boussinesq::GIVEN, &BaseAcceleration::GIVEN];
+pub(crate) static ALL: &[&dyn Case] = &[
+    &Boussinesq::GIVEN,
+    &BaseAcceleration::GIVEN,
+    &RollingDisk::GIVEN,
+];
 
 /// An error of a rung.
 fn failed(case: &dyn Case, rung: &Rung, reason: &dyn std::fmt::Display) -> CaseError {
