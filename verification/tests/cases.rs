@@ -5,6 +5,10 @@
 mod base_acceleration;
 #[path = "cases/boussinesq.rs"]
 mod boussinesq;
+#[path = "cases/hertz.rs"]
+mod hertz;
+#[path = "cases/rolling_disk.rs"]
+mod rolling_disk;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};

@@ -392,7 +392,7 @@ impl Simulation {
     /// other it is the same number with opposite signs.
     #[must_use]
     pub fn contact_force(&self, set: usize) -> Vector {
-        let mut sum = [0.0; 3];
+        let mut sum = self.mortar_force(self.bodies[set].id).unwrap_or_default();
         for (pair, force) in self.contact.pairs.iter().zip(&self.contact.forces) {
             for axis in 0..3 {
                 if pair.slave == set {
@@ -410,6 +410,7 @@ impl Simulation {
     pub fn has_contact(&self, set: usize) -> bool {
         let pairs = &self.contact.pairs;
         pairs.iter().any(|p| p.master == set || p.slave == set)
+            || self.mortar_force(self.bodies[set].id).is_some()
     }
 
     /// Number of velocity fields beside the common one: bodies that are near a partner of contact.

@@ -26,7 +26,6 @@ use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, Forces, PlaneSums};
 use crate::weights::{axis_weights_at, base_offset};
 use nalgebra::Matrix2;
-use std::collections::BTreeMap;
 
 /// What moves the vertices of a surface.
 #[derive(Clone, Debug)]
@@ -572,9 +571,9 @@ impl Simulation {
                         continue;
                     };
                     let gradients = if *follow == Follow::Velocity {
-                        BTreeMap::new()
+                        NodalGradients::none()
                     } else {
-                        nodal_gradients(
+                        NodalGradients::new(
                             &surface.patches,
                             &self.sets[*index],
                             &self.bodies[*index],
@@ -588,11 +587,7 @@ impl Simulation {
                             let line = &lines[patch.nodes[k]];
                             Point::new(line[1], line[2])
                         });
-                        let around = std::array::from_fn(|k| {
-                            gradients
-                                .get(&patch.nodes[k])
-                                .map_or_else(Matrix2::zeros, NodalGradient::mean)
-                        });
+                        let around = std::array::from_fn(|k| gradients.at(patch.nodes[k]));
                         let v =
                             vertex_velocity(&patch.weights, &velocities, &around, *follow, &cell);
                         *moved = v * drift;
@@ -625,80 +620,99 @@ fn mass_of(node: usize, shape: &GridShape, rows: &ActiveRows, lines: &[Line]) ->
     }
 }
 
-/// Velocity gradients at the nodes of the patches, from the particles that reach them (eq. 28).
-fn nodal_gradients(
-    patches: &[Patch],
-    set: &ParticleSet,
-    body: &BodyRun,
-    shape: &GridShape,
-    lines: &[Line],
-    stencil: usize,
-) -> BTreeMap<usize, NodalGradient> {
-    let mut wanted: BTreeMap<usize, NodalGradient> = BTreeMap::new();
-    // Bases from which a particle reaches a node of a patch.
-    let bases = shape.bases();
-    let mut near = vec![false; bases[0] * bases[2]];
-    for patch in patches {
-        for k in 0..9 {
-            if patch.weights.weights[k] > 0.0 {
-                wanted.entry(patch.nodes[k]).or_default();
-            }
+/// Velocity gradients at the nodes that the vertices need (eq. 28).
+struct NodalGradients {
+    /// Place of each node of the grid in `sums`, plus one; zero for nodes that no vertex needs.
+    slots: Vec<u32>,
+    sums: Vec<NodalGradient>,
+}
+
+impl NodalGradients {
+    fn at(&self, node: usize) -> Matrix2<f64> {
+        match self.slots.get(node) {
+            Some(&slot) if slot > 0 => self.sums[slot as usize - 1].mean(),
+            _ => Matrix2::zeros(),
         }
     }
-    for node in wanted.keys() {
-        let [i, _, j] = shape.indices(*node);
-        for a in i.saturating_sub(stencil - 1)..=i.min(bases[0] - 1) {
-            for b in j.saturating_sub(stencil - 1)..=j.min(bases[2] - 1) {
-                near[a * bases[2] + b] = true;
-            }
+
+    /// None, for vertices that follow velocities alone.
+    fn none() -> Self {
+        Self {
+            slots: vec![],
+            sums: vec![],
         }
     }
-    for p in 0..set.len() {
-        let x = set.position(p);
-        let xi = [
-            x[0] * body.mapping.inverse_cell[0],
-            x[1] * body.mapping.inverse_cell[1],
-        ];
-        let base =
-            xi.map(|xi| ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize);
-        if !near[base[0] * bases[2] + base[1]] {
-            continue;
-        }
-        let axes = [0, 1].map(|axis| {
-            let l = body
-                .mapping
-                .half_length_column
-                .map_or(body.mapping.half_length[axis], |c| set.columns[c + axis][p]);
-            if stencil == 3 {
-                let (_, w, g) = axis_weights_at::<3>(body.mapping.family, xi[axis], l);
-                ([w[0], w[1], w[2], 0.0], [g[0], g[1], g[2], 0.0])
-            } else {
-                let (_, w, g) = axis_weights_at::<4>(body.mapping.family, xi[axis], l);
-                (w, g)
-            }
-        });
-        let mut gradient = Matrix2::zeros();
-        let nodes = |f: &mut dyn FnMut(usize, usize, usize)| {
-            for a in 0..stencil {
-                for b in 0..stencil {
-                    f(a, b, (base[0] + a) * shape.nodes[2] + base[1] + b);
+
+    /// Sums over the particles that reach a node of a patch; they are found by their base, without their weights.
+    fn new(
+        patches: &[Patch],
+        set: &ParticleSet,
+        body: &BodyRun,
+        shape: &GridShape,
+        lines: &[Line],
+        stencil: usize,
+    ) -> Self {
+        let mut slots = vec![0_u32; lines.len()];
+        let mut sums = vec![];
+        let bases = shape.bases();
+        let mut near = vec![false; bases[0] * bases[2]];
+        for patch in patches {
+            for k in 0..9 {
+                let node = patch.nodes[k];
+                if patch.weights.weights[k] > 0.0 && slots[node] == 0 {
+                    sums.push(NodalGradient::default());
+                    slots[node] = sums.len() as u32;
+                    let [i, _, j] = shape.indices(node);
+                    for a in i.saturating_sub(stencil - 1)..=i.min(bases[0] - 1) {
+                        for b in j.saturating_sub(stencil - 1)..=j.min(bases[2] - 1) {
+                            near[a * bases[2] + b] = true;
+                        }
+                    }
                 }
             }
-        };
-        nodes(&mut |a, b, node| {
-            let v = Point::new(lines[node][1], lines[node][2]);
-            let slope = Point::new(
-                axes[0].1[a] * axes[1].0[b] * body.mapping.inverse_cell[0],
-                axes[0].0[a] * axes[1].1[b] * body.mapping.inverse_cell[1],
-            );
-            gradient += v * slope.transpose();
-        });
-        let mass = set.columns[Layout::MASS][p];
-        nodes(&mut |a, b, node| {
-            if let Some(sum) = wanted.get_mut(&node) {
-                sum.add(axes[0].0[a] * axes[1].0[b], mass, &gradient);
+        }
+        let mapping = &body.mapping;
+        let offset = base_offset(stencil);
+        for p in 0..set.len() {
+            let xi = [0, 1]
+                .map(|axis| set.columns[Layout::POSITION + axis][p] * mapping.inverse_cell[axis]);
+            let base = xi.map(|xi| ((xi - offset).floor() + GHOSTS_BELOW as f64) as usize);
+            if !near[base[0] * bases[2] + base[1]] {
+                continue;
             }
-        });
+            let axes = [0, 1].map(|axis| {
+                let l = mapping
+                    .half_length_column
+                    .map_or(mapping.half_length[axis], |c| set.columns[c + axis][p]);
+                if stencil == 3 {
+                    let (_, w, g) = axis_weights_at::<3>(mapping.family, xi[axis], l);
+                    ([w[0], w[1], w[2], 0.0], [g[0], g[1], g[2], 0.0])
+                } else {
+                    let (_, w, g) = axis_weights_at::<4>(mapping.family, xi[axis], l);
+                    (w, g)
+                }
+            });
+            let [(w_x, g_x), (w_y, g_y)] = axes;
+            let first = |a: usize| (base[0] + a) * shape.nodes[2] + base[1];
+            let mut gradient = Matrix2::zeros();
+            for a in 0..stencil {
+                for (b, line) in lines[first(a)..][..stencil].iter().enumerate() {
+                    let slope = Point::new(
+                        g_x[a] * w_y[b] * mapping.inverse_cell[0],
+                        w_x[a] * g_y[b] * mapping.inverse_cell[1],
+                    );
+                    gradient += Point::new(line[1], line[2]) * slope.transpose();
+                }
+            }
+            let mass = set.columns[Layout::MASS][p];
+            for a in 0..stencil {
+                for (b, &slot) in slots[first(a)..][..stencil].iter().enumerate() {
+                    if slot > 0 {
+                        sums[slot as usize - 1].add(w_x[a] * w_y[b], mass, &gradient);
+                    }
+                }
+            }
+        }
+        Self { slots, sums }
     }
-    wanted
 }

@@ -2,11 +2,13 @@
 
 mod base_acceleration;
 mod boussinesq;
+mod hertz;
 mod rolling_disk;
 mod statics;
 
 pub use base_acceleration::BaseAcceleration;
 pub use boussinesq::Boussinesq;
+pub use hertz::Hertz;
 pub use rolling_disk::RollingDisk;
 
 use crate::case::{Case, CaseError, Rung, Solved};
@@ -17,6 +19,7 @@ use proctor_kernel::scene::{Law, Material, ObjectiveRate};
 pub(crate) static ALL: &[&dyn Case] = &[
     &Boussinesq::GIVEN,
     &BaseAcceleration::GIVEN,
+    &Hertz::GIVEN,
     &RollingDisk::GIVEN,
 ];
 

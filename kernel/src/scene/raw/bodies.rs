@@ -113,7 +113,7 @@ impl Build<'_> {
             })
     }
 
-    fn motion(&mut self, path: &str, given: &VectorOrTable) -> History {
+    pub(super) fn motion(&mut self, path: &str, given: &VectorOrTable) -> History {
         match given {
             VectorOrTable::Vector(vector) => History {
                 times: vec![0.0],
