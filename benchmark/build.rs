@@ -1,16 +1,66 @@
-//! Tells the program which compiler built it, for the context of its records.
+//! Tells the program how it was built (compiler, features, commit), for the context of its records.
 
+use std::env;
+use std::path::Path;
 use std::process::Command;
 
+/// What decides the machine code, below the folder of the workspace. The commit of a binary is that of these.
+const SOURCES: [&str; 9] = [
+    "Cargo.toml",
+    "Cargo.lock",
+    "kernel/Cargo.toml",
+    "kernel/src",
+    "verification/Cargo.toml",
+    "verification/src",
+    "benchmark/Cargo.toml",
+    "benchmark/src",
+    "benchmark/build.rs",
+];
+
 fn main() {
-    println!("cargo::rerun-if-changed=build.rs");
-    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let version = Command::new(rustc)
-        .arg("--version")
-        .output()
-        .ok()
-        .filter(|output| output.status.success())
-        .and_then(|output| String::from_utf8(output.stdout).ok())
-        .unwrap_or_else(|| "rustc of unknown version".to_owned());
-    println!("cargo::rustc-env=PROCTOR_RUSTC={}", version.trim());
+    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let version = output(Command::new(rustc).arg("--version"));
+    tell(
+        "RUSTC",
+        version.as_deref().unwrap_or("rustc of unknown version"),
+    );
+    let compiled_in = env::var("CARGO_CFG_TARGET_FEATURE").unwrap_or_default();
+    tell("TARGET_FEATURES", &compiled_in);
+    let mut features: Vec<String> = env::vars()
+        .filter_map(|(key, _)| Some(key.strip_prefix("CARGO_FEATURE_")?.to_lowercase()))
+        .map(|feature| feature.replace('_', "-"))
+        .collect();
+    features.sort();
+    tell("FEATURES", &features.join(","));
+    for source in SOURCES {
+        println!("cargo::rerun-if-changed=../{source}");
+    }
+    // Changes with every commit and checkout. Where there is no history, nothing has to be watched.
+    if let Some(log) = git(&["rev-parse", "--git-path", "logs/HEAD"])
+        && Path::new(&log).exists()
+    {
+        println!("cargo::rerun-if-changed={log}");
+    }
+    let commit = git(&["rev-parse", "HEAD"]).unwrap_or_default();
+    tell("COMMIT", &commit);
+    let changed = git(&[&["status", "--porcelain", "--"], &SOURCES[..]].concat());
+    let dirty = changed.map_or_else(String::new, |changed| (!changed.is_empty()).to_string());
+    tell("DIRTY", &dirty);
+}
+
+/// Sets `PROCTOR_key` for the crate.
+fn tell(key: &str, value: &str) {
+    println!("cargo::rustc-env=PROCTOR_{key}={value}");
+}
+
+/// What git prints of the workspace; `None` without git or without a repository.
+fn git(arguments: &[&str]) -> Option<String> {
+    output(Command::new("git").arg("-C").arg("..").args(arguments))
+}
+
+/// Standard output of a command that succeeds.
+fn output(command: &mut Command) -> Option<String> {
+    let output = command.output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
 }

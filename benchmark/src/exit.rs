@@ -10,6 +10,8 @@ pub enum Outcome {
     Fine,
     /// A check or a run failed; the verb has said what: 1.
     Failed,
+    /// There is nothing to judge by, and the verb has said why: 2.
+    CannotCompare,
     /// The user stopped it: 130, as a shell has it for an interrupt.
     Interrupted,
 }

@@ -1,12 +1,18 @@
 //! The benchmark half: what is measured, kept, judged and shown, and the `proctor` command over all of it.
 #![forbid(unsafe_code)]
 
+pub mod bench;
 mod exit;
+pub mod frames;
+mod interrupt;
+pub mod judge;
 pub mod measure;
+pub mod precision;
 mod progress;
 pub mod record;
+pub mod report;
 pub mod show;
-mod speed;
+pub mod statistics;
 pub mod suite;
 mod verbs;
 
@@ -27,7 +33,8 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 fine, 1 a check or a run failed, 2 bad input, 130 interrupted.
+Exit codes: 0 fine, 1 a check or a run failed or something got worse, 2 bad input or nothing that
+can be compared, 130 interrupted.
 Units are SI everywhere. `proctor VERB -h` explains a verb with an example.";
 
 /// Runs the command on the arguments of this process.
@@ -42,7 +49,8 @@ pub fn command() -> ExitCode {
     match result {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Failed) => ExitCode::from(1),
-        Ok(Outcome::Interrupted) => ExitCode::from(130),
+        Ok(Outcome::CannotCompare) => ExitCode::from(2),
+        Ok(Outcome::Interrupted) => ExitCode::from(interrupt::EXIT_CODE),
         Err(Failure::BadInput(message)) => {
             // What was printed before the message belongs in front of it.
             let _ = out.flush();

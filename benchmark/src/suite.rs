@@ -35,9 +35,20 @@ impl Ran {
 
 /// Runs a case. A run that fails does not end it: the verdict is about all of them.
 pub fn run(case: &'static dyn Case, size: Size, options: &Options) -> Ran {
+    run_while(case, size, options, &|| true)
+}
+
+/// Runs a case as long as `go` says so before each run; the verdict is about those that were made.
+pub fn run_while(
+    case: &'static dyn Case,
+    size: Size,
+    options: &Options,
+    go: &dyn Fn() -> bool,
+) -> Ran {
     let rungs: Vec<RanRung> = case
         .rungs(size)
         .into_iter()
+        .take_while(|_| go())
         .map(|rung| {
             let mut progress = Progress::new(&format!("{} {}", case.name(), rung.label));
             let mut stopwatch = Stopwatch::default();

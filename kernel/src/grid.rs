@@ -147,6 +147,15 @@ impl Nodes {
     }
 }
 
+impl Clone for Nodes {
+    /// A copy that starts on a cache line of its own memory.
+    fn clone(&self) -> Self {
+        let mut copy = Self::new(self.count);
+        copy.lines_mut().copy_from_slice(self.lines());
+        copy
+    }
+}
+
 /// The part of each row (along the fast direction) that particles can reach until the next sort.
 #[derive(Clone, Debug, Default)]
 pub struct ActiveRows {

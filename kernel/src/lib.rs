@@ -20,4 +20,5 @@ pub mod run;
 pub mod scene;
 pub mod simulation;
 pub mod stage;
+pub mod surface;
 pub mod weights;

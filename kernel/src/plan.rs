@@ -6,8 +6,9 @@ use crate::mortar::segments::Detection;
 use crate::particles::{Layout, Optional};
 use crate::scene::{
     Body, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, Field, Law, PlaneCondition,
-    Scene, Shape, StressScheme, TransferKind, Weighting,
+    RigidSurface, Scene, Shape, StressScheme, TransferKind, Weighting,
 };
+use crate::simulation::has_safe_step;
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
 use std::fmt;
@@ -279,6 +280,14 @@ impl Plan {
             "no body has a prescribed velocity",
         );
         contact_words(scene, &mut list);
+        let surfaces: Vec<String> = scene.surfaces.iter().map(surface_words).collect();
+        list.choose(
+            "stage",
+            "contact with rigid surfaces",
+            !surfaces.is_empty(),
+            &surfaces.join("; "),
+            "the scene has none",
+        );
         list.choose(
             "stage",
             "measurement at the nodes",
@@ -327,13 +336,11 @@ impl Plan {
         list.keep(
             "time step",
             "wave speed and particle speed",
-            if scene.weighting == Weighting::Linear
-                && (scene.scheme == StressScheme::Usl || self.affine != Affine::Leave)
-            {
+            if has_safe_step(scene.weighting, scene.scheme, scene.transfer.kind) {
+                "dt <= C min(h)/(c + |v|), C of the stress scheme, the weighting function and the transfer"
+            } else {
                 "dt <= 0.7 min(h)/(c + |v|), which holds only while no node is nearly empty: linear functions \
                  have no safe step with USL or an affine transfer"
-            } else {
-                "dt <= C min(h)/(c + |v|), C of the stress scheme, the weighting function and the transfer"
             },
         );
         list.choose(
@@ -421,6 +428,35 @@ fn contact_words(scene: &Scene, list: &mut Words) {
 /// Whether the particles of a body are given one by one.
 fn is_list(body: &Body) -> bool {
     matches!(body.shape, Shape::Particles(_))
+}
+
+/// A surface in a few words, its open edges among them: a terrain has some, a closed body none.
+fn surface_words(rigid: &RigidSurface) -> String {
+    let edges = rigid.surface.open_edges().map_or_else(
+        || "closed".to_owned(),
+        |open| {
+            let [a, b] = open.first;
+            format!(
+                "{} open edges, the first at triangle {} from {a:?} to {b:?} m",
+                open.count, open.triangle
+            )
+        },
+    );
+    format!(
+        "{}, {} triangles, {edges}{}{}",
+        rigid.name,
+        rigid.surface.triangle_count(),
+        if rigid.motion.is_some() {
+            ", moving"
+        } else {
+            ""
+        },
+        if rigid.penalty_stiffness.is_some() {
+            ", with a penalty force"
+        } else {
+            ""
+        },
+    )
 }
 
 fn weighting_words(weighting: Weighting) -> &'static str {

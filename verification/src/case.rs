@@ -54,7 +54,7 @@ pub struct Curve {
     pub abscissa: &'static str,
     /// Name and unit of the quantity.
     pub ordinate: &'static str,
-    /// Points in order of the coordinate.
+    /// Points in order of the coordinate. Where there are several lines, a point that is not a number parts them.
     pub points: Vec<CurvePoint>,
 }
 
@@ -150,6 +150,8 @@ pub struct Verdict {
     pub gates: Vec<Gate>,
     /// Lines that are shown and judge nothing.
     pub for_the_record: Vec<String>,
+    /// Pictures of several runs together.
+    pub curves: Vec<Curve>,
 }
 
 impl Verdict {

@@ -5,3 +5,5 @@ pub mod case;
 pub mod cases;
 pub mod convergence;
 pub mod exact;
+pub mod settings;
+pub mod study;

@@ -4,6 +4,8 @@
 mod axis_aligned_mms;
 #[path = "exact/bar.rs"]
 mod bar;
+#[path = "exact/bar_impact.rs"]
+mod bar_impact;
 #[path = "exact/base_column.rs"]
 mod base_column;
 #[path = "exact/boussinesq_box.rs"]
@@ -20,5 +22,7 @@ mod rolling_disk;
 mod rotation;
 #[path = "exact/self_weight.rs"]
 mod self_weight;
+#[path = "exact/sliding.rs"]
+mod sliding;
 #[path = "exact/special.rs"]
 mod special;

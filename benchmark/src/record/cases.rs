@@ -1,15 +1,19 @@
 //! Rows of verification cases.
 
-use super::{Record, Row, key};
+use super::{LADDER, Record, Row, key};
 use crate::suite::{Ran, RanRung};
 
 impl Record {
-    /// Adds a row per run of a case, and one for its verdict.
+    /// Adds a row per run of a case, and one for its verdict where anything was run.
     pub fn push_case(&mut self, ran: &Ran, threads: usize) {
+        if ran.rungs.is_empty() {
+            return;
+        }
         for rung in &ran.rungs {
             self.push(run_row(ran.case.name(), rung, threads));
         }
         self.push(verdict_row(ran, threads));
+        self.details.push_case(ran);
     }
 }
 
@@ -18,6 +22,7 @@ fn run_row(case: &str, ran: &RanRung, threads: usize) -> Row {
     let name = format!("{case}/{}", ran.rung.label);
     let mut row = Row::sample(name, 0, threads).timed(ran.spent);
     row.count("cell_size", ran.rung.cell);
+    row.label(LADDER, format!("{case}/{}", ran.rung.variant));
     match &ran.solved {
         Ok(solved) => {
             row.count("particles", solved.particles as f64);

@@ -1,15 +1,21 @@
 //! Where and how a record was measured.
 
+use super::machine;
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::simulation::Options;
 use serde_json::{Value, json};
-use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Version of the shape; raised when a key changes its meaning.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// The context of what is measured now, on this machine.
+/// The context of what is measured now, on this machine, with this build.
+///
+/// Keys of Google Benchmark: `date`, `executable`, `num_cpus` (logical), `mhz_per_cpu`, `cpu_scaling_enabled`, `caches`
+/// (size in bytes), `load_avg`, `library_build_type`. Ours: `schema_version`, `proctor_version`, `commit` and `dirty`
+/// (of the sources that were built), `rustc`, `target`, `features` (cargo), `target_features_compiled` and
+/// `target_features_detected`, `lanes`, `cpu_model`, `cores_physical`. What cannot be known is left out. There is no name
+/// of a host or a user.
 #[must_use]
 pub fn now(options: &Options) -> Value {
     let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
@@ -23,14 +29,43 @@ pub fn now(options: &Options) -> Value {
         "rustc": env!("PROCTOR_RUSTC"),
         "library_build_type": if cfg!(debug_assertions) { "debug" } else { "release" },
         "target": format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
+        "target_features_compiled": env!("PROCTOR_TARGET_FEATURES"),
+        "target_features_detected": detected().join(","),
+        "features": env!("PROCTOR_FEATURES"),
         "lanes": lanes.name(),
     });
-    for (key, value) in [("cpu_model", cpu_model()), ("commit", commit())] {
-        if let Some(value) = value {
-            context[key] = value.into();
-        }
+    let commit = env!("PROCTOR_COMMIT");
+    if !commit.is_empty() {
+        context["commit"] = commit.into();
     }
+    if let Ok(dirty) = env!("PROCTOR_DIRTY").parse::<bool>() {
+        context["dirty"] = dirty.into();
+    }
+    machine::describe(&mut context);
     context
+}
+
+/// Those features of the processor that lanes and multiply-add depend on, as found on this machine.
+#[cfg(target_arch = "x86_64")]
+fn detected() -> Vec<&'static str> {
+    let features = [
+        ("sse4.2", is_x86_feature_detected!("sse4.2")),
+        ("avx", is_x86_feature_detected!("avx")),
+        ("fma", is_x86_feature_detected!("fma")),
+        ("bmi2", is_x86_feature_detected!("bmi2")),
+        ("avx2", is_x86_feature_detected!("avx2")),
+        ("avx512f", is_x86_feature_detected!("avx512f")),
+        ("avx512dq", is_x86_feature_detected!("avx512dq")),
+        ("avx512vl", is_x86_feature_detected!("avx512vl")),
+    ];
+    let found = features.into_iter().filter(|(_, found)| *found);
+    found.map(|(name, _)| name).collect()
+}
+
+/// Lanes use no feature of other processors.
+#[cfg(not(target_arch = "x86_64"))]
+fn detected() -> Vec<&'static str> {
+    vec![]
 }
 
 /// A time as ISO 8601, UTC, to the second.
@@ -52,24 +87,6 @@ fn date(time: SystemTime) -> String {
     };
     let year = era * 400 + year + carry;
     format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}+00:00")
-}
-
-/// Name of the processor, where the system tells it in a file.
-fn cpu_model() -> Option<String> {
-    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
-    let line = text.lines().find(|line| line.starts_with("model name"))?;
-    Some(line.split_once(':')?.1.trim().to_owned())
-}
-
-/// Commit of the working folder, where there is one.
-fn commit() -> Option<String> {
-    let output = Command::new("git")
-        .args(["rev-parse", "HEAD"])
-        .output()
-        .ok()
-        .filter(|output| output.status.success())?;
-    let hash = String::from_utf8(output.stdout).ok()?.trim().to_owned();
-    (!hash.is_empty()).then_some(hash)
 }
 
 #[cfg(test)]

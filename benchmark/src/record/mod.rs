@@ -4,22 +4,42 @@
 
 mod cases;
 pub mod context;
+pub mod details;
+mod error;
+pub mod export;
+mod join;
+mod machine;
+mod read;
 mod row;
+mod series;
+mod table;
 
+pub use details::Details;
+pub use error::RecordError;
 pub use row::{Kind, Row, key};
+pub use series::{CaseKey, Cases, Series};
 
 use proctor_kernel::output::{OutputError, atomic};
 use proctor_kernel::simulation::Options;
 use serde_json::{Value, json};
 use std::path::Path;
 
+/// Label that rows of one ladder share: runs that differ in resolution alone, so that their errors and times say what
+/// accuracy costs. Rows without it belong to none.
+pub const LADDER: &str = "ladder";
+
+/// Key of the context that marks a record of interrupted work.
+const INCOMPLETE: &str = "incomplete";
+
 /// A record of one invocation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// Where and how it was measured, a flat JSON object.
+    /// Where and how it was measured, a JSON object.
     pub context: Value,
     /// Rows in the order in which they were measured.
     pub rows: Vec<Row>,
+    /// What does not fit into flat rows.
+    pub details: Details,
 }
 
 impl Record {
@@ -29,6 +49,7 @@ impl Record {
         Self {
             context: context::now(options),
             rows: vec![],
+            details: Details::default(),
         }
     }
 
@@ -37,13 +58,33 @@ impl Record {
         self.rows.push(row);
     }
 
+    /// Says whether the record lacks what was asked for, because the work was interrupted or still goes on.
+    pub fn set_incomplete(&mut self, incomplete: bool) {
+        if let Some(context) = self.context.as_object_mut() {
+            if incomplete {
+                context.insert(INCOMPLETE.to_owned(), true.into());
+            } else {
+                context.remove(INCOMPLETE);
+            }
+        }
+    }
+
+    /// Whether the record lacks what was asked for.
+    #[must_use]
+    pub fn incomplete(&self) -> bool {
+        self.context[INCOMPLETE] == true
+    }
+
     /// Writes the record, atomically.
     ///
     /// # Errors
     /// [`OutputError`] if the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), OutputError> {
         let rows: Vec<Value> = self.rows.iter().map(Row::to_json).collect();
-        let record = json!({ "context": self.context, "benchmarks": rows });
+        let mut record = json!({ "context": self.context, "benchmarks": rows });
+        if !self.details.is_empty() {
+            record["details"] = json!(self.details);
+        }
         atomic::write(path, |file| writeln!(file, "{record:#}"))
     }
 }

@@ -3,6 +3,10 @@
 use crate::measure::Spent;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
+use std::time::Duration;
+
+/// Counter that holds the pass of a row.
+pub(super) const PASS: &str = "pass";
 
 /// What a row stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,7 +32,9 @@ pub struct Row {
     pub kind: Kind,
     /// Threads of the run.
     pub threads: u64,
-    /// Time of the run, where it was timed.
+    /// Runs that were timed together; 1 but for records of other programs.
+    pub iterations: u64,
+    /// Time of all iterations, where they were timed.
     pub spent: Option<Spent>,
     /// Finite numbers by key: errors, counts, rates, in SI units.
     pub counters: BTreeMap<String, f64>,
@@ -59,6 +65,7 @@ impl Row {
             name,
             kind,
             threads: threads as u64,
+            iterations: 1,
             spent: None,
             counters: BTreeMap::new(),
             labels: BTreeMap::new(),
@@ -85,6 +92,32 @@ impl Row {
         self.labels.insert(key.into(), value.into());
     }
 
+    /// Clock time of one iteration \[s\], where the run was timed and did not fail.
+    #[must_use]
+    pub fn wall(&self) -> Option<f64> {
+        let spent = self.spent.filter(|_| self.error.is_none())?;
+        Some(spent.wall.as_secs_f64() / self.iterations as f64)
+    }
+
+    /// CPU time of one iteration \[s\], where the run was timed and did not fail.
+    #[must_use]
+    pub fn cpu(&self) -> Option<f64> {
+        let spent = self.spent.filter(|_| self.error.is_none())?;
+        Some(spent.cpu.as_secs_f64() / self.iterations as f64)
+    }
+
+    /// In which pass the run was made, from 0: passes are interleaved rounds over all that is compared. A row without
+    /// the counter `pass` belongs to pass 0.
+    #[must_use]
+    pub fn pass(&self) -> u64 {
+        self.counters.get(PASS).map_or(0, |pass| *pass as u64)
+    }
+
+    /// Puts the run into a pass.
+    pub fn set_pass(&mut self, pass: u64) {
+        self.count(PASS, pass as f64);
+    }
+
     /// Marks the run as failed.
     pub fn fail(&mut self, message: impl Into<String>) {
         self.error = Some(message.into());
@@ -100,7 +133,6 @@ impl Row {
                 row.insert("name".into(), self.name.clone().into());
                 row.insert("run_type".into(), "iteration".into());
                 row.insert("repetition_index".into(), (*repetition).into());
-                row.insert("iterations".into(), 1.into());
             }
             Kind::Aggregate { name } => {
                 row.insert("name".into(), format!("{}_{name}", self.name).into());
@@ -109,9 +141,20 @@ impl Row {
             }
         }
         row.insert("threads".into(), self.threads.into());
-        if let Some(spent) = self.spent {
-            row.insert("real_time".into(), (spent.wall.as_secs_f64() * 1e3).into());
-            row.insert("cpu_time".into(), (spent.cpu.as_secs_f64() * 1e3).into());
+        let per_iteration = |time: Duration| time.as_secs_f64() * 1e3 / self.iterations as f64;
+        let (iterations, times) = match (self.spent, &self.kind) {
+            (Some(spent), _) => (
+                self.iterations,
+                Some([spent.wall, spent.cpu].map(per_iteration)),
+            ),
+            // Google Benchmark, and what reads its files, wants a time in every sample: none of no iteration.
+            (None, Kind::Sample { .. }) => (0, Some([0.0; 2])),
+            (None, Kind::Aggregate { .. }) => (self.iterations, None),
+        };
+        row.insert("iterations".into(), iterations.into());
+        if let Some([wall, cpu]) = times {
+            row.insert("real_time".into(), wall.into());
+            row.insert("cpu_time".into(), cpu.into());
             row.insert("time_unit".into(), "ms".into());
         }
         for (key, value) in &self.counters {

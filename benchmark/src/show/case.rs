@@ -1,6 +1,6 @@
 //! A case that was run, as text.
 
-use super::{Table, grouped, number, seconds};
+use super::{Table, grouped, number, percent, seconds};
 use crate::suite::{Ran, RanRung};
 use proctor_verification::case::{Gate, Quantity, Relation};
 use std::io::{self, Write};
@@ -136,24 +136,6 @@ fn table(variant: &[RanRung]) -> Table {
     table
 }
 
-/// A relative error in per cent, three significant digits.
-fn percent(error: f64) -> String {
-    if !error.is_finite() {
-        return "-".to_owned();
-    }
-    let value = 100.0 * error;
-    if value != 0.0 && value < 1e-3 {
-        format!("{value:.1e} %")
-    } else {
-        let decimals = if value == 0.0 {
-            0
-        } else {
-            (2 - value.log10().floor() as i32).max(0) as usize
-        };
-        format!("{value:.decimals$} %")
-    }
-}
-
 /// A name in two lines of about the same length, broken at a blank.
 fn in_two(name: &str) -> (&str, &str) {
     let middle = name.len() / 2;
@@ -181,16 +163,6 @@ fn gate_line(gate: &Gate) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn errors_are_in_per_cent_with_three_digits() {
-        assert_eq!(percent(0.004_567), "0.457 %");
-        assert_eq!(percent(0.123_4), "12.3 %");
-        assert_eq!(percent(2.5), "250 %");
-        assert_eq!(percent(1e-9), "1.0e-7 %");
-        assert_eq!(percent(0.0), "0 %");
-        assert_eq!(percent(f64::NAN), "-");
-    }
 
     #[test]
     fn long_names_break_near_their_middle() {

@@ -1,6 +1,10 @@
 //! Numbers and tables as text.
 
 pub mod case;
+pub mod chart;
+pub mod comparison;
+pub mod figures;
+pub mod precision;
 
 use std::fmt::{self, Write as _};
 
@@ -55,6 +59,25 @@ pub fn seconds(s: f64) -> String {
     format!("{value:.decimals$} {unit}")
 }
 
+/// A relative error in per cent, three significant digits.
+#[must_use]
+pub fn percent(error: f64) -> String {
+    if !error.is_finite() {
+        return "-".to_owned();
+    }
+    let value = 100.0 * error;
+    if value != 0.0 && value < 1e-3 {
+        format!("{value:.1e} %")
+    } else {
+        let decimals = if value == 0.0 {
+            0
+        } else {
+            (2 - value.log10().floor() as i32).max(0) as usize
+        };
+        format!("{value:.decimals$} %")
+    }
+}
+
 /// Bytes in the binary unit that suits them.
 #[must_use]
 pub fn bytes(n: u64) -> String {
@@ -78,6 +101,12 @@ impl Table {
         Self {
             lines: vec![headings.into_iter().map(Into::into).collect()],
         }
+    }
+
+    /// Its lines, the headings first.
+    #[must_use]
+    pub fn lines(&self) -> &[Vec<String>] {
+        &self.lines
     }
 
     /// Adds a line; cells that are missing at its end stay empty.
@@ -128,6 +157,16 @@ mod tests {
         assert_eq!(seconds(0.012_34), "12.3 ms");
         assert_eq!(seconds(125.0), "125 s");
         assert_eq!(bytes(1536), "1.5 KiB");
+    }
+
+    #[test]
+    fn errors_are_in_per_cent_with_three_digits() {
+        assert_eq!(percent(0.004_567), "0.457 %");
+        assert_eq!(percent(0.123_4), "12.3 %");
+        assert_eq!(percent(2.5), "250 %");
+        assert_eq!(percent(1e-9), "1.0e-7 %");
+        assert_eq!(percent(0.0), "0 %");
+        assert_eq!(percent(f64::NAN), "-");
     }
 
     #[test]

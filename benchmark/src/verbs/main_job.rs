@@ -1,79 +1,159 @@
 //! `proctor` without a verb: the main job on the built-in set.
 
+use super::settings::processors;
+use crate::bench::Session;
+use crate::bench::config::{Asked, Config};
+use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
-use crate::show::{Table, case as show, grouped};
-use crate::speed::{self, Speed};
+use crate::interrupt::Interrupt;
+use crate::precision::{Effort, run as study_run};
+use crate::record::Record;
+use crate::report;
+use crate::show::{case as show, precision as show_study};
 use crate::suite::{self, Ran};
+use proctor_kernel::lanes::LaneChoice;
+use proctor_kernel::output::atomic;
+use proctor_kernel::plan::{Demands, Plan};
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{self, Size};
+use proctor_verification::study;
 use std::io::Write;
+use std::path::Path;
+
+/// Where record and page go, below the working folder.
+const FOLDER: &str = "target/proctor";
+
+/// Speed of the built-in set: the moving block of the speed fixtures.
+const SPEED: &str = r#"{ "scenes": ["moving-3d"], "particles": 64000, "particle_steps": 4000000 }"#;
 
 const WHERE_TO_GO: &str = "\
 Where to go from here (in a checkout, `cargo run --release --` stands for `proctor`)
   proctor verify
       the full ladders with observed orders, and why each bound
+  proctor precision bar
+      error against run time for every combination of weighting function, scheme and transfer
   proctor run fixtures/scenes/disc_bounce_2d.json --out out
       a scene; open out/particles.pvd in ParaView
-  proctor plan fixtures/scenes/manual/boussinesq.json
-      what a scene needs, and what is left out
   proctor -h
       everything else";
 
-/// The suites in short, error and run time side by side, then the speed.
+/// The suites in short, error against run time, and speed; tables here, everything in a record and a page.
 pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
     let options = Options::default();
-    let mut all: Vec<Ran> = vec![];
-    for &case in case::all() {
-        let ran = suite::run(case, Size::Quick, &options);
-        show::runs(&ran, out)?;
-        show::gates(&ran, false, out)?;
-        out.flush()?;
-        all.push(ran);
-    }
-    let measured = speeds();
-    match &measured {
-        Ok(speeds) => show_speeds(speeds, out)?,
-        Err(reason) => writeln!(out, "speed: FAIL, {reason}\n")?,
-    }
+    let folder = Path::new(FOLDER);
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Failure::BadInput(format!("{}: {error}", folder.display())))?;
+    let mut record = Record::new(&options);
+    record.set_incomplete(true);
+    record
+        .write(&folder.join("record.json"))
+        .map_err(Failure::bad_input)?;
+    let stop = Interrupt::listen()?;
+
+    let all = verify(&options, &mut record, &stop, out)?;
+    precision(&mut record, &stop, out)?;
+    let fast = speed(&mut record, &stop, out)?;
+
+    let interrupted = stop.raised();
+    record.set_incomplete(interrupted);
+    write(&record, folder, out)?;
     show::total(&all, out)?;
+    if interrupted {
+        return Ok(Outcome::Interrupted);
+    }
     writeln!(out, "\n{WHERE_TO_GO}")?;
-    Ok(if measured.is_ok() && all.iter().all(Ran::passed) {
+    Ok(if fast && all.iter().all(Ran::passed) {
         Outcome::Fine
     } else {
         Outcome::Failed
     })
 }
 
-/// One thread, and all of them.
-fn speeds() -> Result<Vec<Speed>, String> {
-    let scene = speed::block().map_err(|error| error.to_string())?;
-    let all = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let mut counts = vec![1, all];
-    counts.dedup();
-    counts
-        .into_iter()
-        .map(|threads| speed::measure(&scene, threads))
-        .collect()
+/// Short ladders of all cases, with the plans of their scenes.
+fn verify(
+    options: &Options,
+    record: &mut Record,
+    stop: &Interrupt,
+    out: &mut dyn Write,
+) -> Result<Vec<Ran>, Failure> {
+    let mut all: Vec<Ran> = vec![];
+    for &case in case::all() {
+        if stop.raised() {
+            break;
+        }
+        let ran = suite::run(case, Size::Quick, options);
+        show::runs(&ran, out)?;
+        show::gates(&ran, false, out)?;
+        out.flush()?;
+        record.push_case(&ran, options.threads.unwrap_or_else(processors));
+        if let Some(rung) = ran.rungs.last() {
+            let scene = case.scene(&rung.rung);
+            let plan = Plan::new(&scene, Demands::default());
+            record
+                .details
+                .push_plan(&format!("{}, {}", case.name(), rung.rung.label), &plan);
+        }
+        all.push(ran);
+    }
+    Ok(all)
 }
 
-fn show_speeds(speeds: &[Speed], out: &mut dyn Write) -> Result<(), Failure> {
-    let Some(first) = speeds.first() else {
-        return Ok(());
+/// Short studies of all cases that can be studied, on one thread.
+fn precision(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<(), Failure> {
+    let options = Options {
+        threads: Some(1),
+        ..Options::default()
     };
+    let effort = Effort {
+        size: Size::Quick,
+        repetitions: 1,
+    };
+    for &study in study::all() {
+        if stop.raised() {
+            break;
+        }
+        let studied = study_run::run(study, effort, &options, stop.flag());
+        show_study::study(&studied, false, out)?;
+        out.flush()?;
+        record.push_study(&studied, 1);
+    }
+    Ok(())
+}
+
+/// Speed on one thread and on all; whether every sample was taken.
+fn speed(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<bool, Failure> {
+    let mut threads = vec![1, processors()];
+    threads.dedup();
+    let asked = Asked {
+        threads,
+        repetitions: None,
+        quick: true,
+    };
+    let config = Config::from_json(SPEED, "built-in set", Path::new(""), &asked)
+        .map_err(Failure::bad_input)?;
+    let mut session = Session::new(&config, LaneChoice::Auto).map_err(Failure::bad_input)?;
+    let first = record.rows.len();
+    // Nothing is written there: there are no executables.
+    session.run(record, Path::new(""), stop.flag());
+    let measured = Record {
+        rows: record.rows[first..].to_vec(),
+        ..record.clone()
+    };
+    write!(out, "{}", Report::new(&session, &measured))?;
+    Ok(measured.rows.iter().all(|row| row.error.is_none()))
+}
+
+/// The record and the page made from it.
+fn write(record: &Record, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+    let (data, page) = (folder.join("record.json"), folder.join("report.html"));
+    record.write(&data).map_err(Failure::bad_input)?;
+    let html = report::page(record);
+    atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)?;
     writeln!(
         out,
-        "speed: {} particles, 3D, uGIMP, USL, {} lanes; ns per particle and step, best of 3\n",
-        grouped(first.particles as u64),
-        first.lanes
+        "record in {}\npage in {}\n",
+        data.display(),
+        page.display()
     )?;
-    let mut table = Table::new(["threads", "wall", "CPU"]);
-    for speed in speeds {
-        table.push([
-            speed.threads.to_string(),
-            format!("{:.0}", speed.wall),
-            format!("{:.0}", speed.cpu),
-        ]);
-    }
-    writeln!(out, "{table}")?;
     Ok(())
 }

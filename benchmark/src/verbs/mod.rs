@@ -1,7 +1,14 @@
 //! The verbs of the command, one file each.
 
+mod bench;
+mod compare;
+mod export;
 mod main_job;
+mod names;
+mod noise;
 mod plan;
+mod precision;
+mod report;
 mod run;
 mod schema;
 mod settings;
@@ -22,6 +29,18 @@ pub enum Verb {
     Plan(plan::Plan),
     /// Run verification cases: errors, observed orders, gates.
     Verify(verify::Verify),
+    /// Error against run time, for every case with an exact solution.
+    Precision(precision::Precision),
+    /// Measure speed: scenes x particles x threads x methods, stages, other executables.
+    Bench(bench::Bench),
+    /// Make the page of a record.
+    Report(report::Report),
+    /// Compare two records: errors exactly, counts nearly exactly, times by interleaved passes.
+    Compare(compare::Compare),
+    /// Measure the noise of each case: the same program against itself.
+    Noise(noise::Noise),
+    /// Write a record in the shape that another tool reads.
+    Export(export::Export),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -33,6 +52,12 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
+        Some(Verb::Precision(precision)) => precision.run(out),
+        Some(Verb::Bench(bench)) => bench.run(out),
+        Some(Verb::Report(report)) => report.run(out),
+        Some(Verb::Compare(compare)) => compare.run(out),
+        Some(Verb::Noise(noise)) => noise.run(out),
+        Some(Verb::Export(export)) => export.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

@@ -5,6 +5,7 @@ mod report;
 use super::scene;
 use super::settings::Settings;
 use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
 use crate::measure::Stopwatch;
 use crate::progress::Progress;
 use clap::Args;
@@ -16,14 +17,12 @@ use report::Report;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run a scene; write frames, history and a summary.
 ///
 /// Into DIR go frames (particles.pvd lists them for viewers), history.csv, checkpoint.bin and
 /// summary.json, each of them whole at any moment. Without --out nothing is written. Ctrl-C finishes the step and
-/// writes the summary.
+/// writes the summary; a second one ends at once.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor run fixtures/scenes/manual/boussinesq.json --out out\n\
@@ -53,7 +52,7 @@ struct Tally {
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let scene = scene(&self.scene)?;
-        let interrupt = interrupt()?;
+        let interrupt = Interrupt::listen()?;
         let mut run = KernelRun::start(
             &scene,
             &self.settings.options(),
@@ -96,7 +95,7 @@ impl Run {
 }
 
 /// From output time to output time; returns why it ended early, if it failed.
-fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &AtomicBool) -> Option<String> {
+fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Option<String> {
     let name = run.simulation().scene().name.clone();
     let end = run.simulation().scene().time;
     let mut progress = Progress::new(&name);
@@ -107,18 +106,14 @@ fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &AtomicBool) -> Opti
             run.advance(stop, |info: &StepInfo| {
                 *bounds.entry(bound_words(info.bound)).or_default() += 1;
                 progress.at(info.time / end);
-                if interrupt.load(Ordering::Relaxed) {
-                    Go::Stop
-                } else {
-                    Go::On
-                }
+                if interrupt.raised() { Go::Stop } else { Go::On }
             })
         });
         tally.particle_steps += particles as f64 * (run.simulation().steps() - before) as f64;
         if let Err(error) = advanced {
             return Some(error.to_string());
         }
-        if interrupt.load(Ordering::Relaxed) {
+        if interrupt.raised() {
             return None;
         }
         if let Err(error) = run.write() {
@@ -140,20 +135,12 @@ fn save(summary: &Summary, folder: Option<&OutputFolder>) -> bool {
     }
 }
 
-/// A flag that Ctrl-C raises.
-fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&flag);
-    ctrlc::set_handler(move || raised.store(true, Ordering::Relaxed))
-        .map_err(|error| Failure::BadInput(format!("cannot listen to Ctrl-C: {error}")))?;
-    Ok(flag)
-}
-
 fn bound_words(bound: Bound) -> &'static str {
     match bound {
         Bound::Stability => "by the stability bound",
         Bound::Travel => "so that nothing crosses half a cell",
         Bound::Multiplier => "by the scene's multiplier",
+        Bound::Contact => "by the stiffness of the contact",
         Bound::Fixed => "constant, by the scene",
         Bound::OutputTime => "in equal steps to the outputs",
     }

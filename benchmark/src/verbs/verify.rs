@@ -1,7 +1,9 @@
 //! `proctor verify`: cases, errors, observed orders, gates.
 
+use super::names;
 use super::settings::{Settings, processors};
 use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
 use crate::record::Record;
 use crate::show::case as show;
 use crate::suite::{self, Ran};
@@ -10,9 +12,6 @@ use proctor_kernel::lanes::Selected;
 use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
 use std::path::PathBuf;
-
-/// Least likeness of a case's name to an unknown word, 0 to 1, for it to be suggested.
-const LIKENESS: f64 = 0.4;
 
 /// Run verification cases: errors, observed orders, gates.
 ///
@@ -27,7 +26,7 @@ pub struct Verify {
     /// Run the short ladder of each case
     #[arg(long)]
     quick: bool,
-    /// Write a record of all runs (Google Benchmark JSON)
+    /// Write a record of all runs (Google Benchmark JSON); Ctrl-C finishes the run and marks the record incomplete
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     #[command(flatten)]
@@ -36,28 +35,35 @@ pub struct Verify {
 
 impl Verify {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let cases = self.cases()?;
+        let cases = names::chosen(&self.cases, case::all(), "case", Case::name)?;
         let options = self.settings.options();
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let size = if self.quick { Size::Quick } else { Size::Full };
         let threads = options.threads.unwrap_or_else(processors);
+        let interrupt = Interrupt::listen()?;
         let mut record = Record::new(&options);
+        // Until all is done. A process that is killed leaves it so.
+        record.set_incomplete(true);
         if let Some(path) = &self.json {
             // An empty record now rather than a file that cannot be written after minutes.
             record.write(path).map_err(Failure::bad_input)?;
         }
         let mut all: Vec<Ran> = vec![];
         for case in cases {
-            let ran = suite::run(case, size, &options);
+            let ran = suite::run_while(case, size, &options, &|| !interrupt.raised());
+            record.push_case(&ran, threads);
+            if interrupt.raised() {
+                return self.interrupted(&record);
+            }
             show::runs(&ran, out)?;
             show::tables(&ran, out)?;
             show::gates(&ran, true, out)?;
             show::for_the_record(&ran, out)?;
             out.flush()?;
-            record.push_case(&ran, threads);
             all.push(ran);
         }
         show::total(&all, out)?;
+        record.set_incomplete(false);
         if let Some(path) = &self.json {
             record.write(path).map_err(Failure::bad_input)?;
             writeln!(out, "record in {}", path.display())?;
@@ -69,36 +75,12 @@ impl Verify {
         })
     }
 
-    /// The cases asked for, each once.
-    fn cases(&self) -> Result<Vec<&'static dyn Case>, Failure> {
-        if self.cases.is_empty() {
-            return Ok(case::all().to_vec());
+    /// Writes what was measured until Ctrl-C.
+    fn interrupted(&self, record: &Record) -> Result<Outcome, Failure> {
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+            eprintln!("interrupted; incomplete record in {}", path.display());
         }
-        let mut cases: Vec<&'static dyn Case> = vec![];
-        for name in &self.cases {
-            let case = case::find(name).ok_or_else(|| Failure::BadInput(unknown(name)))?;
-            if cases.iter().all(|known| known.name() != case.name()) {
-                cases.push(case);
-            }
-        }
-        Ok(cases)
-    }
-}
-
-/// What to say to a name that no case has.
-fn unknown(name: &str) -> String {
-    let names: Vec<&str> = case::all().iter().map(|case| case.name()).collect();
-    let text = format!(
-        "found the case {name:?}, which is not known; accepted: {}",
-        names.join(", ")
-    );
-    let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
-    let nearest = names
-        .iter()
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
-        .filter(|known| likeness(known) >= LIKENESS || known.starts_with(name));
-    match nearest {
-        Some(nearest) => format!("{text} (did you mean `{nearest}`?)"),
-        None => text,
+        Ok(Outcome::Interrupted)
     }
 }

@@ -2,8 +2,11 @@
 #![allow(missing_docs)]
 
 mod bad_input;
+mod bench;
+mod compare;
 mod pipe;
 mod plan;
+mod precision;
 mod restart;
 mod run;
 mod support;

@@ -1,57 +1,48 @@
 //! The broad phase: which pairs of bodies may share a node before the next sort.
 
 use super::Pair;
-use crate::grid::GridShape;
+use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::particles::{Layout, ParticleSet};
 use crate::weights::base_offset;
 
-/// Nodes per axis of the scene that the particles of a body can reach until the next sort, first and last.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NodeBox {
-    first: [f64; 3],
-    last: [f64; 3],
+/// Nodes along an axis of the scene that the particles of a body can reach until the next sort, first and last.
+///
+/// A particle may cross one cell before the next sort, so they are widened by one cell each way. Nodes that mirror its
+/// ghosts lie between them.
+#[must_use]
+pub fn reach(set: &ParticleSet, shape: &GridShape, stencil: usize, axis: usize) -> (f64, f64) {
+    let (low, high) = if axis == 0 {
+        // The order of the particles knows their layers along the slow axis.
+        let occupied = |layer: &usize| set.layers[*layer] < set.layers[*layer + 1];
+        let layers = 0..set.layers.len() - 1;
+        let first = layers.clone().find(occupied).unwrap_or(0);
+        let last = layers.rev().find(occupied).unwrap_or(0);
+        let base = |layer: usize| layer as f64 - GHOSTS_BELOW as f64;
+        (base(first), base(last))
+    } else {
+        let x = &set.columns[Layout::POSITION + axis];
+        let base = |x: f64| (x * (1.0 / shape.cell[axis]) - base_offset(stencil)).floor();
+        (
+            base(x.iter().copied().fold(f64::INFINITY, f64::min)),
+            base(x.iter().copied().fold(f64::NEG_INFINITY, f64::max)),
+        )
+    };
+    (low - 1.0, high + stencil as f64)
 }
 
-impl NodeBox {
-    /// The box of a body. A particle may cross one cell before the next sort, so it is widened by one cell each way.
-    /// Nodes that mirror its ghosts lie within it.
-    #[must_use]
-    pub fn new(set: &ParticleSet, shape: &GridShape, stencil: usize) -> Self {
-        let (mut first, mut last) = ([0.0; 3], [0.0; 3]);
-        for axis in 0..shape.axes {
-            let x = &set.columns[Layout::POSITION + axis];
-            let (low, high) = x
-                .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| {
-                    (low.min(x), high.max(x))
-                });
-            let base = |x: f64| (x * (1.0 / shape.cell[axis]) - base_offset(stencil)).floor();
-            first[axis] = base(low) - 1.0;
-            last[axis] = base(high) + stencil as f64;
-        }
-        Self { first, last }
-    }
-
-    /// Whether two boxes share a node.
-    #[must_use]
-    pub fn meets(&self, other: &Self) -> bool {
-        (0..3).all(|axis| {
-            self.first[axis] <= other.last[axis] && other.first[axis] <= self.last[axis]
-        })
-    }
-}
-
-/// Which pairs are near, and the bodies of near pairs.
+/// Which pairs are near: their boxes of nodes meet. One axis after the other, so that bodies far apart along the first
+/// cost next to nothing.
 #[must_use]
 pub fn near(pairs: &[Pair], sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> Vec<bool> {
-    let mut boxes: Vec<Option<NodeBox>> = vec![None; sets.len()];
+    let mut known: Vec<[Option<(f64, f64)>; 3]> = vec![[None; 3]; sets.len()];
+    let mut meet = |pair: &Pair, axis: usize| {
+        let [a, b] = [pair.master, pair.slave].map(|body| {
+            *known[body][axis].get_or_insert_with(|| reach(&sets[body], shape, stencil, axis))
+        });
+        a.0 <= b.1 && b.0 <= a.1
+    };
     pairs
         .iter()
-        .map(|pair| {
-            let [a, b] = [pair.master, pair.slave].map(|body| {
-                *boxes[body].get_or_insert_with(|| NodeBox::new(&sets[body], shape, stencil))
-            });
-            a.meets(&b)
-        })
+        .map(|pair| (0..shape.axes).all(|axis| meet(pair, axis)))
         .collect()
 }

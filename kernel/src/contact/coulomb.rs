@@ -145,8 +145,7 @@ impl Coulomb {
             let mean = |of: fn(&Member) -> &Vector| -> Vector {
                 if mass.is_infinite() {
                     own()
-                        .filter(|m| m.mass.is_infinite())
-                        .last()
+                        .rfind(|m| m.mass.is_infinite())
                         .map_or([0.0; 3], |m| *of(m))
                 } else if own().count() == 1 {
                     // A field that is alone keeps its bits.

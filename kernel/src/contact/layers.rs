@@ -12,7 +12,7 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 
 /// The velocity field of one body.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Layer {
     /// Index of the body.
     pub body: usize,
@@ -25,7 +25,7 @@ pub struct Layer {
 }
 
 /// All layers, in order of the identifier of the body.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Layers {
     /// The layers.
     pub list: Vec<Layer>,

@@ -61,7 +61,7 @@ impl Pair {
 }
 
 /// What contact keeps from step to step.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct State {
     /// All pairs, in order of the identifiers of their bodies.
     pub pairs: Vec<Pair>,

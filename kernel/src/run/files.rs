@@ -111,6 +111,13 @@ impl Files {
                 names.extend(letters.iter().map(|l| format!("body{body}_contact_f{l}")));
             }
         }
+        for surface in 0..simulation.scene().surfaces.len() {
+            names.extend(
+                letters
+                    .iter()
+                    .map(|l| format!("surface{surface}_contact_f{l}")),
+            );
+        }
         for probe in &self.probes {
             names.extend(letters.iter().map(|l| format!("{}_u{l}", probe.name)));
             names.extend(letters.iter().map(|l| format!("{}_v{l}", probe.name)));
@@ -137,6 +144,9 @@ impl Files {
             if simulation.has_contact(set) {
                 row.extend_from_slice(&simulation.contact_force(set)[..axes]);
             }
+        }
+        for surface in 0..simulation.scene().surfaces.len() {
+            row.extend_from_slice(&simulation.surface_force(surface)[..axes]);
         }
         for probe in &self.probes {
             let set = &simulation.sets()[probe.set];

@@ -93,6 +93,13 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         checkpoint.push::<f64>("contact/forces", forces);
     }
     save_mortar(simulation, &mut checkpoint);
+    if let Some(surfaces) = &simulation.surfaces {
+        let flat =
+            |impulses: &[Vec<[f64; 3]>]| impulses.iter().flatten().flatten().copied().collect();
+        checkpoint.push::<f64>("surfaces/kick", vec![surfaces.last_kick]);
+        checkpoint.push::<f64>("surfaces/last", flat(&surfaces.last));
+        checkpoint.push::<f64>("surfaces/total", flat(&surfaces.total));
+    }
     save_events(simulation, &mut checkpoint);
     checkpoint
 }
@@ -131,7 +138,7 @@ fn restore_mortar(simulation: &mut Simulation, checkpoint: &Checkpoint) -> Resul
         let slip = checkpoint.array::<f64>(&format!("mortar/pair{i}/slip"), pair.slip.0.len())?;
         pair.slip.0.copy_from_slice(slip);
     }
-    if !simulation.mortar.pairs.is_empty() {
+    if simulation.mortar.acts() {
         simulation.set_mortar_layers();
     }
     Ok(())
@@ -212,6 +219,16 @@ pub(super) fn restore(
             half_length: found[3],
             fault: None,
         };
+    }
+    if let Some(surfaces) = &mut simulation.surfaces {
+        surfaces.last_kick = checkpoint.array::<f64>("surfaces/kick", 1)?[0];
+        for (name, impulses) in [("last", &mut surfaces.last), ("total", &mut surfaces.total)] {
+            let count = 3 * impulses.iter().map(Vec::len).sum::<usize>();
+            let values = checkpoint.array::<f64>(&format!("surfaces/{name}"), count)?;
+            for (impulse, value) in impulses.iter_mut().flatten().flatten().zip(values) {
+                *impulse = *value;
+            }
+        }
     }
     let clock = &mut simulation.clock;
     clock.step = counters[0];

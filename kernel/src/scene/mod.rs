@@ -19,6 +19,7 @@ mod mortar;
 mod raw;
 pub mod record;
 mod results;
+mod surface;
 
 pub use body::{Body, ParticleSeed, Shape};
 pub use contact::{Contact, ContactNormal};
@@ -31,8 +32,9 @@ pub use method::{
 };
 pub use mortar::{BodyBoundary, Enforcement, Mortar, MortarContact, RigidLine, Vertices};
 #[cfg(feature = "json")]
-pub use raw::{from_json, read, schema};
+pub use raw::{from_json, listed, nearest, parse, place, read, schema, words_of};
 pub use results::{Field, NodalField, Outside, Probe, Results};
+pub use surface::RigidSurface;
 
 /// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.
 pub type Vector = [f64; 3];
@@ -82,6 +84,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Bodies, in the order of the file.
     pub bodies: Vec<Body>,
+    /// Rigid surfaces (3D), the terrain among them.
+    pub surfaces: Vec<RigidSurface>,
     /// Numerical damping.
     pub damping: Damping,
     /// Motion of one boundary plane, if any ("earthquake").
@@ -130,6 +134,7 @@ impl Scene {
             transfer: Transfer::new(TransferKind::Flip),
             materials: Vec::new(),
             bodies: Vec::new(),
+            surfaces: Vec::new(),
             damping: Damping::None,
             base_motion: None,
             point_loads: Vec::new(),

@@ -17,6 +17,8 @@ pub(super) struct Acting {
     pub(super) kick: f64,
     /// Half a step before and half a step after \[s\].
     pub(super) half_steps: [f64; 2],
+    /// Time over which positions move \[s\].
+    pub(super) drift: f64,
 }
 
 impl Simulation {
@@ -73,6 +75,7 @@ impl Simulation {
             driven,
             kick: 0.5 * (self.clock.dt_before + dt),
             half_steps: [before, after],
+            drift: dt,
         }
     }
 
@@ -125,42 +128,55 @@ impl Simulation {
 
 /// Nodes with a positive weight of any particle of a driven body, increasing.
 fn nodes_of(set: &ParticleSet, body: &BodyRun, shape: &GridShape, stencil: usize) -> Vec<usize> {
-    let mut nodes = vec![];
+    let mut nodes: Vec<usize> = (0..set.len())
+        .flat_map(|p| node_weights(set, body, shape, stencil, p))
+        .map(|(node, _)| node)
+        .collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+}
+
+/// Nodes with a positive weight of one particle, increasing, with their weights.
+pub(super) fn node_weights(
+    set: &ParticleSet,
+    body: &BodyRun,
+    shape: &GridShape,
+    stencil: usize,
+    p: usize,
+) -> Vec<(usize, f64)> {
     let axes = shape.axes;
-    for p in 0..set.len() {
-        let x = set.position(p);
-        let mut touched: [Vec<usize>; 3] = [vec![], vec![0], vec![]];
-        for axis in 0..axes {
-            let xi = x[axis] * body.mapping.inverse_cell[axis];
-            let l = body
-                .mapping
-                .half_length_column
-                .map_or(body.mapping.half_length[axis], |column| {
-                    set.columns[column + axis][p]
-                });
-            let family = body.mapping.family;
-            let base = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
-            let weights = if stencil == 3 {
-                axis_weights_at::<3>(family, xi, l).1.to_vec()
-            } else {
-                axis_weights_at::<4>(family, xi, l).1.to_vec()
-            };
-            touched[shape.direction(axis)] = weights
-                .iter()
-                .enumerate()
-                .filter(|(_, w)| **w > 0.0)
-                .map(|(n, _)| base + n)
-                .collect();
-        }
-        for &i in &touched[0] {
-            for &j in &touched[1] {
-                for &k in &touched[2] {
-                    nodes.push(shape.index([i, j, k]));
-                }
+    let x = set.position(p);
+    let mut touched: [Vec<(usize, f64)>; 3] = [vec![], vec![(0, 1.0)], vec![]];
+    for axis in 0..axes {
+        let xi = x[axis] * body.mapping.inverse_cell[axis];
+        let l = body
+            .mapping
+            .half_length_column
+            .map_or(body.mapping.half_length[axis], |column| {
+                set.columns[column + axis][p]
+            });
+        let family = body.mapping.family;
+        let base = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+        let weights = if stencil == 3 {
+            axis_weights_at::<3>(family, xi, l).1.to_vec()
+        } else {
+            axis_weights_at::<4>(family, xi, l).1.to_vec()
+        };
+        touched[shape.direction(axis)] = weights
+            .into_iter()
+            .enumerate()
+            .filter(|(_, w)| *w > 0.0)
+            .map(|(n, w)| (base + n, w))
+            .collect();
+    }
+    let mut nodes = Vec::with_capacity(27);
+    for &(i, u) in &touched[0] {
+        for &(j, v) in &touched[1] {
+            for &(k, w) in &touched[2] {
+                nodes.push((shape.index([i, j, k]), u * v * w));
             }
         }
     }
-    nodes.sort_unstable();
-    nodes.dedup();
     nodes
 }

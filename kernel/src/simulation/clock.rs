@@ -101,6 +101,14 @@ pub fn stability_number(
     }
 }
 
+/// Whether [`stability_number`] holds for every body. It does not where the bound is `none` in its table: linear
+/// functions with USL or an affine transfer, which a nearly empty node can make unstable at any step.
+#[must_use]
+pub fn has_safe_step(weighting: Weighting, scheme: StressScheme, transfer: TransferKind) -> bool {
+    weighting != Weighting::Linear
+        || (scheme != StressScheme::Usl && transfer == TransferKind::Flip)
+}
+
 impl Simulation {
     /// Critical time step \[s\], its bound, and the numbers behind it.
     fn critical(&self) -> (f64, Bound, f64, f64) {

@@ -69,7 +69,9 @@ impl Simulation {
             .contact
             .pairs
             .iter()
-            .filter_map(|pair| {
+            .zip(&self.contact.near)
+            .filter(|(_, near)| **near)
+            .filter_map(|(pair, _)| {
                 let found = overlap(pair, &self.sets, &half_lengths)?;
                 let name = self.scene.contacts.iter().find(|c| c.id == pair.id);
                 Some(Overlapping {
@@ -388,11 +390,15 @@ impl Simulation {
         })
     }
 
-    /// Contact force on a body in the last step \[N\]: the sum over its pairs. On the two bodies of a pair that have no
-    /// other it is the same number with opposite signs.
+    /// Contact force on a body in the last step \[N\]: the sum over its pairs and the rigid surfaces. On the two bodies
+    /// of a pair that have no other it is the same number with opposite signs.
     #[must_use]
     pub fn contact_force(&self, set: usize) -> Vector {
         let mut sum = self.mortar_force(self.bodies[set].id).unwrap_or_default();
+        for surface in 0..self.scene.surfaces.len() {
+            let force = self.surface_force_on(surface, set);
+            sum = std::array::from_fn(|axis| sum[axis] + force[axis]);
+        }
         for (pair, force) in self.contact.pairs.iter().zip(&self.contact.forces) {
             for axis in 0..3 {
                 if pair.slave == set {
@@ -405,11 +411,12 @@ impl Simulation {
         sum
     }
 
-    /// Whether a body is in a pair that can touch.
+    /// Whether a body is in a pair that can touch, or there are rigid surfaces.
     #[must_use]
     pub fn has_contact(&self, set: usize) -> bool {
         let pairs = &self.contact.pairs;
-        pairs.iter().any(|p| p.master == set || p.slave == set)
+        self.surfaces.is_some()
+            || pairs.iter().any(|p| p.master == set || p.slave == set)
             || self.mortar_force(self.bodies[set].id).is_some()
     }
 

@@ -179,6 +179,26 @@ pub enum StepErrorKind {
         /// Where it is \[m\].
         position: [f64; 3],
     },
+    /// A particle's centre lies behind a rigid surface.
+    ThroughSurface {
+        /// The particle.
+        particle: ParticleAt,
+        /// Name of the surface.
+        surface: String,
+        /// How far behind \[m\].
+        depth: f64,
+    },
+    /// A particle would come closer to a rigid surface in one step than its distance threshold, and reach it.
+    TooFastForSurface {
+        /// The particle.
+        particle: ParticleAt,
+        /// Name of the surface.
+        surface: String,
+        /// Approach within the step \[m\].
+        approach: f64,
+        /// Distance threshold of the surface \[m\].
+        threshold: f64,
+    },
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -264,6 +284,21 @@ impl fmt::Display for StepError {
                 f,
                 "vertex {vertex} of the boundary of body {body} at ({x}, {y}, {z}) m has no node with mass near it; accepted: \
                  vertices that lie on the body, and a body that does not fall apart"
+            ),
+            StepErrorKind::ThroughSurface {
+                particle,
+                surface,
+                depth,
+            } => write!(f, "{particle} is {depth} m behind the surface {surface:?}"),
+            StepErrorKind::TooFastForSurface {
+                particle,
+                surface,
+                approach,
+                threshold,
+            } => write!(
+                f,
+                "{particle} approaches the surface {surface:?} by {approach} m in one step, more than the distance \
+                 threshold {threshold} m; accepted: a smaller time step or a larger distance_threshold"
             ),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,

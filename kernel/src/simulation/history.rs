@@ -20,6 +20,27 @@ pub fn value(history: &History, time: f64) -> Vector {
     })
 }
 
+/// Integral of a history from time zero \[m\] for a velocity in m/s: exact, because the history is linear between
+/// its times.
+#[must_use]
+pub fn integral(history: &History, time: f64) -> Vector {
+    let mut sum = [0.0; 3];
+    let mut from = (0.0, value(history, 0.0));
+    let inner = history
+        .times
+        .iter()
+        .copied()
+        .filter(|t| (0.0..time).contains(t));
+    for t in inner.chain(std::iter::once(time)) {
+        let to = (t, value(history, t));
+        for axis in 0..3 {
+            sum[axis] += 0.5 * (from.1[axis] + to.1[axis]) * (to.0 - from.0);
+        }
+        from = to;
+    }
+    sum
+}
+
 /// Velocity of a moving plane.
 #[derive(Clone, Debug)]
 pub struct BaseVelocity {

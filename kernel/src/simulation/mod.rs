@@ -13,11 +13,14 @@ mod measure;
 mod mortar;
 mod nodes;
 mod passes;
+mod phase;
+mod rehearsal;
 mod relaxation;
 mod setup;
 mod step;
+mod surfaces;
 
-pub use clock::{Bound, StepInfo, stability_number};
+pub use clock::{Bound, StepInfo, has_safe_step, stability_number};
 pub use error::{
     Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
 };
@@ -25,6 +28,8 @@ pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
 pub use mortar::VertexState;
 pub use nodes::NodeValues;
+pub use phase::Phase;
+pub use rehearsal::{Part, Rehearsal};
 
 use crate::constitutive::Parameters;
 use crate::lanes::{LaneChoice, Selected};
@@ -51,6 +56,10 @@ pub type InitialField = Arc<dyn Fn(&Vector) -> InitialState + Send + Sync>;
 pub struct InitialState {
     /// Velocity \[m/s\].
     pub velocity: Vector,
+    /// Velocity gradient \[1/s\], `[a][b]` = dv_a/dx_b: the affine velocity of APIC and TPIC at the start. Without
+    /// it their first mapping loses what the velocity varies by within a cell, a body's spin for one. FLIP has no
+    /// use for it.
+    pub velocity_gradient: [[f64; 3]; 3],
     /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy. The neo-Hookean law computes it from F after the first
     /// step.
     pub stress: [f64; 6],
@@ -104,6 +113,9 @@ pub(crate) struct BodyRun {
     pub(crate) particle_half_length: Vector,
     /// Whether it has a velocity field of its own, as of the last sort.
     pub(crate) in_layer: bool,
+    /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
+    /// function has no domain.
+    pub(crate) reach: Option<[f64; 3]>,
 }
 
 /// A scene in motion.
@@ -132,6 +144,8 @@ pub struct Simulation {
     pub(crate) relaxation: relaxation::Relaxation,
     pub(crate) ledger: measure::Ledger,
     pub(crate) events: Vec<Event>,
+    /// Contact with rigid surfaces; absent where the scene has none.
+    pub(crate) surfaces: Option<surfaces::Surfaces>,
 }
 
 impl Simulation {

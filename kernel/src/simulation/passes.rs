@@ -6,9 +6,10 @@ use super::{BodyRun, Simulation};
 use crate::lanes::Selected;
 use crate::particles::ParticleSet;
 use crate::plan::Plan;
+use crate::scene::Scene;
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
-use crate::stage::solve::{DrivenNode, EmptyNode, Forces, PlaneSums, Planes, Wall};
+use crate::stage::solve::{DrivenNode, EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -53,8 +54,11 @@ impl Simulation {
             if !self.contact.pairs.is_empty() {
                 self.find_near_pairs();
             }
-            if !self.mortar.pairs.is_empty() {
+            if self.mortar.acts() {
                 self.set_mortar_layers();
+            }
+            if let Some(surfaces) = &mut self.surfaces {
+                surfaces.forget();
             }
         }
     }
@@ -62,7 +66,7 @@ impl Simulation {
     /// Mass, momentum and force to the nodes, then the equation of motion, then contact; the number of nodes where a
     /// contact force acts.
     pub(super) fn map_to_nodes(&mut self, acting: &Acting, dt: f64) -> Result<usize, StepError> {
-        if !self.mortar.pairs.is_empty() {
+        if self.mortar.acts() {
             return self.solve_with_mortar(acting);
         }
         if !self.contact.layers.is_empty() {
@@ -78,22 +82,14 @@ impl Simulation {
             self.stencil,
             Carry::All,
         );
-        let forces = Forces {
-            gravity: self.scene.gravity,
-            loads: &self.loads,
-            local_damping: self.plan.local_damping,
-            kick: acting.kick,
-        };
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
         let measure = self.plan.measure;
+        // Contact with surfaces still changes the velocities, and takes the sums after it.
+        let measured = self.surfaces.is_none().then_some(measure);
         let results = self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear();
             let groups = mapping.run(&mut planes);
-            planes.fold(&acting.walls, true, true);
-            planes.velocities();
-            let mut sums = vec![PlaneSums::default(); planes.range.len()];
-            trial(&mut planes, acting, &acting.driven, &forces, &mut sums)?;
-            planes.unfold(&acting.walls, true);
-            planes.add_sums(&forces, measure, &mut sums);
+            let sums = equation_of_motion(&mut planes, acting, &forces, measured)?;
             Ok(Sums { sums, groups })
         });
         let mut sums = vec![];
@@ -103,6 +99,7 @@ impl Simulation {
         let Mapped { total, groups } = total(sums);
         self.ledger.sums = total;
         self.groups.count(groups);
+        self.touch_surfaces(acting)?;
         Ok(0)
     }
 
@@ -235,6 +232,40 @@ impl Simulation {
     }
 }
 
+/// What acts at the nodes for a change of velocity over `kick` \[s\].
+pub(super) fn forces<'a>(
+    scene: &Scene,
+    plan: &Plan,
+    loads: &'a [NodeForce],
+    kick: f64,
+) -> Forces<'a> {
+    Forces {
+        gravity: scene.gravity,
+        loads,
+        local_damping: plan.local_damping,
+        kick,
+    }
+}
+
+/// Velocities, accelerations and boundary conditions on one slab, from its masses, momenta and forces; what was
+/// measured on each plane, or without `measured` what boundary conditions did alone.
+pub(super) fn equation_of_motion(
+    planes: &mut Planes<'_>,
+    acting: &Acting,
+    forces: &Forces<'_>,
+    measured: Option<bool>,
+) -> Result<Vec<PlaneSums>, EmptyNode> {
+    planes.fold(&acting.walls, true, true);
+    planes.velocities();
+    let mut sums = vec![PlaneSums::default(); planes.range.len()];
+    trial(planes, acting, &acting.driven, forces, &mut sums)?;
+    planes.unfold(&acting.walls, true);
+    if let Some(measure) = measured {
+        planes.add_sums(forces, measure, &mut sums);
+    }
+    Ok(sums)
+}
+
 /// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
 pub(super) fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
     walls
@@ -303,14 +334,13 @@ pub(super) fn bodies_onto<'a>(
     stencil: usize,
     carry: Carry,
 ) -> BodiesOnto<'a> {
-    let full = plan.full_mapping && carry != Carry::MassGradient;
     BodiesOnto {
         sets,
         bodies,
         lanes,
         stencil,
         carry,
-        call: p2g::instance(plan.axes, stencil, full, carry),
+        call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
     }
 }
 

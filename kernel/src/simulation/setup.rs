@@ -6,6 +6,7 @@ use super::measure::Ledger;
 use super::mortar::MortarState;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
+use super::surfaces::Surfaces;
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
 use crate::bodies::{HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
@@ -104,12 +105,14 @@ impl Simulation {
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),
             events: vec![],
+            surfaces: Surfaces::new(scene),
         };
         for set in &mut simulation.sets {
             set.sort_by_position();
         }
-        simulation.refuse_overlap()?;
         simulation.sort_if_stale();
+        simulation.refuse_overlap()?;
+        simulation.refuse_overlap_with_surfaces()?;
         simulation.open_ledger();
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         Ok(simulation)
@@ -220,6 +223,10 @@ fn fill_body(
             }
         },
         in_layer: false,
+        reach: match filled.half_length {
+            HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
+            _ => None,
+        },
     };
     Ok((set, run))
 }
@@ -292,6 +299,13 @@ fn start_from(
         }));
         for axis in 0..axes {
             set.columns[Layout::velocity(axes) + axis][p] = state.velocity[axis];
+        }
+        if let Some(first) = set.layout.affine {
+            for a in 0..axes {
+                for b in 0..axes {
+                    set.columns[first + a * axes + b][p] = state.velocity_gradient[a][b];
+                }
+            }
         }
         let square: f64 = state.velocity[..axes].iter().map(|v| v * v).sum();
         run.found.speed_squared = run.found.speed_squared.max(square);

@@ -3,6 +3,7 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::{Event, EventKind, StepError};
+use super::phase::Phase;
 use crate::constitutive::Configuration;
 use crate::particles::Layout;
 use crate::scene::StressScheme;
@@ -19,24 +20,39 @@ impl Simulation {
     /// # Errors
     /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error.
     pub fn step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
-        if !self.mortar.pairs.is_empty() {
+        self.step_watched(stop, &mut |_| ())
+    }
+
+    /// [`Simulation::step`] with a watcher, who is told of each phase when it has ended.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`].
+    pub fn step_watched(
+        &mut self,
+        stop: f64,
+        ended: &mut dyn FnMut(Phase),
+    ) -> Result<StepInfo, StepError> {
+        if self.mortar.acts() {
             self.sort_if_stale();
             self.meet_boundaries()?;
         }
         let mut info = self.choose_time_step(stop)?;
+        ended(Phase::TimeStep);
         self.refuse_leaps(info.dt)?;
-        if self.mortar.pairs.is_empty() {
+        if !self.mortar.acts() {
             self.sort_if_stale();
         }
+        ended(Phase::Sort);
         let acting = self.acting(info.dt);
         self.set_body_force();
 
         info.contact_nodes = self.map_to_nodes(&acting, info.dt)?;
+        ended(Phase::NodesFromParticles);
         info.measured = self.measured();
         let relax = self.peak_of_kinetic_energy(&info);
         let drift = relax.unwrap_or(info.dt);
         let moved = self.mesh_velocity(&info).map(|v| v * drift);
-        if !self.mortar.pairs.is_empty() {
+        if self.mortar.acts() {
             self.move_vertices(drift, acting.half_steps[1]);
         }
         match self.scene.scheme {
@@ -52,7 +68,10 @@ impl Simulation {
                     kick: true,
                     ..self.task(None, None)
                 })?;
+                ended(Phase::ParticlesFromNodes);
                 self.remap(&acting);
+                self.hold_at_surfaces(&acting, 4)?;
+                ended(Phase::Remap);
                 self.interpolate(Task {
                     gradient_of_upper: true,
                     affine: Affine::Leave,
@@ -66,7 +85,9 @@ impl Simulation {
                     mesh_shift: moved,
                     ..self.task(Some(drift), None)
                 })?;
+                ended(Phase::ParticlesFromNodes);
                 self.sort_if_stale();
+                ended(Phase::Sort);
                 // A sort may give a driven body a layer, or take it.
                 let acting = if self.contact.pairs.is_empty() {
                     acting
@@ -74,6 +95,8 @@ impl Simulation {
                     self.acting(info.dt)
                 };
                 self.map_momentum(&acting);
+                self.hold_at_surfaces(&acting, 1)?;
+                ended(Phase::Remap);
                 let strain = Some((drift, Configuration::End));
                 self.interpolate(Task {
                     strain,
@@ -82,9 +105,11 @@ impl Simulation {
                 })?;
             }
         }
+        ended(Phase::ParticlesFromNodes);
         self.move_driven_bodies(&info, &moved)?;
         self.mesh_shift = std::array::from_fn(|axis| self.mesh_shift[axis] + moved[axis]);
         self.finish(&info, relax.is_some());
+        ended(Phase::Finish);
         Ok(info)
     }
 

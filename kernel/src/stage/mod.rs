@@ -5,6 +5,8 @@
 pub mod g2p;
 pub mod p2g;
 pub mod solve;
+pub mod touch;
+pub mod weigh;
 
 use crate::grid::GridShape;
 use crate::lanes::Lanes;

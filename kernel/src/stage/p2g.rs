@@ -23,8 +23,7 @@ pub enum Carry {
     Force,
     /// Momentum to the upper lanes (the second mapping of MUSL).
     Remap,
-    /// Mass gradient sum m grad S to the upper lanes, for the normals of contact; mass and momentum to the lower ones.
-    /// Only without affine terms and forces (`full` false).
+    /// Mass gradient sum m grad S to the upper lanes, for the normals of contact.
     MassGradient,
 }
 
@@ -58,36 +57,61 @@ pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
 #[must_use]
 pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn {
-    let gradient = full || matches!(carry, Carry::All | Carry::Force | Carry::MassGradient);
+    let gradient = full || matches!(carry, Carry::All | Carry::Force);
+    // An instance of its own, so that the others do not ask for every particle.
+    if carry == Carry::MassGradient {
+        return match (axes, stencil) {
+            (2, 3) => entry::<2, 3, false, true, true>,
+            (2, _) => entry::<2, 4, false, true, true>,
+            (_, 3) => entry::<3, 3, false, true, true>,
+            (_, _) => entry::<3, 4, false, true, true>,
+        };
+    }
     match (axes, stencil, full, gradient) {
-        (2, 3, false, true) => entry::<2, 3, false, true>,
-        (2, 3, false, false) => entry::<2, 3, false, false>,
-        (2, 3, true, _) => entry::<2, 3, true, true>,
-        (2, _, false, true) => entry::<2, 4, false, true>,
-        (2, _, false, false) => entry::<2, 4, false, false>,
-        (2, _, true, _) => entry::<2, 4, true, true>,
-        (_, 3, false, true) => entry::<3, 3, false, true>,
-        (_, 3, false, false) => entry::<3, 3, false, false>,
-        (_, 3, true, _) => entry::<3, 3, true, true>,
-        (_, _, false, true) => entry::<3, 4, false, true>,
-        (_, _, false, false) => entry::<3, 4, false, false>,
-        (_, _, true, _) => entry::<3, 4, true, true>,
+        (2, 3, false, true) => entry::<2, 3, false, true, false>,
+        (2, 3, false, false) => entry::<2, 3, false, false, false>,
+        (2, 3, true, _) => entry::<2, 3, true, true, false>,
+        (2, _, false, true) => entry::<2, 4, false, true, false>,
+        (2, _, false, false) => entry::<2, 4, false, false, false>,
+        (2, _, true, _) => entry::<2, 4, true, true, false>,
+        (_, 3, false, true) => entry::<3, 3, false, true, false>,
+        (_, 3, false, false) => entry::<3, 3, false, false, false>,
+        (_, 3, true, _) => entry::<3, 3, true, true, false>,
+        (_, _, false, true) => entry::<3, 4, false, true, false>,
+        (_, _, false, false) => entry::<3, 4, false, false, false>,
+        (_, _, true, _) => entry::<3, 4, true, true, false>,
     }
 }
 
-fn entry<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(
+fn entry<
+    const D: usize,
+    const N: usize,
+    const FULL: bool,
+    const GRADIENT: bool,
+    const MASS_GRADIENT: bool,
+>(
     lanes: Selected,
     call: P2g<'_>,
 ) -> usize {
-    lanes.run(Instance::<'_, D, N, FULL, GRADIENT>(call))
+    lanes.run(Instance::<'_, D, N, FULL, GRADIENT, MASS_GRADIENT>(call))
 }
 
-struct Instance<'a, const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool>(
-    P2g<'a>,
-);
+struct Instance<
+    'a,
+    const D: usize,
+    const N: usize,
+    const FULL: bool,
+    const GRADIENT: bool,
+    const MASS_GRADIENT: bool,
+>(P2g<'a>);
 
-impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Kernel
-    for Instance<'_, D, N, FULL, GRADIENT>
+impl<
+    const D: usize,
+    const N: usize,
+    const FULL: bool,
+    const GRADIENT: bool,
+    const MASS_GRADIENT: bool,
+> Kernel for Instance<'_, D, N, FULL, GRADIENT, MASS_GRADIENT>
 {
     type Output = usize;
 
@@ -120,7 +144,7 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool> Ker
                         group.count,
                         carry,
                     );
-                    scratch.fill_lines::<D, FULL>(
+                    scratch.fill_lines::<D, FULL, MASS_GRADIENT>(
                         columns,
                         layout,
                         mapping,
@@ -215,7 +239,7 @@ impl<const N: usize> Scratch<N> {
     // One call site; a struct of the eight would only be taken apart again.
     #[allow(clippy::too_many_arguments)]
     #[inline(always)]
-    fn fill_lines<const D: usize, const FULL: bool>(
+    fn fill_lines<const D: usize, const FULL: bool, const MASS_GRADIENT: bool>(
         &mut self,
         columns: &[Vec<f64>],
         layout: &Layout,
@@ -232,6 +256,12 @@ impl<const N: usize> Scratch<N> {
             let lines = &mut self.lines[p];
             *lines = [[0.0; 8]; 4];
             let m = columns[Layout::MASS][i];
+            if MASS_GRADIENT {
+                for axis in 0..D {
+                    lines[Self::lean_line_of::<D>(axis)][4 + axis] = m * mapping.inverse_cell[axis];
+                }
+                continue;
+            }
             if carry != Carry::Force {
                 let first = if carry == Carry::Remap { 4 } else { 1 };
                 if carry != Carry::Remap {
@@ -274,10 +304,6 @@ impl<const N: usize> Scratch<N> {
                             lines[0][4 + c] -= viscous_rate * m * columns[velocity + c][i];
                         }
                     }
-                }
-            } else if !FULL && carry == Carry::MassGradient {
-                for axis in 0..D {
-                    lines[Self::lean_line_of::<D>(axis)][4 + axis] = m * mapping.inverse_cell[axis];
                 }
             }
         }

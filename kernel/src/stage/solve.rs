@@ -24,7 +24,7 @@ pub struct Wall {
 }
 
 impl Wall {
-    fn prescribes(&self, axis: usize) -> bool {
+    pub(crate) fn prescribes(&self, axis: usize) -> bool {
         self.fixed || axis == self.axis
     }
 

@@ -114,6 +114,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         transfer: FLIP,
         materials: vec![material(ELASTIC)],
         bodies: vec![],
+        surfaces: vec![],
         damping: Damping::None,
         base_motion: None,
         point_loads: vec![],
@@ -236,6 +237,7 @@ pub fn rough_drift(
 ) -> InitialField {
     let flat = dimension == Dimension::Two;
     Arc::new(move |x| InitialState {
+        velocity_gradient: [[0.0; 3]; 3],
         velocity: std::array::from_fn(|axis| {
             if flat && axis == 2 {
                 0.0

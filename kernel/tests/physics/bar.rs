@@ -31,6 +31,7 @@ fn bar(scheme: StressScheme) -> Simulation {
     simulation_from(
         &scene,
         Arc::new(|x| InitialState {
+            velocity_gradient: [[0.0; 3]; 3],
             velocity: [SPEED * (0.5 * PI * x[0] / LENGTH).sin(), 0.0, 0.0],
             stress: [0.0; 6],
             deformation: crate::common::IDENTITY,

@@ -76,6 +76,7 @@ fn settled(scene: &Scene) -> Options {
             }
             InitialState {
                 velocity: [0.0; 3],
+                velocity_gradient: [[0.0; 3]; 3],
                 stress,
                 deformation: IDENTITY,
             }

@@ -88,6 +88,7 @@ fn kept(damping: Damping, transfer: Transfer) -> f64 {
     let mut simulation = simulation_from(
         &scene,
         Arc::new(|x| InitialState {
+            velocity_gradient: [[0.0; 3]; 3],
             velocity: [0.0, 0.1 * (0.5 * PI * x[1]).sin(), 0.0],
             stress: [0.0; 6],
             deformation: crate::common::IDENTITY,

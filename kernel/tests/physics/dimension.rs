@@ -58,6 +58,7 @@ fn simulate(scene: &Scene) -> Simulation {
     let mut simulation = simulation_from(
         scene,
         Arc::new(|x| InitialState {
+            velocity_gradient: [[0.0; 3]; 3],
             velocity: [
                 (5.0 * x[0] + 3.0 * x[1]).sin(),
                 (4.0 * x[0] - 6.0 * x[1]).cos(),

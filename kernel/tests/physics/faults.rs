@@ -114,6 +114,7 @@ fn a_velocity_that_is_not_a_number_is_found_in_its_step() {
         let mut simulation = simulation_from(
             &scene,
             Arc::new(|x| InitialState {
+                velocity_gradient: [[0.0; 3]; 3],
                 velocity: [if x[0] > 0.5 { f64::NAN } else { 0.0 }, 0.0, 0.0],
                 stress: [0.0; 6],
                 deformation: crate::common::IDENTITY,
@@ -143,6 +144,7 @@ fn an_inverted_particle_is_named() {
             let mut simulation = simulation_from(
                 &scene,
                 Arc::new(|x| InitialState {
+                    velocity_gradient: [[0.0; 3]; 3],
                     velocity: [if x[0] < 0.41 { 30.0 } else { -30.0 }, 0.0, 0.0],
                     stress: [0.0; 6],
                     deformation: crate::common::IDENTITY,
@@ -246,6 +248,7 @@ fn the_first_step_knows_the_initial_field() {
     let mut simulation = simulation_from(
         &block(Dimension::Two),
         Arc::new(|_| InitialState {
+            velocity_gradient: [[0.0; 3]; 3],
             velocity: [400.0, 0.0, 0.0],
             stress: [0.0; 6],
             deformation: crate::common::IDENTITY,
@@ -289,6 +292,7 @@ fn a_stretched_domain_widens_the_stencil_and_then_stops() {
     let mut simulation = simulation_from(
         &scene,
         Arc::new(|x| InitialState {
+            velocity_gradient: [[0.0; 3]; 3],
             velocity: [2.0 * (x[0] - 1.0), 0.0, 0.0],
             stress: [0.0; 6],
             deformation: crate::common::IDENTITY,

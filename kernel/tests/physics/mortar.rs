@@ -165,6 +165,7 @@ fn drift(follow: Follow) -> f64 {
         displacement: true,
         initial: Some(Arc::new(move |x| InitialState {
             velocity: [-TAU * (x[1] - center[1]), TAU * (x[0] - center[0]), 0.0],
+            velocity_gradient: [[0.0, -TAU, 0.0], [TAU, 0.0, 0.0], [0.0; 3]],
             stress: [0.0; 6],
             deformation: IDENTITY,
         })),

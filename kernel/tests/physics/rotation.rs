@@ -32,6 +32,7 @@ fn spinning(scheme: StressScheme) -> Simulation {
         &scene,
         Arc::new(move |x| InitialState {
             velocity: [-OMEGA * (x[1] - center[1]), OMEGA * (x[0] - center[0]), 0.0],
+            velocity_gradient: [[0.0, -OMEGA, 0.0], [OMEGA, 0.0, 0.0], [0.0; 3]],
             stress: [0.0; 6],
             deformation: crate::common::IDENTITY,
         }),

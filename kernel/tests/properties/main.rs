@@ -8,6 +8,7 @@ mod conservation;
 mod contact;
 mod mapping;
 mod motion;
+mod rehearsal;
 mod scaling;
 mod symmetry;
 mod weights;

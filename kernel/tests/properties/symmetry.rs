@@ -118,6 +118,7 @@ fn state(flat: bool, x: &Vector) -> InitialState {
         (stress[3], stress[4]) = (0.0, 0.0);
     }
     InitialState {
+        velocity_gradient: [[0.0; 3]; 3],
         velocity,
         stress,
         deformation: crate::common::IDENTITY,

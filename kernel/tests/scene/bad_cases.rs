@@ -251,6 +251,31 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
         r#""time": 1.0, "results": {"grid_nodal_results": ["contact_gaps"]}"#,
     ),
     (
+        "terrain contact that is not switched",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "terrain_contact": {"stl_mesh": "nowhere.stl"}"#,
+    ),
+    (
+        "terrain that does not exist",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "nowhere.stl"}"#,
+    ),
+    (
+        "terrain that is no surface",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "../surfaces/degenerate.stl"}"#,
+    ),
+    (
+        "terrain with values out of range",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "terrain_contact": [{"active": true, "stl_mesh": "../surfaces/slope.stl", "friction": -0.1, "distance_threshold": 0, "penalty_contact_active": true}]"#,
+    ),
+    (
+        "terrain with an unknown key",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "../surfaces/slope.stl", "fricton": 0.1}"#,
+    ),
+    (
         "two phases",
         r#""time": 1.0"#,
         r#""time": 1.0, "n_phases": 2"#,

@@ -204,8 +204,8 @@ fn without_contact_the_inclined_plane_is_a_scene() {
 /// Not a scene, but an input that the manual prints: stored without its annotations.
 #[test]
 fn the_benchmark_configuration_is_json() {
-    let text = std::fs::read_to_string(file("start-multi-benchmark-configuration.json"))
-        .expect("the fixture");
+    let path = "../fixtures/bench/start-multi-benchmark-configuration.json";
+    let text = std::fs::read_to_string(path).expect("the fixture");
     let value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(
         value["parameters"]["particles"],

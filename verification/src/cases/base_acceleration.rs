@@ -24,8 +24,11 @@ mod manual;
 use proctor_kernel::scene::{Dimension, Scene, StressScheme, TransferKind};
 use proctor_kernel::simulation::{Options, Simulation};
 
+use super::dynamics::{STRESS, ratio};
 use super::failed;
 use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
 use column::Column;
 use manual::Block;
 
@@ -37,10 +40,14 @@ const SMALL: f64 = 3e-4;
 const COURANT: f64 = 0.6;
 /// The same for FLIP with USL, whose bound is 0.47.
 const COURANT_FLIP: f64 = 0.1;
-/// Transfer and scheme of the columns shaken by a sine.
-const APIC: (TransferKind, StressScheme) = (TransferKind::Apic, StressScheme::Musl);
-/// Those of the manual's own program.
-const FLIP: (TransferKind, StressScheme) = (TransferKind::Flip, StressScheme::Usl);
+/// Method of the columns shaken by a sine.
+const APIC: Method = Method {
+    transfer: TransferKind::Apic,
+    scheme: StressScheme::Musl,
+    ..Method::DEFAULT
+};
+/// That of the manual's own program.
+const FLIP: Method = Method::DEFAULT;
 /// `c dt / h` of the smooth columns is this times h, so dt falls like h².
 const COURANT_PER_METRE: f64 = 3.2;
 
@@ -78,29 +85,31 @@ impl BaseAcceleration {
         reference_frequency: 1.0,
     };
 
-    fn problem(rung: &Rung) -> Problem {
-        let column = |dimension, shaking, courant, method| {
+    fn problem(rung: &Rung, settings: &Settings) -> Problem {
+        let column = |dimension, shaking| {
             Problem::Column(Column {
                 dimension,
                 cell: rung.cell,
                 shaking,
-                courant,
-                method,
+                settings: *settings,
             })
         };
         match rung.variant {
             "text" => Problem::Block(Block::TEXT),
             "input" => Problem::Block(Block::INPUT),
-            "smooth" => column(
-                Dimension::Two,
-                Column::smooth(SMALL),
-                COURANT_PER_METRE * rung.cell,
-                FLIP,
-            ),
-            "flip" => column(Dimension::Two, Column::sine(SMALL), COURANT_FLIP, FLIP),
-            "linear" => column(Dimension::Two, Column::sine(SMALL), COURANT, APIC),
-            "p-wave-3d" => column(Dimension::Three, Column::sine(AMPLITUDE), COURANT, APIC),
-            _ => column(Dimension::Two, Column::sine(AMPLITUDE), COURANT, APIC),
+            "smooth" => column(Dimension::Two, Column::smooth(SMALL)),
+            "flip" | "linear" => column(Dimension::Two, Column::sine(SMALL)),
+            "p-wave-3d" => column(Dimension::Three, Column::sine(AMPLITUDE)),
+            _ => column(Dimension::Two, Column::sine(AMPLITUDE)),
+        }
+    }
+
+    /// A rung of a variant with a number of cells over the height.
+    fn rung(variant: &'static str, cells: u32) -> Rung {
+        Rung {
+            label: format!("{variant} H/h={cells}"),
+            cell: 1.0 / f64::from(cells),
+            variant,
         }
     }
 }
@@ -125,13 +134,9 @@ impl Case for BaseAcceleration {
                 ("smooth", &[8, 16, 32, 64]),
             ],
         };
-        let columns = ladders.iter().flat_map(|&(variant, cells)| {
-            cells.iter().map(move |&n| Rung {
-                label: format!("{variant} H/h={n}"),
-                cell: 1.0 / f64::from(n),
-                variant,
-            })
-        });
+        let columns = ladders
+            .iter()
+            .flat_map(|&(variant, cells)| cells.iter().map(move |&n| Self::rung(variant, n)));
         let blocks = ["text", "input"].into_iter().map(|variant| Rung {
             label: format!("manual's {variant}"),
             cell: manual::CELL,
@@ -141,10 +146,7 @@ impl Case for BaseAcceleration {
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
-        match Self::problem(rung) {
-            Problem::Column(column) => column.scene(),
-            Problem::Block(block) => block.scene(),
-        }
+        self.scene_with(rung, &self.own_settings(rung))
     }
 
     fn solve(
@@ -153,7 +155,68 @@ impl Case for BaseAcceleration {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
-        let scene = self.scene(rung);
+        super::solve_own(self, rung, options, progress)
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        judge::verdict(size, solved)
+    }
+}
+
+impl Study for BaseAcceleration {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        let cells: &[u32] = match size {
+            Size::Quick => &[8, 16, 32],
+            Size::Full => &[8, 16, 32, 64, 128],
+        };
+        cells.iter().map(|&n| Self::rung("smooth", n)).collect()
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "velocity",
+                quantity: L2,
+            },
+            super::STRESS_MEASURE,
+        ]
+    }
+
+    fn refined_axes(&self) -> usize {
+        1
+    }
+
+    fn own_settings(&self, rung: &Rung) -> Settings {
+        let (method, courant) = match rung.variant {
+            "smooth" => (FLIP, COURANT_PER_METRE * rung.cell),
+            "flip" => (FLIP, COURANT_FLIP),
+            // The block of the manual has the manual's step.
+            "text" | "input" => return Settings::new(Method::DEFAULT),
+            _ => (APIC, COURANT),
+        };
+        Settings::new(method).courant(courant)
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        match Self::problem(rung, settings) {
+            Problem::Column(column) => column.scene(),
+            Problem::Block(block) => {
+                let mut scene = block.scene();
+                settings.apply(&mut scene);
+                scene
+            }
+        }
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
         scene.check().map_err(|e| failed(self, rung, &e))?;
         let options = Options {
             displacement: true,
@@ -161,10 +224,10 @@ impl Case for BaseAcceleration {
         };
         let mut simulation =
             Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (quantities, curve) = match Self::problem(rung) {
+        let (quantities, curve) = match Self::problem(rung, settings) {
             Problem::Column(column) => {
                 let response = column
-                    .run(&mut simulation, self.reference_stiffness, progress)
+                    .run(&mut simulation, self.reference_stiffness, observer)
                     .map_err(|e| failed(self, rung, &e))?;
                 let velocity = |name, [value, exact]: [f64; 2]| Quantity {
                     name,
@@ -176,40 +239,30 @@ impl Case for BaseAcceleration {
                 let quantities = vec![
                     velocity(TOP, response.top),
                     velocity(UPPERMOST, response.uppermost),
-                    ratio(L2, response.l2.unwrap_or(f64::NAN)),
+                    ratio(L2, response.l2),
+                    ratio(STRESS, response.stress),
                 ];
                 (quantities, Some(response.curve))
             }
             Problem::Block(_) => {
-                let distance = manual::run(&mut simulation, self.reference_frequency, progress)
+                let distance = manual::run(&mut simulation, self.reference_frequency, observer)
                     .map_err(|e| failed(self, rung, &e))?;
                 (
-                    vec![ratio(BASE, distance.plane), ratio(LOWEST, distance.lowest)],
+                    vec![
+                        ratio(BASE, Some(distance.plane)),
+                        ratio(LOWEST, Some(distance.lowest)),
+                    ],
                     None,
                 )
             }
         };
-        Ok(Solved {
+        let solved = Solved {
             particles: simulation.particles(),
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
             curve,
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        judge::verdict(size, solved)
-    }
-}
-
-/// A quantity that is itself a relative error.
-fn ratio(name: &'static str, error: f64) -> Quantity {
-    Quantity {
-        name,
-        value: error,
-        exact: Some(0.0),
-        error: Some(error),
-        unit: "1",
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }

@@ -17,11 +17,14 @@ mod model;
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::statics::relax;
+use super::dynamics::{STRESS, ratio};
+use super::statics::{most_steps, relax};
 use super::{failed, table};
 use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
 use compare::{Comparison, LEFT_OUT, half_space_table};
-use model::{Loading, POISSON, QUARTER_LOAD};
+use model::{Loading, POISSON, QUARTER_LOAD, SIDE};
 
 /// Name of the settlement at the centre of the box among the quantities.
 const SETTLEMENT: &str = "u_z at (.5,.5,.5)";
@@ -85,7 +88,7 @@ impl Case for Boussinesq {
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
-        model::scene(rung.cell, Loading::of_word(rung.variant))
+        self.scene_with(rung, &self.own_settings(rung))
     }
 
     fn solve(
@@ -94,53 +97,7 @@ impl Case for Boussinesq {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
-        let scene = self.scene(rung);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let exact = model::exact(Loading::of_word(rung.variant), self.reference_poisson)
-            .map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
-            displacement: true,
-            measure: true,
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let residual = relax(&mut simulation, QUARTER_LOAD, RESIDUAL_TARGET, progress)
-            .map_err(|e| failed(self, rung, &e))?;
-        let comparison = Comparison::new(&simulation, &exact)
-            .ok_or_else(|| failed(self, rung, &"the simulation kept no displacements"))?;
-        let (computed, reference) = comparison.settlement_around([0.5; 3]);
-        let ratio = |name, error: Option<f64>| Quantity {
-            name,
-            value: error.unwrap_or(f64::NAN),
-            exact: None,
-            error,
-            unit: "1",
-        };
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: vec![
-                Quantity {
-                    name: SETTLEMENT,
-                    value: computed,
-                    exact: Some(reference),
-                    error: Some((computed / reference - 1.0).abs()),
-                    unit: "m",
-                },
-                ratio(L2, comparison.l2_outside(LEFT_OUT)),
-                ratio(L2_ALL, comparison.l2_outside(0.0)),
-                Quantity {
-                    name: RESIDUAL,
-                    value: residual,
-                    exact: Some(0.0),
-                    error: None,
-                    unit: "1",
-                },
-            ],
-            curve: Some(comparison.curve(format!("settlement on the axis, {}", rung.label))),
-        })
+        super::solve_own(self, rung, options, progress)
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
@@ -210,5 +167,97 @@ impl Case for Boussinesq {
             verdict.for_the_record = half_space_table(&exact);
         }
         verdict
+    }
+}
+
+impl Study for Boussinesq {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        let mut path = self.rungs(size);
+        path.retain(|rung| rung.variant == Loading::Patch.word());
+        path
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "displacement",
+                quantity: L2,
+            },
+            super::STRESS_MEASURE,
+        ]
+    }
+
+    fn refined_axes(&self) -> usize {
+        3
+    }
+
+    fn own_settings(&self, _: &Rung) -> Settings {
+        Settings::new(Method::DEFAULT)
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let mut scene = model::scene(rung.cell, Loading::of_word(rung.variant));
+        settings.apply(&mut scene);
+        scene.time_step = settings.multiplier();
+        scene
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let exact = model::exact(Loading::of_word(rung.variant), self.reference_poisson)
+            .map_err(|e| failed(self, rung, &e))?;
+        let options = Options {
+            displacement: true,
+            measure: true,
+            ..options.clone()
+        };
+        let mut simulation =
+            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
+        let most = most_steps(settings, SIDE / rung.cell);
+        let residual = relax(
+            &mut simulation,
+            QUARTER_LOAD,
+            RESIDUAL_TARGET,
+            most,
+            observer,
+        )
+        .map_err(|e| failed(self, rung, &e))?;
+        let comparison = Comparison::new(&simulation, &exact)
+            .ok_or_else(|| failed(self, rung, &"the simulation kept no displacements"))?;
+        let (computed, reference) = comparison.settlement_around([0.5; 3]);
+        let solved = Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: vec![
+                Quantity {
+                    name: SETTLEMENT,
+                    value: computed,
+                    exact: Some(reference),
+                    error: Some((computed / reference - 1.0).abs()),
+                    unit: "m",
+                },
+                ratio(L2, comparison.l2_outside(LEFT_OUT)),
+                ratio(L2_ALL, comparison.l2_outside(0.0)),
+                ratio(STRESS, comparison.stress_l2_outside(LEFT_OUT, &exact)),
+                Quantity {
+                    name: RESIDUAL,
+                    value: residual,
+                    exact: Some(0.0),
+                    error: None,
+                    unit: "1",
+                },
+            ],
+            curve: Some(comparison.curve(format!("settlement on the axis, {}", rung.label))),
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }

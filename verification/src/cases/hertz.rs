@@ -348,6 +348,7 @@ impl Case for Hertz {
                     )
                 })
                 .collect(),
+            curves: vec![],
         }
     }
 }

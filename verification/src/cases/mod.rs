@@ -1,27 +1,155 @@
 //! The cases: one small file each.
 
+mod axis_aligned;
+mod bar;
 mod base_acceleration;
+mod block_on_two_blocks;
 mod boussinesq;
+mod colliding_blocks;
+mod dynamics;
 mod hertz;
+mod incline;
+mod inclined_block;
+mod inclined_two_blocks;
 mod rolling_disk;
+mod rotation;
+mod self_weight;
 mod statics;
 
+pub use axis_aligned::AxisAligned;
+pub use bar::Bar;
 pub use base_acceleration::BaseAcceleration;
+pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
+pub use colliding_blocks::CollidingBlocks;
 pub use hertz::Hertz;
+pub use inclined_block::InclinedBlock;
+pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use rolling_disk::RollingDisk;
+pub use rotation::Rotation;
+pub use self_weight::SelfWeight;
 
-use crate::case::{Case, CaseError, Rung, Solved};
+use crate::case::{Case, CaseError, Gate, Relation, Rung, Solved};
 use crate::convergence::{ConvergenceTable, Row};
-use proctor_kernel::scene::{Law, Material, ObjectiveRate};
+use crate::study::{Measure, Study};
+use proctor_kernel::scene::{Law, Material, ObjectiveRate, Results};
+use proctor_kernel::simulation::{InitialState, Options};
 
 /// All cases, in the order in which they are shown.
 pub(crate) static ALL: &[&dyn Case] = &[
     &Boussinesq::GIVEN,
     &BaseAcceleration::GIVEN,
+    &Bar::GIVEN,
+    &AxisAligned::PLANE,
+    &AxisAligned::SPACE,
+    &SelfWeight::GIVEN,
+    &Rotation::GIVEN,
+    &InclinedBlock::GIVEN,
+    &InclinedTwoBlocks::GIVEN,
+    &CollidingBlocks::GIVEN,
+    &BlockOnTwoBlocks::GIVEN,
     &Hertz::GIVEN,
     &RollingDisk::GIVEN,
 ];
+
+/// All cases that can be studied with any settings, in the same order.
+pub(crate) static STUDIES: &[&dyn Study] = &[
+    &Boussinesq::GIVEN,
+    &BaseAcceleration::GIVEN,
+    &Bar::GIVEN,
+    &AxisAligned::PLANE,
+    &AxisAligned::SPACE,
+    &SelfWeight::GIVEN,
+    &Rotation::GIVEN,
+    &InclinedBlock::GIVEN,
+];
+
+/// The error of the stress, where a case has one.
+const STRESS_MEASURE: Measure = Measure {
+    word: "stress",
+    quantity: dynamics::STRESS,
+};
+
+/// The errors of displacement and stress.
+const FIELDS: &[Measure] = &[
+    Measure {
+        word: "displacement",
+        quantity: dynamics::DISPLACEMENT,
+    },
+    STRESS_MEASURE,
+];
+
+/// Nothing is written: a case reads the simulation itself.
+const NO_RESULTS: Results = Results {
+    print: 0,
+    fields: Vec::new(),
+    nodal_fields: Vec::new(),
+    checkpoint: false,
+};
+
+/// A body at rest and without stress.
+const AT_REST: InitialState = InitialState {
+    velocity: [0.0; 3],
+    velocity_gradient: [[0.0; 3]; 3],
+    stress: [0.0; 6],
+    deformation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+};
+
+/// Runs a rung with its own settings.
+fn solve_own(
+    study: &dyn Study,
+    rung: &Rung,
+    options: &Options,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Solved, CaseError> {
+    let settings = study.own_settings(rung);
+    study
+        .solve_with(rung, &settings, options, &mut |share| progress(share))
+        .map(|studied| studied.solved)
+}
+
+/// Gate on the order of a quantity between the two finest rungs of a table; NaN, which fails, where there is none.
+fn order_gate(
+    table: &ConvergenceTable,
+    quantity: &'static str,
+    bound: f64,
+    reason: &'static str,
+) -> Gate {
+    let column = table.quantities().iter().position(|q| q == quantity);
+    let last = table.rows().len().checked_sub(1);
+    let order = column
+        .zip(last)
+        .and_then(|(column, last)| table.order(column, last));
+    Gate {
+        name: format!("observed order of {quantity}"),
+        value: order.unwrap_or(f64::NAN),
+        relation: Relation::AtLeast,
+        bound,
+        reason,
+    }
+}
+
+/// Gate on the error of a quantity on the finest rung that a ladder has.
+fn error_gate(
+    rungs: &[Rung],
+    solved: &[(Rung, Solved)],
+    quantity: &'static str,
+    bound: f64,
+    reason: &'static str,
+) -> Gate {
+    let finest = rungs.last();
+    let found = finest.and_then(|finest| solved.iter().find(|(rung, _)| rung == finest));
+    Gate {
+        name: format!(
+            "error of {quantity}, {}",
+            finest.map_or("no rung", |rung| &rung.label)
+        ),
+        value: found.map_or(f64::NAN, |(_, solved)| solved.error(quantity)),
+        relation: Relation::AtMost,
+        bound,
+        reason,
+    }
+}
 
 /// An error of a rung.
 fn failed(case: &dyn Case, rung: &Rung, reason: &dyn std::fmt::Display) -> CaseError {

@@ -332,6 +332,7 @@ impl Case for RollingDisk {
                     )
                 })
                 .collect(),
+            curves: vec![],
         }
     }
 }

@@ -4,9 +4,24 @@ use std::fmt;
 
 use proctor_kernel::simulation::{Simulation, StepError};
 
-/// Steps after which a relaxation that has not come to rest is given up: twenty times what the finest rung of any
-/// case takes.
+use crate::settings::Settings;
+use crate::study::{Observer, Phase, STOPPED};
+
+/// Steps after which the relaxation of a case's own settings that has not come to rest is given up: twenty times what
+/// the finest rung of any case takes.
 const MOST_STEPS: u64 = 100_000;
+/// Steps per cell along a body after which the relaxation of other settings is given up, at `c dt/h = 0.35`: USL takes
+/// about 35.
+const MOST_STEPS_PER_CELL: f64 = 200.0;
+
+/// Steps that a relaxation with settings is given on a body of so many cells: a combination that never comes to rest
+/// must not hold up a study.
+pub fn most_steps(settings: &Settings, cells: f64) -> u64 {
+    match settings.courant {
+        None => MOST_STEPS,
+        Some(courant) => (MOST_STEPS_PER_CELL * cells * (0.35 / courant).max(1.0)) as u64,
+    }
+}
 
 /// A time that no relaxation reaches \[s\]; steps do not depend on it.
 const END: f64 = 1e6;
@@ -25,7 +40,11 @@ pub enum Unrest {
         residual: f64,
         /// What it had to reach.
         tolerance: f64,
+        /// Steps that were given.
+        steps: u64,
     },
+    /// The observer stopped it.
+    Stopped,
     /// The simulation measures no residual.
     NotMeasured,
 }
@@ -37,10 +56,12 @@ impl fmt::Display for Unrest {
             Self::Slow {
                 residual,
                 tolerance,
+                steps,
             } => write!(
                 f,
-                "no equilibrium in {MOST_STEPS} steps: unbalanced force over load {residual:.3e}, wanted {tolerance:.3e}"
+                "no equilibrium in {steps} steps: unbalanced force over load {residual:.3e}, wanted {tolerance:.3e}"
             ),
+            Self::Stopped => f.write_str(STOPPED),
             Self::NotMeasured => {
                 f.write_str("the simulation was not asked to measure the residual")
             }
@@ -48,8 +69,8 @@ impl fmt::Display for Unrest {
     }
 }
 
-/// Steps until the norm of the unbalanced forces on the free nodes is at most `tolerance` times `load` (N);
-/// returns their ratio.
+/// Steps, at most `most`, until the norm of the unbalanced forces on the free nodes is at most `tolerance` times
+/// `load` (N); returns their ratio.
 ///
 /// # Errors
 /// [`Unrest`].
@@ -57,24 +78,31 @@ pub fn relax(
     simulation: &mut Simulation,
     load: f64,
     tolerance: f64,
-    progress: &mut dyn FnMut(f64),
+    most: u64,
+    observer: &mut dyn Observer,
 ) -> Result<f64, Unrest> {
     let mut least = f64::INFINITY;
-    while simulation.steps() < MOST_STEPS {
+    observer.phase(Phase::Stepping);
+    while simulation.steps() < most {
+        if observer.stop() {
+            return Err(Unrest::Stopped);
+        }
         let info = simulation.step(END).map_err(Unrest::Step)?;
         let residual = info.measured.ok_or(Unrest::NotMeasured)?.1 / load;
         least = least.min(residual);
         if residual <= tolerance {
-            progress(1.0);
+            observer.phase(Phase::Comparing);
+            observer.progress(1.0);
             return Ok(residual);
         }
         if info.step % REPORT_EVERY == 0 {
             // Residuals fall exponentially, so their logarithm measures the way.
-            progress((least.ln() / tolerance.ln()).clamp(0.0, 1.0));
+            observer.progress((least.ln() / tolerance.ln()).clamp(0.0, 1.0));
         }
     }
     Err(Unrest::Slow {
         residual: least,
         tolerance,
+        steps: most,
     })
 }

@@ -52,6 +52,15 @@ impl<const D: usize> AxisAlignedMms<D> {
         std::array::from_fn(|i| speed * (self.wave_number * x0[i]).sin() * self.phase(i, t).cos())
     }
 
+    /// Diagonal of the derivative of the velocity by the initial position, 1/s; at rest without displacement it is the
+    /// velocity gradient.
+    #[must_use]
+    pub fn stretch_rates(&self, x0: [f64; D], t: f64) -> [f64; D] {
+        let k = self.wave_number;
+        let rate = self.amplitude * self.angular_frequency * k;
+        std::array::from_fn(|i| rate * (k * x0[i]).cos() * self.phase(i, t).cos())
+    }
+
     /// Diagonal of the deformation gradient.
     #[must_use]
     pub fn stretches(&self, x0: [f64; D], t: f64) -> [f64; D] {

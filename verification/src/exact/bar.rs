@@ -69,6 +69,13 @@ impl Bar {
             * (self.wave_number() * x).sin()
     }
 
+    /// Derivative of the velocity along the bar, 1/s.
+    #[must_use]
+    pub fn velocity_gradient(&self, x: f64, t: f64) -> f64 {
+        let b = self.wave_number();
+        self.velocity_amplitude * b * (self.angular_frequency() * t).cos() * (b * x).cos()
+    }
+
     /// Axial stress, Pa.
     #[must_use]
     pub fn stress(&self, x: f64, t: f64) -> f64 {

@@ -4,6 +4,7 @@
 
 pub mod axis_aligned_mms;
 pub mod bar;
+pub mod bar_impact;
 pub mod base_column;
 pub mod boussinesq_box;
 pub mod boussinesq_half_space;
@@ -12,4 +13,6 @@ pub mod hertz_layer;
 pub mod rolling_disk;
 pub mod rotation;
 pub mod self_weight;
+pub mod sliding;
 pub mod special;
+pub mod sudden_weight;

@@ -124,3 +124,14 @@ fn small_strain_is_hookes_law() {
         );
     }
 }
+
+#[test]
+fn stretch_rates_are_the_derivatives_of_the_stretches() {
+    let s = solution::<3>(Law::NeoHookean, PI, 0.05);
+    let (x, t) = ([0.3, 0.6, 0.9], 0.013);
+    let rates = s.stretch_rates(x, t);
+    for i in 0..3 {
+        let difference = derivative(|dt| s.stretches(x, t + dt)[i], 1e-5);
+        assert_relative_eq!(rates[i], difference, max_relative = 1e-7);
+    }
+}

@@ -70,3 +70,11 @@ fn waves_and_ends() {
         assert_relative_eq!(mean / f64::from(n), bar.mean_velocity(t), epsilon = 1e-7);
     }
 }
+
+#[test]
+fn the_velocity_gradient_is_the_derivative_of_the_velocity() {
+    let bar = bar(FarEnd::Free, 2);
+    let (x, t, d) = (7.0, 1.3, 1e-4);
+    let difference = (bar.velocity(x + d, t) - bar.velocity(x - d, t)) / (2.0 * d);
+    assert_relative_eq!(bar.velocity_gradient(x, t), difference, max_relative = 1e-8);
+}

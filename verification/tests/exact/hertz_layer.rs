@@ -36,28 +36,28 @@ fn the_barrier_and_its_slope() {
     }
 }
 
-/// Computed once by an independent program, with its own discretisation: peak, effective half-width, and distance from
-/// Hertz in L2.
+/// Computed once by an independent program, with a pressure that is linear in each of 640 elements instead of constant,
+/// and its distance from Hertz integrated over 200 000 points: peak, effective half-width, and that distance. The
+/// distance converges slowly, because the pressure of Hertz ends with an infinite slope; at 160 cells it is up to 5e-4 low.
 #[test]
 fn values_of_an_independent_solution() {
     for (kappa, gc, peak, half_width, distance) in [
-        (1.5e3, 0.05, 8.83, 0.741, 0.119),
-        (1.5e4, 0.05, 9.16, 0.702, 0.058),
-        (1.5e5, 0.05, 9.29, 0.688, 0.025),
-        (1.5e4, 0.01, 9.27, 0.690, 0.031),
+        (1.5e3, 0.05, 8.8288, 0.74132, 0.1205),
+        (1.5e4, 0.05, 9.1639, 0.70243, 0.0596),
+        (1.5e5, 0.05, 9.2897, 0.68793, 0.0274),
+        (1.5e4, 0.01, 9.2704, 0.69028, 0.0336),
     ] {
         let found = solve(kappa, gc, 160);
         assert!((found.load() - 10.0).abs() < 1e-9);
         assert!(
-            (found.pressure_at(0.0) - peak).abs() < 0.006,
+            (found.pressure_at(0.0) - peak).abs() < 0.0004,
             "{} {peak}",
             found.pressure_at(0.0)
         );
         let b = found.effective_half_width();
-        assert!((b - half_width).abs() < 0.0012, "{b} {half_width}");
+        assert!((b - half_width).abs() < 0.0001, "{b} {half_width}");
         let l2 = found.distance_from_hertz(&paper());
-        // Over which part of the surface that program took its norm is not known.
-        assert!((l2 - distance).abs() < 0.003, "{l2} {distance}");
+        assert!((l2 - distance).abs() < 0.0007, "{l2} {distance}");
     }
 }
 

@@ -8,6 +8,7 @@ mod contact;
 mod load;
 mod mortar;
 mod polygon;
+mod surface;
 
 use self::collector::Collector;
 use super::{Damping, Dimension, PlaneCondition, Scene, SceneError, TimeStep};
@@ -29,6 +30,7 @@ impl Scene {
         load::check(self, mesh_is_sound, &mut problems);
         contact::check(self, &mut problems);
         mortar::check(self, &mut problems);
+        surface::check(self, &mut problems);
         self.check_results(&mut problems);
         SceneError::unless_empty(problems.found)
     }

@@ -87,6 +87,13 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
             "\"local\", \"viscous\" or \"none\"",
         );
     }
+    if !scene.surfaces.is_empty() {
+        problems.add(
+            "terrain_contact",
+            "a rigid surface beside mortar contact, whose bodies have velocity fields that surfaces do not see",
+            "a `rigid_line`, or no mortar contact",
+        );
+    }
     if !scene.contacts.is_empty() {
         problems.add(
             "contact",

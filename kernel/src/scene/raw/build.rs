@@ -55,12 +55,13 @@ impl<'a> Build<'a> {
         scene.materials = self.materials(raw);
         scene.bodies = self.bodies(raw, &scene.materials);
         self.loads(raw, &mut scene);
-        self.surfaces(raw, &mut scene);
+        self.boundaries(raw, &mut scene);
         self.contacts(raw, &mut scene);
+        scene.surfaces = self.surfaces(raw, &scene.mesh);
         scene
     }
 
-    /// Contact with a terrain and a second phase are part of the manuals' language, so they are refused by name rather than as
+    /// A second phase is part of the manuals' language, so it is refused by name rather than as
     /// unknown keys, and only where they would act.
     fn refuse_what_is_not_built(&mut self, raw: &RawScene) {
         if let Some(phases) = raw.n_phases.filter(|n| *n != 1) {
@@ -68,14 +69,6 @@ impl<'a> Build<'a> {
                 "n_phases",
                 format!("{phases}: a second phase is not built yet"),
                 "1",
-            );
-        }
-        let terrain = raw.terrain_contact.as_ref();
-        if terrain.is_some_and(|terrain| terrain.active == Some(true)) {
-            self.add(
-                "terrain_contact.active",
-                "contact with a terrain, which is not built yet",
-                "no `terrain_contact`, or `terrain_contact.active` false",
             );
         }
     }

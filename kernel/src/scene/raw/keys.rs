@@ -7,7 +7,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::lists::{Contacts, Counts, Entries, VectorOrTable};
+use super::lists::{Contacts, Counts, Entries, Terrains, VectorOrTable};
 
 /// A scene: what is simulated, in SI units.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -82,8 +82,8 @@ pub(super) struct RawScene {
     pub rigid_line: Option<Entries<RawRigidLine>>,
     /// Settings of all contacts.
     pub contact_manager: Option<RawContactManager>,
-    /// Contact with a terrain.
-    pub terrain_contact: Option<RawTerrainContact>,
+    /// Contact with a rigid surface, or a list of them (3D).
+    pub terrain_contact: Option<Terrains>,
 }
 
 /// Numerical damping.
@@ -363,23 +363,26 @@ pub(super) struct RawContactManager {
     pub real_distance_correction_coefficient: Option<f64>,
 }
 
-/// Contact with a terrain.
+/// Contact of all bodies with a rigid surface, from the side to which the normals of its triangles point.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
     expecting = "an object with the keys of a terrain contact"
 )]
-#[expect(
-    dead_code,
-    reason = "read so that the manuals' inputs are understood, and refused by name"
-)]
 pub(super) struct RawTerrainContact {
-    /// Whether it acts. Default: false, as in the manuals' program.
+    /// Whether it acts.
     pub active: Option<bool>,
-    /// Surface of the terrain.
+    /// File of the surface, STL, ASCII or binary, in metres; looked for in the folder of the scene.
     pub stl_mesh: Option<String>,
-    /// Coefficient of friction.
+    /// Coefficient of friction. Default: 0, as in the manuals' program.
     pub friction: Option<f64>,
-    /// Distance below which contact is looked for [m].
+    /// Gap below which contact is looked for, and the longest way towards the surface in one step [m]. Default: the
+    /// smallest edge of a cell.
     pub distance_threshold: Option<f64>,
+    /// Whether the penalty force acts. Default: true where a stiffness is given.
+    pub penalty_contact_active: Option<bool>,
+    /// Stiffness of a force that pushes penetrating particles out, per particle [N/m]. Default: no such force.
+    pub penalty_stiffness: Option<f64>,
+    /// Prescribed velocity of the surface [m/s]: a vector, or rows of time [s] and velocity. Default: it stands.
+    pub prescribed_velocity: Option<VectorOrTable>,
 }

@@ -8,9 +8,10 @@ use std::marker::PhantomData;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use super::keys::RawContact;
+use super::keys::{RawContact, RawTerrainContact};
 
 /// Entries as a list or as an object of named entries, in the order of the file.
 #[derive(Debug)]
@@ -272,5 +273,52 @@ impl JsonSchema for Contacts {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let list = generator.subschema_for::<Entries<RawContact>>();
         json_schema!({ "anyOf": [{ "type": "boolean" }, list] })
+    }
+}
+
+/// One rigid surface, as the manuals' program has it, or a list.
+#[derive(Debug)]
+pub(super) enum Terrains {
+    One(Box<RawTerrainContact>),
+    List(Vec<RawTerrainContact>),
+}
+
+struct TerrainsVisitor;
+
+impl<'de> Visitor<'de> for TerrainsVisitor {
+    type Value = Terrains;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object with the keys of a terrain contact, or a list of such objects")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Terrains, A::Error> {
+        let one = RawTerrainContact::deserialize(MapAccessDeserializer::new(map))?;
+        Ok(Terrains::One(Box::new(one)))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Terrains, A::Error> {
+        let mut terrains = Vec::new();
+        while let Some(terrain) = list.next_element()? {
+            terrains.push(terrain);
+        }
+        Ok(Terrains::List(terrains))
+    }
+}
+
+impl<'de> Deserialize<'de> for Terrains {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(TerrainsVisitor)
+    }
+}
+
+impl JsonSchema for Terrains {
+    fn schema_name() -> Cow<'static, str> {
+        "Terrains".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<RawTerrainContact>();
+        json_schema!({ "anyOf": [one, { "type": "array", "items": one }] })
     }
 }

@@ -13,13 +13,18 @@ mod method;
 mod mortar;
 mod position;
 mod shapes;
+mod surfaces;
 mod words;
 
 use std::path::Path;
 
+use serde::de::DeserializeOwned;
+
 use self::build::Build;
 use self::keys::RawScene;
 use super::{Problem, Scene, SceneError};
+
+pub use self::words::{listed, nearest, words_of};
 
 /// Reads a scene from a JSON file; files that it names are looked for in its folder.
 ///
@@ -44,29 +49,45 @@ pub fn read(path: &Path) -> Result<Scene, SceneError> {
 /// The first place where the text is not JSON, holds an unknown key or a value of another type; otherwise all
 /// problems at once: keys that are missing or contradict each other, and all that [`Scene::check`] finds.
 pub fn from_json(text: &str, source_name: &str, folder: &Path) -> Result<Scene, SceneError> {
-    // A byte order mark is no JSON, but some editors write it.
-    let text = text.trim_start_matches('\u{feff}');
-    let mut parser = serde_json::Deserializer::from_str(text);
-    let raw: RawScene =
-        serde_path_to_error::deserialize(&mut parser).map_err(|error| SceneError {
-            problems: vec![message::problem(source_name, text, &error)],
-        })?;
-    parser.end().map_err(|error| {
-        let at = position::offset(text, error.line(), error.column());
-        let problem = Problem::new("", "more text behind the scene", "the end of the file")
-            .at(position::location(source_name, text, at));
-        SceneError {
-            problems: vec![problem],
-        }
-    })?;
-
+    let raw: RawScene = parse(text, source_name)?;
     let mut build = Build::new(folder);
     let mut scene = build.scene(&raw);
     scene.name = Path::new(source_name)
         .file_stem()
         .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into());
     let mut problems = build.merged(scene.check());
-    for problem in &mut problems {
+    place(&mut problems, text, source_name);
+    SceneError::unless_empty(problems)?;
+    Ok(scene)
+}
+
+/// Reads a value of raw keys from JSON text, as [`from_json`] reads a scene; `source_name` stands for the text in
+/// messages. For other files in the same strict style: their raw types deny unknown keys and leave every key optional.
+///
+/// # Errors
+/// The first place where the text is not JSON, holds an unknown key or a value of another type.
+pub fn parse<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<T, SceneError> {
+    // A byte order mark is no JSON, but some editors write it.
+    let text = text.trim_start_matches('\u{feff}');
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let raw = serde_path_to_error::deserialize(&mut parser).map_err(|error| SceneError {
+        problems: vec![message::problem(source_name, text, &error)],
+    })?;
+    parser.end().map_err(|error| {
+        let at = position::offset(text, error.line(), error.column());
+        let problem = Problem::new("", "more text behind its end", "the end of the file")
+            .at(position::location(source_name, text, at));
+        SceneError {
+            problems: vec![problem],
+        }
+    })?;
+    Ok(raw)
+}
+
+/// Gives problems that have a path and no place their place in the text, and sorts them in the order of the text.
+pub fn place(problems: &mut [Problem], text: &str, source_name: &str) {
+    let text = text.trim_start_matches('\u{feff}');
+    for problem in &mut *problems {
         if problem.location.is_none()
             && let Some(place) = position::find(text, &problem.path)
         {
@@ -81,8 +102,6 @@ pub fn from_json(text: &str, source_name: &str, folder: &Path) -> Result<Scene, 
             .as_ref()
             .map(|at| (at.file != source_name, at.file.clone(), at.line, at.column))
     });
-    SceneError::unless_empty(problems)?;
-    Ok(scene)
 }
 
 /// The JSON Schema of a scene file, for editors.

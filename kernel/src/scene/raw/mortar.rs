@@ -12,7 +12,7 @@ use crate::scene::{BodyBoundary, Enforcement, MortarContact, RigidLine, Scene, V
 
 impl Build<'_> {
     /// Boundaries of the bodies, and rigid lines.
-    pub(super) fn surfaces(&mut self, raw: &RawScene, scene: &mut Scene) {
+    pub(super) fn boundaries(&mut self, raw: &RawScene, scene: &mut Scene) {
         let bodies = [("body", &raw.body), ("bodies", &raw.bodies)]
             .into_iter()
             .find_map(|(key, list)| Some((key, list.as_ref()?)));

@@ -225,7 +225,8 @@ pub(super) fn meaning<T: Copy>(word: &str, words: Words<T>) -> Option<T> {
 }
 
 /// The known word that is most like `word`, if one is like it at all.
-pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+#[must_use]
+pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = word.to_lowercase();
     known
         .into_iter()
@@ -242,11 +243,27 @@ pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
 }
 
 /// `a`, `b` or `c`.
-pub(super) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+#[must_use]
+pub fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     let words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
     match words.as_slice() {
         [] => "nothing".to_owned(),
         [one] => one.clone(),
         [most @ .., last] => format!("{} or {last}", most.join(", ")),
+    }
+}
+
+/// The words that a key of the method accepts: `shape_function`, `stress_scheme_update` or `transfer`; none for any
+/// other key.
+#[must_use]
+pub fn words_of(key: &str) -> Vec<&'static str> {
+    fn names<T>(words: Words<T>) -> Vec<&'static str> {
+        words.iter().map(|(name, _)| *name).collect()
+    }
+    match key {
+        "shape_function" => names(SHAPE_FUNCTIONS),
+        "stress_scheme_update" => names(SCHEMES),
+        "transfer" => names(TRANSFERS),
+        _ => vec![],
     }
 }

@@ -5,13 +5,16 @@ use std::f64::consts::PI;
 use crate::cases::elastic;
 use proctor_kernel::scene::{
     BaseMotion, Body, Dimension, History, Mesh, Motion, PlaneCondition, Results, Scene, Shape,
-    StressScheme, TimeStep, Transfer, TransferKind,
+    TimeStep,
 };
 use proctor_kernel::simulation::Simulation;
 
 use crate::case::{Curve, CurvePoint};
+use crate::cases::dynamics::l2;
 use crate::convergence::relative_l2;
 use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
+use crate::settings::Settings;
+use crate::study::{Observer, Phase, STOPPED};
 
 /// Height of the column \[m\].
 const HEIGHT: f64 = 1.0;
@@ -73,10 +76,8 @@ pub struct Column {
     pub cell: f64,
     /// Motion of the base.
     pub shaking: Shaking,
-    /// `c dt / h`.
-    pub courant: f64,
-    /// Transfer and stress scheme.
-    pub method: (TransferKind, StressScheme),
+    /// Method, time step and particles per cell.
+    pub settings: Settings,
 }
 
 /// A column and its exact response.
@@ -88,6 +89,8 @@ pub struct Response {
     pub uppermost: [f64; 2],
     /// Relative L2 error of the velocity over column and time.
     pub l2: Option<f64>,
+    /// Relative L2 error of the stress along the column at the end.
+    pub stress: Option<f64>,
     /// Velocity over height at [`END`], over the amplitude.
     pub curve: Curve,
 }
@@ -123,7 +126,7 @@ impl Column {
 
     /// Constant time step \[s\] with which a velocity, half a step before the positions, falls on [`END`].
     fn time_step(&self) -> (f64, u64) {
-        let most = self.courant * self.cell / Self::wave_speed(1.0);
+        let most = self.settings.courant_or_automatic() * self.cell / Self::wave_speed(1.0);
         let steps = (END / most + 0.5).ceil();
         (END / (steps - 0.5), steps as u64)
     }
@@ -139,11 +142,9 @@ impl Column {
         let (dt, steps) = self.time_step();
         let mut scene = Scene::new(self.dimension, mesh, steps as f64 * dt);
         scene.name = String::from("shaken_column");
-        scene.transfer = Transfer::new(self.method.0);
-        scene.scheme = self.method.1;
         scene.time_step = TimeStep::Fixed {
             dt,
-            allow_unstable: false,
+            allow_unstable: self.settings.allow_unstable,
         };
         scene.results = Results {
             print: 0,
@@ -186,6 +187,7 @@ impl Column {
             side: 0,
             motion,
         });
+        self.settings.apply(&mut scene);
         scene
     }
 
@@ -198,7 +200,7 @@ impl Column {
         &self,
         simulation: &mut Simulation,
         stiffness: f64,
-        progress: &mut dyn FnMut(f64),
+        observer: &mut dyn Observer,
     ) -> Result<Response, String> {
         let (_, steps) = self.time_step();
         let every = (steps / SAMPLES).max(1);
@@ -209,18 +211,25 @@ impl Column {
         };
         let at = |z: f64, t: f64| exact.velocity(z, t, |t| self.shaking.velocity(t));
         let mut samples = vec![];
+        observer.phase(Phase::Stepping);
         while simulation.steps() < steps {
+            if observer.stop() {
+                return Err(STOPPED.to_owned());
+            }
             simulation
                 .step(simulation.scene().time)
                 .map_err(|e| e.to_string())?;
             if (steps - simulation.steps()).is_multiple_of(every) {
+                observer.phase(Phase::Comparing);
                 let t = simulation.velocity_time();
                 for [z, v, volume] in self.particles(simulation)? {
                     samples.push((volume, [v], [at(z, t)]));
                 }
-                progress(simulation.steps() as f64 / steps as f64);
+                observer.progress(simulation.steps() as f64 / steps as f64);
+                observer.phase(Phase::Stepping);
             }
         }
+        observer.phase(Phase::Comparing);
         let t = simulation.velocity_time();
         let layer = |depth: f64| -> Result<f64, String> {
             let (mut count, mut sum) = (0.0, 0.0);
@@ -232,7 +241,8 @@ impl Column {
             }
             Ok(sum / count)
         };
-        let (first, second) = (layer(0.25 * self.cell)?, layer(0.75 * self.cell)?);
+        let depth = 0.5 * self.cell / self.settings.particles_per_cell as f64;
+        let (first, second) = (layer(depth)?, layer(3.0 * depth)?);
         let a = self.shaking.amplitude();
         let mut points: Vec<CurvePoint> = self
             .particles(simulation)?
@@ -246,16 +256,27 @@ impl Column {
         points.sort_by(|p, q| p.at.total_cmp(&q.at));
         points.dedup_by(|p, q| (p.at - q.at).abs() < 0.1 * self.cell);
         Ok(Response {
-            // The stress at the top is zero, so v = v(H) - b (H - z)², and the particles are h/4 and 3h/4 below.
+            // The stress at the top is zero, so v = v(H) - b (H - z)², and the second layer is three times as deep as
+            // the first.
             top: [(first + (first - second) / 8.0) / a, at(HEIGHT, t) / a],
-            uppermost: [first / a, at(HEIGHT - 0.25 * self.cell, t) / a],
+            uppermost: [first / a, at(HEIGHT - depth, t) / a],
             l2: relative_l2(samples),
+            stress: self.stress_error(simulation, &exact),
             curve: Curve {
                 title: format!("velocity over the column at {END} s, h = {} m", self.cell),
                 abscissa: "z (m)",
                 ordinate: "v / A",
                 points,
             },
+        })
+    }
+
+    /// Relative L2 error of the stress along the column now.
+    fn stress_error(&self, simulation: &Simulation, exact: &BaseColumn) -> Option<f64> {
+        let (axis, t) = (self.axis(), simulation.time());
+        l2(simulation, |p, x| {
+            let s = exact.stress(x[axis], t, |t| self.shaking.velocity(t));
+            Some(([simulation.sets()[0].stress(p)[axis]], [s]))
         })
     }
 

@@ -8,6 +8,7 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::Simulation;
 
 use crate::exact::base_column::SineRecord;
+use crate::study::{Observer, Phase, STOPPED};
 
 /// Cell size \[m\].
 pub const CELL: f64 = 0.1;
@@ -118,13 +119,18 @@ pub struct Distance {
 pub fn run(
     simulation: &mut Simulation,
     frequency: f64,
-    progress: &mut dyn FnMut(f64),
+    observer: &mut dyn Observer,
 ) -> Result<Distance, String> {
     let record = Harmonic::of_the_manual();
     let end = simulation.scene().time;
     let mut worst = Distance::default();
     while simulation.velocity_time() + 1e-9 < end {
+        if observer.stop() {
+            return Err(STOPPED.to_owned());
+        }
+        observer.phase(Phase::Stepping);
         simulation.step(end).map_err(|e| e.to_string())?;
+        observer.phase(Phase::Comparing);
         let t = simulation.velocity_time();
         if t > end {
             break;
@@ -143,7 +149,7 @@ pub fn run(
             worst.lowest = worst.lowest.max(off(first[axis]));
         }
         if simulation.steps().is_multiple_of(100) {
-            progress((t / end).min(1.0));
+            observer.progress((t / end).min(1.0));
         }
     }
     Ok(worst)

@@ -24,6 +24,17 @@ struct Sample {
     volume: f64,
     computed: [f64; 3],
     exact: [f64; 3],
+    stress: [f64; 6],
+}
+
+impl Sample {
+    /// Whether it is at a distance of at least `radius` (m) from the middle of the load.
+    fn is_outside(&self, radius: f64) -> bool {
+        let r2 = (self.x[0] - MIDDLE).powi(2)
+            + (self.x[1] - MIDDLE).powi(2)
+            + (self.x[2] - SIDE).powi(2);
+        r2 >= radius * radius
+    }
 }
 
 impl Comparison {
@@ -43,6 +54,7 @@ impl Comparison {
                     volume: simulation.mass_and_volume(0, p).1,
                     computed: simulation.displacement(0, p)?,
                     exact,
+                    stress: simulation.sets()[0].stress(p),
                 })
             })
             .collect::<Option<_>>()?;
@@ -55,17 +67,33 @@ impl Comparison {
     /// Relative L2 error of the displacement, volume-weighted, at a distance of at least `radius` (m) from the
     /// middle of the load.
     pub fn l2_outside(&self, radius: f64) -> Option<f64> {
-        let far = |s: &&Sample| {
-            let r2 =
-                (s.x[0] - MIDDLE).powi(2) + (s.x[1] - MIDDLE).powi(2) + (s.x[2] - SIDE).powi(2);
-            r2 >= radius * radius
-        };
         relative_l2(
             self.samples
                 .iter()
-                .filter(far)
+                .filter(|s| s.is_outside(radius))
                 .map(|s| (s.volume, s.computed, s.exact)),
         )
+    }
+
+    /// Relative L2 error of the stress (xx, yy, zz, yz, xz, xy), volume-weighted, at a distance of at least `radius`
+    /// (m) from the middle of the load; `None` if a particle lies where the exact stress is not known.
+    pub fn stress_l2_outside(&self, radius: f64, exact: &BoxSolution) -> Option<f64> {
+        let far: Vec<&Sample> = self
+            .samples
+            .iter()
+            .filter(|s| s.is_outside(radius))
+            .collect();
+        let points: Vec<[f64; 3]> = far.iter().map(|s| s.x).collect();
+        let samples: Vec<_> = exact
+            .stress_many(&points)
+            .into_iter()
+            .zip(far)
+            .map(|(exact, s)| {
+                let [xx, yy, zz, xy, yz, xz] = exact?;
+                Some((s.volume, s.stress, [xx, yy, zz, yz, xz, xy]))
+            })
+            .collect::<Option<_>>()?;
+        relative_l2(samples)
     }
 
     /// Mean `u_z` (m) of the particles within a cell of `point` in every direction, computed and exact.

@@ -1,0 +1,120 @@
+//! A process: its command, its time, its memory.
+
+use crate::bench::config::Executable;
+use crate::measure::Spent;
+use crate::record::Row;
+use proctor_kernel::output::Summary;
+use proctor_kernel::output::summary::SUMMARY;
+use serde_json::Value;
+use std::fs::{self, File};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+use wait4::Wait4;
+
+/// What a process used.
+pub(super) struct Finished {
+    pub spent: Spent,
+    /// Largest resident size \[bytes\].
+    pub peak_rss: Option<u64>,
+}
+
+/// An empty folder for the results, and the scene in its file.
+pub(super) fn prepare(out: &Path, scene: &Path, json: &Value) -> Result<(), String> {
+    let said = |path: &Path| {
+        let path = path.display().to_string();
+        move |error: std::io::Error| format!("{path}: {error}")
+    };
+    if out.exists() {
+        fs::remove_dir_all(out).map_err(said(out))?;
+    }
+    fs::create_dir_all(out).map_err(said(out))?;
+    fs::write(scene, format!("{json:#}")).map_err(said(scene))
+}
+
+/// Runs a command to its end.
+pub(super) fn run(
+    executable: &Executable,
+    scene: &Path,
+    threads: usize,
+    out: &Path,
+    stop: &AtomicBool,
+) -> Result<Finished, String> {
+    let absolute = |path: &Path| {
+        std::path::absolute(path)
+            .map_or_else(|_| path.display().to_string(), |p| p.display().to_string())
+    };
+    let (scene, out_name) = (absolute(scene), absolute(out));
+    let fill = |word: &String| {
+        word.replace("{scene}", &scene)
+            .replace("{threads}", &threads.to_string())
+            .replace("{out}", &out_name)
+    };
+    let words: Vec<String> = executable.command.iter().map(fill).collect();
+    let log = out.join("standard-error.txt");
+    let errors = File::create(&log).map_err(|error| format!("{}: {error}", log.display()))?;
+    let mut command = Command::new(&words[0]);
+    command
+        .args(&words[1..])
+        .current_dir(executable.folder.as_deref().unwrap_or(out))
+        // Most solvers take their number of threads from there.
+        .env("OMP_NUM_THREADS", threads.to_string())
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(errors);
+    let clock = Instant::now();
+    let mut child = command
+        .spawn()
+        .map_err(|error| cannot_start(&words[0], &error))?;
+    let used = child
+        .wait4()
+        .map_err(|error| format!("{}: {error}", words[0]))?;
+    let wall = clock.elapsed();
+    if !used.status.success() && !stop.load(Ordering::Relaxed) {
+        let said = fs::read_to_string(&log).unwrap_or_default();
+        let last = said.lines().rfind(|line| !line.trim().is_empty());
+        return Err(match last {
+            Some(last) => format!("{}: {last}", used.status),
+            None => used.status.to_string(),
+        });
+    }
+    Ok(Finished {
+        spent: Spent {
+            wall,
+            cpu: used.rusage.utime + used.rusage.stime,
+        },
+        peak_rss: (used.rusage.maxrss > 0).then_some(used.rusage.maxrss),
+    })
+}
+
+fn cannot_start(program: &str, error: &std::io::Error) -> String {
+    let reason = format!("cannot start {program}: {error}");
+    if program.bytes().all(|b| b.is_ascii_digit()) {
+        format!(
+            "{reason} (a number stands for an artifact on GitHub; download it and give its path)"
+        )
+    } else {
+        reason
+    }
+}
+
+/// Steps and time per step, where the process is a `proctor` and left its summary.
+pub(super) fn take_summary(out: &Path, particles: usize, row: &mut Row) {
+    let Some(summary) = fs::read_to_string(out.join(SUMMARY))
+        .ok()
+        .and_then(|text| serde_json::from_str::<Summary>(&text).ok())
+    else {
+        return;
+    };
+    row.count("steps", summary.steps as f64);
+    row.label("state_hash", format!("{:016x}", summary.state_hash));
+    if let Some(ns) = summary.ns_per_particle_step {
+        row.count("cpu_ns_per_particle_step", ns);
+    }
+    if let Some(wall) = summary.wall_seconds {
+        let particle_steps = particles as f64 * summary.steps as f64;
+        row.count("wall_ns_per_particle_step", wall * 1e9 / particle_steps);
+        row.count("particle_steps_per_second", particle_steps / wall);
+    }
+}

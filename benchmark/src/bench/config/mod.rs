@@ -1,0 +1,120 @@
+//! What is to be measured: a configuration file, read like a scene file, into checked values.
+//!
+//! What is missing takes its default; [`Config::defaults`] says which did, for `--log`.
+
+mod check;
+mod manual;
+mod raw;
+mod scene;
+
+pub use manual::{ManualTest, TestScene};
+pub use scene::{Method, SceneChoice};
+
+use check::Check;
+use proctor_kernel::scene::{Problem, SceneError, parse, place};
+use proctor_kernel::simulation::Part;
+use std::path::{Path, PathBuf};
+
+/// Name of the configuration that is looked for where none is named (technical manual, section 19.3).
+pub const FILE: &str = "benchmark-configuration.json";
+
+/// What the command line asks for; it overrides the file.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// Numbers of threads; empty: as the file says.
+    pub threads: Vec<usize>,
+    /// Repetitions.
+    pub repetitions: Option<usize>,
+    /// Short: fewer particles and steps where the file does not say how many.
+    pub quick: bool,
+}
+
+/// An executable that runs scenes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Executable {
+    /// Name in tables and records.
+    pub name: String,
+    /// Program and arguments, with `{scene}`, `{threads}` and `{out}`.
+    pub command: Vec<String>,
+    /// Folder in which it works; that of its results where none is given.
+    pub folder: Option<PathBuf>,
+}
+
+/// What is to be measured.
+#[derive(Debug)]
+pub struct Config {
+    /// Scenes of whole steps.
+    pub scenes: Vec<SceneChoice>,
+    /// Wanted numbers of particles.
+    pub particles: Vec<usize>,
+    /// Numbers of threads.
+    pub threads: Vec<usize>,
+    /// Combinations of weighting function, stress scheme and transfer.
+    pub methods: Vec<Method>,
+    /// Samples of each combination.
+    pub repetitions: usize,
+    /// Steps before the clock starts.
+    pub warm_up: usize,
+    /// Particles times steps of a sample.
+    pub particle_steps: u64,
+    /// Single stages that are measured.
+    pub stages: Vec<Part>,
+    /// Whether they are measured in every scene rather than in the first.
+    pub stages_everywhere: bool,
+    /// The manual's tests of single stages.
+    pub tests: Vec<ManualTest>,
+    /// Programs that run the scenes, beside this one.
+    pub executables: Vec<Executable>,
+    /// Keys that took their default, and which.
+    pub defaults: Vec<String>,
+    /// What is accepted but worth saying.
+    pub warnings: Vec<String>,
+}
+
+impl Config {
+    /// Reads a configuration file. One that does not exist takes all defaults, as in the manual, with a warning.
+    ///
+    /// # Errors
+    /// All problems of the file at once; see [`Config::from_json`].
+    pub fn read(path: &Path, asked: &Asked) -> Result<Self, SceneError> {
+        let name = path.display().to_string();
+        match std::fs::read_to_string(path) {
+            Ok(text) => {
+                Self::from_json(&text, &name, path.parent().unwrap_or(Path::new("")), asked)
+            }
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                let mut config = Self::from_json("{}", &name, Path::new(""), asked)?;
+                config.warnings.push(format!(
+                    "{name}: no such file; every value takes its default"
+                ));
+                Ok(config)
+            }
+            Err(error) => Err(SceneError {
+                problems: vec![Problem::new(
+                    "",
+                    format!("{name} ({error})"),
+                    "a configuration in JSON that can be read",
+                )],
+            }),
+        }
+    }
+
+    /// Reads a configuration from text; scenes and executables that it names are looked for in `folder`.
+    ///
+    /// # Errors
+    /// The first place where the text is not JSON, holds an unknown key or a value of another type; otherwise all
+    /// other problems at once, those of the scenes that it names included.
+    pub fn from_json(
+        text: &str,
+        source_name: &str,
+        folder: &Path,
+        asked: &Asked,
+    ) -> Result<Self, SceneError> {
+        let raw: raw::RawConfig = parse(text, source_name)?;
+        let mut check = Check::new(folder);
+        let config = check.config(&raw, asked);
+        place(&mut check.problems, text, source_name);
+        SceneError::unless_empty(check.problems)?;
+        Ok(config)
+    }
+}

@@ -1,0 +1,124 @@
+//! Which samples a configuration asks for.
+
+use super::config::Config;
+use super::sample::{Kind, Work};
+use proctor_kernel::scene::{
+    DomainUpdate, Scene, SceneError, StressScheme, TransferKind, Weighting,
+};
+
+/// A combination that is sampled, with what tables say of it.
+pub struct Slot {
+    /// What is sampled.
+    pub work: Work,
+    /// Scene.
+    pub scene: String,
+    /// Weighting function, stress scheme and transfer.
+    pub method: [String; 3],
+    /// Single stage.
+    pub stage: Option<&'static str>,
+}
+
+/// All combinations of a configuration, but for other executables.
+///
+/// # Errors
+/// If a scene does not go with a method.
+pub fn slots(config: &Config) -> Result<Vec<Slot>, SceneError> {
+    let mut slots = vec![];
+    for (i, choice) in config.scenes.iter().enumerate() {
+        let stages = if i == 0 || config.stages_everywhere {
+            config.stages.as_slice()
+        } else {
+            &[]
+        };
+        // A scene file has its own number of particles.
+        let counts = if choice.scales() {
+            config.particles.as_slice()
+        } else {
+            &[0]
+        };
+        for &particles in counts {
+            for method in &config.methods {
+                let mut scene = choice.scene(particles, method)?;
+                scene.results.print = 0;
+                let kinds = std::iter::once(Kind::Steps)
+                    .chain(stages.iter().map(|part| Kind::Stage(*part)));
+                for kind in kinds {
+                    for &threads in &config.threads {
+                        let name = if choice.scales() {
+                            format!("{}/{particles}", choice.name())
+                        } else {
+                            choice.name()
+                        };
+                        slots.push(slot(choice.name(), &name, kind, scene.clone(), threads));
+                    }
+                }
+            }
+        }
+    }
+    for test in &config.tests {
+        for &particles in &config.particles {
+            let made = test.make(particles);
+            for &threads in &config.threads {
+                let kind = Kind::Stage(test.part);
+                let name = format!("{}/{particles}", test.name);
+                let mut slot = slot(
+                    test.name.to_owned(),
+                    &name,
+                    kind,
+                    made.scene.clone(),
+                    threads,
+                );
+                slot.work.initial = Some(made.initial.clone());
+                slots.push(slot);
+            }
+        }
+    }
+    Ok(slots)
+}
+
+fn slot(scene: String, name: &str, kind: Kind, values: Scene, threads: usize) -> Slot {
+    let method = words(&values);
+    let stage = match kind {
+        Kind::Steps => None,
+        Kind::Stage(part) => Some(part.name()),
+    };
+    let mut name = format!("{name}/{}", method.join("/"));
+    if let Some(stage) = stage {
+        name = format!("{name}/{stage}");
+    }
+    Slot {
+        work: Work {
+            name,
+            kind,
+            scene: values,
+            initial: None,
+            threads,
+        },
+        scene,
+        method,
+        stage,
+    }
+}
+
+/// Weighting function, stress scheme and transfer in the words of scene files.
+pub(super) fn words(scene: &Scene) -> [String; 3] {
+    let weighting = match scene.weighting {
+        Weighting::Linear => "linear",
+        Weighting::UniformGimp => "uGIMP",
+        Weighting::ContiguousGimp(DomainUpdate::Determinant) => "cpGIMP",
+        Weighting::ContiguousGimp(DomainUpdate::Stretch) => "cpGIMP-stretch",
+        Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => "cpGIMP-left-stretch",
+        Weighting::QuadraticBSpline => "quadratic_bspline",
+    };
+    let scheme = match scene.scheme {
+        StressScheme::Usf => "USF",
+        StressScheme::Usl => "USL",
+        StressScheme::Musl => "MUSL",
+    };
+    let transfer = match scene.transfer.kind {
+        TransferKind::Flip => "FLIP",
+        TransferKind::Apic => "APIC",
+        TransferKind::Tpic => "TPIC",
+    };
+    [weighting, scheme, transfer].map(str::to_owned)
+}

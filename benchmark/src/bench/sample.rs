@@ -1,0 +1,187 @@
+//! One sample: a scene or a single stage, set up, warmed up and timed.
+
+use super::counts::Least;
+use super::memory;
+use crate::measure::{Spent, Stopwatch};
+use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::scene::Scene;
+use proctor_kernel::simulation::{InitialField, Options, Part, Phase, Simulation};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// What is done in a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Whole steps.
+    Steps,
+    /// A single stage, without going on in time.
+    Stage(Part),
+}
+
+/// Something that can be sampled.
+pub struct Work {
+    /// Name without the number of threads.
+    pub name: String,
+    /// What is done.
+    pub kind: Kind,
+    /// The scene.
+    pub scene: Scene,
+    /// State of the particles at the start, where the scene alone does not say it.
+    pub initial: Option<InitialField>,
+    /// Threads.
+    pub threads: usize,
+}
+
+/// How a sample is taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// Steps, or plays of a stage, before the clock starts.
+    pub warm_up: usize,
+    /// Particles times steps, which decides the number of steps.
+    pub particle_steps: u64,
+    /// Lanes.
+    pub lanes: LaneChoice,
+}
+
+/// What a sample gave.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// Particles.
+    pub particles: usize,
+    /// Steps, or plays of a stage.
+    pub steps: u64,
+    /// Time in them.
+    pub spent: Spent,
+    /// Clock time in each phase of whole steps, in the order of [`Phase::ALL`].
+    pub phases: Option<[Duration; Phase::ALL.len()]>,
+    /// Bytes of state per particle, by the plan.
+    pub bytes_per_particle: usize,
+    /// Bytes of the nodes that are held.
+    pub node_bytes: usize,
+    /// Largest resident size of the process from before the set-up to the end \[bytes\].
+    pub peak_rss: Option<u64>,
+    /// Least work of a particle in a step, where it was counted.
+    pub least: Option<Least>,
+    /// Lanes in use.
+    pub lanes: Selected,
+}
+
+impl Work {
+    /// Takes a sample; `None` if `stop` was raised meanwhile.
+    ///
+    /// # Errors
+    /// Why the scene cannot be set up or stepped.
+    pub fn sample(&self, settings: &Settings, stop: &AtomicBool) -> Result<Option<Sample>, String> {
+        let options = Options {
+            threads: Some(self.threads),
+            lanes: settings.lanes,
+            initial: self.initial.clone(),
+            ..Options::default()
+        };
+        let resets = memory::reset_peak();
+        let start = || Simulation::new(&self.scene, &options).map_err(|e| e.to_string());
+        let mut simulation = start()?;
+        let particles = simulation.particles();
+        let steps = (settings.particle_steps / particles.max(1) as u64).clamp(3, 10_000);
+        let mut timed = match self.kind {
+            Kind::Stage(part) => {
+                // The first step is not like the others: velocities and positions are at the same time.
+                Timed::stage(&mut simulation, part, settings.warm_up, steps, stop)
+            }
+            Kind::Steps => self.steps(&mut simulation, &start, settings.warm_up, steps, stop),
+        }?;
+        if stop.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
+        timed.stopwatch.spent.wall = timed.stopwatch.spent.wall.max(Duration::from_nanos(1));
+        let plan = simulation.plan();
+        Ok(Some(Sample {
+            particles,
+            steps,
+            spent: timed.stopwatch.spent,
+            phases: timed.phases,
+            bytes_per_particle: plan.bytes_per_particle(),
+            node_bytes: simulation.nodes_active() * plan.bytes_per_node(),
+            peak_rss: resets.then(memory::peak).flatten(),
+            least: Least::of(plan, self.scene.weighting),
+            lanes: simulation.lanes(),
+        }))
+    }
+
+    /// Whole steps. A scene that is over begins anew, outside the clock.
+    fn steps(
+        &self,
+        simulation: &mut Simulation,
+        start: &dyn Fn() -> Result<Simulation, String>,
+        warm_up: usize,
+        steps: u64,
+        stop: &AtomicBool,
+    ) -> Result<Timed, String> {
+        let mut timed = Timed::default();
+        let mut phases = [Duration::ZERO; Phase::ALL.len()];
+        let mut cold = warm_up;
+        let mut done = 0;
+        while done < steps && !stop.load(Ordering::Relaxed) {
+            if simulation.time() >= self.scene.time * (1.0 - 1e-9) {
+                *simulation = start()?;
+                cold = warm_up;
+            }
+            if cold > 0 {
+                simulation
+                    .step(self.scene.time)
+                    .map_err(|e| e.to_string())?;
+                cold -= 1;
+                continue;
+            }
+            let stopwatch = &mut timed.stopwatch;
+            let mut before = Instant::now();
+            let mut ended = |phase: Phase| {
+                let now = Instant::now();
+                phases[phase as usize] += now - before;
+                before = now;
+            };
+            stopwatch
+                .time(|| simulation.step_watched(self.scene.time, &mut ended))
+                .map_err(|e| e.to_string())?;
+            done += 1;
+        }
+        timed.phases = Some(phases);
+        Ok(timed)
+    }
+}
+
+/// Time of a sample.
+#[derive(Default)]
+struct Timed {
+    stopwatch: Stopwatch,
+    phases: Option<[Duration; Phase::ALL.len()]>,
+}
+
+impl Timed {
+    /// A stage again and again on the same state; making that state is outside the clock.
+    fn stage(
+        simulation: &mut Simulation,
+        part: Part,
+        warm_up: usize,
+        plays: u64,
+        stop: &AtomicBool,
+    ) -> Result<Self, String> {
+        let mut timed = Self::default();
+        let mut rehearsal = simulation.rehearse(part).map_err(|e| e.to_string())?;
+        for play in 0..warm_up as u64 + plays {
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
+            rehearsal.set().map_err(|e| e.to_string())?;
+            if play < warm_up as u64 {
+                rehearsal.play().map_err(|e| e.to_string())?;
+            } else {
+                timed
+                    .stopwatch
+                    .time(|| rehearsal.play())
+                    .map_err(|e| e.to_string())?;
+            }
+        }
+        Ok(timed)
+    }
+}

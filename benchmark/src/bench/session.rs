@@ -1,0 +1,123 @@
+//! The samples of a configuration, taken in turn, with every row in a record.
+
+use super::children::{self, Child};
+use super::config::Config;
+use super::machine::Peaks;
+use super::plan::{Slot, slots};
+use super::rows;
+use super::sample::Settings;
+use crate::progress::Progress;
+use crate::record::{Record, Row};
+use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::scene::SceneError;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// All that a configuration asks for, and what came of it.
+pub struct Session {
+    /// Combinations that are sampled in this process.
+    pub slots: Vec<Slot>,
+    /// Runs of executables.
+    pub children: Vec<Child>,
+    /// Measured peaks, one per number of threads.
+    pub peaks: Vec<Peaks>,
+    settings: Settings,
+    repetitions: usize,
+}
+
+impl Session {
+    /// Prepares the samples; nothing is run.
+    ///
+    /// # Errors
+    /// If a scene does not go with a method.
+    pub fn new(config: &Config, lanes: LaneChoice) -> Result<Self, SceneError> {
+        // With executables each run is a process of its own, this program's as well.
+        let alone = config.executables.is_empty();
+        let slots = if alone || !config.stages.is_empty() {
+            let mut slots = slots(config)?;
+            slots.retain(|slot| alone || slot.stage.is_some());
+            slots
+        } else {
+            vec![]
+        };
+        Ok(Self {
+            slots,
+            children: children::runs(config)?,
+            peaks: vec![],
+            settings: Settings {
+                warm_up: config.warm_up,
+                particle_steps: config.particle_steps,
+                lanes,
+            },
+            repetitions: config.repetitions,
+        })
+    }
+
+    /// Takes all samples, one repetition of everything after the other, until `stop` is raised. Each sample is a row of
+    /// the record, a failed one too. `folder` is for the scenes and results of executables.
+    pub fn run(&mut self, record: &mut Record, folder: &Path, stop: &AtomicBool) {
+        self.measure_peaks(record, stop);
+        let rounds = self.repetitions * (self.slots.len() + self.children.len());
+        let mut progress = Progress::new("bench");
+        let mut done = 0;
+        // What failed once would fail again.
+        let mut failed = vec![false; self.slots.len() + self.children.len()];
+        for repetition in 0..self.repetitions as u64 {
+            for (i, slot) in self.slots.iter().enumerate() {
+                if stop.load(Ordering::Relaxed) {
+                    return;
+                }
+                if !failed[i] {
+                    match slot.work.sample(&self.settings, stop) {
+                        Ok(Some(sample)) => {
+                            let peaks = self.peaks.iter().find(|p| p.threads == slot.work.threads);
+                            record.push(rows::row(slot, repetition, &sample, peaks));
+                        }
+                        Ok(None) => return,
+                        Err(reason) => {
+                            failed[i] = true;
+                            record.push(failure(rows::blank(slot, repetition), &reason));
+                        }
+                    }
+                }
+                done += 1;
+                progress.at(f64::from(done) / rounds as f64);
+            }
+            for (i, child) in self.children.iter().enumerate() {
+                if stop.load(Ordering::Relaxed) {
+                    return;
+                }
+                let failed = &mut failed[self.slots.len() + i];
+                if !*failed {
+                    let row = child.run(repetition, folder, stop);
+                    if stop.load(Ordering::Relaxed) {
+                        return;
+                    }
+                    *failed = row.error.is_some();
+                    record.push(row);
+                }
+                done += 1;
+                progress.at(f64::from(done) / rounds as f64);
+            }
+        }
+    }
+
+    fn measure_peaks(&mut self, record: &mut Record, stop: &AtomicBool) {
+        let lanes = Selected::new(self.settings.lanes).unwrap_or_else(|_| Selected::any());
+        let mut counts: Vec<usize> = self.slots.iter().map(|slot| slot.work.threads).collect();
+        counts.sort_unstable();
+        counts.dedup();
+        for threads in counts {
+            if !stop.load(Ordering::Relaxed) {
+                let peaks = Peaks::measure(threads, lanes);
+                record.push(rows::peaks_row(&peaks));
+                self.peaks.push(peaks);
+            }
+        }
+    }
+}
+
+fn failure(mut row: Row, reason: &str) -> Row {
+    row.fail(reason);
+    row
+}

@@ -1,0 +1,365 @@
+//! What a session found, as tables: medians over the repetitions, and how far these lay apart.
+
+use super::children::Child;
+use super::machine::Peaks;
+use super::plan::Slot;
+use super::rows::{median, name, spread};
+use super::session::Session;
+use crate::record::{Record, Row};
+use crate::show::{Table, bytes, grouped, number, seconds};
+use proctor_kernel::simulation::Phase;
+use std::collections::BTreeSet;
+use std::fmt;
+
+/// Rows of a record by their name.
+struct Samples<'a>(Vec<&'a Row>);
+
+impl<'a> Samples<'a> {
+    fn of(record: &'a Record, name: &str) -> Self {
+        Self(record.rows.iter().filter(|row| row.name == name).collect())
+    }
+
+    /// Values of a counter over the samples that did not fail.
+    fn all(&self, key: &str) -> Vec<f64> {
+        let sound = self.0.iter().filter(|row| row.error.is_none());
+        sound
+            .filter_map(|row| row.counters.get(key).copied())
+            .collect()
+    }
+
+    /// Clock times \[s\].
+    fn wall(&self) -> Vec<f64> {
+        let sound = self.0.iter().filter(|row| row.error.is_none());
+        sound
+            .filter_map(|row| Some(row.spent?.wall.as_secs_f64()))
+            .collect()
+    }
+
+    /// CPU times \[s\].
+    fn cpu(&self) -> Vec<f64> {
+        let sound = self.0.iter().filter(|row| row.error.is_none());
+        sound
+            .filter_map(|row| Some(row.spent?.cpu.as_secs_f64()))
+            .collect()
+    }
+
+    /// Median of a counter as text, or nothing.
+    fn shown(&self, key: &str, show: impl Fn(f64) -> String) -> String {
+        let values = self.all(key);
+        if values.is_empty() {
+            String::new()
+        } else {
+            show(median(&values))
+        }
+    }
+
+    fn failure(&self) -> Option<&str> {
+        self.0.iter().find_map(|row| row.error.as_deref())
+    }
+}
+
+/// All tables of a session.
+pub struct Report<'a> {
+    session: &'a Session,
+    record: &'a Record,
+}
+
+impl<'a> Report<'a> {
+    /// Over the rows of the record.
+    #[must_use]
+    pub fn new(session: &'a Session, record: &'a Record) -> Self {
+        Self { session, record }
+    }
+
+    fn samples(&self, slot: &Slot) -> Samples<'a> {
+        Samples::of(self.record, &name(slot))
+    }
+
+    /// Time on one thread over time on n threads and n, in percent, where one thread was measured too.
+    fn efficiency(&self, slot: &Slot, wall: f64) -> String {
+        let one = self.session.slots.iter().find(|other| {
+            other.work.name == slot.work.name && other.work.threads == 1 && slot.work.threads > 1
+        });
+        let one = one.map(|one| median(&self.samples(one).all("wall_ns_per_particle_step")));
+        match one {
+            Some(one) if one.is_finite() => {
+                format!("{:.0} %", 100.0 * one / wall / slot.work.threads as f64)
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// Cells of a failed slot: the reason is told below the table.
+    fn times(&self, f: &mut fmt::Formatter<'_>, slots: &[&Slot], title: &str) -> fmt::Result {
+        if slots.is_empty() {
+            return Ok(());
+        }
+        writeln!(f, "{title}\n")?;
+        let stages = slots[0].stage.is_some();
+        let what = if stages { "stage" } else { "method" };
+        let mut table = Table::new([
+            "scene",
+            "particles",
+            what,
+            "threads",
+            "wall ns",
+            "CPU ns",
+            "spread",
+            "million/s",
+            "efficiency",
+        ]);
+        for slot in slots {
+            let samples = self.samples(slot);
+            let method = match slot.stage {
+                Some(stage)
+                    if slot.method[1] == "USL" || slots.iter().all(|s| s.method == slot.method) =>
+                {
+                    stage.to_owned()
+                }
+                Some(stage) => format!("{stage} {}", slot.method.join(" ")),
+                None => slot.method.join(" "),
+            };
+            let wall = samples.all("wall_ns_per_particle_step");
+            let mut line = vec![
+                slot.scene.clone(),
+                samples.shown("particles", |n| grouped(n as u64)),
+                method,
+                slot.work.threads.to_string(),
+            ];
+            if wall.is_empty() {
+                line.push(
+                    if samples.failure().is_some() {
+                        "failed"
+                    } else {
+                        "-"
+                    }
+                    .to_owned(),
+                );
+            } else {
+                let middle = median(&wall);
+                line.extend([
+                    ns(middle),
+                    samples.shown("cpu_ns_per_particle_step", ns),
+                    format!("{:.0} %", 100.0 * spread(&wall)),
+                    samples.shown("particle_steps_per_second", |rate| {
+                        format!("{:.2}", rate * 1e-6)
+                    }),
+                    self.efficiency(slot, middle),
+                ]);
+            }
+            table.push(line);
+        }
+        writeln!(f, "{table}")
+    }
+
+    fn phases(&self, f: &mut fmt::Formatter<'_>, slots: &[&Slot]) -> fmt::Result {
+        if slots.is_empty() {
+            return Ok(());
+        }
+        writeln!(
+            f,
+            "wall ns per particle and step in each phase (p2g_solve: one visit of the nodes)\n"
+        )?;
+        let heads = ["scene", "particles", "method", "threads"];
+        let mut table = Table::new(heads.into_iter().chain(Phase::ALL.map(Phase::name)));
+        for slot in slots {
+            let samples = self.samples(slot);
+            let mut line = vec![
+                slot.scene.clone(),
+                samples.shown("particles", |n| grouped(n as u64)),
+                slot.method.join(" "),
+                slot.work.threads.to_string(),
+            ];
+            line.extend(Phase::ALL.map(|phase| samples.shown(&format!("ns_{}", phase.name()), ns)));
+            table.push(line);
+        }
+        writeln!(f, "{table}")
+    }
+
+    fn machine(&self, f: &mut fmt::Formatter<'_>, slots: &[&Slot]) -> fmt::Result {
+        if slots.is_empty() {
+            return Ok(());
+        }
+        writeln!(
+            f,
+            "memory, and share of what the machine was measured to do\n"
+        )?;
+        let mut table = Table::new([
+            "scene",
+            "particles",
+            "method",
+            "threads",
+            "per particle",
+            "nodes",
+            "peak",
+            "bandwidth",
+            "arithmetic",
+        ]);
+        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+        for slot in slots {
+            let samples = self.samples(slot);
+            table.push([
+                slot.scene.clone(),
+                samples.shown("particles", |n| grouped(n as u64)),
+                slot.method.join(" "),
+                slot.work.threads.to_string(),
+                samples.shown("bytes_per_particle", |n| format!("{n} B")),
+                samples.shown("node_bytes", |n| bytes(n as u64)),
+                samples.shown("peak_rss_bytes", |n| bytes(n as u64)),
+                samples.shown("share_of_bandwidth", percent),
+                samples.shown("share_of_arithmetic", percent),
+            ]);
+        }
+        writeln!(f, "{table}")?;
+        for Peaks {
+            threads,
+            bandwidth,
+            arithmetic,
+        } in &self.session.peaks
+        {
+            writeln!(
+                f,
+                "  {threads} thread{}: triad {:.1} GB/s, multiply-adds {:.1} GFLOP/s",
+                if *threads == 1 { "" } else { "s" },
+                bandwidth * 1e-9,
+                arithmetic * 1e-9
+            )?;
+        }
+        writeln!(
+            f,
+            "  Shares count 2000 operations and 250 bytes per particle and step, the least for 3D, 27 nodes, USL\n  \
+             and FLIP; elsewhere they are left out. The peak is the largest resident size of the process while\n  \
+             the scene was set up and run.\n"
+        )
+    }
+
+    fn children(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let children = &self.session.children;
+        if children.is_empty() {
+            return Ok(());
+        }
+        writeln!(
+            f,
+            "executables: whole processes, set-up and output included\n"
+        )?;
+        let mut table = Table::new([
+            "scene",
+            "executable",
+            "particles",
+            "threads",
+            "wall",
+            "CPU",
+            "spread",
+            "peak",
+            "error",
+            "difference",
+        ]);
+        for child in children {
+            let samples = Samples::of(self.record, &child.name());
+            table.push(child_line(child, &samples));
+        }
+        writeln!(f, "{table}")?;
+        let exact: BTreeSet<String> = children
+            .iter()
+            .filter_map(|child| Some((&child.job.scene, child.job.exact_source()?)))
+            .map(|(scene, source)| format!("{scene} against {source}"))
+            .collect();
+        if !exact.is_empty() {
+            let list: Vec<String> = exact.into_iter().collect();
+            writeln!(
+                f,
+                "  error: of the displacement of the last frame, relative L2; {}",
+                list.join("; ")
+            )?;
+        }
+        writeln!(
+            f,
+            "  difference: the same against this proctor's last frame, particle by particle\n"
+        )
+    }
+
+    fn failures(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let failed: Vec<&Row> = self
+            .record
+            .rows
+            .iter()
+            .filter(|row| row.error.is_some())
+            .collect();
+        for row in &failed {
+            writeln!(
+                f,
+                "FAIL  {}: {}",
+                row.name,
+                row.error.as_deref().unwrap_or_default()
+            )?;
+        }
+        if failed.is_empty() {
+            Ok(())
+        } else {
+            writeln!(f)
+        }
+    }
+}
+
+fn child_line(child: &Child, samples: &Samples<'_>) -> Vec<String> {
+    let wall = samples.wall();
+    let mut line = vec![
+        child.job.scene.clone(),
+        child.executable.name.clone(),
+        samples.shown("particles", |n| grouped(n as u64)),
+        child.threads.to_string(),
+    ];
+    if wall.is_empty() {
+        line.push(
+            if samples.failure().is_some() {
+                "failed"
+            } else {
+                "-"
+            }
+            .to_owned(),
+        );
+    } else {
+        line.extend([
+            seconds(median(&wall)),
+            seconds(median(&samples.cpu())),
+            format!("{:.0} %", 100.0 * spread(&wall)),
+            samples.shown("peak_rss_bytes", |n| bytes(n as u64)),
+            samples.shown("error_l2_displacement", number),
+            samples.shown("difference_l2_displacement", number),
+        ]);
+    }
+    line
+}
+
+/// Nanoseconds with about three digits.
+fn ns(x: f64) -> String {
+    let decimals = usize::from(x < 99.95) + usize::from(x < 9.995);
+    format!("{x:.decimals$}")
+}
+
+impl fmt::Display for Report<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let steps: Vec<&Slot> = self
+            .session
+            .slots
+            .iter()
+            .filter(|s| s.stage.is_none())
+            .collect();
+        let stages: Vec<&Slot> = self
+            .session
+            .slots
+            .iter()
+            .filter(|s| s.stage.is_some())
+            .collect();
+        self.times(f, &steps, "whole steps: ns per particle and step, median")?;
+        self.phases(f, &steps)?;
+        self.machine(f, &steps)?;
+        self.times(
+            f,
+            &stages,
+            "single stages: ns per particle and play, median",
+        )?;
+        self.children(f)?;
+        self.failures(f)
+    }
+}

@@ -1,0 +1,11 @@
+//! Error against run time: every case with an exact solution, solved with many settings.
+
+pub mod choices;
+pub mod cost;
+pub mod findings;
+pub mod rows;
+pub mod run;
+
+pub use choices::{Effort, Line, Plan};
+pub use findings::Findings;
+pub use run::{Found, Run, Sample, Studied};

@@ -1,0 +1,180 @@
+//! A study as rows of a record, and as a table of comma-separated values.
+
+use super::choices::Choice;
+use super::findings::{Findings, LEVELS};
+use super::run::{Run, Sample, Studied};
+use crate::record::{Record, Row};
+use proctor_verification::settings::Method;
+
+/// Name of the rows of a line.
+fn line_name(case: &str, method: Method) -> String {
+    format!(
+        "precision/{case}/{}-{}-{}",
+        method.weighting_word(),
+        method.scheme_word(),
+        method.transfer_word()
+    )
+}
+
+/// Name of the rows of a choice: the same choice is the same name in every record.
+fn name(case: &str, choice: &Choice) -> String {
+    let settings = &choice.settings;
+    format!(
+        "{}/h={:.4e}/C={:.4}/ppc={}",
+        line_name(case, settings.method),
+        choice.rung.cell,
+        settings.courant_or_automatic(),
+        settings.particles_per_cell
+    )
+}
+
+/// Labels and numbers of the settings.
+fn describe(row: &mut Row, case: &str, method: Method) {
+    row.label("case", case);
+    row.label("weighting", method.weighting_word());
+    row.label("scheme", method.scheme_word());
+    row.label("transfer", method.transfer_word());
+    let safe = if method.has_safe_step() { "yes" } else { "no" };
+    row.label("has_safe_step", safe);
+}
+
+impl Record {
+    /// Adds a row per repetition of a study, and one per line and measure for what it costs.
+    pub fn push_study(&mut self, studied: &Studied, threads: usize) {
+        let case = studied.study.name();
+        for (choice, run) in studied.plan.choices.iter().zip(&studied.runs) {
+            for (repetition, sample) in run.samples.iter().enumerate() {
+                self.push(sample_row(
+                    studied, choice, run, repetition, sample, threads,
+                ));
+            }
+        }
+        for (number, measure) in studied.study.measures().iter().enumerate() {
+            for line in &Findings::new(studied, number).lines {
+                let name = line_name(case, line.method);
+                let mut row = Row::aggregate(name, &format!("cost_{}", measure.word), threads);
+                describe(&mut row, case, line.method);
+                for (level, cost) in LEVELS.iter().zip(line.costs) {
+                    if let Some(seconds) = cost.seconds() {
+                        row.count(format!("seconds_for_error_{level}"), seconds);
+                    }
+                }
+                if let Some(order) = line.order() {
+                    row.count("observed_order", order);
+                }
+                if let Some(best) = line.best {
+                    row.count("smallest_error", best.error);
+                } else {
+                    row.fail("no run of this line gave an error below 1");
+                }
+                self.push(row);
+            }
+        }
+        self.details.push_study(studied);
+    }
+}
+
+fn sample_row(
+    studied: &Studied,
+    choice: &Choice,
+    run: &Run,
+    repetition: usize,
+    sample: &Sample,
+    threads: usize,
+) -> Row {
+    let case = studied.study.name();
+    let mut row =
+        Row::sample(name(case, choice), repetition as u64, threads).timed(sample.stepping);
+    describe(&mut row, case, choice.settings.method);
+    row.count("cell_size", choice.rung.cell);
+    row.count("courant", choice.settings.courant_or_automatic());
+    row.count(
+        "particles_per_cell",
+        choice.settings.particles_per_cell as f64,
+    );
+    row.count("seconds_set_up", sample.set_up.wall.as_secs_f64());
+    row.count("seconds_comparing", sample.comparing.wall.as_secs_f64());
+    if let Ok(found) = &run.found {
+        row.count("particles", found.particles as f64);
+        row.count("steps", found.steps as f64);
+        row.count("dt", found.dt);
+        row.count("dt_over_critical", found.dt_over_critical);
+        let rate = found.particles as f64 * found.steps as f64 / sample.stepping.wall.as_secs_f64();
+        row.count("particle_steps_per_second", rate);
+        for (measure, error) in studied.study.measures().iter().zip(&found.errors) {
+            row.count(format!("error_{}", measure.word), *error);
+        }
+    }
+    if let Err(reason) = run.error(0) {
+        row.fail(reason);
+    }
+    row
+}
+
+/// A study as comma-separated values, one line per choice; `heading` for the first study of a file.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn csv(studied: &Studied, heading: bool, out: &mut dyn std::io::Write) -> csv::Result<()> {
+    let mut table = csv::Writer::from_writer(out);
+    if heading {
+        table.write_record([
+            "case",
+            "weighting",
+            "scheme",
+            "transfer",
+            "has_safe_step",
+            "cell_size_m",
+            "courant",
+            "particles_per_cell",
+            "particles",
+            "steps",
+            "dt_s",
+            "dt_over_critical",
+            "measure",
+            "error",
+            "wall_min_s",
+            "wall_median_s",
+            "cpu_min_s",
+            "cpu_median_s",
+            "repetitions",
+            "failure",
+        ])?;
+    }
+    for (choice, run) in studied.plan.choices.iter().zip(&studied.runs) {
+        for (number, measure) in studied.study.measures().iter().enumerate() {
+            let method = choice.settings.method;
+            let found = run.found.as_ref().ok();
+            let wall = run.minimum_and_median(|s| s.stepping.wall);
+            let cpu = run.minimum_and_median(|s| s.stepping.cpu);
+            let number_or_empty = |value: Option<f64>| match value {
+                Some(value) if value.is_finite() => format!("{value:e}"),
+                _ => String::new(),
+            };
+            table.write_record([
+                studied.study.name().to_owned(),
+                method.weighting_word().to_owned(),
+                method.scheme_word().to_owned(),
+                method.transfer_word().to_owned(),
+                method.has_safe_step().to_string(),
+                format!("{:e}", choice.rung.cell),
+                number_or_empty(Some(choice.settings.courant_or_automatic())),
+                choice.settings.particles_per_cell.to_string(),
+                found.map_or_else(String::new, |f| f.particles.to_string()),
+                found.map_or_else(String::new, |f| f.steps.to_string()),
+                number_or_empty(found.map(|f| f.dt)),
+                number_or_empty(found.map(|f| f.dt_over_critical)),
+                measure.word.to_owned(),
+                number_or_empty(found.map(|f| f.errors[number])),
+                number_or_empty(wall.map(|w| w[0])),
+                number_or_empty(wall.map(|w| w[1])),
+                number_or_empty(cpu.map(|c| c[0])),
+                number_or_empty(cpu.map(|c| c[1])),
+                run.samples.len().to_string(),
+                run.error(number).err().unwrap_or_default(),
+            ])?;
+        }
+    }
+    table.flush()?;
+    Ok(())
+}

@@ -1,0 +1,210 @@
+//! What a record holds beside its flat rows: gates with their reasons, pictures, and plans, so that a page can be
+//! made from the record alone.
+
+use super::key;
+use crate::precision::findings::LineFindings;
+use crate::precision::{Findings, Studied};
+use crate::show::chart::Chart;
+use crate::show::{figures, precision as show};
+use crate::suite::Ran;
+use proctor_kernel::plan::Plan;
+use proctor_kernel::run::plan_value;
+use proctor_verification::case::{Gate, Relation};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// Details of a record, in the order in which they were measured. Tools that read Google Benchmark pass over them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Details {
+    /// Verification cases.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cases: Vec<CaseDetail>,
+    /// Error against run time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub studies: Vec<StudyDetail>,
+    /// Plans of scenes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub plans: Vec<PlanDetail>,
+}
+
+/// What a case asked and how it was judged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaseDetail {
+    /// Name of the case.
+    pub name: String,
+    /// The question it answers.
+    pub question: String,
+    /// Quantities that were compared: the end of their keys in the rows (`error_…`), and their names.
+    pub quantities: Vec<[String; 2]>,
+    /// Its bounds.
+    pub gates: Vec<GateDetail>,
+    /// Computed against exact, and errors over the refinements.
+    pub figures: Vec<Figure>,
+    /// Lines that judge nothing.
+    pub for_the_record: Vec<String>,
+}
+
+/// A bound, and what was found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GateDetail {
+    /// What is bounded.
+    pub name: String,
+    /// What was found; none where it could not be computed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub value: Option<f64>,
+    /// `at most` or `at least`.
+    pub relation: String,
+    /// The bound.
+    pub bound: f64,
+    /// Why this bound.
+    pub reason: String,
+    /// Whether it is kept.
+    pub passed: bool,
+}
+
+/// A picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Figure {
+    /// What it shows, below it.
+    pub caption: String,
+    /// Its points, axes and legend.
+    pub chart: Chart,
+}
+
+/// Error against run time of one error of a case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyDetail {
+    /// Name of the case.
+    pub case: String,
+    /// The question it answers.
+    pub question: String,
+    /// Which error.
+    pub measure: String,
+    /// Error against run time, and convergence of the best lines.
+    pub figures: Vec<Figure>,
+    /// Lines by their cost, the best first; the headings are the first line.
+    pub table: Vec<Vec<String>>,
+    /// What is best for which error.
+    pub findings: Vec<String>,
+}
+
+/// The plan of a scene, as `summary.json` has it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlanDetail {
+    /// Name of the scene.
+    pub scene: String,
+    /// `kept`, `left_out`, `bytes_per_particle`, `bytes_per_node`.
+    pub plan: Value,
+}
+
+impl Details {
+    /// Whether there is nothing to say.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.cases.is_empty() && self.studies.is_empty() && self.plans.is_empty()
+    }
+
+    /// Adds a case that was run. Of each variant the curve of the finest run is kept.
+    pub fn push_case(&mut self, ran: &Ran) {
+        let mut curves: Vec<Figure> = vec![];
+        let mut variant = None;
+        let mut quantities: Vec<[String; 2]> = vec![];
+        for run in &ran.rungs {
+            let Ok(solved) = &run.solved else { continue };
+            for q in solved.quantities.iter().filter(|q| q.error.is_some()) {
+                let entry = [key(q.name), q.name.to_owned()];
+                if !quantities.contains(&entry) {
+                    quantities.push(entry);
+                }
+            }
+            let Some(curve) = &solved.curve else { continue };
+            if variant == Some(run.rung.variant) {
+                curves.pop();
+            }
+            variant = Some(run.rung.variant);
+            curves.push(Figure {
+                caption: format!(
+                    "{} over {}: computed against exact, run {}.",
+                    curve.ordinate, curve.abscissa, run.rung.label
+                ),
+                chart: figures::curve(curve),
+            });
+        }
+        curves.extend(ran.verdict.curves.iter().map(|curve| Figure {
+            caption: format!(
+                "{} over {}: computed against exact, several runs.",
+                curve.ordinate, curve.abscissa
+            ),
+            chart: figures::curve(curve),
+        }));
+        let refined = ran.verdict.tables.iter();
+        let refined = refined.filter(|(_, table)| table.rows().len() > 1);
+        let convergence = refined.map(|(title, table)| Figure {
+            caption: format!("{title}: errors over the refinements."),
+            chart: figures::convergence(&format!("{title}: error against cell size"), table),
+        });
+        self.cases.push(CaseDetail {
+            name: ran.case.name().to_owned(),
+            question: ran.case.question().to_owned(),
+            quantities,
+            gates: ran.verdict.gates.iter().map(gate).collect(),
+            figures: curves.into_iter().chain(convergence).collect(),
+            for_the_record: ran.verdict.for_the_record.clone(),
+        });
+    }
+
+    /// Adds error against run time of a case, one study per error that the case tells.
+    pub fn push_study(&mut self, studied: &Studied) {
+        for (number, measure) in studied.study.measures().iter().enumerate() {
+            let findings = Findings::new(studied, number);
+            let best: Vec<&LineFindings> = findings.ranked();
+            let summary = show::summary(studied, number, false);
+            self.studies.push(StudyDetail {
+                case: studied.study.name().to_owned(),
+                question: studied.study.question().to_owned(),
+                measure: measure.word.to_owned(),
+                figures: vec![
+                    Figure {
+                        caption: "Error against the time of the stepping loop. Lines refine the mesh, dots change \
+                                  the Courant number or the particles per cell, the broad band joins the runs that \
+                                  no other beats in both."
+                            .to_owned(),
+                        chart: figures::error_against_time(studied, number),
+                    },
+                    Figure {
+                        caption: "The cheapest combinations: error over the refinements.".to_owned(),
+                        chart: figures::convergence_of_lines(
+                            &format!("{}: {} error against cell size", studied.study.name(), measure.word),
+                            &best,
+                        ),
+                    },
+                ],
+                table: summary.table.lines().to_vec(),
+                findings: summary.best,
+            });
+        }
+    }
+
+    /// Adds the plan of a scene.
+    pub fn push_plan(&mut self, scene: &str, plan: &Plan) {
+        self.plans.push(PlanDetail {
+            scene: scene.to_owned(),
+            plan: plan_value(plan),
+        });
+    }
+}
+
+fn gate(gate: &Gate) -> GateDetail {
+    GateDetail {
+        name: gate.name.clone(),
+        value: gate.value.is_finite().then_some(gate.value),
+        relation: match gate.relation {
+            Relation::AtMost => "at most",
+            Relation::AtLeast => "at least",
+        }
+        .to_owned(),
+        bound: gate.bound,
+        reason: gate.reason.to_owned(),
+        passed: gate.passed(),
+    }
+}

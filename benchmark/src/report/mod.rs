@@ -1,0 +1,68 @@
+//! A record as one page: HTML that needs no network and no script to be read.
+//!
+//! [`page`] is a function of the record alone, so that a page can be made again, by `proctor report`, from any
+//! record that was kept.
+
+mod cases;
+mod html;
+mod machine;
+mod plans;
+mod speed;
+mod studies;
+mod verdict;
+
+use crate::record::Record;
+use html::{Section, escape};
+use std::fmt::Write as _;
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
+
+/// The page of a record.
+#[must_use]
+pub fn page(record: &Record) -> String {
+    let sections: Vec<Section> = [
+        cases::section(record),
+        studies::section(record),
+        speed::section(record),
+        plans::section(record),
+        machine::section(record),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let mut html = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>Proctor: {}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <a class=\"skip\" href=\"#content\">to the results</a>\n<header>\n<h1>Proctor</h1>\n{}\
+         <nav aria-label=\"sections\"><ul>\n",
+        escape(verdict::word(record)),
+        verdict::html(record),
+    );
+    for section in &sections {
+        let _ = writeln!(
+            html,
+            "<li><a href=\"#{}\">{}</a></li>",
+            section.id,
+            escape(&section.title)
+        );
+    }
+    html.push_str("</ul></nav>\n</header>\n<main id=\"content\">\n");
+    for section in &sections {
+        let _ = write!(
+            html,
+            "<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}</section>\n",
+            section.id,
+            escape(&section.title),
+            section.body
+        );
+    }
+    let _ = write!(
+        html,
+        "</main>\n<footer><p>SI units. Every number of this page is in the record beside it; \
+         <code>proctor report RECORD</code> makes the page again.</p></footer>\n\
+         <script>\n{SCRIPT}</script>\n</body>\n</html>\n"
+    );
+    html
+}

@@ -1,0 +1,312 @@
+//! A comparison of two records, as text and as Markdown.
+
+use super::Table;
+use crate::judge::{CaseVerdict, Comparison, Finding, Verdict};
+use crate::record::Record;
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+/// Characters of a case's name in the table on a terminal; the reasons below it name the case in full.
+const NAME: usize = 29;
+/// Characters of a line.
+const WIDTH: usize = 100;
+
+/// The table of a comparison on a terminal, the reasons, the verdict.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn terminal(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> {
+    let mut table = Table::new(HEADINGS);
+    for finding in shown(comparison) {
+        let mut cells = cells(finding);
+        cells[0] = shortened(&cells[0]);
+        table.push(cells);
+    }
+    writeln!(
+        out,
+        "HEAD over BASE: worst error and count, median time and its 95 % interval, chance of such"
+    )?;
+    writeln!(
+        out,
+        "an order of times without a change (Mann-Whitney), tolerance\n"
+    )?;
+    writeln!(out, "{table}")?;
+    for (about, reason) in reasons(comparison) {
+        paragraph(&about, 2, out)?;
+        paragraph(&reason, 6, out)?;
+    }
+    for line in comparison.notes.iter().chain(&comparison.obstacles) {
+        paragraph(line, 2, out)?;
+    }
+    writeln!(out, "{}", verdict_line(comparison))
+}
+
+/// The same as Markdown for a pull request: the verdict, what changed, and the whole table folded.
+#[must_use]
+pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String {
+    let mut text = format!("### {}\n\n", verdict_line(comparison));
+    let _ = writeln!(
+        text,
+        "{} against {}\n",
+        side("HEAD", head),
+        side("BASE", base)
+    );
+    for line in comparison.obstacles.iter().chain(&comparison.notes) {
+        let _ = writeln!(text, "- {}", escaped(line));
+    }
+    for (about, reason) in reasons(comparison) {
+        let _ = writeln!(text, "- {}: {}", escaped(&about), escaped(&reason));
+    }
+    let (changed, same): (Vec<&Finding>, Vec<&Finding>) =
+        shown(comparison).partition(|finding| finding.verdict != CaseVerdict::Same);
+    if !changed.is_empty() {
+        text.push('\n');
+        text.push_str(&markdown_table(&changed));
+    }
+    if !same.is_empty() {
+        let _ = write!(
+            text,
+            "\n<details><summary>{} without a change</summary>\n\n{}\n</details>\n",
+            cases(same.len()),
+            markdown_table(&same)
+        );
+    }
+    text.push_str(
+        "\nHEAD over BASE. Error, count: the worst of the case. Time: ratio of medians over interleaved passes; a case \
+         is slower or faster only if every pass is, by more than the tolerance. p: Mann-Whitney, two-sided.\n",
+    );
+    text
+}
+
+const HEADINGS: [&str; 9] = [
+    "case", "thr.", "error", "count", "time", "95 %", "p", "tol.", "verdict",
+];
+
+fn markdown_table(findings: &[&Finding]) -> String {
+    let mut text = format!(
+        "| {} |\n|---|{}\n",
+        HEADINGS.join(" | "),
+        "--:|".repeat(HEADINGS.len() - 1)
+    );
+    for finding in findings {
+        let cells = cells(finding).map(|cell| escaped(&cell));
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+    text
+}
+
+/// Findings that have anything to show.
+fn shown(comparison: &Comparison) -> impl Iterator<Item = &Finding> {
+    let tells = |finding: &&Finding| finding.judged() || finding.verdict != CaseVerdict::Same;
+    comparison.findings.iter().filter(tells)
+}
+
+fn cells(finding: &Finding) -> [String; 9] {
+    let percent = |ratio: f64| format!("{:+.1} %", 100.0 * (ratio - 1.0));
+    let or_none = |cell: Option<String>| cell.unwrap_or_else(|| "-".to_owned());
+    let time = finding.time.as_ref();
+    [
+        name(finding),
+        or_none(
+            finding
+                .case
+                .aggregate
+                .is_none()
+                .then(|| finding.case.threads.to_string()),
+        ),
+        or_none(finding.error_ratio().map(factor)),
+        or_none(finding.count_ratio().map(factor)),
+        or_none(time.map(|t| percent(t.median))),
+        or_none(time.map(|t| {
+            let (low, high) = t.interval;
+            format!("{:+.1} {:+.1}", 100.0 * (low - 1.0), 100.0 * (high - 1.0))
+        })),
+        or_none(time.map(|t| chance(t.chance))),
+        or_none(time.map(|t| format!("{:.0} %", 100.0 * t.tolerance))),
+        word(finding).to_owned(),
+    ]
+}
+
+/// A ratio of errors or counts.
+fn factor(ratio: f64) -> String {
+    match ratio {
+        _ if ratio == 1.0 => "=".to_owned(),
+        _ if (0.1..100.0).contains(&ratio) => format!("x{ratio:.3}"),
+        _ => format!("x{ratio:.1e}"),
+    }
+}
+
+fn chance(p: f64) -> String {
+    if p < 0.001 {
+        "<.001".to_owned()
+    } else {
+        format!("{p:.3}").trim_start_matches('0').to_owned()
+    }
+}
+
+/// One word for a case.
+fn word(finding: &Finding) -> &'static str {
+    match finding.verdict {
+        CaseVerdict::CannotCompare => "?",
+        CaseVerdict::Worse => "WORSE",
+        CaseVerdict::Better => "better",
+        CaseVerdict::Same => "same",
+        CaseVerdict::New => "new",
+    }
+}
+
+/// Name of a case without its threads, which have a column of their own.
+fn name(finding: &Finding) -> String {
+    let case = &finding.case;
+    match &case.aggregate {
+        Some(aggregate) => format!("{} {aggregate}", case.name),
+        None => case.name.clone(),
+    }
+}
+
+/// What is said of which case; cases of which the same is said share a line.
+fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
+    let mut lines: Vec<(&str, &str, Vec<String>)> = vec![];
+    for finding in &comparison.findings {
+        for reason in &finding.reasons {
+            let word = word(finding);
+            let name = finding.case.to_string();
+            match lines.iter_mut().find(|(w, r, _)| *w == word && r == reason) {
+                Some((_, _, names)) => names.push(name),
+                None => lines.push((word, reason, vec![name])),
+            }
+        }
+    }
+    let said = lines.into_iter().map(|(word, reason, names)| {
+        let more = match names.len() {
+            1 => String::new(),
+            n => format!(" and {} more", n - 1),
+        };
+        let first = names.into_iter().next().unwrap_or_default();
+        (format!("{word} {first}{more}"), reason.to_owned())
+    });
+    said.collect()
+}
+
+/// Text in lines that fit, broken at blanks, all of them indented.
+fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<()> {
+    let mut line = String::new();
+    for word in text.split(' ') {
+        let length = line.chars().count() + 1 + word.chars().count();
+        if !line.is_empty() && indent + length > WIDTH {
+            writeln!(out, "{:indent$}{line}", "")?;
+            line.clear();
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    writeln!(out, "{:indent$}{line}", "")
+}
+
+fn verdict_line(comparison: &Comparison) -> String {
+    let count = |verdict| {
+        let of_it = comparison.findings.iter().filter(|f| f.verdict == verdict);
+        of_it.count()
+    };
+    let compared = comparison.findings.iter().filter(|f| f.judged()).count();
+    let mut parts = vec![];
+    for (verdict, word) in [
+        (CaseVerdict::CannotCompare, "cannot be compared"),
+        (CaseVerdict::Worse, "worse"),
+        (CaseVerdict::Better, "better"),
+        (CaseVerdict::New, "new"),
+    ] {
+        if count(verdict) > 0 {
+            parts.push(format!("{} {word}", count(verdict)));
+        }
+    }
+    let parts = if parts.is_empty() {
+        "no change".to_owned()
+    } else {
+        parts.join(", ")
+    };
+    let verdict = match comparison.verdict() {
+        Verdict::Fine => "FINE",
+        Verdict::Worse => "WORSE",
+        Verdict::CannotCompare => "CANNOT COMPARE",
+    };
+    format!("{verdict}: {} compared, {parts}", cases(compared))
+}
+
+fn cases(count: usize) -> String {
+    match count {
+        1 => "1 case".to_owned(),
+        n => format!("{n} cases"),
+    }
+}
+
+/// Commit and machine of a record.
+fn side(name: &str, record: &Record) -> String {
+    let word = |key: &str| record.context[key].as_str().unwrap_or("unknown");
+    let commit: String = word("commit").chars().take(10).collect();
+    format!(
+        "{name} `{commit}` ({}, {} lanes)",
+        word("cpu_model"),
+        word("lanes")
+    )
+}
+
+/// A name that fits, its middle left out.
+fn shortened(name: &str) -> String {
+    let length = name.chars().count();
+    if length <= NAME {
+        return name.to_owned();
+    }
+    let head: String = name.chars().take(NAME / 2).collect();
+    let tail: String = name.chars().skip(length - (NAME - NAME / 2 - 1)).collect();
+    format!("{head}…{tail}")
+}
+
+/// Text inside a Markdown table or list.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for c in text.chars() {
+        match c {
+            '|' | '*' | '_' | '`' | '<' | '>' | '[' | ']' | '\\' => {
+                escaped.push('\\');
+                escaped.push(c);
+            }
+            '\n' | '\r' => escaped.push(' '),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_names_lose_their_middle() {
+        let name = "whole-step/two-bodies-3d/uGIMP/USL/FLIP/64000";
+        let short = shortened(name);
+        assert_eq!(short.chars().count(), NAME);
+        let (head, tail) = short.split_once('…').expect("something is left out");
+        assert!(name.starts_with(head) && name.ends_with(tail), "{short}");
+        assert!(head.len().abs_diff(tail.len()) <= 1, "{short}");
+        assert_eq!(shortened("short"), "short");
+    }
+
+    #[test]
+    fn chances_and_factors_are_short() {
+        assert_eq!(chance(0.00001), "<.001");
+        assert_eq!(chance(0.25), ".250");
+        assert_eq!(chance(1.0), "1.000");
+        assert_eq!(factor(1.0), "=");
+        assert_eq!(factor(1.02), "x1.020");
+        assert_eq!(factor(1e-7), "x1.0e-7");
+    }
+
+    #[test]
+    fn markdown_signs_in_names_are_escaped() {
+        assert_eq!(escaped("a|b_c\n"), "a\\|b\\_c ");
+    }
+}

@@ -1,0 +1,189 @@
+//! A study as a table: the best combination first.
+
+use super::{Table, grouped, number, seconds};
+use crate::precision::cost::Cost;
+use crate::precision::findings::{LEVELS, LineFindings};
+use crate::precision::{Findings, Studied};
+use std::io::{self, Write};
+
+/// Lines of the table unless all are asked for.
+const SHOWN: usize = 12;
+/// Names of the levels of error.
+const NAMES: [&str; 2] = ["1 %", "0.1 %"];
+
+/// Question, and for each measure the lines by cost and what is best.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn study(studied: &Studied, all: bool, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "{}: {}",
+        studied.study.name(),
+        studied.study.question()
+    )?;
+    for (number, measure) in studied.study.measures().iter().enumerate() {
+        writeln!(out, "\n  {}", measure.word)?;
+        let summary = summary(studied, number, all);
+        write!(out, "{}", summary.table)?;
+        if summary.left_out > 0 {
+            writeln!(out, "  and {} more; --all shows them", summary.left_out)?;
+        }
+        for line in &summary.best {
+            writeln!(out, "  {line}")?;
+        }
+    }
+    failures(studied, out)?;
+    writeln!(out)
+}
+
+/// What a study says of one error.
+pub struct Summary {
+    /// Lines by their cost, the best first.
+    pub table: Table,
+    /// Number of lines that the table leaves out.
+    pub left_out: usize,
+    /// What is best for each level of error.
+    pub best: Vec<String>,
+}
+
+/// The summary of a study for one of its errors, with `all` lines or the best and the default.
+#[must_use]
+pub fn summary(studied: &Studied, measure: usize, all: bool) -> Summary {
+    let findings = Findings::new(studied, measure);
+    let ranked = findings.ranked();
+    let shown = if all { ranked.len() } else { SHOWN };
+    let levels = NAMES.iter().enumerate().take(LEVELS.len());
+    Summary {
+        table: table(studied, &findings, &ranked, shown),
+        left_out: ranked.len().saturating_sub(shown),
+        best: levels
+            .map(|(level, name)| best(&findings, level, name))
+            .collect(),
+    }
+}
+
+fn table(studied: &Studied, findings: &Findings, ranked: &[&LineFindings], shown: usize) -> Table {
+    let mut table = Table::new([
+        "combination",
+        "C",
+        "finest",
+        "order",
+        "particles",
+        "steps",
+        "wall",
+        "CPU",
+        "for 1 %",
+        "for 0.1 %",
+    ]);
+    let default = findings.default_line().map(|line| line.method);
+    let kept = ranked
+        .iter()
+        .enumerate()
+        .filter(|(i, line)| *i < shown || Some(line.method) == default);
+    for (_, line) in kept {
+        let plan = studied.plan.lines.iter().find(|l| l.method == line.method);
+        // The finest run of the path that was run.
+        let finest = plan.and_then(|l| l.path.iter().rev().find(|i| **i < studied.runs.len()));
+        let Some(&finest) = finest else { continue };
+        let (choice, run) = (&studied.plan.choices[finest], &studied.runs[finest]);
+        let mark = if line.method.has_safe_step() {
+            ""
+        } else {
+            " !"
+        };
+        let error = line
+            .table
+            .rows()
+            .last()
+            .map_or(f64::NAN, |row| row.errors[0]);
+        let time = |i: usize, cpu: bool| {
+            run.minimum_and_median(|s| if cpu { s.stepping.cpu } else { s.stepping.wall })
+                .map_or_else(String::new, |t| seconds(t[i]))
+        };
+        table.push([
+            format!("{}{mark}", line.method),
+            format!("{:.2}", choice.settings.courant_or_automatic()),
+            if error.is_finite() {
+                super::percent(error)
+            } else {
+                "failed".to_owned()
+            },
+            line.order()
+                .map_or_else(|| "-".to_owned(), |p| format!("{p:.2}")),
+            run.found
+                .as_ref()
+                .map_or_else(|_| "-".to_owned(), |f| grouped(f.particles as u64)),
+            run.found
+                .as_ref()
+                .map_or_else(|_| "-".to_owned(), |f| grouped(f.steps)),
+            time(0, false),
+            time(0, true),
+            words(line.costs[0]),
+            words(line.costs[1]),
+        ]);
+    }
+    table
+}
+
+fn words(cost: Cost) -> String {
+    match cost {
+        Cost::Time(time) => seconds(time),
+        Cost::AtMost(time) => format!("<= {}", seconds(time)),
+        Cost::NotReached => "-".to_owned(),
+    }
+}
+
+/// Which combination is best for a level, and what that gains over the default.
+fn best(findings: &Findings, level: usize, name: &str) -> String {
+    let Some(line) = findings.cheapest(level) else {
+        return format!("{name}: not reached by any combination");
+    };
+    let gain = match findings.speed_up(level) {
+        Some(gain) => format!(
+            "{} times as fast as the default",
+            number((gain * 100.0).round() / 100.0)
+        ),
+        None => "the default does not reach it".to_owned(),
+    };
+    format!(
+        "{name}: best with {}, {}; {gain}",
+        line.method,
+        words(line.costs[level])
+    )
+}
+
+/// Every reason for failure once, with how many runs it ended and the first of them.
+fn failures(studied: &Studied, out: &mut dyn Write) -> io::Result<()> {
+    let failed: Vec<(String, String)> = studied
+        .plan
+        .choices
+        .iter()
+        .zip(&studied.runs)
+        .filter_map(|(choice, run)| {
+            let reason = run.error(0).err()?;
+            let what = format!(
+                "{}, {}, C = {:.2}, {} per cell",
+                choice.settings.method,
+                choice.rung.label,
+                choice.settings.courant_or_automatic(),
+                choice.settings.particles_per_cell
+            );
+            Some((what, reason))
+        })
+        .collect();
+    if failed.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "\n  {} of {} runs failed; the record says why each did. The first:",
+        failed.len(),
+        studied.runs.len()
+    )?;
+    for (what, reason) in failed.iter().take(3) {
+        writeln!(out, "    {what}:")?;
+        writeln!(out, "      {reason}")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,151 @@
+//! `proctor bench`: the configurable multi-thread benchmark.
+
+use super::settings::Lanes;
+use crate::bench::Session;
+use crate::bench::config::{Asked, Config, FILE};
+use crate::bench::tables::Report;
+use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
+use crate::record::Record;
+use clap::Args;
+use proctor_kernel::lanes::Selected;
+use proctor_kernel::simulation::Options;
+use std::io::Write;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+/// Measure speed: scenes x particles x threads x methods, single stages, other executables.
+///
+/// CONFIG is the benchmark-configuration.json of the technical manual, or that of its start-multi-benchmark, with
+/// more keys: scenes, particles, threads, shape_function, stress_scheme_update, transfer (each one value or a list),
+/// repetitions, warm_up, particle_steps, stages, executables. What is missing takes a default; --log says which.
+/// All combinations are measured in turn, once per repetition, and nothing runs beside a sample.
+#[derive(Args)]
+#[command(after_help = "Example: proctor bench --quick\n\
+    With a configuration, as record and table: proctor bench fixtures/bench/peers.json --json bench.json --csv bench.csv\n\
+    The median counts; spread is the largest less the smallest time, over the median.")]
+pub struct Bench {
+    /// Configuration (JSON) [default: benchmark-configuration.json, where there is one]
+    config: Option<PathBuf>,
+    /// Numbers of threads, joined by commas; they override the configuration
+    #[arg(long, value_name = "N", value_delimiter = ',')]
+    threads: Vec<NonZeroUsize>,
+    /// Samples of each combination, 3 or more; overrides the configuration
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..))]
+    repetitions: Option<u32>,
+    /// Short samples of few particles, where the configuration does not say how many
+    #[arg(long)]
+    quick: bool,
+    /// Vector lanes of the inner loops; auto takes the widest that the machine has
+    #[arg(long, value_enum, default_value_t = Lanes::Auto)]
+    lanes: Lanes,
+    /// Say which values took their default
+    #[arg(long)]
+    log: bool,
+    /// Write a record of all samples (Google Benchmark JSON)
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write all samples as a table
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Keep scenes and results of executables in this folder [default: a folder that is removed]
+    #[arg(long, value_name = "DIR")]
+    keep: Option<PathBuf>,
+}
+
+impl Bench {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let options = Options {
+            lanes: self.lanes.into(),
+            ..Options::default()
+        };
+        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        let config = self.config()?;
+        let mut session = Session::new(&config, options.lanes).map_err(Failure::bad_input)?;
+        let mut record = Record::new(&options);
+        // From here on an interrupt leaves files that say they are incomplete.
+        let stop = Interrupt::listen()?;
+        record.set_incomplete(true);
+        // Empty files now rather than files that cannot be written after minutes.
+        self.write(&record)?;
+        let folder = self.folder()?;
+        session.run(&mut record, folder.path(), stop.flag());
+        let interrupted = stop.raised();
+        record.set_incomplete(interrupted);
+        self.write(&record)?;
+        write!(out, "{}", Report::new(&session, &record))?;
+        for path in self.json.iter().chain(&self.csv) {
+            writeln!(out, "written: {}", path.display())?;
+        }
+        if interrupted {
+            writeln!(out, "interrupted: what was measured until then")?;
+            return Ok(Outcome::Interrupted);
+        }
+        let sound = record.rows.iter().all(|row| row.error.is_none());
+        Ok(if sound {
+            Outcome::Fine
+        } else {
+            Outcome::Failed
+        })
+    }
+
+    /// The configuration, with what was said of it on standard error.
+    fn config(&self) -> Result<Config, Failure> {
+        let asked = Asked {
+            threads: self.threads.iter().map(|n| n.get()).collect(),
+            repetitions: self.repetitions.map(|n| n as usize),
+            quick: self.quick,
+        };
+        let config = match &self.config {
+            Some(path) => Config::read(path, &asked),
+            None if Path::new(FILE).is_file() => Config::read(Path::new(FILE), &asked),
+            None => Config::from_json("{}", FILE, Path::new(""), &asked),
+        }
+        .map_err(Failure::bad_input)?;
+        for warning in &config.warnings {
+            eprintln!("warning: {warning}");
+        }
+        if self.log {
+            for default in &config.defaults {
+                eprintln!("default: {default}");
+            }
+        }
+        Ok(config)
+    }
+
+    fn write(&self, record: &Record) -> Result<(), Failure> {
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+        }
+        if let Some(path) = &self.csv {
+            record.write_csv(path).map_err(Failure::bad_input)?;
+        }
+        Ok(())
+    }
+
+    fn folder(&self) -> Result<Folder, Failure> {
+        match &self.keep {
+            Some(path) => std::fs::create_dir_all(path)
+                .map(|()| Folder::Kept(path.clone()))
+                .map_err(|error| Failure::BadInput(format!("{}: {error}", path.display()))),
+            None => tempfile::tempdir()
+                .map(Folder::Removed)
+                .map_err(|error| Failure::BadInput(format!("no folder for results: {error}"))),
+        }
+    }
+}
+
+/// Where executables leave their results.
+enum Folder {
+    Kept(PathBuf),
+    Removed(tempfile::TempDir),
+}
+
+impl Folder {
+    fn path(&self) -> &Path {
+        match self {
+            Self::Kept(path) => path,
+            Self::Removed(folder) => folder.path(),
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Things that the user names on the command line.
+
+use crate::exit::Failure;
+
+/// Least likeness of a known name to an unknown word, 0 to 1, for it to be suggested.
+const LIKENESS: f64 = 0.4;
+
+/// The things of those names, each once; all of them where none is named.
+pub fn chosen<T: Copy>(
+    names: &[String],
+    all: &[T],
+    kind: &str,
+    name_of: impl Fn(T) -> &'static str,
+) -> Result<Vec<T>, Failure> {
+    if names.is_empty() {
+        return Ok(all.to_vec());
+    }
+    let mut chosen: Vec<T> = vec![];
+    for name in names {
+        let found = all.iter().copied().find(|thing| name_of(*thing) == name);
+        let thing = found.ok_or_else(|| {
+            let known: Vec<&str> = all.iter().map(|thing| name_of(*thing)).collect();
+            Failure::BadInput(unknown(kind, name, &known))
+        })?;
+        if chosen.iter().all(|known| name_of(*known) != name_of(thing)) {
+            chosen.push(thing);
+        }
+    }
+    Ok(chosen)
+}
+
+/// What to say to a name that nothing has.
+fn unknown(kind: &str, name: &str, known: &[&str]) -> String {
+    let text = format!(
+        "found the {kind} {name:?}, which is not known; accepted: {}",
+        known.join(", ")
+    );
+    let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
+    let nearest = known
+        .iter()
+        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
+        .filter(|known| likeness(known) >= LIKENESS || known.starts_with(name));
+    match nearest {
+        Some(nearest) => format!("{text} (did you mean `{nearest}`?)"),
+        None => text,
+    }
+}

@@ -1,0 +1,145 @@
+//! `proctor noise`: A against A.
+
+use super::settings::{Settings, processors};
+use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
+use crate::judge::noise;
+use crate::record::{Record, Row};
+use crate::show::Table;
+use crate::suite;
+use clap::Args;
+use proctor_kernel::lanes::Selected;
+use proctor_kernel::simulation::Options;
+use proctor_verification::case::{self, Size};
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Repetitions of a pass, as `scripts/compare-commits` has them.
+const REPETITIONS: u64 = 3;
+/// The two sides that are the same program.
+const SIDES: usize = 2;
+
+/// Measure the noise of each case: the same program against itself.
+///
+/// Without RECORDS the short ladders are run on two sides that do not differ, interleaved, pass by pass. With RECORDS (two
+/// or more of the same program, or folders of records) nothing is run. The band of a case is the largest change
+/// of time between passes; `proctor compare --noise FILE` judges by twice of it where that is more than 3 %.
+#[derive(Args)]
+#[command(after_help = "Example: proctor noise --json noise.json, then\n  \
+    proctor compare base.json head.json --noise noise.json\n\
+    From the records of scripts/compare-commits HEAD~1, which runs the base twice:\n  \
+    proctor noise target/compare/records/base target/compare/records/again --json noise.json")]
+pub struct Noise {
+    /// Records of the same program, or folders of records
+    #[arg(value_name = "RECORDS")]
+    records: Vec<PathBuf>,
+    /// Write the bands as a record
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Interleaved passes to run
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(3..))]
+    passes: u64,
+    #[command(flatten)]
+    settings: Settings,
+}
+
+impl Noise {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let options = self.settings.options();
+        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        let (records, interrupted) = if self.records.is_empty() {
+            let interrupt = Interrupt::listen()?;
+            let mut empty = Record::new(&options);
+            empty.set_incomplete(true);
+            self.write(&empty)?;
+            let records = measured(&options, self.passes, &interrupt);
+            (records, interrupt.raised())
+        } else {
+            let records = self.records.iter().map(|path| Record::read_joined(path));
+            let records = records.collect::<Result<Vec<_>, _>>();
+            (records.map_err(Failure::bad_input)?, false)
+        };
+        let bands = match noise::bands(&records) {
+            Ok(bands) => bands,
+            Err(_) if interrupted => vec![],
+            Err(reason) => return Err(Failure::BadInput(reason)),
+        };
+        show(&bands, out)?;
+        // Bands belong to the program and the machine that were measured.
+        let mut record = records.into_iter().next().ok_or_else(|| {
+            Failure::BadInput(
+                "found no record; accepted: two or more of the same program".to_owned(),
+            )
+        })?;
+        record.rows = bands;
+        record.set_incomplete(interrupted);
+        self.write(&record)?;
+        if let Some(path) = &self.json {
+            writeln!(out, "bands in {}", path.display())?;
+        }
+        Ok(if interrupted {
+            Outcome::Interrupted
+        } else {
+            Outcome::Fine
+        })
+    }
+
+    fn write(&self, record: &Record) -> Result<(), Failure> {
+        match &self.json {
+            Some(path) => record.write(path).map_err(Failure::bad_input),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The short ladders on both sides, interleaved; whole passes only.
+fn measured(options: &Options, passes: u64, interrupt: &Interrupt) -> Vec<Record> {
+    let threads = options.threads.unwrap_or_else(processors);
+    let mut sides = vec![Record::new(options); SIDES];
+    for pass in 0..passes {
+        let mut rows: Vec<Vec<Row>> = vec![vec![]; SIDES];
+        for _ in 0..REPETITIONS {
+            for rows in &mut rows {
+                let mut one = Record::new(options);
+                for &case in case::all() {
+                    let go = || !interrupt.raised();
+                    one.push_case(&suite::run_while(case, Size::Quick, options, &go), threads);
+                }
+                if interrupt.raised() {
+                    return sides;
+                }
+                rows.extend(one.rows);
+            }
+        }
+        for (side, rows) in sides.iter_mut().zip(rows) {
+            for mut row in rows {
+                row.set_pass(pass);
+                side.push(row);
+            }
+        }
+    }
+    sides
+}
+
+fn show(bands: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
+    let mut table = Table::new(["case", "threads", "pairs", "median", "band"]);
+    for row in bands {
+        let percent = |key: &str| {
+            let value = row.counters.get(key);
+            value.map_or_else(String::new, |x| format!("{:.1} %", 100.0 * x))
+        };
+        let pairs = row.counters.get("noise_pairs").copied().unwrap_or_default();
+        table.push([
+            row.name.clone(),
+            row.threads.to_string(),
+            pairs.to_string(),
+            percent("noise_median"),
+            percent("noise_band"),
+        ]);
+    }
+    writeln!(
+        out,
+        "change of time between two sides that do not differ\n\n{table}"
+    )?;
+    Ok(())
+}

@@ -1,0 +1,145 @@
+//! `proctor precision`: error against run time.
+
+use super::names;
+use super::settings::Settings;
+use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
+use crate::precision::{Effort, Studied, rows, run};
+use crate::record::Record;
+use crate::show::{figures, precision as show};
+use clap::Args;
+use proctor_kernel::lanes::Selected;
+use proctor_kernel::output::atomic;
+use proctor_verification::case::{Case, Size};
+use proctor_verification::study;
+use std::io::Write;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+/// Error against run time, for every case with an exact solution.
+///
+/// Each case is solved with every combination of weighting function, stress scheme and transfer: on finer and finer
+/// meshes at a fixed Courant number (0.8 of the kernel's bound) and two particles per cell and axis, then on one mesh
+/// with smaller steps and with other numbers of particles. Time is that of the stepping loop alone, the fastest of the
+/// repetitions: processor time on one thread (the default), wall time on several. A run longer than two seconds is
+/// done once. What an accuracy costs is interpolated along a line, never extrapolated. Combinations without a step
+/// that is safe for every body are tried, and marked with `!`.
+#[derive(Args)]
+#[command(
+    after_help = "Example: proctor precision bar axis-aligned --svg charts --csv precision.csv\n\
+    The usual combinations on coarse meshes, in seconds: proctor precision --quick"
+)]
+pub struct Precision {
+    /// Cases to study [default: all]
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    /// Only the usual combinations on coarse meshes, without sweeps
+    #[arg(long)]
+    quick: bool,
+    /// Write a record of all runs (Google Benchmark JSON)
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write all runs as comma-separated values
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Write a chart per case and error into this folder; made if it is not there
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
+    /// Runs of each point
+    #[arg(long, value_name = "N", default_value = "3")]
+    repetitions: NonZeroUsize,
+    /// Show all combinations in the tables, not the best twelve and the default
+    #[arg(long)]
+    all: bool,
+    #[command(flatten)]
+    settings: Settings,
+}
+
+impl Precision {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let studies = names::chosen(&self.cases, study::all(), "case", Case::name)?;
+        let mut options = self.settings.options();
+        // Small runs gain nothing from threads, and their times would say more about waiting than about work.
+        let threads = *options.threads.get_or_insert(1);
+        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        let effort = Effort {
+            size: if self.quick { Size::Quick } else { Size::Full },
+            repetitions: self.repetitions.get(),
+        };
+        let mut record = Record::new(&options);
+        self.can_write(&record)?;
+        let interrupt = Interrupt::listen()?;
+        let mut studied: Vec<Studied> = vec![];
+        for study in studies {
+            let ran = run::run(study, effort, &options, interrupt.flag());
+            show::study(&ran, self.all, out)?;
+            out.flush()?;
+            record.push_study(&ran, threads);
+            studied.push(ran);
+            if interrupt.raised() {
+                record.set_incomplete(true);
+                break;
+            }
+        }
+        self.write(&record, &studied, out)?;
+        Ok(if interrupt.raised() {
+            Outcome::Interrupted
+        } else {
+            Outcome::Fine
+        })
+    }
+
+    /// Finds out now, not after minutes, whether everything can be written.
+    fn can_write(&self, record: &Record) -> Result<(), Failure> {
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+        }
+        if let Some(path) = &self.csv {
+            atomic::write(path, |_| Ok(())).map_err(Failure::bad_input)?;
+        }
+        if let Some(folder) = &self.svg {
+            std::fs::create_dir_all(folder)
+                .map_err(|e| Failure::BadInput(format!("{}: {e}", folder.display())))?;
+        }
+        Ok(())
+    }
+
+    fn write(
+        &self,
+        record: &Record,
+        studied: &[Studied],
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+            writeln!(out, "record in {}", path.display())?;
+        }
+        if let Some(path) = &self.csv {
+            atomic::write(path, |file| {
+                for (i, studied) in studied.iter().enumerate() {
+                    rows::csv(studied, i == 0, file).map_err(std::io::Error::other)?;
+                }
+                Ok(())
+            })
+            .map_err(Failure::bad_input)?;
+            writeln!(out, "all runs in {}", path.display())?;
+        }
+        if let Some(folder) = &self.svg {
+            for studied in studied {
+                charts(studied, folder, out)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// One chart per measure of a study.
+fn charts(studied: &Studied, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+    for (number, measure) in studied.study.measures().iter().enumerate() {
+        let path = folder.join(format!("{}-{}.svg", studied.study.name(), measure.word));
+        let svg = figures::error_against_time(studied, number).to_svg();
+        atomic::write(&path, |file| file.write_all(svg.as_bytes())).map_err(Failure::bad_input)?;
+        writeln!(out, "chart in {}", path.display())?;
+    }
+    Ok(())
+}

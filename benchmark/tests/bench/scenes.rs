@@ -1,0 +1,87 @@
+//! Built-in scenes: sound, of the wanted size, and they stay sound to their end.
+
+use proctor_benchmark::bench::config::{Method, SceneChoice};
+use proctor_benchmark::bench::scenes::{find, names};
+use proctor_kernel::simulation::{Options, Simulation};
+
+fn run(name: &str, particles: usize) -> Simulation {
+    let (scene, axes) = find(name).expect("a built-in scene");
+    let scene = SceneChoice::BuiltIn(scene, axes)
+        .scene(particles, &Method::default())
+        .unwrap_or_else(|error| panic!("{name}: {error}"));
+    let options = Options {
+        threads: Some(1),
+        displacement: true,
+        ..Options::default()
+    };
+    let mut simulation =
+        Simulation::new(&scene, &options).unwrap_or_else(|e| panic!("{name}: {e}"));
+    while simulation.time() < scene.time * (1.0 - 1e-9) {
+        simulation
+            .step(scene.time)
+            .unwrap_or_else(|e| panic!("{name}: {e}"));
+    }
+    simulation
+}
+
+#[test]
+fn each_has_about_the_wanted_number_of_particles_and_stays_sound() {
+    for name in names() {
+        for wanted in [300, 3000] {
+            let particles = run(&name, wanted).particles();
+            let ratio = particles as f64 / wanted as f64;
+            assert!(
+                (0.8..1.25).contains(&ratio),
+                "{name}: {particles} of {wanted}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_sparse_mesh_is_64_times_too_large() {
+    let nodes = |name| {
+        let scene = run(name, 300).scene().clone();
+        scene.mesh.cells.iter().product::<usize>()
+    };
+    for (sparse, moving) in [("sparse-2d", "moving-2d"), ("sparse-3d", "moving-3d")] {
+        assert_eq!(nodes(sparse), 64 * nodes(moving));
+    }
+}
+
+/// Largest error of the displacement over the largest displacement.
+fn error(name: &str, particles: usize) -> f64 {
+    let (scene, axes) = find(name).expect("a built-in scene");
+    let (_, exact) = scene
+        .make(axes, particles)
+        .exact
+        .expect("an exact solution");
+    let simulation = run(name, particles);
+    let (mut wrong, mut right) = (0.0_f64, 0.0_f64);
+    for p in 0..simulation.particles() {
+        let u = simulation.displacement(0, p).expect("kept");
+        let x = simulation.initial_position(0, p).expect("kept");
+        let truth = exact(&x, simulation.time());
+        for axis in 0..3 {
+            wrong = wrong.max((u[axis] - truth[axis]).abs());
+            right = right.max(truth[axis].abs());
+        }
+    }
+    wrong / right
+}
+
+#[test]
+fn the_exact_solutions_are_those_of_the_scenes() {
+    assert!(error("moving-2d", 400) < 1e-12);
+    assert!(error("moving-3d", 1000) < 1e-12);
+    // Second order in space and time but for the kink of the wave.
+    let (coarse, fine) = (error("column-2d", 256), error("column-2d", 4096));
+    assert!(fine < 0.01 && fine < 0.5 * coarse, "{coarse} {fine}");
+}
+
+#[test]
+fn the_moving_block_crosses_cells() {
+    let simulation = run("moving-3d", 1000);
+    let u = simulation.displacement(0, 0).expect("kept");
+    assert!(u[0] > 3.0 * simulation.scene().mesh.cell[0]);
+}

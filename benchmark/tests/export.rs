@@ -1,0 +1,126 @@
+//! Records in the shapes of other tools, by their documentation; `scripts/check-exports` shows them to the tools.
+#![allow(missing_docs)]
+
+use proctor_benchmark::measure::Spent;
+use proctor_benchmark::record::export::{ExportError, Format, text};
+use proctor_benchmark::record::{Record, Row};
+use proctor_kernel::simulation::Options;
+use serde_json::Value;
+use std::time::Duration;
+
+/// Three runs of 10, 20 and 60 ms, a verdict, a run that failed.
+fn record() -> Record {
+    let mut record = Record::new(&Options::default());
+    for (repetition, ms) in [10, 60, 20].into_iter().enumerate() {
+        let time = Duration::from_millis(ms);
+        let spent = Spent {
+            wall: time,
+            cpu: time,
+        };
+        let mut row = Row::sample("bar/h=1", repetition as u64, 1).timed(spent);
+        row.count("error_l2", 0.25);
+        row.count("particles", 8.0);
+        row.count("steps", 4.0);
+        row.label("scheme", "USL, \"quoted\"");
+        record.push(row);
+    }
+    let mut verdict = Row::aggregate("bar", "verdict", 1);
+    verdict.count("observed_order_l2", 1.9);
+    record.push(verdict);
+    let mut failed = Row::sample("bar/h=2", 0, 1);
+    failed.fail("inverted");
+    record.push(failed);
+    record
+}
+
+fn json(format: Format) -> Value {
+    let text = text(&record(), format, "base").expect("exported");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+#[test]
+fn bencher_reads_benchmarks_of_measures_of_values() {
+    let all = json(Format::Bmf);
+    let all = all.as_object().expect("an object");
+    let latency = &all["bar/h=1"]["latency"];
+    assert_eq!(latency["value"], 2e7);
+    assert_eq!(latency["lower_value"], 1e7);
+    assert_eq!(latency["upper_value"], 6e7);
+    assert_eq!(all["bar/h=1: error_l2"]["error"]["value"], 0.25);
+    assert_eq!(
+        all["bar verdict: observed_order_l2"]["observed-order"]["value"],
+        1.9
+    );
+    assert!(all.keys().all(|name| !name.contains("h=2")), "failed");
+    // https://bencher.dev/bmf.json: objects of objects of objects with a number `value`.
+    for measures in all.values() {
+        for (name, measure) in measures.as_object().expect("an object") {
+            assert!(name.len() <= 64);
+            assert!(measure["value"].is_number());
+        }
+    }
+}
+
+#[test]
+fn github_action_benchmark_reads_a_list_of_values_with_units() {
+    let all = json(Format::Github);
+    let all = all.as_array().expect("a list");
+    assert_eq!(all[0]["name"], "bar/h=1");
+    assert_eq!(
+        (&all[0]["value"], &all[0]["unit"]),
+        (&20.0.into(), &"ms".into())
+    );
+    assert_eq!(all[1]["name"], "bar/h=1: error_l2");
+    for entry in all {
+        assert!(
+            entry["name"].is_string() && entry["unit"].is_string() && entry["value"].is_number()
+        );
+        // Of an order more is better.
+        assert!(!entry["name"].as_str().expect("a name").contains("order"));
+    }
+}
+
+#[test]
+fn critcmp_reads_a_baseline_with_its_name() {
+    let all = json(Format::Critcmp);
+    assert_eq!(all["name"], "base");
+    let one = &all["benchmarks"]["bar/h=1"];
+    assert_eq!(one["fullname"], "base/bar/h=1");
+    assert_eq!(one["criterion_estimates_v1"]["mean"]["point_estimate"], 3e7);
+    assert_eq!(
+        one["criterion_estimates_v1"]["median"]["point_estimate"],
+        2e7
+    );
+    assert_eq!(one["criterion_benchmark_v1"]["throughput"]["Elements"], 32);
+}
+
+#[test]
+fn csv_holds_every_row_failed_ones_too() {
+    let text = text(&record(), Format::Csv, "").expect("exported");
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let heading = reader.headers().expect("a heading").clone();
+    let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().expect("rows");
+    assert_eq!(rows.len(), 5);
+    let at = |row: usize, key: &str| {
+        let column = heading.iter().position(|h| h == key).expect("a column");
+        rows[row][column].to_owned()
+    };
+    assert_eq!(at(1, "wall_seconds"), "0.06");
+    assert_eq!(at(0, "scheme"), "USL, \"quoted\"");
+    assert_eq!(at(0, "error_l2"), "0.25");
+    assert_eq!(at(3, "aggregate"), "verdict");
+    assert_eq!(at(4, "failure"), "inverted");
+    assert_eq!(at(4, "wall_seconds"), "");
+}
+
+#[test]
+fn nothing_is_not_exported_as_an_empty_file() {
+    let mut record = record();
+    record.rows.retain(|row| row.error.is_some());
+    for format in [Format::Bmf, Format::Github, Format::Critcmp] {
+        assert!(matches!(
+            text(&record, format, "a"),
+            Err(ExportError::Nothing)
+        ));
+    }
+}

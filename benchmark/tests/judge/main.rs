@@ -1,0 +1,9 @@
+//! The judge, on records made by hand and by dice.
+#![allow(missing_docs)]
+
+mod accuracy;
+mod cannot_compare;
+mod equal_error;
+mod noise;
+mod synthetic;
+mod time;

@@ -1,0 +1,18 @@
+//! Records: what is written is what is read, and what is no record is refused with place and reason.
+#![allow(missing_docs)]
+
+mod context;
+mod foreign;
+mod refused;
+mod round_trip;
+
+use proctor_benchmark::record::{Record, RecordError};
+use tempfile::TempDir;
+
+/// Reads a record from text.
+fn read(text: &str) -> Result<Record, RecordError> {
+    let folder = TempDir::new().expect("a folder");
+    let path = folder.path().join("record.json");
+    std::fs::write(&path, text).expect("written");
+    Record::read(&path)
+}

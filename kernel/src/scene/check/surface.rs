@@ -1,0 +1,33 @@
+//! Rigid surfaces.
+
+use super::collector::Collector;
+use super::load::check_history;
+use crate::scene::{Dimension, Scene};
+
+pub(super) fn check(scene: &Scene, problems: &mut Collector) {
+    if scene.dimension == Dimension::Two && !scene.surfaces.is_empty() {
+        problems.add(
+            "terrain_contact",
+            "a surface of triangles in two dimensions",
+            "three dimensions; a mesh of one cell between sliding planes gives plane strain",
+        );
+    }
+    if !scene.surfaces.is_empty() && !scene.contacts.is_empty() {
+        problems.add(
+            "terrain_contact",
+            "a rigid surface beside contact between bodies, which is not built yet",
+            "one of them: a body in contact has a velocity field of its own, which surfaces do not see",
+        );
+    }
+    for (i, surface) in scene.surfaces.iter().enumerate() {
+        let key = |key: &str| format!("terrain_contact[{i}].{key}");
+        problems.not_negative(key("friction"), surface.friction);
+        problems.positive(key("distance_threshold"), surface.distance_threshold, "m");
+        if let Some(stiffness) = surface.penalty_stiffness {
+            problems.positive(key("penalty_stiffness"), stiffness, "N/m");
+        }
+        if let Some(motion) = &surface.motion {
+            check_history(&key("prescribed_velocity"), motion, problems);
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! Rigid surfaces.
+
+use super::History;
+use crate::surface::Surface;
+use std::sync::Arc;
+
+/// A rigid surface that bodies touch from the side to which its normals point.
+#[derive(Clone, Debug)]
+pub struct RigidSurface {
+    /// Name for messages; for a file, the file as the scene names it.
+    pub name: String,
+    /// The triangles, in the coordinates of the scene at the start.
+    pub surface: Arc<Surface>,
+    /// Coefficient of Coulomb friction, 0 or greater.
+    pub friction: f64,
+    /// Gap between a particle and the surface below which contact is looked for, and at the same time the longest
+    /// way that a particle may approach the surface in one step \[m\].
+    pub distance_threshold: f64,
+    /// Stiffness of a force that pushes a particle out again, per particle and per metre of its penetration
+    /// \[N/m\].
+    pub penalty_stiffness: Option<f64>,
+    /// Prescribed velocity \[m/s\], a translation; `None` where the surface stands.
+    pub motion: Option<History>,
+}

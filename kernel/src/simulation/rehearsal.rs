@@ -1,0 +1,238 @@
+//! One part of a step again and again on the same state, for measurements.
+
+use super::acting::Acting;
+use super::clock::{Clock, StepInfo};
+use super::error::StepError;
+use super::measure::Ledger;
+use super::mortar::MortarState;
+use super::passes::{Groups, bodies_onto, equation_of_motion, forces};
+use super::{BodyRun, Simulation};
+use crate::contact;
+use crate::grid::ActiveRows;
+use crate::particles::ParticleSet;
+use crate::stage::g2p::Task;
+use crate::stage::p2g::Carry;
+use crate::stage::weigh;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// A part of a step that can be done alone. Bodies that have a layer of the grid of their own, because they are near a
+/// partner of contact, take no part in the mappings to nodes and the equation of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Weights and derivatives of all particles, which the cycle computes on the way.
+    Weights,
+    /// A sort of the particles as they are: the time of finding that few of them have to move.
+    Sort,
+    /// Particles to nodes: clear, then mass, momentum and force.
+    NodesFromParticles,
+    /// The equation of motion at the nodes, with boundary conditions.
+    Solve,
+    /// The second mapping of momentum.
+    Remap,
+    /// Nodes to particles: velocity, position, strain and stress.
+    ParticlesFromNodes,
+}
+
+impl Part {
+    /// All parts, in the order of a step.
+    pub const ALL: [Self; 6] = [
+        Self::Weights,
+        Self::Sort,
+        Self::NodesFromParticles,
+        Self::Solve,
+        Self::Remap,
+        Self::ParticlesFromNodes,
+    ];
+
+    /// Name for tables, records and configurations: lower case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Weights => "weights",
+            Self::Sort => "sort",
+            Self::NodesFromParticles => "p2g",
+            Self::Solve => "solve",
+            Self::Remap => "remap",
+            Self::ParticlesFromNodes => "g2p",
+        }
+    }
+}
+
+/// What a step changes and a rehearsal gives back.
+struct Kept {
+    sets: Vec<ParticleSet>,
+    bodies: Vec<BodyRun>,
+    rows: ActiveRows,
+    slabs: Vec<Range<usize>>,
+    travel: f64,
+    groups: Groups,
+    stencil: usize,
+    clock: Clock,
+    ledger: Ledger,
+    contact: contact::State,
+    mortar: MortarState,
+}
+
+/// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
+/// begins, [`Rehearsal::play`] does the part. When it is dropped the simulation is as it was before.
+pub struct Rehearsal<'a> {
+    simulation: &'a mut Simulation,
+    part: Part,
+    info: StepInfo,
+    acting: Acting,
+    kept: Kept,
+}
+
+impl Simulation {
+    /// Rehearses a part of the next step.
+    ///
+    /// # Errors
+    /// If the next step cannot be begun; see [`StepErrorKind`](super::StepErrorKind).
+    pub fn rehearse(&mut self, part: Part) -> Result<Rehearsal<'_>, StepError> {
+        let kept = Kept {
+            sets: self.sets.clone(),
+            bodies: self.bodies.clone(),
+            rows: self.field.rows.clone(),
+            slabs: self.field.slabs.clone(),
+            travel: self.travel,
+            groups: self.groups,
+            stencil: self.stencil,
+            clock: self.clock,
+            ledger: self.ledger,
+            contact: self.contact.clone(),
+            mortar: self.mortar.clone(),
+        };
+        self.meet_boundaries()?;
+        let info = self.choose_time_step(f64::INFINITY)?;
+        let acting = self.acting(info.dt);
+        let mut rehearsal = Rehearsal {
+            simulation: self,
+            part,
+            info,
+            acting,
+            kept,
+        };
+        rehearsal.set()?;
+        Ok(rehearsal)
+    }
+}
+
+impl Rehearsal<'_> {
+    /// Makes the state in which the part begins.
+    ///
+    /// # Errors
+    /// As a step.
+    pub fn set(&mut self) -> Result<(), StepError> {
+        let (simulation, kept) = (&mut *self.simulation, &self.kept);
+        match self.part {
+            Part::Weights | Part::Sort | Part::NodesFromParticles => {}
+            Part::Solve => simulation.map_alone(),
+            Part::Remap => {
+                simulation.meet_boundaries()?;
+                simulation.map_to_nodes(&self.acting, self.info.dt)?;
+            }
+            Part::ParticlesFromNodes => {
+                for (set, was) in simulation.sets.iter_mut().zip(&kept.sets) {
+                    for (column, was) in set.columns.iter_mut().zip(&was.columns) {
+                        column.copy_from_slice(was);
+                    }
+                }
+                simulation.meet_boundaries()?;
+                simulation.map_to_nodes(&self.acting, self.info.dt)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Does the part once.
+    ///
+    /// # Errors
+    /// As a step.
+    pub fn play(&mut self) -> Result<(), StepError> {
+        let simulation = &mut *self.simulation;
+        match self.part {
+            Part::Weights => {
+                std::hint::black_box(simulation.weigh());
+            }
+            Part::Sort => {
+                simulation.travel = f64::INFINITY;
+                simulation.sort_if_stale();
+            }
+            Part::NodesFromParticles => simulation.map_alone(),
+            Part::Solve => simulation.solve_alone(&self.acting),
+            Part::Remap => simulation.remap(&self.acting),
+            Part::ParticlesFromNodes => {
+                let dt = Some(self.info.dt);
+                simulation.interpolate(Task {
+                    kick: true,
+                    ..simulation.task(dt, dt)
+                })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Rehearsal<'_> {
+    fn drop(&mut self) {
+        let (simulation, kept) = (&mut *self.simulation, &mut self.kept);
+        simulation.sets = std::mem::take(&mut kept.sets);
+        simulation.bodies = std::mem::take(&mut kept.bodies);
+        simulation.field.rows = std::mem::take(&mut kept.rows);
+        simulation.field.slabs = std::mem::take(&mut kept.slabs);
+        simulation.travel = kept.travel;
+        simulation.groups = kept.groups;
+        simulation.stencil = kept.stencil;
+        simulation.clock = kept.clock;
+        simulation.ledger = kept.ledger;
+        simulation.contact = std::mem::take(&mut kept.contact);
+        simulation.mortar = std::mem::take(&mut kept.mortar);
+    }
+}
+
+impl Simulation {
+    /// Particles to nodes without the equation of motion.
+    fn map_alone(&mut self) {
+        let mapping = bodies_onto(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            Carry::All,
+        );
+        self.field.visit(self.pool.as_ref(), |mut planes| {
+            planes.clear();
+            mapping.run(&mut planes);
+        });
+    }
+
+    /// The equation of motion on the sums that lie on the nodes. A load on an empty node, which a step would report,
+    /// is left to the step.
+    fn solve_alone(&mut self, acting: &Acting) {
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
+        let measured = Some(self.plan.measure);
+        self.field.visit(self.pool.as_ref(), |mut planes| {
+            equation_of_motion(&mut planes, acting, &forces, measured).is_ok()
+        });
+    }
+
+    /// Weights of all particles, slab by slab.
+    fn weigh(&self) -> f64 {
+        let (lanes, axes, stencil) = (self.lanes, self.plan.axes, self.stencil);
+        let one = |set: &ParticleSet, body: &BodyRun, slab: &Range<usize>| {
+            let range = set.in_layers(slab.clone());
+            weigh::weights(lanes, axes, stencil, set, &body.mapping, range)
+        };
+        let mut sum = 0.0;
+        for (set, body) in self.sets.iter().zip(&self.bodies) {
+            let slabs = &self.field.slabs;
+            sum += match &self.pool {
+                Some(pool) => pool.install(|| slabs.par_iter().map(|s| one(set, body, s)).sum()),
+                None => slabs.iter().map(|slab| one(set, body, slab)).sum::<f64>(),
+            };
+        }
+        sum
+    }
+}

@@ -1,0 +1,122 @@
+//! Gaps between particles and surfaces, and the motion of surfaces.
+
+use crate::particles::{Layout, ParticleSet};
+use crate::scene::{RigidSurface, Vector};
+use crate::simulation::error::SetupError;
+use crate::simulation::history::integral;
+use crate::simulation::{BodyRun, Simulation};
+use crate::surface::Nearest;
+
+/// Share of the smallest cell edge by which a body may overlap a surface at the start.
+const OVERLAP: f64 = 0.01;
+
+impl Simulation {
+    /// Gap between a particle and a surface \[m\], and the point of the surface, if it is smaller than `within` and the
+    /// particle lies over the surface rather than beside it.
+    ///
+    /// The particle reaches as far as the ellipsoid in its domain: |l n| with the half-lengths l and the normal n.
+    #[must_use]
+    pub fn surface_gap(
+        &self,
+        surface: usize,
+        set: usize,
+        p: usize,
+        within: f64,
+    ) -> Option<(f64, Nearest)> {
+        let shift = self.surface_shift(surface, self.clock.time);
+        let x = self.position(set, p);
+        let local = std::array::from_fn(|axis| x[axis] - shift[axis]);
+        gap(
+            &self.scene.surfaces[surface],
+            &local,
+            &half_lengths(&self.sets[set], &self.bodies[set], p),
+            within,
+        )
+    }
+
+    /// No body may overlap a surface at the start.
+    pub(in crate::simulation) fn refuse_overlap_with_surfaces(&self) -> Result<(), SetupError> {
+        let allowed = OVERLAP * self.smallest_cell();
+        for surface in 0..self.scene.surfaces.len() {
+            let mut deepest: Option<(f64, usize, usize)> = None;
+            for set in 0..self.sets.len() {
+                for p in 0..self.sets[set].len() {
+                    let threshold = self.scene.surfaces[surface].distance_threshold;
+                    if let Some((gap, _)) = self.surface_gap(surface, set, p, threshold)
+                        && gap < -allowed
+                        && deepest.is_none_or(|d| gap < d.0)
+                    {
+                        deepest = Some((gap, set, p));
+                    }
+                }
+            }
+            if let Some((gap, set, p)) = deepest {
+                let [x, y, z] = self.position(set, p);
+                return Err(SetupError::Body {
+                    body: self.scene.bodies[set].name.clone(),
+                    reason: format!(
+                        "it reaches {} m through the surface {:?} at the start, at ({x}, {y}, {z}) m; accepted: bodies \
+                         on the side to which the normals of the surface point",
+                        -gap, self.scene.surfaces[surface].name
+                    ),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn smallest_cell(&self) -> f64 {
+        self.scene.mesh.cell[..self.plan.axes]
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Gap and nearest point for a particle at `x` in the coordinates of the surface.
+pub(super) fn gap(
+    rigid: &RigidSurface,
+    x: &Vector,
+    half: &Vector,
+    within: f64,
+) -> Option<(f64, Nearest)> {
+    let nearest = rigid.surface.nearest(x, within + length(half))?;
+    if nearest.on_rim {
+        return None;
+    }
+    let reach = length(&std::array::from_fn(|axis| {
+        half[axis] * nearest.normal[axis]
+    }));
+    let gap = nearest.distance - reach;
+    (gap < within).then_some((gap, nearest))
+}
+
+/// Half-lengths of the domain of a particle \[m\]. Weighting functions without a domain leave its volume, a cube.
+pub(super) fn half_lengths(set: &ParticleSet, body: &BodyRun, p: usize) -> Vector {
+    if let Some(half) = body.reach {
+        return half;
+    }
+    match body.mapping.half_length_column {
+        Some(first) => std::array::from_fn(|axis| {
+            if axis < set.layout.axes {
+                set.columns[first + axis][p] * body.mapping.cell[axis]
+            } else {
+                0.0
+            }
+        }),
+        None => [0.5 * set.columns[Layout::VOLUME][p].cbrt(); 3],
+    }
+}
+
+/// Mean velocity of a surface over a step \[m/s\].
+pub(super) fn velocity(rigid: &RigidSurface, time: f64, dt: f64) -> Vector {
+    let Some(motion) = &rigid.motion else {
+        return [0.0; 3];
+    };
+    let (from, to) = (integral(motion, time), integral(motion, time + dt));
+    std::array::from_fn(|axis| (to[axis] - from[axis]) / dt)
+}
+
+pub(super) fn length(v: &Vector) -> f64 {
+    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
+}

@@ -1,0 +1,113 @@
+//! The particles that may touch a surface until they have moved some way, so that not all are searched for in each step.
+
+use super::gap::{half_lengths, length, velocity};
+use crate::scene::Vector;
+use crate::simulation::Simulation;
+use rayon::prelude::*;
+
+/// Particles that may touch a surface until they have moved by half the margin.
+#[derive(Debug)]
+pub(super) struct Near {
+    /// Surface, set and particle.
+    pub(super) particles: Vec<Place>,
+    /// Travel of the particles \[cells\] and displacement of the surfaces \[m\] when the list was made.
+    travel: f64,
+    shifts: Vec<Vector>,
+    /// Distance beyond the threshold that is covered \[m\].
+    margin: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) surface: usize,
+    pub(super) set: usize,
+    pub(super) p: usize,
+}
+
+impl Simulation {
+    /// The list of particles near a surface, made anew where it no longer covers what may touch in this step.
+    pub(super) fn near_surfaces(&self, known: Option<Near>, dt: f64) -> Near {
+        let cell = &self.scene.mesh.cell;
+        let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
+        let speed = self
+            .bodies
+            .iter()
+            .map(|b| b.found.speed_squared)
+            .fold(0.0, f64::max)
+            .sqrt();
+        let shifts: Vec<Vector> = (0..self.scene.surfaces.len())
+            .map(|s| self.surface_shift(s, self.clock.time))
+            .collect();
+        let fastest = self
+            .scene
+            .surfaces
+            .iter()
+            .map(|s| length(&velocity(s, self.clock.time, dt)))
+            .fold(0.0, f64::max);
+        // Twice the way at the present speed, since contact and forces may make particles faster within the step.
+        let step = 2.0 * dt * (speed + fastest);
+        if let Some(near) = known {
+            let by_surface = shifts
+                .iter()
+                .zip(&near.shifts)
+                .map(|(a, b)| length(&std::array::from_fn(|axis| a[axis] - b[axis])))
+                .fold(0.0, f64::max);
+            let moved = (self.travel - near.travel) * diagonal + by_surface;
+            if moved + step <= near.margin {
+                return near;
+            }
+        }
+        let margin = (0.25 * diagonal).max(2.0 * step);
+        let mut particles = vec![];
+        for (surface, shift) in shifts.iter().enumerate() {
+            for set in 0..self.sets.len() {
+                if self.bodies[set].motion.is_none() {
+                    particles.extend(self.near_particles(surface, set, shift, margin));
+                }
+            }
+        }
+        Near {
+            particles,
+            travel: self.travel,
+            shifts,
+            margin,
+        }
+    }
+
+    /// Particles of a set near a surface, in the order of their identifiers.
+    fn near_particles(
+        &self,
+        surface: usize,
+        set: usize,
+        shift: &Vector,
+        margin: f64,
+    ) -> Vec<Place> {
+        let (rigid, particles, body) = (
+            &self.scene.surfaces[surface],
+            &self.sets[set],
+            &self.bodies[set],
+        );
+        let origin = self.origin();
+        let is_near = |p: &usize| {
+            let x = particles.position(*p);
+            let local = std::array::from_fn(|axis| x[axis] + origin[axis] - shift[axis]);
+            let reach = length(&half_lengths(particles, body, *p));
+            let within = rigid.distance_threshold + reach + margin;
+            rigid.surface.nearest(&local, within).is_some()
+        };
+        let mut found: Vec<usize> = match &self.pool {
+            Some(pool) => pool.install(|| {
+                (0..particles.len())
+                    .into_par_iter()
+                    .filter(is_near)
+                    .collect()
+            }),
+            None => (0..particles.len()).filter(is_near).collect(),
+        };
+        found.sort_unstable_by_key(|&p| particles.id[p]);
+        found
+            .into_iter()
+            .map(|p| Place { surface, set, p })
+            .collect()
+    }
+}

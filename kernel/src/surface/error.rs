@@ -1,0 +1,210 @@
+//! What can be wrong with a triangulated surface.
+
+use super::Point;
+use std::fmt;
+use std::path::PathBuf;
+
+/// A surface cannot be read or used. Triangles are counted from 1, as in the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceError {
+    /// File that the triangles came from; `None` for triangles that a library user gave.
+    pub file: Option<PathBuf>,
+    /// What is wrong.
+    pub kind: SurfaceErrorKind,
+}
+
+/// What is wrong with a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SurfaceErrorKind {
+    /// The file could not be read.
+    Unreadable(String),
+    /// There is no triangle.
+    Empty,
+    /// A binary file is shorter or longer than its number of triangles says.
+    Length {
+        /// Triangles that the header announces.
+        triangles: u32,
+        /// Bytes that such a file has.
+        expected: u64,
+        /// Bytes that the file has.
+        found: u64,
+    },
+    /// A line of an ASCII file is not what the format has there.
+    Line {
+        /// Line, from 1.
+        line: usize,
+        /// Triangle that it belongs to, from 1.
+        triangle: usize,
+        /// What was found.
+        found: String,
+        /// What the format has there.
+        accepted: &'static str,
+    },
+    /// More triangles than can be numbered.
+    TooMany {
+        /// How many.
+        triangles: usize,
+    },
+    /// A coordinate that is not a finite number.
+    NotFinite {
+        /// Triangle.
+        triangle: usize,
+        /// Its corners \[m\].
+        corners: [Point; 3],
+    },
+    /// A triangle without area: two corners are one, or all lie on a line.
+    Degenerate {
+        /// Triangle.
+        triangle: usize,
+        /// Its corners \[m\].
+        corners: [Point; 3],
+    },
+    /// Two neighbours whose normals point to different sides.
+    Orientation {
+        /// The two triangles.
+        triangles: [usize; 2],
+        /// Ends of their common edge \[m\].
+        edge: [Point; 2],
+    },
+    /// An edge of more than two triangles, or a triangle that is there twice.
+    NonManifold {
+        /// The triangles.
+        triangles: Vec<usize>,
+        /// Ends of the edge \[m\].
+        edge: [Point; 2],
+    },
+    /// Edges of one triangle only where a closed surface is asked for.
+    Open {
+        /// How many.
+        edges: usize,
+        /// The triangle with the first of them.
+        triangle: usize,
+        /// Ends of the first of them \[m\].
+        edge: [Point; 2],
+    },
+}
+
+impl SurfaceErrorKind {
+    /// The error without a file.
+    #[must_use]
+    pub fn anywhere(self) -> SurfaceError {
+        SurfaceError {
+            file: None,
+            kind: self,
+        }
+    }
+
+    /// What would be accepted in the place of what was found.
+    #[must_use]
+    pub fn accepted(&self) -> &'static str {
+        match self {
+            Self::Unreadable(_) => "an STL file, ASCII or binary, that can be read",
+            Self::Empty => "a surface of at least one triangle",
+            Self::Length { .. } => "a whole file: 84 bytes and 50 for each triangle",
+            Self::Line { accepted, .. } => accepted,
+            Self::TooMany { .. } => "at most 2^31 triangles",
+            Self::NotFinite { .. } => "finite coordinates [m]",
+            Self::Degenerate { .. } => "triangles with an area",
+            Self::Orientation { .. } => {
+                "neighbours that run through their common edge in opposite directions"
+            }
+            Self::NonManifold { .. } => "edges of at most two triangles, each triangle once",
+            Self::Open { .. } => "a closed surface: every edge belongs to two triangles",
+        }
+    }
+}
+
+/// A point as `(x, y, z)`.
+struct At<'a>(&'a Point);
+
+impl fmt::Display for At<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [x, y, z] = self.0;
+        write!(f, "({x}, {y}, {z})")
+    }
+}
+
+fn edge_words(f: &mut fmt::Formatter<'_>, [a, b]: &[Point; 2]) -> fmt::Result {
+    write!(f, "from {} to {} m", At(a), At(b))
+}
+
+impl fmt::Display for SurfaceErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreadable(reason) => write!(f, "{reason}"),
+            Self::Empty => write!(f, "no triangle"),
+            Self::Length {
+                triangles,
+                expected,
+                found,
+            } => write!(
+                f,
+                "{found} bytes where {triangles} triangles take {expected}"
+            ),
+            Self::Line {
+                line,
+                triangle,
+                found,
+                ..
+            } => write!(f, "line {line} (triangle {triangle}): {found}"),
+            Self::TooMany { triangles } => write!(f, "{triangles} triangles"),
+            Self::NotFinite {
+                triangle,
+                corners: [a, b, c],
+            } => write!(
+                f,
+                "triangle {triangle} with corners {}, {}, {}",
+                At(a),
+                At(b),
+                At(c)
+            ),
+            Self::Degenerate {
+                triangle,
+                corners: [a, b, c],
+            } => write!(
+                f,
+                "triangle {triangle} without area, corners {}, {}, {} m",
+                At(a),
+                At(b),
+                At(c)
+            ),
+            Self::Orientation {
+                triangles: [i, j],
+                edge,
+            } => {
+                write!(
+                    f,
+                    "triangles {i} and {j} turned against each other at the edge "
+                )?;
+                edge_words(f, edge)
+            }
+            Self::NonManifold { triangles, edge } => {
+                write!(
+                    f,
+                    "{} triangles, {triangles:?}, at the edge ",
+                    triangles.len()
+                )?;
+                edge_words(f, edge)
+            }
+            Self::Open {
+                edges,
+                triangle,
+                edge,
+            } => {
+                write!(f, "{edges} open edges, the first at triangle {triangle} ")?;
+                edge_words(f, edge)
+            }
+        }
+    }
+}
+
+impl fmt::Display for SurfaceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{}: ", file.display())?;
+        }
+        write!(f, "found {}; accepted: {}", self.kind, self.kind.accepted())
+    }
+}
+
+impl std::error::Error for SurfaceError {}

@@ -1,0 +1,152 @@
+//! The nearest triangle: the tree against every triangle, and signs against solids whose inside is known.
+
+use proctor_kernel::surface::{Feature, Point, Surface};
+use proptest::prelude::*;
+
+/// A sheet of n x n squares over the unit square, cut into triangles, with the given heights at its vertices.
+fn sheet(n: usize, heights: &[f64]) -> Surface {
+    let x = |i: usize, j: usize| -> Point {
+        let at = |i: usize| i as f64 / n as f64;
+        [at(i), at(j), heights[i * (n + 1) + j]]
+    };
+    let mut corners = vec![];
+    for i in 0..n {
+        for j in 0..n {
+            let (a, b, c, d) = (x(i, j), x(i + 1, j), x(i, j + 1), x(i + 1, j + 1));
+            corners.extend([[a, b, d], [a, d, c]]);
+        }
+    }
+    Surface::new(&corners).expect("a sheet")
+}
+
+/// The surface of a box, its normals outwards.
+fn cuboid(size: [f64; 3]) -> Surface {
+    let mut corners = vec![];
+    for axis in 0..3 {
+        for side in 0..2 {
+            let x = |u: usize, v: usize| {
+                let mut x = [0.0; 3];
+                x[axis] = f64::from(side) * size[axis];
+                x[(axis + 1) % 3] = u as f64 * size[(axis + 1) % 3];
+                x[(axis + 2) % 3] = v as f64 * size[(axis + 2) % 3];
+                x
+            };
+            let quad = if side == 1 {
+                [x(0, 0), x(1, 0), x(1, 1), x(0, 1)]
+            } else {
+                [x(0, 0), x(0, 1), x(1, 1), x(1, 0)]
+            };
+            corners.extend([[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]]]);
+        }
+    }
+    Surface::new(&corners).expect("a box")
+}
+
+/// Distance to a box, negative inside (Quilez).
+fn to_box(x: &Point, size: &[f64; 3]) -> f64 {
+    let q: Point = std::array::from_fn(|i| (x[i] - 0.5 * size[i]).abs() - 0.5 * size[i]);
+    let outside = q.map(|c| c.max(0.0));
+    let length = outside.iter().map(|c| c * c).sum::<f64>().sqrt();
+    length + q[0].max(q[1]).max(q[2]).min(0.0)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn the_tree_finds_what_brute_force_finds(
+        heights in prop::collection::vec(-0.3..0.3_f64, 121),
+        points in prop::collection::vec(prop::array::uniform3(-0.5..1.5_f64), 50),
+        within in 0.01..2.0_f64,
+    ) {
+        let surface = sheet(10, &heights);
+        for x in &points {
+            prop_assert_eq!(surface.nearest(x, within), surface.nearest_of_all(x, within));
+        }
+    }
+
+    /// Points at equal distance from many triangles: the same one of them is found.
+    #[test]
+    fn ties_do_not_depend_on_the_tree(i in 0..=20_usize, j in 0..=20_usize, z in -1..=1_i32) {
+        let surface = sheet(10, &[0.0; 121]);
+        let x = [i as f64 / 20.0, j as f64 / 20.0, f64::from(z)];
+        prop_assert_eq!(surface.nearest(&x, 2.0), surface.nearest_of_all(&x, 2.0));
+    }
+
+    #[test]
+    fn signed_distance_of_a_box(
+        size in prop::array::uniform3(0.5..2.0_f64),
+        points in prop::collection::vec(prop::array::uniform3(-1.0..3.0_f64), 50),
+    ) {
+        let surface = cuboid(size);
+        for x in &points {
+            let found = surface.nearest(x, 10.0).expect("within ten");
+            prop_assert!((found.distance - to_box(x, &size)).abs() < 1e-12);
+            // The normal is the gradient of the distance, so the point lies on the line along it.
+            for axis in 0..3 {
+                let foot = x[axis] - found.distance * found.normal[axis];
+                prop_assert!((foot - found.point[axis]).abs() < 1e-12);
+            }
+            prop_assert!(!found.on_rim);
+        }
+    }
+}
+
+/// A thin roof: beyond its ridge the sign of one face alone would be wrong.
+#[test]
+fn beyond_a_sharp_ridge_the_sign_is_right() {
+    let (left, right) = ([-0.1, -1.0], [0.1, -1.0]);
+    let at = |[x, z]: [f64; 2], y: f64| [x, y, z];
+    let ridge = [0.0, 0.0];
+    let quad = |a, b| {
+        [
+            [at(a, 0.0), at(b, 0.0), at(b, 1.0)],
+            [at(a, 0.0), at(b, 1.0), at(a, 1.0)],
+        ]
+    };
+    let corners: Vec<_> = quad(left, ridge)
+        .into_iter()
+        .chain(quad(ridge, right))
+        .collect();
+    let surface = Surface::new(&corners).expect("a roof");
+    for x in [[0.05, 0.5, 0.01], [-0.05, 0.5, 0.01], [0.0, 0.5, 0.3]] {
+        let found = surface.nearest(&x, 1.0).expect("near");
+        assert!(found.distance > 0.0, "{x:?}: {found:?}");
+    }
+    let inside = surface.nearest(&[0.0, 0.5, -0.5], 1.0).expect("near");
+    assert!(inside.distance < 0.0);
+}
+
+#[test]
+fn beside_the_end_of_a_surface() {
+    let surface = sheet(2, &[0.0; 9]);
+    let over = surface.nearest(&[0.5, 0.4, 0.1], 1.0).expect("near");
+    assert!(!over.on_rim);
+    assert_eq!(over.normal, [0.0, 0.0, 1.0]);
+    let beside = surface.nearest(&[1.1, 0.4, 0.1], 1.0).expect("near");
+    assert!(beside.on_rim);
+    let corner = surface.nearest(&[1.1, 1.1, 0.1], 1.0).expect("near");
+    assert!(corner.on_rim && matches!(corner.feature, Feature::Vertex(_)));
+    assert_eq!(surface.nearest(&[0.5, 0.4, 0.1], 0.1), None);
+}
+
+#[test]
+fn a_point_on_a_vertex_has_the_pseudo_normal() {
+    // A pyramid: at its tip the mean of four normals is the axis.
+    let (tip, base) = (
+        [0.0, 0.0, 1.0],
+        [
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [0.0, -1.0, 0.0],
+        ],
+    );
+    let corners: Vec<_> = (0..4).map(|i| [base[i], base[(i + 1) % 4], tip]).collect();
+    let surface = Surface::new(&corners).expect("a pyramid");
+    let found = surface.nearest(&tip, 1.0).expect("on it");
+    assert_eq!(found.distance, 0.0);
+    for (n, expected) in found.normal.iter().zip([0.0, 0.0, 1.0]) {
+        assert!((n - expected).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,214 @@
+//! Do bodies that collide keep their momentum, gain no energy and part as waves say?
+//!
+//! *Bars* collide end to end between rollers: Saint-Venant's solution (`exact::bar_impact`) gives how long they press on
+//! each other and how fast they part. Bars of equal length and wave speed with masses 1 : 1, 1 : 1e3 and 1 : 1e6 part
+//! with the speed of their approach; of two bars of one material, the second twice as long, the first stops. The
+//! duration is twice the centroid of the force, which the ringing behind the jump does not move.
+//!
+//! *Blocks* collide off centre with friction. There is no exact answer but momentum and energy; restitution is told
+//! for the record. Kinetic energy is that at the time of the stress, the mean of half a step before and after.
+//!
+//! Expected: order 2/3 in duration and restitution. The wave has a jump, which dispersion of second order spreads over
+//! (h² L)^(1/3), so that the last of its impulse comes late or never. `proctor verify colliding-blocks`.
+
+mod judge;
+mod scenes;
+
+use proctor_kernel::scene::Scene;
+use proctor_kernel::simulation::{Options, Simulation};
+
+use super::failed;
+use super::incline::run;
+use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::exact::bar_impact::BarImpact;
+use scenes::{Kind, VARIANTS, Variant};
+
+/// Name of the change of momentum among the quantities.
+const MOMENTUM: &str = "momentum lost, over that of both";
+/// Name of the largest gain of energy.
+const ENERGY: &str = "energy gained, over the initial";
+/// Name of the energy at the end.
+const LOST: &str = "energy dissipated, over the initial";
+/// Name of the duration.
+const DURATION: &str = "duration";
+/// Name of the coefficient of restitution.
+const RESTITUTION: &str = "restitution";
+/// Name of the impulse.
+const IMPULSE: &str = "impulse";
+
+/// Colliding bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CollidingBlocks {
+    /// Stiffness of the exact bars over that of the scene. Anything but 1 is a wrong reference, to prove that the
+    /// gates notice.
+    pub reference_stiffness: f64,
+}
+
+/// What a collision gave.
+#[derive(Clone, Copy, Debug, Default)]
+struct Collision {
+    impulse: f64,
+    moment: f64,
+    energy: f64,
+    gained: f64,
+    before: Option<(f64, f64)>,
+}
+
+impl CollidingBlocks {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_stiffness: 1.0,
+    };
+
+    fn variant(rung: &Rung) -> Variant {
+        let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
+        found.unwrap_or(VARIANTS[0])
+    }
+
+    /// The exact impact of a variant, where there is one.
+    fn exact(self, variant: &Variant) -> Option<BarImpact> {
+        let mut impact = variant.impact()?;
+        for bar in &mut impact.bars {
+            bar.modulus *= self.reference_stiffness;
+        }
+        Some(impact)
+    }
+
+    fn collide(
+        simulation: &mut Simulation,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Collision, String> {
+        let initial = simulation.kinetic_energy() + simulation.strain_energy();
+        let mut seen = Collision::default();
+        let mut kicked = simulation.velocity_time();
+        let mut force_at = simulation.time();
+        let end = simulation.scene().time;
+        run(simulation, end, end, &mut |share| progress(share), |s| {
+            // The force is that at the positions before the step; it kicks velocities from half step to half step.
+            let kick = s.velocity_time() - kicked;
+            let force = s.contact_force(1)[0];
+            seen.impulse += force * kick;
+            seen.moment += force * kick * force_at;
+            (kicked, force_at) = (s.velocity_time(), s.time());
+            let kinetic = s.kinetic_energy();
+            if let Some((kinetic_before, strain_before)) = seen.before {
+                seen.energy = 0.5 * (kinetic_before + kinetic) + strain_before;
+                seen.gained = seen.gained.max(seen.energy / initial - 1.0);
+            }
+            seen.before = Some((kinetic, s.strain_energy()));
+        })?;
+        seen.energy /= initial;
+        Ok(seen)
+    }
+
+    fn quantities(
+        self,
+        variant: &Variant,
+        simulation: &Simulation,
+        seen: &Collision,
+    ) -> Vec<Quantity> {
+        let masses = [0, 1].map(|i| simulation.center(i).0);
+        let after = [0, 1].map(|i| simulation.center(i).2[0]);
+        let before = variant.velocities();
+        let scale: f64 = (0..2).map(|i| masses[i] * before[i].abs()).sum();
+        let now = simulation.momentum();
+        let start: f64 = (0..2).map(|i| masses[i] * before[i]).sum();
+        let lost = ((now[0] - start).powi(2) + now[1].powi(2) + now[2].powi(2)).sqrt() / scale;
+        let of_zero = |name, value: f64| Quantity {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value.abs()),
+            unit: "1",
+        };
+        let restitution = (after[1] - after[0]) / (before[0] - before[1]);
+        let plain = |name, value, unit| Quantity {
+            name,
+            value,
+            exact: None,
+            error: None,
+            unit,
+        };
+        let mut all = vec![
+            of_zero(MOMENTUM, lost),
+            of_zero(ENERGY, seen.gained.max(0.0)),
+            plain(LOST, 1.0 - seen.energy, "1"),
+        ];
+        let exact = self.exact(variant);
+        let closed = exact.and_then(|e| Some((e, e.duration()?, e.restitution()?)));
+        let Some((exact, duration, of_exact)) = closed else {
+            all.push(plain(RESTITUTION, restitution, "1"));
+            return all;
+        };
+        let compared = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        };
+        all.push(compared(
+            DURATION,
+            2.0 * seen.moment / seen.impulse,
+            duration,
+            "s",
+        ));
+        all.push(compared(
+            IMPULSE,
+            seen.impulse,
+            exact.stress() * duration * Variant::section(simulation.scene()),
+            "N s",
+        ));
+        all.push(compared(RESTITUTION, restitution, of_exact, "1"));
+        all
+    }
+}
+
+impl Case for CollidingBlocks {
+    fn name(&self) -> &'static str {
+        "colliding-blocks"
+    }
+
+    fn question(&self) -> &'static str {
+        "Do bodies that collide keep their momentum, gain no energy and part as waves say?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let of = |v: Variant| {
+            v.cells(size).iter().map(move |&n| Rung {
+                label: format!("{} L/h={n}", v.name),
+                cell: scenes::LENGTH / f64::from(n),
+                variant: v.name,
+            })
+        };
+        VARIANTS.into_iter().flat_map(of).collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        Self::variant(rung).scene(rung.cell)
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let scene = self.scene(rung);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let mut simulation =
+            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        let seen = Self::collide(&mut simulation, progress).map_err(|e| failed(self, rung, &e))?;
+        Ok(Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: self.quantities(&Self::variant(rung), &simulation, &seen),
+            curve: None,
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        judge::verdict(&self.rungs(size), solved)
+    }
+}

@@ -1,0 +1,74 @@
+//! Gates and tables of the collisions.
+
+use super::{CollidingBlocks, Kind};
+use super::{DURATION, ENERGY, IMPULSE, LOST, MOMENTUM, RESTITUTION};
+use crate::case::{Gate, Relation, Rung, Solved, Verdict};
+use crate::cases::{order_gate, table};
+
+/// Largest change of momentum over that of both bodies.
+const MOMENTUM_GATE: f64 = 1e-12;
+/// Largest gain of energy over the initial one: round-off.
+const ENERGY_GATE: f64 = 1e-12;
+/// Least observed order of the duration.
+const ORDER_GATE: f64 = 0.6;
+
+/// Tables, gates and lines for the record.
+pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
+    let mut verdict = Verdict::default();
+    let of = |rung: &Rung| {
+        solved
+            .iter()
+            .find(|(other, _)| other == rung)
+            .map(|(_, s)| s)
+    };
+    for (i, rung) in rungs.iter().enumerate() {
+        let found = of(rung);
+        let error = |name: &str| found.map_or(f64::NAN, |s| s.error(name));
+        let gates = &mut verdict.gates;
+        let mut gate = |name: &str, bound, reason| {
+            gates.push(Gate {
+                name: format!("{}: {name}", rung.label),
+                value: error(name),
+                relation: Relation::AtMost,
+                bound,
+                reason,
+            });
+        };
+        gate(
+            MOMENTUM,
+            MOMENTUM_GATE,
+            "contact forces are equal and opposite; round-off is left",
+        );
+        gate(ENERGY, ENERGY_GATE, "contact only takes energy");
+        let finest = rungs
+            .get(i + 1)
+            .is_none_or(|next| next.variant != rung.variant);
+        if !finest {
+            continue;
+        }
+        if let Kind::Bars(_) = CollidingBlocks::variant(rung).kind {
+            // Dispersion of second order spreads a jump over (h² L)^(1/3) on a way of 2 L.
+            let spread = (rung.cell / super::scenes::LENGTH).powf(2.0 / 3.0);
+            let front = "dispersion spreads the front of the wave over (h² L)^(1/3)";
+            gate(DURATION, 0.5 * spread, front);
+            gate(RESTITUTION, spread, front);
+            let names = [DURATION, IMPULSE, RESTITUTION];
+            let table = table(solved, rung.variant, &names);
+            if rungs.iter().filter(|r| r.variant == rung.variant).count() > 1 {
+                let mut order =
+                    order_gate(&table, DURATION, ORDER_GATE, "2/3, as the front spreads");
+                order.name = format!("{}: {}", rung.variant, order.name);
+                verdict.gates.push(order);
+            }
+            verdict.tables.push((rung.variant.to_owned(), table));
+        } else if let Some(s) = found {
+            verdict.for_the_record.push(format!(
+                "{}: restitution {:.3}, energy dissipated {:.2} %",
+                rung.label,
+                s.value(RESTITUTION),
+                100.0 * s.value(LOST)
+            ));
+        }
+    }
+    verdict
+}

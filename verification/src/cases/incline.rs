@@ -1,0 +1,323 @@
+//! Blocks on a held base under inclined gravity: settled without friction, then released.
+//!
+//! What goes before the release is not judged: gravity acts normal to the base, nothing rubs, local damping takes the
+//! motion out of the blocks, which start with the stress of their weight. At the release damping ends and gravity and
+//! friction are those of the scene, so that the force on the base is the weight from the first step on and what is
+//! left to judge is friction (verification notes, section 4).
+
+use std::sync::Arc;
+
+use proctor_kernel::scene::{
+    Body, Contact, ContactNormal, Damping, Dimension, History, Material, Mesh, PlaneCondition,
+    Scene, Shape, Vector,
+};
+use proctor_kernel::simulation::{InitialState, Options, Simulation};
+
+use super::{AT_REST, NO_RESULTS, elastic};
+use crate::study::{Observer, Phase, STOPPED};
+
+/// Young's modulus of the manual \[Pa\]; Poisson's ratio is [`POISSON`].
+const YOUNG: f64 = 100e6;
+/// Poisson's ratio.
+const POISSON: f64 = 0.3;
+/// Density \[kg/m³\].
+const DENSITY: f64 = 2500.0;
+/// Gravity of the manual along and into the incline \[m/s²\].
+pub const GRAVITY: f64 = 7.07;
+/// Width of the base of the manual, along the third axis \[m\].
+const WIDTH: f64 = 14.0;
+/// From where to where a block lies along that axis \[m\].
+const ACROSS: [f64; 2] = [2.0, 12.0];
+/// Factor of local damping before the release.
+const DAMPING: f64 = 0.6;
+/// Periods of vertical motion before the release. Damping takes `exp(-2 * 0.6)` of the motion in each.
+const PERIODS: f64 = 8.0;
+/// `c dt/h` of the settled scenes, inside the bound of every stress scheme. Near its bound FLIP keeps more of the
+/// vibration of the light nodes at the edges, which rubs.
+pub const COURANT: f64 = 0.3;
+/// Identifier of the base.
+const BASE: i64 = 1;
+
+/// A block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// From where to where it lies along the incline at the start \[m\].
+    pub along: [f64; 2],
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+/// A base with blocks of the manual's material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Incline {
+    /// Two dimensions: x along the incline, y out of it. Three: x along it, z out of it.
+    pub dimension: Dimension,
+    /// Cell size \[m\].
+    pub cell: f64,
+    /// Length of base and mesh \[m\].
+    pub length: f64,
+    /// Thickness of the base \[m\].
+    pub base: f64,
+    /// Height of the blocks \[m\].
+    pub height: f64,
+    /// Height of the mesh above the blocks \[m\].
+    pub air: f64,
+    /// The blocks.
+    pub blocks: Vec<Block>,
+    /// Gravity along the incline and into it \[m/s²\].
+    pub gravity: [f64; 2],
+    /// Whether the base is held; else it slides between its rollers, as in the manual.
+    pub held: bool,
+    /// Factor of local damping after the release.
+    pub damping: Option<f64>,
+}
+
+impl Incline {
+    /// Axis out of the incline.
+    pub fn up(&self) -> usize {
+        self.dimension.axes() - 1
+    }
+
+    /// A point by its coordinates along, across and out of the incline.
+    fn point(&self, along: f64, across: f64, out: f64) -> Vector {
+        match self.dimension {
+            Dimension::Two => [along, out, 0.0],
+            Dimension::Three => [along, across, out],
+        }
+    }
+
+    /// Gravity with the components along the incline and into it.
+    fn inclined(&self, [along, into]: [f64; 2]) -> Vector {
+        self.point(along, 0.0, -into)
+    }
+
+    /// Time for which the blocks settle \[s\].
+    fn settling(&self) -> f64 {
+        PERIODS * 4.0 * self.height / (YOUNG / DENSITY).sqrt()
+    }
+
+    /// The scene, as it is from the release on; it lasts for the settling and `time` (s) more.
+    pub fn scene(&self, name: &str, time: f64) -> Scene {
+        let h = self.cell;
+        let cells = |length: f64| (length / h - 1e-9).ceil() as usize;
+        let (long, high) = (
+            cells(self.length),
+            cells(self.base + self.height + self.air),
+        );
+        let counts = match self.dimension {
+            Dimension::Two => [long, high, 1],
+            Dimension::Three => [long, cells(WIDTH), high],
+        };
+        let mut mesh = Mesh::new(self.dimension, [0.0; 3], [h; 3], counts);
+        mesh.planes[self.up()][1] = PlaneCondition::Free;
+        let settling = if self.held { self.settling() } else { 0.0 };
+        let mut scene = Scene::new(self.dimension, mesh, settling + time);
+        scene.name = String::from(name);
+        scene.gravity = self.inclined(self.gravity);
+        scene.damping = self
+            .damping
+            .map_or(Damping::None, |alpha| Damping::Local { alpha });
+        scene.results = NO_RESULTS;
+        scene.materials = material();
+        let mut particles = [2; 3];
+        particles[self.dimension.axes()..].fill(1);
+        let body = |name: String, id: i64, p1: Vector, p2: Vector| Body {
+            name,
+            id,
+            material: 0,
+            shape: Shape::Cuboid { p1, p2 },
+            particles_per_cell: particles,
+            velocity: [0.0; 3],
+            motion: None,
+        };
+        let far = self.point(self.length, WIDTH, self.base);
+        let mut base = body("base".to_owned(), BASE, [0.0; 3], far);
+        if self.held {
+            base.motion = Some(still());
+        }
+        scene.bodies.push(base);
+        for (i, block) in self.blocks.iter().enumerate() {
+            let id = BASE + 1 + i as i64;
+            let [near, far] = block.along;
+            scene.bodies.push(body(
+                format!("block {}", i + 1),
+                id,
+                self.point(near, ACROSS[0], self.base),
+                self.point(far, ACROSS[1], self.base + self.height),
+            ));
+            scene.contacts.push(Contact {
+                name: format!("block {} on base", i + 1),
+                id: i as i64 + 1,
+                friction: block.friction,
+                master: BASE,
+                slave: id,
+                normal: ContactNormal::Master,
+            });
+        }
+        scene
+    }
+
+    /// A simulation of `scene`, which is that of this incline, settled where the base is held, and just released.
+    ///
+    /// # Errors
+    /// Why it was refused or failed, in words.
+    pub fn released(
+        &self,
+        scene: &Scene,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Simulation, String> {
+        if !self.held {
+            return Simulation::new(scene, options).map_err(|e| e.to_string());
+        }
+        let (up, base, top) = (self.up(), self.base, self.base + self.height);
+        let into = self.gravity[1].abs();
+        let options = Options {
+            initial: Some(Arc::new(move |x| {
+                let mut state: InitialState = AT_REST;
+                if x[up] > base {
+                    state.stress[up] = -DENSITY * into * (top - x[up]);
+                }
+                state
+            })),
+            ..options.clone()
+        };
+        let words = |e: proctor_kernel::simulation::SetupError| e.to_string();
+        let mut simulation = Simulation::new(scene, &options).map_err(words)?;
+        simulation
+            .set_gravity(self.inclined([0.0, into]))
+            .map_err(words)?;
+        simulation.set_local_damping(Some(DAMPING)).map_err(words)?;
+        for contact in &scene.contacts {
+            simulation.set_friction(contact.id, 0.0).map_err(words)?;
+        }
+        let release = self.settling();
+        run(&mut simulation, release, scene.time, observer, |_| ())?;
+        simulation.set_local_damping(self.damping).map_err(words)?;
+        simulation.set_gravity(scene.gravity).map_err(words)?;
+        for contact in &scene.contacts {
+            simulation
+                .set_friction(contact.id, contact.friction)
+                .map_err(words)?;
+        }
+        Ok(simulation)
+    }
+}
+
+/// Shear wave speed of the manual's material \[m/s\].
+pub fn shear_wave_speed() -> f64 {
+    (YOUNG / (2.0 * (1.0 + POISSON)) / DENSITY).sqrt()
+}
+
+/// The manual's material.
+fn material() -> Vec<Material> {
+    elastic(DENSITY, YOUNG, POISSON)
+}
+
+/// Velocity zero at all times.
+fn still() -> History {
+    History {
+        times: vec![0.0],
+        values: vec![[0.0; 3]],
+    }
+}
+
+/// Steps until `stop` (s), telling progress towards `end` (s); `after` sees the simulation after each step.
+///
+/// # Errors
+/// Why a step failed, in words.
+pub fn run(
+    simulation: &mut Simulation,
+    stop: f64,
+    end: f64,
+    observer: &mut dyn Observer,
+    mut after: impl FnMut(&Simulation),
+) -> Result<(), String> {
+    observer.phase(Phase::Stepping);
+    while simulation.time() < stop {
+        if observer.stop() {
+            return Err(STOPPED.to_owned());
+        }
+        simulation.step(stop).map_err(|e| e.to_string())?;
+        after(simulation);
+        if simulation.steps().is_multiple_of(50) {
+            observer.progress((simulation.time() / end).min(1.0));
+        }
+    }
+    observer.phase(Phase::Comparing);
+    Ok(())
+}
+
+/// The way of a block after its release.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Track {
+    /// Time since the release \[s\] and displacement of the centre of mass along the incline \[m\].
+    pub way: Vec<[f64; 2]>,
+    /// Time since the release \[s\] and velocity of the centre of mass along the incline \[m/s\].
+    pub velocity: Vec<[f64; 2]>,
+    /// Time since the release \[s\] and velocity of the centre of mass out of the incline \[m/s\].
+    pub out: Vec<[f64; 2]>,
+    /// Force out of the incline on the block \[N\], step by step.
+    pub force: Vec<f64>,
+    /// Weight: mass times gravity into the incline \[N\].
+    pub weight: f64,
+}
+
+impl Track {
+    /// Displacement at the end \[m\].
+    pub fn end(&self) -> f64 {
+        self.way.last().map_or(f64::NAN, |w| w[1])
+    }
+
+    /// Mean velocity over the last part of the way, from the share `from` of the time on \[m/s\].
+    pub fn mean_velocity_from(&self, from: f64) -> f64 {
+        let Some(last) = self.way.last() else {
+            return f64::NAN;
+        };
+        let first = self.way.iter().find(|w| w[0] >= from * last[0]);
+        first.map_or(f64::NAN, |w| (last[1] - w[1]) / (last[0] - w[0]))
+    }
+}
+
+/// Follows the blocks of a released simulation until its end. Gravity acts from the time of the velocities on, so the
+/// release is at that time. One track per block.
+///
+/// # Errors
+/// Why a step failed, in words.
+pub fn follow(
+    incline: &Incline,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Vec<Track>, String> {
+    let release = simulation.velocity_time();
+    let end = simulation.scene().time;
+    let up = incline.up();
+    let start: Vec<f64> = (0..incline.blocks.len())
+        .map(|i| simulation.center(i + 1).1[0])
+        .collect();
+    let mut tracks = vec![Track::default(); start.len()];
+    run(simulation, end, end, observer, |simulation| {
+        let (t, t_v) = (
+            simulation.time() - release,
+            simulation.velocity_time() - release,
+        );
+        for (i, track) in tracks.iter_mut().enumerate() {
+            let (m, x, v) = simulation.center(i + 1);
+            track.way.push([t, x[0] - start[i]]);
+            track.velocity.push([t_v, v[0]]);
+            track.out.push([t_v, v[up]]);
+            track.force.push(simulation.contact_force(i + 1)[up]);
+            track.weight = m * incline.gravity[1].abs();
+        }
+    })?;
+    Ok(tracks)
+}
+
+/// Slope of the line that fits points best in the least-squares sense.
+pub fn fitted_slope(points: &[[f64; 2]]) -> f64 {
+    let n = points.len() as f64;
+    let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / n;
+    let (x, y) = (mean(0), mean(1));
+    let sum = |k: usize, m: f64| points.iter().map(|p| (p[0] - x) * (p[k] - m)).sum::<f64>();
+    sum(1, y) / sum(0, x)
+}

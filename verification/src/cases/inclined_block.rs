@@ -1,0 +1,443 @@
+//! Does a block slide down an incline with the acceleration that Coulomb's law gives, and stick where it should?
+//!
+//! Source: contact manual, section 2.1, and verification notes, section 4. The frame is that of the incline: gravity is
+//! 7.07 m/s² along x and into the base, 45 degrees.
+//!
+//! What judges is the *settled* scene: a block of 10 m x 2 m on a held base is relaxed under the gravity normal to it,
+//! then released. It is flatter than the manual's cube, whose rear edge lifts for mu > b/3H = 1/3. The block keeps its
+//! weight on the base from the first step on, so the acceleration of its centre of mass is g_x - mu g_n whatever the
+//! mesh. Its displacement is that of a rigid block but for the time in which the base still sticks, H/c_s: 0.4 % for
+//! mu = 0.5. The study compares with the elastic block, to which the displacement converges.
+//!
+//! It *sticks* for mu >= tan(theta): its creep velocity falls to zero. An elastic block that is released swings, and
+//! without damping it swings on; so a block that is to stick keeps a little local damping, under which one that is too
+//! smooth still creeps. Without it (for the record) block and base part again and again for a moment, and the block
+//! walks downhill in those moments.
+//!
+//! The scene as *printed* is run for the record. Its gravity is switched on at once: the force on the base swings
+//! between nothing and twice the weight (period 4H/c = 0.2 s), and the base is free between its rollers and swings
+//! along the incline itself. `proctor verify inclined-block`.
+
+mod judge;
+
+use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep};
+use proctor_kernel::simulation::Options;
+
+use super::incline::{
+    Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
+};
+use super::{failed, solve_own};
+use crate::case::{Case, CaseError, Curve, CurvePoint, Quantity, Rung, Size, Solved, Verdict};
+use crate::exact::sliding::Slope;
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
+
+/// Time from the release to the end \[s\].
+const TIME: f64 = 2.0;
+/// Where the block lies along the incline at the start \[m\].
+const ALONG: [f64; 2] = [2.0, 12.0];
+/// Length of the base \[m\]: the way without friction is 14.14 m.
+const LENGTH: f64 = 28.0;
+/// Height of the settled block \[m\].
+const HEIGHT: f64 = 2.0;
+/// Coefficients of friction of the manual.
+const FRICTIONS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
+/// Coefficient of a block that sticks; tan(theta) = 1.
+const STICKING: f64 = 1.2;
+/// Friction of the study.
+const STUDIED: f64 = 0.3;
+/// Local damping of a block that is to stick.
+const STICKING_DAMPING: f64 = 0.1;
+/// Points of the picture.
+const POINTS: usize = 40;
+
+/// Name of the displacement among the quantities.
+const WAY: &str = "displacement at 2 s";
+/// Name of the displacement against that of an elastic block.
+const ELASTIC: &str = "displacement at 2 s, elastic";
+/// Name of the fitted acceleration.
+const ACCELERATION: &str = "acceleration";
+/// Name of the creep.
+const CREEP: &str = "creep velocity over free velocity";
+
+/// The block on an incline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InclinedBlock {
+    /// Gravity along the incline over that of the exact solution. Anything but 1 is a wrong scene, to prove that the
+    /// gates notice.
+    pub pull: f64,
+}
+
+/// What is asked of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// To slide, settled.
+    Settled,
+    /// To stick, settled; pulled downhill.
+    Stick,
+    /// To stick where it is pulled the other way.
+    StickMirrored,
+    /// To stick without damping.
+    StickUndamped,
+    /// To slide as in the manual.
+    Printed,
+}
+
+/// The problem of a rung.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Problem {
+    kind: Kind,
+    dimension: Dimension,
+    scheme: StressScheme,
+    friction: f64,
+}
+
+/// Variants of sliding and of sticking, by dimension and scheme.
+const VARIANTS: [(Dimension, StressScheme, [&str; 2]); 6] = [
+    (
+        Dimension::Two,
+        StressScheme::Usl,
+        ["2D USL", "stick 2D USL"],
+    ),
+    (
+        Dimension::Two,
+        StressScheme::Usf,
+        ["2D USF", "stick 2D USF"],
+    ),
+    (
+        Dimension::Two,
+        StressScheme::Musl,
+        ["2D MUSL", "stick 2D MUSL"],
+    ),
+    (
+        Dimension::Three,
+        StressScheme::Usl,
+        ["3D USL", "stick 3D USL"],
+    ),
+    (
+        Dimension::Three,
+        StressScheme::Usf,
+        ["3D USF", "stick 3D USF"],
+    ),
+    (
+        Dimension::Three,
+        StressScheme::Musl,
+        ["3D MUSL", "stick 3D MUSL"],
+    ),
+];
+/// The variant of the manual's own scene.
+const PRINTED: &str = "printed";
+
+impl InclinedBlock {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self { pull: 1.0 };
+
+    /// All rungs of a size with their problems.
+    fn ladder(size: Size) -> Vec<(Rung, Problem)> {
+        let mut all = vec![];
+        let cells: &[(Dimension, f64)] = match size {
+            Size::Quick => &[(Dimension::Two, 1.0)],
+            Size::Full => &[
+                (Dimension::Two, 1.0),
+                (Dimension::Two, 0.5),
+                (Dimension::Three, 1.0),
+            ],
+        };
+        for &(dimension, cell) in cells {
+            for (_, scheme, [slides, sticks]) in VARIANTS.into_iter().filter(|v| v.0 == dimension) {
+                let problem = |kind, friction| Problem {
+                    kind,
+                    dimension,
+                    scheme,
+                    friction,
+                };
+                all.extend(FRICTIONS.map(|friction| {
+                    let problem = problem(Kind::Settled, friction);
+                    (Self::rung(slides, cell, friction, ""), problem)
+                }));
+                for (kind, side) in [
+                    (Kind::Stick, ""),
+                    (Kind::StickMirrored, " mirrored"),
+                    (Kind::StickUndamped, " undamped"),
+                ] {
+                    all.push((
+                        Self::rung(sticks, cell, STICKING, side),
+                        problem(kind, STICKING),
+                    ));
+                }
+            }
+        }
+        if size == Size::Full {
+            all.extend(FRICTIONS.map(|friction| {
+                let problem = Problem {
+                    kind: Kind::Printed,
+                    dimension: Dimension::Three,
+                    scheme: StressScheme::Usl,
+                    friction,
+                };
+                (Self::rung(PRINTED, 1.0, friction, ""), problem)
+            }));
+        }
+        all
+    }
+
+    fn rung(variant: &'static str, cell: f64, friction: f64, side: &str) -> Rung {
+        Rung {
+            label: format!("{variant} h={cell} mu={friction}{side}"),
+            cell,
+            variant,
+        }
+    }
+
+    /// The path of the study with its problem.
+    fn studied(size: Size) -> Vec<(Rung, Problem)> {
+        let cells: &[f64] = match size {
+            Size::Quick => &[1.0, 0.5],
+            Size::Full => &[1.0, 0.5, 0.25, 0.125],
+        };
+        let problem = Problem {
+            kind: Kind::Settled,
+            dimension: Dimension::Two,
+            scheme: StressScheme::Usl,
+            friction: STUDIED,
+        };
+        let rung = |&cell: &f64| (Self::rung(VARIANTS[0].2[0], cell, STUDIED, ""), problem);
+        cells.iter().map(rung).collect()
+    }
+
+    /// The problem of a rung of any size; that of the study for a rung that is not of this case.
+    fn problem(rung: &Rung) -> Problem {
+        let known = [Size::Quick, Size::Full]
+            .map(Self::ladder)
+            .into_iter()
+            .flatten();
+        let mut problems = known
+            .filter(|(other, _)| other == rung)
+            .map(|(_, problem)| problem);
+        let studied = Self::studied(Size::Full)[0].1;
+        problems.next().unwrap_or(studied)
+    }
+
+    fn incline(self, rung: &Rung) -> Incline {
+        let problem = Self::problem(rung);
+        let h = rung.cell;
+        let sign = if problem.kind == Kind::StickMirrored {
+            -1.0
+        } else {
+            1.0
+        };
+        let settled = Incline {
+            dimension: problem.dimension,
+            cell: h,
+            length: LENGTH,
+            base: 2.0 * h,
+            height: HEIGHT,
+            air: 2.0 * h,
+            blocks: vec![Block {
+                along: ALONG,
+                friction: problem.friction,
+            }],
+            gravity: [sign * self.pull * GRAVITY, GRAVITY],
+            held: true,
+            damping: matches!(problem.kind, Kind::Stick | Kind::StickMirrored)
+                .then_some(STICKING_DAMPING),
+        };
+        match problem.kind {
+            Kind::Printed => Incline {
+                length: 32.0,
+                height: 10.0,
+                held: false,
+                ..settled
+            },
+            _ => settled,
+        }
+    }
+
+    /// The exact motion.
+    fn exact(problem: &Problem) -> Slope {
+        Slope {
+            along: GRAVITY,
+            into: GRAVITY,
+            friction: problem.friction,
+        }
+    }
+
+    fn quantities(track: &Track, problem: &Problem, height: f64) -> Vec<Quantity> {
+        let exact = Self::exact(problem);
+        if exact.sticks() {
+            let free = Slope {
+                friction: 0.0,
+                ..exact
+            };
+            let creep = track.mean_velocity_from(0.5) / (free.acceleration() * TIME);
+            return vec![
+                Quantity {
+                    name: CREEP,
+                    value: creep,
+                    exact: Some(0.0),
+                    error: Some(creep.abs()),
+                    unit: "1",
+                },
+                Quantity {
+                    name: WAY,
+                    value: track.end(),
+                    exact: Some(0.0),
+                    error: Some((track.end() / free.displacement(TIME)).abs()),
+                    unit: "m",
+                },
+            ];
+        }
+        let compared = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        };
+        let end = track.way.last().map_or(f64::NAN, |w| w[0]);
+        vec![
+            compared(WAY, track.end(), exact.displacement(end), "m"),
+            compared(
+                ELASTIC,
+                track.end(),
+                exact.elastic_displacement(end, height, shear_wave_speed()),
+                "m",
+            ),
+            compared(
+                ACCELERATION,
+                fitted_slope(&track.velocity),
+                exact.acceleration(),
+                "m/s²",
+            ),
+        ]
+    }
+
+    /// Displacement over time.
+    fn curve(track: &Track, problem: &Problem, rung: &Rung) -> Curve {
+        let exact = Self::exact(problem);
+        let every = (track.way.len() / POINTS).max(1);
+        let points = track.way.iter().skip(every - 1).step_by(every);
+        Curve {
+            title: format!("displacement of the centre of mass, {}", rung.label),
+            abscissa: "time since the release (s)",
+            ordinate: "displacement (m)",
+            points: points
+                .map(|&[t, d]| CurvePoint {
+                    at: t,
+                    computed: d,
+                    exact: exact.displacement(t),
+                })
+                .collect(),
+        }
+    }
+}
+
+impl Case for InclinedBlock {
+    fn name(&self) -> &'static str {
+        "inclined-block"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does a block slide down an incline as Coulomb's law says, and stick where it should?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        Self::ladder(size)
+            .into_iter()
+            .map(|(rung, _)| rung)
+            .collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        self.scene_with(rung, &self.own_settings(rung))
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        solve_own(self, rung, options, progress)
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        judge::verdict(&Self::ladder(size), solved)
+    }
+}
+
+impl Study for InclinedBlock {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        Self::studied(size)
+            .into_iter()
+            .map(|(rung, _)| rung)
+            .collect()
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "displacement",
+                quantity: ELASTIC,
+            },
+            Measure {
+                word: "acceleration",
+                quantity: ACCELERATION,
+            },
+        ]
+    }
+
+    fn refined_axes(&self) -> usize {
+        2
+    }
+
+    fn own_settings(&self, rung: &Rung) -> Settings {
+        Settings::new(Method {
+            scheme: Self::problem(rung).scheme,
+            ..Method::DEFAULT
+        })
+        .courant(COURANT)
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let mut scene = self.incline(rung).scene("inclined_block", TIME);
+        scene.time_step = settings.multiplier();
+        if Self::problem(rung).kind == Kind::Printed {
+            scene.mesh.planes[2][1] = PlaneCondition::Sliding;
+            scene.time_step = TimeStep::Multiplier {
+                multiplier: 0.15,
+                allow_unstable: settings.allow_unstable,
+            };
+            scene.contact_distance = Some(0.5);
+        }
+        settings.apply(&mut scene);
+        scene
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let incline = self.incline(rung);
+        let mut simulation = incline
+            .released(&scene, options, observer)
+            .map_err(|e| failed(self, rung, &e))?;
+        let tracks =
+            follow(&incline, &mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
+        let problem = Self::problem(rung);
+        let solved = Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: Self::quantities(&tracks[0], &problem, incline.height),
+            curve: Some(Self::curve(&tracks[0], &problem, rung)),
+        };
+        Ok(Studied::new(solved, &simulation))
+    }
+}

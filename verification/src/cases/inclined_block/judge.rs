@@ -1,0 +1,140 @@
+//! Gates of the inclined block, and what is said of the manual's own scene.
+
+use super::{ACCELERATION, CREEP, Kind, Problem, WAY};
+use crate::case::{Curve, CurvePoint, Gate, Relation, Rung, Solved, Verdict};
+
+/// Largest relative error of acceleration and displacement.
+const SLIDING_GATE: f64 = 5e-3;
+/// Largest mean velocity over the second half of the time, over the velocity of the free block.
+const CREEP_GATE: f64 = 1e-4;
+/// Largest displacement of a block that sticks over that of a free one.
+const STICK_GATE: f64 = 5e-3;
+
+/// Gates over the rungs of a ladder, each with its problem.
+pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict {
+    let find = |rung: &Rung| {
+        solved
+            .iter()
+            .find(|(other, _)| other == rung)
+            .map(|(_, s)| s)
+    };
+    let mut verdict = Verdict::default();
+    // One group per variant and cell size, in the order of the ladder.
+    let mut groups: Vec<(&'static str, f64)> = vec![];
+    for (rung, _) in ladder {
+        if !groups.contains(&(rung.variant, rung.cell)) {
+            groups.push((rung.variant, rung.cell));
+        }
+    }
+    verdict.curves.extend(picture(ladder, solved));
+    for (variant, cell) in groups {
+        let of_group = |(r, _): &&(Rung, Problem)| r.variant == variant && r.cell == cell;
+        let group = || {
+            let all = ladder.iter().filter(of_group);
+            all.filter(|(_, problem)| problem.kind != Kind::StickUndamped)
+        };
+        let swings = ladder
+            .iter()
+            .filter(of_group)
+            .filter(|(_, problem)| problem.kind == Kind::StickUndamped);
+        for (rung, _) in swings {
+            if let Some(s) = find(rung) {
+                verdict.for_the_record.push(format!(
+                    "{}: creeps with {:.2e} of the free velocity, {:.3} m in 2 s",
+                    rung.label,
+                    s.error(CREEP),
+                    s.value(WAY)
+                ));
+            }
+        }
+        let Some((_, first)) = group().next() else {
+            continue;
+        };
+        let worst = |name: &str| {
+            group()
+                .map(|(rung, _)| find(rung).map_or(f64::NAN, |s| s.error(name)))
+                .reduce(|a, b| if a >= b || a.is_nan() { a } else { b })
+                .unwrap_or(f64::NAN)
+        };
+        let mut gate = |quantity: &str, of: &str, bound, reason| {
+            verdict.gates.push(Gate {
+                name: format!("{variant} h={cell}: {quantity}, largest of {of}"),
+                value: worst(quantity),
+                relation: Relation::AtMost,
+                bound,
+                reason,
+            });
+        };
+        let of = "all mu";
+        match first.kind {
+            Kind::Settled => {
+                let reason = "half a percent for every friction is what the project promises";
+                gate(ACCELERATION, of, SLIDING_GATE, reason);
+                gate(WAY, of, SLIDING_GATE, reason);
+            }
+            Kind::Stick | Kind::StickMirrored | Kind::StickUndamped => {
+                let both = "both directions";
+                gate(
+                    CREEP,
+                    both,
+                    CREEP_GATE,
+                    "a block that sticks swings about its place: no mean velocity is left",
+                );
+                gate(
+                    WAY,
+                    both,
+                    STICK_GATE,
+                    "it shears and swings by about rho g H²/G = 2e-3 m, the free block slides 14 m",
+                );
+            }
+            Kind::Printed => {
+                for (rung, problem) in group() {
+                    if let Some(s) = find(rung) {
+                        verdict.for_the_record.push(format!(
+                            "as printed, mu = {}: displacement at 2 s off by {:+.2} %, fitted acceleration by {:.2} %",
+                            problem.friction,
+                            100.0 * signed(s, WAY),
+                            100.0 * s.error(ACCELERATION),
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    verdict
+}
+
+/// Displacement over time for all frictions in one picture, of the first variant that slides on its finest mesh.
+fn picture(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Option<Curve> {
+    let variant = ladder.first()?.0.variant;
+    let own = || solved.iter().filter(|(rung, _)| rung.variant == variant);
+    let finest = own().map(|(rung, _)| rung.cell).reduce(f64::min)?;
+    let lines = own()
+        .filter(|(rung, _)| rung.cell == finest)
+        .filter_map(|(_, s)| s.curve.as_ref());
+    let mut all: Option<Curve> = None;
+    for line in lines {
+        match &mut all {
+            None => all = Some(line.clone()),
+            Some(all) => {
+                all.points.push(CurvePoint {
+                    at: line.points.first().map_or(0.0, |p| p.at),
+                    computed: f64::NAN,
+                    exact: f64::NAN,
+                });
+                all.points.extend_from_slice(&line.points);
+            }
+        }
+    }
+    let mut all = all?;
+    all.title = format!("sliding block, mu = 0 (top) to 0.5, {variant}, h = {finest} m");
+    Some(all)
+}
+
+/// Signed relative error.
+fn signed(solved: &Solved, name: &str) -> f64 {
+    solved
+        .quantity(name)
+        .and_then(|q| Some(q.value / q.exact? - 1.0))
+        .unwrap_or(f64::NAN)
+}

@@ -1,0 +1,281 @@
+//! Do two blocks on one incline slide each with its own friction, and lift off when gravity is reversed?
+//!
+//! Source: contact manual, section 2.2: blocks of 5 m x 5 m with mu = 0.2 and, in front of it, mu = 0 on one base, in
+//! the frame of the incline. As in `inclined-block` the base is held and the blocks have settled when they are released;
+//! the mesh is longer than the manual's, whose wall the block in front reaches. Two pairs share a master.
+//!
+//! *Lift-off*: after settling, gravity normal to the base is reversed. The blocks spring off with the strain of their
+//! weight; contact must not hold them, and once they are off they fall freely. `proctor verify inclined-two-blocks`.
+
+use proctor_kernel::scene::{Dimension, Scene, StressScheme};
+use proctor_kernel::simulation::Options;
+
+use super::failed;
+use super::incline::{Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow};
+use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use crate::exact::sliding::Slope;
+use crate::settings::{Method, Settings};
+
+/// Time from the release to the end \[s\].
+const TIME: f64 = 2.0;
+/// The same after gravity is reversed: they rise by 3.5 m.
+const TIME_LIFTED: f64 = 1.0;
+/// Time after the release from which on lifted blocks must be free: two periods of their vertical motion \[s\].
+const FREE_FROM: f64 = 0.2;
+/// The blocks of the manual, the one behind first.
+const BLOCKS: [Block; 2] = [
+    Block {
+        along: [2.0, 7.0],
+        friction: 0.2,
+    },
+    Block {
+        along: [12.0, 17.0],
+        friction: 0.0,
+    },
+];
+
+/// Names of the displacements among the quantities.
+const WAYS: [&str; 2] = ["displacement, mu = 0.2", "displacement, mu = 0"];
+/// Names of the fitted accelerations.
+const ACCELERATIONS: [&str; 2] = ["acceleration, mu = 0.2", "acceleration, mu = 0"];
+/// Names of the accelerations out of the incline after lift-off.
+const LIFTS: [&str; 2] = ["lift, mu = 0.2", "lift, mu = 0"];
+/// Name of the largest force once the blocks are free.
+const HELD: &str = "largest force when free, over weight";
+/// Name of the largest pull.
+const PULL: &str = "largest pull, over weight";
+
+/// Largest relative error of acceleration and displacement.
+const SLIDING_GATE: f64 = 5e-3;
+/// Largest relative error of the acceleration of a free body: gravity is added step by step.
+const FREE_GATE: f64 = 1e-9;
+/// Largest pull over the weight: round-off.
+const PULL_GATE: f64 = 1e-9;
+
+/// Two blocks on an incline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InclinedTwoBlocks {
+    /// Gravity along the incline and out of it over that of the exact solution. Anything but 1 is a wrong scene, to
+    /// prove that the gates notice.
+    pub pull: f64,
+}
+
+/// Variants by dimension, scheme and whether gravity is reversed.
+const VARIANTS: [(&str, Dimension, StressScheme, bool); 12] = [
+    ("2D USL", Dimension::Two, StressScheme::Usl, false),
+    ("2D USF", Dimension::Two, StressScheme::Usf, false),
+    ("2D MUSL", Dimension::Two, StressScheme::Musl, false),
+    ("3D USL", Dimension::Three, StressScheme::Usl, false),
+    ("3D USF", Dimension::Three, StressScheme::Usf, false),
+    ("3D MUSL", Dimension::Three, StressScheme::Musl, false),
+    ("lift-off 2D USL", Dimension::Two, StressScheme::Usl, true),
+    ("lift-off 2D USF", Dimension::Two, StressScheme::Usf, true),
+    ("lift-off 2D MUSL", Dimension::Two, StressScheme::Musl, true),
+    ("lift-off 3D USL", Dimension::Three, StressScheme::Usl, true),
+    ("lift-off 3D USF", Dimension::Three, StressScheme::Usf, true),
+    (
+        "lift-off 3D MUSL",
+        Dimension::Three,
+        StressScheme::Musl,
+        true,
+    ),
+];
+
+impl InclinedTwoBlocks {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self { pull: 1.0 };
+
+    /// Dimension, scheme and whether gravity is reversed, of a rung.
+    fn variant(rung: &Rung) -> (Dimension, StressScheme, bool) {
+        let found = VARIANTS.iter().find(|v| v.0 == rung.variant);
+        let &(_, dimension, scheme, lifts) = found.unwrap_or(&VARIANTS[0]);
+        (dimension, scheme, lifts)
+    }
+
+    fn incline(self, rung: &Rung) -> Incline {
+        let (dimension, _, lifts) = Self::variant(rung);
+        let h = rung.cell;
+        Incline {
+            dimension,
+            cell: h,
+            length: 34.0,
+            base: 2.0 * h,
+            height: 5.0,
+            air: if lifts { 6.0 } else { 2.0 * h },
+            blocks: BLOCKS.to_vec(),
+            gravity: [
+                self.pull * GRAVITY,
+                if lifts { -self.pull * GRAVITY } else { GRAVITY },
+            ],
+            held: true,
+            damping: None,
+        }
+    }
+
+    fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
+        let compared = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        };
+        let mut all = vec![];
+        for (i, (block, track)) in BLOCKS.iter().zip(tracks).enumerate() {
+            if lifts {
+                let free: Vec<[f64; 2]> = track
+                    .out
+                    .iter()
+                    .copied()
+                    .filter(|v| v[0] > FREE_FROM)
+                    .collect();
+                all.push(compared(LIFTS[i], fitted_slope(&free), GRAVITY, "m/s²"));
+                continue;
+            }
+            let exact = Slope {
+                along: GRAVITY,
+                into: GRAVITY,
+                friction: block.friction,
+            };
+            let end = track.way.last().map_or(f64::NAN, |w| w[0]);
+            all.push(compared(WAYS[i], track.end(), exact.displacement(end), "m"));
+            all.push(compared(
+                ACCELERATIONS[i],
+                fitted_slope(&track.velocity),
+                exact.acceleration(),
+                "m/s²",
+            ));
+        }
+        let over_weight = |name, forces: &dyn Fn(&Track) -> f64| {
+            let value = tracks
+                .iter()
+                .map(|t| forces(t) / t.weight)
+                .fold(0.0, f64::max);
+            Quantity {
+                name,
+                value,
+                exact: Some(0.0),
+                error: Some(value),
+                unit: "1",
+            }
+        };
+        let largest = |forces: &mut dyn Iterator<Item = f64>| forces.fold(0.0, f64::max);
+        all.push(over_weight(PULL, &|t| {
+            largest(&mut t.force.iter().map(|f| -f))
+        }));
+        if lifts {
+            all.push(over_weight(HELD, &|t| {
+                let late = t.force.iter().zip(&t.out).filter(|(_, v)| v[0] > FREE_FROM);
+                largest(&mut late.map(|(f, _)| f.abs()))
+            }));
+        }
+        all
+    }
+}
+
+impl Case for InclinedTwoBlocks {
+    fn name(&self) -> &'static str {
+        "inclined-two-blocks"
+    }
+
+    fn question(&self) -> &'static str {
+        "Do two blocks on one incline slide each with its own friction, and lift off when gravity is reversed?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let cells: &[(Dimension, f64)] = match size {
+            Size::Quick => &[(Dimension::Two, 1.0)],
+            Size::Full => &[
+                (Dimension::Two, 1.0),
+                (Dimension::Two, 0.5),
+                (Dimension::Three, 1.0),
+            ],
+        };
+        let of = |&(dimension, cell): &(Dimension, f64)| {
+            VARIANTS
+                .into_iter()
+                .filter(move |v| v.1 == dimension)
+                .map(move |v| Rung {
+                    label: format!("{} h={cell}", v.0),
+                    cell,
+                    variant: v.0,
+                })
+        };
+        cells.iter().flat_map(of).collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let (_, scheme, lifts) = Self::variant(rung);
+        let time = if lifts { TIME_LIFTED } else { TIME };
+        let mut scene = self.incline(rung).scene("inclined_two_blocks", time);
+        let settings = Settings::new(Method {
+            scheme,
+            ..Method::DEFAULT
+        })
+        .courant(COURANT);
+        scene.time_step = settings.multiplier();
+        settings.apply(&mut scene);
+        scene
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let scene = self.scene(rung);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let incline = self.incline(rung);
+        let mut observer = |share| progress(share);
+        let mut simulation = incline
+            .released(&scene, options, &mut observer)
+            .map_err(|e| failed(self, rung, &e))?;
+        let tracks =
+            follow(&incline, &mut simulation, &mut observer).map_err(|e| failed(self, rung, &e))?;
+        Ok(Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: Self::quantities(&tracks, Self::variant(rung).2),
+            curve: None,
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let mut verdict = Verdict::default();
+        for rung in self.rungs(size) {
+            let found = solved.iter().find(|(other, _)| *other == rung);
+            let error = |name: &str| found.map_or(f64::NAN, |(_, s)| s.error(name));
+            let mut gate = |name: &str, bound, reason| {
+                verdict.gates.push(Gate {
+                    name: format!("{}: {name}", rung.label),
+                    value: error(name),
+                    relation: Relation::AtMost,
+                    bound,
+                    reason,
+                });
+            };
+            gate(PULL, PULL_GATE, "contact never pulls; round-off is left");
+            if Self::variant(&rung).2 {
+                gate(HELD, 0.0, "bodies that have parted feel no force");
+                for name in LIFTS {
+                    gate(
+                        name,
+                        FREE_GATE,
+                        "a free body has the acceleration of gravity",
+                    );
+                }
+            } else {
+                for name in WAYS.into_iter().chain(ACCELERATIONS) {
+                    gate(
+                        name,
+                        SLIDING_GATE,
+                        "half a percent is what the project promises",
+                    );
+                }
+            }
+        }
+        verdict
+    }
+}

@@ -1,0 +1,250 @@
+//! Does a soft column settle under its own weight to its exact height and stress?
+//!
+//! Source: verification notes, A5 (the column of AMPLE and of many MPM papers). A neo-Hookean column between rollers,
+//! load number S = rho g H/M = 0.4, comes to rest by dynamic relaxation; its top sinks by a sixth of its height, so
+//! that most particles have changed their cell when they are judged. Neo-Hookean, because then the answer does not
+//! depend on the way.
+//!
+//! Expected: order 1 or better of GIMP ("approximately linear", AMPLE); 2 of cpGIMP, as its domains stay contiguous.
+//! Linear functions need not come to rest at all. `proctor verify self-weight`.
+
+use proctor_kernel::scene::{
+    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, PlaneCondition, Scene, Shape,
+    Weighting,
+};
+use proctor_kernel::simulation::{Options, Simulation};
+
+use super::dynamics::{DISPLACEMENT, STRESS, errors};
+use super::statics::{most_steps, relax};
+use super::{FIELDS, NO_RESULTS, error_gate, failed, order_gate, table};
+use crate::case::{Case, CaseError, Curve, CurvePoint, Rung, Size, Solved, Verdict};
+use crate::exact::self_weight::{Law as ExactLaw, SelfWeightColumn};
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
+
+/// Height \[m\].
+const HEIGHT: f64 = 1.0;
+/// Neo-Hookean; confined modulus 30 kPa.
+const LAW: Law = Law::NeoHookean {
+    young: 25e3,
+    poisson: 0.25,
+};
+/// Density \[kg/m³\].
+const DENSITY: f64 = 1200.0;
+/// Gravity \[m/s²\].
+const GRAVITY: f64 = 10.0;
+/// Cells across the column. The answer does not vary across it.
+const WIDTH: usize = 1;
+/// Norm of the unbalanced force over the weight at which the column is at rest.
+const RESIDUAL: f64 = 1e-7;
+/// The one variant.
+const VARIANT: &str = "column";
+
+/// The column under its own weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SelfWeight {
+    /// Gravity of the exact solution over that of the scene. Anything but 1 is a wrong reference, to prove that the
+    /// gates notice.
+    pub reference_gravity: f64,
+}
+
+impl SelfWeight {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_gravity: 1.0,
+    };
+
+    fn exact(self) -> SelfWeightColumn {
+        SelfWeightColumn {
+            law: ExactLaw::NeoHookean,
+            height: HEIGHT,
+            density: DENSITY,
+            gravity: self.reference_gravity * GRAVITY,
+            lambda: LAW.lambda(),
+            mu: LAW.shear(),
+        }
+    }
+
+    fn rungs_of(cells: &[u32]) -> Vec<Rung> {
+        cells
+            .iter()
+            .map(|&n| Rung {
+                label: format!("H/h={n}"),
+                cell: HEIGHT / f64::from(n),
+                variant: VARIANT,
+            })
+            .collect()
+    }
+
+    /// Vertical stress over the initial height.
+    fn curve(simulation: &Simulation, exact: &SelfWeightColumn, rung: &Rung) -> Option<Curve> {
+        let set = &simulation.sets()[0];
+        let mut points: Vec<CurvePoint> = (0..set.len())
+            .map(|p| {
+                let y = simulation.initial_position(0, p)?[1];
+                Some(CurvePoint {
+                    at: y,
+                    computed: set.stress(p)[1] / 1e3,
+                    exact: exact.vertical_stress(y) / 1e3,
+                })
+            })
+            .collect::<Option<_>>()?;
+        points.sort_by(|p, q| p.at.total_cmp(&q.at));
+        points.dedup_by(|p, q| (p.at - q.at).abs() < 1e-6 * rung.cell);
+        Some(Curve {
+            title: format!("vertical stress over the column, {}", rung.label),
+            abscissa: "initial height (m)",
+            ordinate: "vertical stress (kPa)",
+            points,
+        })
+    }
+}
+
+impl Case for SelfWeight {
+    fn name(&self) -> &'static str {
+        "self-weight"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does a soft column settle under its own weight to its exact height and stress?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        Self::rungs_of(match size {
+            Size::Quick => &[8, 16, 32],
+            Size::Full => &[8, 16, 32, 64],
+        })
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        self.scene_with(rung, &self.own_settings(rung))
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        super::solve_own(self, rung, options, progress)
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let table = table(solved, VARIANT, &[DISPLACEMENT, STRESS]);
+        let order = "GIMP is known to be approximately linear here";
+        let bound = match size {
+            Size::Quick => 2e-2,
+            Size::Full => 1e-2,
+        };
+        let rungs = self.rungs(size);
+        let error = "one percent at 64 cells, two at 32, as order 1 allows";
+        Verdict {
+            gates: vec![
+                error_gate(&rungs, solved, DISPLACEMENT, bound, error),
+                order_gate(&table, DISPLACEMENT, 0.9, order),
+                order_gate(&table, STRESS, 0.9, order),
+            ],
+            tables: vec![("self-weight, cpGIMP, USL, FLIP".to_owned(), table)],
+            ..Verdict::default()
+        }
+    }
+}
+
+impl Study for SelfWeight {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        Self::rungs_of(match size {
+            Size::Quick => &[8, 16, 32],
+            Size::Full => &[8, 16, 32, 64, 128],
+        })
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        FIELDS
+    }
+
+    fn refined_axes(&self) -> usize {
+        1
+    }
+
+    fn own_settings(&self, _: &Rung) -> Settings {
+        Settings::new(Method {
+            weighting: Weighting::ContiguousGimp(DomainUpdate::Stretch),
+            ..Method::DEFAULT
+        })
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let h = rung.cell;
+        let cells = (HEIGHT / h).round() as usize;
+        let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [WIDTH, cells + 1, 1]);
+        mesh.planes[1][1] = PlaneCondition::Free;
+        // The end of a relaxation is the rest, not a time.
+        let mut scene = Scene::new(Dimension::Two, mesh, 1.0);
+        scene.name = String::from("self_weight");
+        scene.gravity = [0.0, -GRAVITY, 0.0];
+        scene.damping = Damping::Kinetic;
+        scene.time_step = settings.multiplier();
+        scene.results = NO_RESULTS;
+        scene.materials = vec![Material {
+            name: "neo-Hookean".to_owned(),
+            id: 1,
+            density: DENSITY,
+            law: LAW,
+        }];
+        scene.bodies = vec![Body {
+            name: "column".to_owned(),
+            id: 1,
+            material: 0,
+            shape: Shape::Cuboid {
+                p1: [0.0; 3],
+                p2: [WIDTH as f64 * h, HEIGHT, 0.0],
+            },
+            particles_per_cell: [2, 2, 1],
+            velocity: [0.0; 3],
+            motion: None,
+        }];
+        settings.apply(&mut scene);
+        scene
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let options = Options {
+            displacement: true,
+            measure: true,
+            ..options.clone()
+        };
+        let mut simulation =
+            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
+        let weight = DENSITY * GRAVITY * HEIGHT * WIDTH as f64 * rung.cell;
+        let most = most_steps(settings, HEIGHT / rung.cell);
+        relax(&mut simulation, weight, RESIDUAL, most, observer)
+            .map_err(|e| failed(self, rung, &e))?;
+        let exact = self.exact();
+        let quantities = errors(
+            &simulation,
+            |x| [0.0, exact.position(x[1]) - x[1], 0.0],
+            |x| {
+                let lateral = exact.lateral_stress(x[1]);
+                [lateral, exact.vertical_stress(x[1]), lateral, 0.0, 0.0, 0.0]
+            },
+        );
+        let curve = Self::curve(&simulation, &exact, rung);
+        let solved = Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve,
+        };
+        Ok(Studied::new(solved, &simulation))
+    }
+}

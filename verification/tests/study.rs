@@ -1,0 +1,168 @@
+//! Studies: own settings are what `verify` runs, other settings reach the scene, and observers see every phase.
+
+use proctor_kernel::scene::{
+    DomainUpdate, Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
+};
+use proctor_kernel::simulation::Options;
+use proctor_verification::case::Size;
+use proctor_verification::settings::{Method, Settings};
+use proctor_verification::study::{Observer, Phase, STOPPED, Study, all};
+
+const METHOD: Method = Method {
+    weighting: Weighting::ContiguousGimp(DomainUpdate::Determinant),
+    scheme: StressScheme::Usf,
+    transfer: TransferKind::Tpic,
+};
+
+fn one_thread() -> Options {
+    Options {
+        threads: Some(1),
+        ..Options::default()
+    }
+}
+
+fn coarsest(study: &dyn Study) -> proctor_verification::case::Rung {
+    study.path(Size::Quick).swap_remove(0)
+}
+
+/// Settings with which every study can be solved.
+fn usual() -> Settings {
+    Settings {
+        allow_unstable: true,
+        ..Settings::new(Method::DEFAULT)
+    }
+    .courant(0.3)
+}
+
+/// Looks and counts; stops at once if told to.
+#[derive(Default)]
+struct Watch {
+    phases: Vec<Phase>,
+    stop: bool,
+}
+
+impl Observer for Watch {
+    fn phase(&mut self, phase: Phase) {
+        self.phases.push(phase);
+    }
+
+    fn stop(&self) -> bool {
+        self.stop
+    }
+}
+
+#[test]
+fn own_settings_give_the_same_bits_watched_or_not() {
+    for study in all() {
+        let rung = coarsest(*study);
+        let own = study.own_settings(&rung);
+        assert_eq!(
+            format!("{:?}", study.scene(&rung)),
+            format!("{:?}", study.scene_with(&rung, &own))
+        );
+        let alone = study.solve(&rung, &one_thread(), &mut |_| {});
+        let mut watch = Watch::default();
+        let watched = study.solve_with(&rung, &own, &one_thread(), &mut watch);
+        let solved = watched.expect("own settings hold").solved;
+        assert_eq!(alone.as_ref(), Ok(&solved), "{}", study.name());
+        assert_eq!(
+            watch.phases.first(),
+            Some(&Phase::SetUp),
+            "{}",
+            study.name()
+        );
+        assert!(watch.phases.contains(&Phase::Stepping), "{}", study.name());
+        assert_eq!(
+            watch.phases.last(),
+            Some(&Phase::Comparing),
+            "{}",
+            study.name()
+        );
+    }
+}
+
+#[test]
+fn other_settings_reach_the_scene_and_its_step() {
+    for study in all() {
+        let rung = coarsest(*study);
+        let settings = |courant| {
+            Settings {
+                particles_per_cell: 3,
+                allow_unstable: true,
+                ..Settings::new(METHOD)
+            }
+            .courant(courant)
+        };
+        let scene = study.scene_with(&rung, &settings(0.2));
+        scene.check().unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(scene.weighting, METHOD.weighting);
+        assert_eq!(scene.scheme, METHOD.scheme);
+        assert_eq!(scene.transfer, Transfer::new(METHOD.transfer));
+        let axes = scene.dimension.axes();
+        for body in &scene.bodies {
+            assert_eq!(body.particles_per_cell[..axes], [3; 3][..axes]);
+            assert!(axes == 3 || body.particles_per_cell[2] == 1);
+        }
+        let step = |scene: &Scene| match scene.time_step {
+            TimeStep::Fixed {
+                dt,
+                allow_unstable: true,
+            } => dt,
+            TimeStep::Multiplier {
+                multiplier,
+                allow_unstable: true,
+            } => multiplier,
+            other => panic!("{other:?}"),
+        };
+        // Equal steps to the end are whole in number, so half the Courant number is half the step but for that.
+        let ratio = step(&study.scene_with(&rung, &settings(0.1))) / step(&scene);
+        assert!((ratio - 0.5).abs() < 0.05, "{}: {ratio}", study.name());
+    }
+}
+
+#[test]
+fn measures_are_quantities_with_errors() {
+    for study in all() {
+        let rung = coarsest(*study);
+        let studied = study
+            .solve_with(&rung, &usual(), &one_thread(), &mut Watch::default())
+            .unwrap_or_else(|e| panic!("{e}"));
+        assert!(study.measures().len() >= 2);
+        for measure in study.measures() {
+            let error = studied.solved.error(measure.quantity);
+            assert!(
+                error > 0.0 && error < 1.0,
+                "{} {}: {error}",
+                study.name(),
+                measure.word
+            );
+        }
+        assert!(studied.dt > 0.0 && studied.dt_critical > 0.0);
+    }
+}
+
+#[test]
+fn an_observer_stops_a_run() {
+    for study in all() {
+        let mut watch = Watch {
+            stop: true,
+            ..Watch::default()
+        };
+        let stopped = study.solve_with(&coarsest(*study), &usual(), &one_thread(), &mut watch);
+        assert_eq!(stopped.expect_err("stopped").reason, STOPPED);
+    }
+}
+
+#[test]
+fn paths_halve_the_cells() {
+    for study in all() {
+        for size in [Size::Quick, Size::Full] {
+            let path = study.path(size);
+            assert!(path.len() >= 2);
+            for pair in path.windows(2) {
+                assert!((pair[0].cell / pair[1].cell - 2.0).abs() < 1e-12);
+                assert_ne!(pair[0].label, pair[1].label);
+            }
+        }
+    }
+}
