@@ -12,6 +12,8 @@ mod base_column;
 mod boussinesq_box;
 #[path = "exact/boussinesq_half_space.rs"]
 mod boussinesq_half_space;
+#[path = "exact/elastic_block.rs"]
+mod elastic_block;
 #[path = "exact/hertz.rs"]
 mod hertz;
 #[path = "exact/hertz_layer.rs"]

@@ -101,6 +101,8 @@ pub enum On {
         kick: f64,
         /// Time step \[s\].
         dt: f64,
+        /// Factor of the local damping that is in the increments.
+        damping: Option<f64>,
     },
     /// Velocities in the lower lanes, mapped at the new positions (USF), from which strain is taken. They feel no
     /// force: where the pair touched in this step they keep to what it did, elsewhere they are free. To test them for
@@ -359,6 +361,18 @@ impl Meetings {
                 }
             }
             let is_joined = |i: usize, j: usize| joined[numbers[i] * count + numbers[j]];
+            if let On::Trial {
+                damping: Some(alpha),
+                ..
+            } = on
+                && coulomb.damp_again(&mut members, is_joined, &touches, alpha, &mut impulses)
+            {
+                for (&number, member) in numbers.iter().zip(&members) {
+                    let line = &mut nodes_mut(fields, number)[node];
+                    line[1..4].copy_from_slice(&member.velocity);
+                    line[4..7].copy_from_slice(&member.increment);
+                }
+            }
             coulomb.resolve(&mut members, is_joined, &touches, &mut impulses);
             let plane = node / per_plane;
             if let On::Trial { kick, .. } = on {

@@ -207,7 +207,14 @@ impl Simulation {
                 }
                 let mut meetings = Meetings::find(&mut fields, &bodies);
                 let kick = acting.kick;
-                let done = meetings.act(&mut fields, &bodies, On::Trial { kick, dt });
+                let damping = plan.local_damping;
+                let done = meetings.act(&mut fields, &bodies, On::Trial { kick, dt, damping });
+                if damping.is_some() {
+                    // Contact does not know what the planes hold, and damps it too.
+                    for planes in all(&mut fields) {
+                        planes.constrain(&acting.walls, true);
+                    }
+                }
                 for (sums, power) in sums.iter_mut().zip(&done.power) {
                     sums.power += power;
                 }

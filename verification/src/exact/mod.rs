@@ -8,6 +8,7 @@ pub mod bar_impact;
 pub mod base_column;
 pub mod boussinesq_box;
 pub mod boussinesq_half_space;
+pub mod elastic_block;
 pub mod hertz;
 pub mod hertz_layer;
 pub mod rolling_disk;
