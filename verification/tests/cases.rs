@@ -21,6 +21,10 @@ mod inclined_two_blocks;
 mod rotation;
 #[path = "cases/self_weight.rs"]
 mod self_weight;
+#[path = "cases/sphere_on_terrain.rs"]
+mod sphere_on_terrain;
+#[path = "cases/tilted_incline.rs"]
+mod tilted_incline;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};

@@ -12,7 +12,9 @@ mod inclined_block;
 mod inclined_two_blocks;
 mod rotation;
 mod self_weight;
+mod sphere_on_terrain;
 mod statics;
+mod tilted_incline;
 
 pub use axis_aligned::AxisAligned;
 pub use bar::Bar;
@@ -24,6 +26,8 @@ pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
+pub use sphere_on_terrain::SphereOnTerrain;
+pub use tilted_incline::TiltedIncline;
 
 use crate::case::{Case, CaseError, Gate, Relation, Rung, Solved};
 use crate::convergence::{ConvergenceTable, Row};
@@ -44,6 +48,8 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &InclinedTwoBlocks::GIVEN,
     &CollidingBlocks::GIVEN,
     &BlockOnTwoBlocks::GIVEN,
+    &TiltedIncline::GIVEN,
+    &SphereOnTerrain::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.
@@ -56,6 +62,7 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
+    &TiltedIncline::GIVEN,
 ];
 
 /// The error of the stress, where a case has one.
