@@ -25,6 +25,10 @@ mod rolling_disk;
 mod rotation;
 #[path = "cases/self_weight.rs"]
 mod self_weight;
+#[path = "cases/sphere_on_terrain.rs"]
+mod sphere_on_terrain;
+#[path = "cases/tilted_incline.rs"]
+mod tilted_incline;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};

@@ -4,6 +4,7 @@
 //! which its body touches; the rest is never committed. It is cut into the same slabs as the common field, so that
 //! whoever owns a slab owns all fields of its nodes.
 
+use super::Pair;
 use crate::grid::{ActiveRows, Line, Nodes};
 use crate::particles::{ParticleSet, rows_of};
 use crate::simulation::field::{Field, split};
@@ -49,6 +50,22 @@ pub struct SlabFields<'a> {
     pub common: Planes<'a>,
     /// Layers, in order of the identifier of the body.
     pub layers: Vec<LayerPlanes<'a>>,
+}
+
+/// Whether two fields share their velocity where they meet: all but the layers of a pair. Fields are known by their
+/// number, 0 the common one, then the layers, whose bodies are `bodies`; row by row.
+#[must_use]
+pub fn joined(bodies: &[usize], pairs: &[Pair]) -> Vec<bool> {
+    let count = bodies.len() + 1;
+    let mut joined = vec![true; count * count];
+    for pair in pairs {
+        let number = |body| bodies.iter().position(|b| *b == body);
+        if let (Some(m), Some(s)) = (number(pair.master), number(pair.slave)) {
+            joined[(m + 1) * count + s + 1] = false;
+            joined[(s + 1) * count + m + 1] = false;
+        }
+    }
+    joined
 }
 
 impl Layers {

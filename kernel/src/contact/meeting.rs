@@ -2,7 +2,7 @@
 
 use super::Pair;
 use super::coulomb::{Coulomb, Law, Member, Touch};
-use super::layers::SlabFields;
+use super::layers::{SlabFields, joined};
 use super::surface::{self, Probe, Search, Side, normal};
 use crate::grid::GridShape;
 use crate::particles::ParticleSet;
@@ -305,7 +305,8 @@ impl Meetings {
             power: vec![0.0; planes],
             ..Done::default()
         };
-        let joined = joined_fields(fields, bodies.pairs);
+        let of_layers: Vec<usize> = fields.layers.iter().map(|l| l.body).collect();
+        let joined = joined(&of_layers, bodies.pairs);
         let count = fields.layers.len() + 1;
         let driven: Vec<bool> = std::iter::once(false)
             .chain(fields.layers.iter().map(|l| bodies.driven[l.body]))
@@ -498,20 +499,6 @@ fn distances(
         }
     }
     distances
-}
-
-/// Whether two fields share their velocity where they meet: all but the layers of a pair. By numbers, row by row.
-fn joined_fields(fields: &SlabFields<'_>, pairs: &[Pair]) -> Vec<bool> {
-    let count = fields.layers.len() + 1;
-    let mut joined = vec![true; count * count];
-    for pair in pairs {
-        let number = |body| fields.layers.iter().position(|l| l.body == body);
-        if let (Some(m), Some(s)) = (number(pair.master), number(pair.slave)) {
-            joined[(m + 1) * count + s + 1] = false;
-            joined[(s + 1) * count + m + 1] = false;
-        }
-    }
-    joined
 }
 
 /// From the first to the last node of a row that any layer uses.

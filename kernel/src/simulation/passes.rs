@@ -72,6 +72,7 @@ impl Simulation {
         if !self.contact.layers.is_empty() {
             let (groups, touching) = self.map_to_layers(acting, dt)?;
             self.groups.count(groups);
+            self.touch_surfaces(acting)?;
             return Ok(touching);
         }
         let mapping = bodies_onto(

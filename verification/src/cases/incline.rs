@@ -15,6 +15,8 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::{AT_REST, NO_RESULTS, elastic};
+use crate::case::{Curve, CurvePoint};
+use crate::exact::sliding::Slope;
 use crate::study::{Observer, Phase, STOPPED};
 
 /// Young's modulus of the manual \[Pa\]; Poisson's ratio is [`POISSON`].
@@ -38,6 +40,8 @@ const PERIODS: f64 = 8.0;
 pub const COURANT: f64 = 0.3;
 /// Steps of gravity while an incline is tilted.
 const TILTS: u32 = 200;
+/// Points of a picture.
+const POINTS: usize = 40;
 /// Identifier of the base.
 const BASE: i64 = 1;
 
@@ -310,11 +314,33 @@ pub fn follow(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
 ) -> Result<Vec<Track>, String> {
+    let mut directions = [[0.0; 3]; 2];
+    directions[0][0] = 1.0;
+    directions[1][incline.up()] = 1.0;
+    let blocks: Vec<usize> = (1..=incline.blocks.len()).collect();
+    let into = incline.gravity[1].abs();
+    follow_along(directions, &blocks, into, simulation, observer, |_| ())
+}
+
+/// As [`follow`] where the unit vectors `directions` point along the incline and out of it. `blocks` are indices of
+/// bodies, `into` gravity into the incline (m/s²); `after` sees the simulation after each step.
+///
+/// # Errors
+/// Why a step failed, in words.
+pub fn follow_along(
+    directions: [Vector; 2],
+    blocks: &[usize],
+    into: f64,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+    mut after: impl FnMut(&Simulation),
+) -> Result<Vec<Track>, String> {
+    let [along, out] = directions.map(|d| move |v: &Vector| dot(v, &d));
     let release = simulation.velocity_time();
     let end = simulation.scene().time;
-    let up = incline.up();
-    let start: Vec<f64> = (0..incline.blocks.len())
-        .map(|i| simulation.center(i + 1).1[0])
+    let start: Vec<f64> = blocks
+        .iter()
+        .map(|&body| along(&simulation.center(body).1))
         .collect();
     let mut tracks = vec![Track::default(); start.len()];
     run(simulation, end, end, observer, |simulation| {
@@ -322,16 +348,40 @@ pub fn follow(
             simulation.time() - release,
             simulation.velocity_time() - release,
         );
-        for (i, track) in tracks.iter_mut().enumerate() {
-            let (m, x, v) = simulation.center(i + 1);
-            track.way.push([t, x[0] - start[i]]);
-            track.velocity.push([t_v, v[0]]);
-            track.out.push([t_v, v[up]]);
-            track.force.push(simulation.contact_force(i + 1)[up]);
-            track.weight = m * incline.gravity[1].abs();
+        for ((track, &body), start) in tracks.iter_mut().zip(blocks).zip(&start) {
+            let (m, x, v) = simulation.center(body);
+            track.way.push([t, along(&x) - start]);
+            track.velocity.push([t_v, along(&v)]);
+            track.out.push([t_v, out(&v)]);
+            track.force.push(out(&simulation.contact_force(body)));
+            track.weight = m * into;
         }
+        after(simulation);
     })?;
     Ok(tracks)
+}
+
+/// Displacement over time beside the exact one, for pictures.
+pub fn sliding_curve(track: &Track, exact: &Slope, label: &str) -> Curve {
+    let every = (track.way.len() / POINTS).max(1);
+    let points = track.way.iter().skip(every - 1).step_by(every);
+    Curve {
+        title: format!("displacement of the centre of mass, {label}"),
+        abscissa: "time since the release (s)",
+        ordinate: "displacement (m)",
+        points: points
+            .map(|&[t, d]| CurvePoint {
+                at: t,
+                computed: d,
+                exact: exact.displacement(t),
+            })
+            .collect(),
+    }
+}
+
+/// Scalar product.
+pub fn dot(a: &Vector, b: &Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Slope of the line that fits points best in the least-squares sense.

@@ -27,10 +27,10 @@ use proctor_kernel::simulation::Options;
 
 use super::incline::{
     Block, COURANT, DENSITY, GRAVITY, Incline, POISSON, Track, YOUNG, fitted_slope, follow,
-    shear_wave_speed,
+    shear_wave_speed, sliding_curve,
 };
 use super::{failed, solve_own};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Quantity, Rung, Size, Solved, Verdict};
+use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
@@ -56,9 +56,6 @@ const TILTING: f64 = 1.0;
 const STUDIED: f64 = 0.3;
 /// Local damping of a block that is to stick.
 const STICKING_DAMPING: f64 = 0.1;
-/// Points of the picture.
-const POINTS: usize = 40;
-
 /// Name of the displacement among the quantities.
 const WAY: &str = "displacement at 2 s";
 /// Name of the displacement against that of an elastic block.
@@ -351,25 +348,6 @@ impl InclinedBlock {
         });
         Some(slid)
     }
-
-    /// Displacement over time.
-    fn curve(track: &Track, problem: &Problem, rung: &Rung) -> Curve {
-        let exact = Self::exact(problem);
-        let every = (track.way.len() / POINTS).max(1);
-        let points = track.way.iter().skip(every - 1).step_by(every);
-        Curve {
-            title: format!("displacement of the centre of mass, {}", rung.label),
-            abscissa: "time since the release (s)",
-            ordinate: "displacement (m)",
-            points: points
-                .map(|&[t, d]| CurvePoint {
-                    at: t,
-                    computed: d,
-                    exact: exact.displacement(t),
-                })
-                .collect(),
-        }
-    }
 }
 
 impl Case for InclinedBlock {
@@ -477,7 +455,11 @@ impl Study for InclinedBlock {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: Self::quantities(&tracks[0], moved, &problem, incline.height),
-            curve: Some(Self::curve(&tracks[0], &problem, rung)),
+            curve: Some(sliding_curve(
+                &tracks[0],
+                &Self::exact(&problem),
+                &rung.label,
+            )),
         };
         Ok(Studied::new(solved, &simulation))
     }

@@ -14,7 +14,9 @@ mod inclined_two_blocks;
 mod rolling_disk;
 mod rotation;
 mod self_weight;
+mod sphere_on_terrain;
 mod statics;
+mod tilted_incline;
 
 pub use axis_aligned::AxisAligned;
 pub use bar::Bar;
@@ -28,6 +30,8 @@ pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use rolling_disk::RollingDisk;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
+pub use sphere_on_terrain::SphereOnTerrain;
+pub use tilted_incline::TiltedIncline;
 
 use crate::case::{Case, CaseError, Gate, Relation, Rung, Solved};
 use crate::convergence::{ConvergenceTable, Row};
@@ -50,6 +54,8 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &BlockOnTwoBlocks::GIVEN,
     &Hertz::GIVEN,
     &RollingDisk::GIVEN,
+    &TiltedIncline::GIVEN,
+    &SphereOnTerrain::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.
@@ -62,6 +68,7 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
+    &TiltedIncline::GIVEN,
 ];
 
 /// The error of the stress, where a case has one.
