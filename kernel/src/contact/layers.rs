@@ -5,6 +5,7 @@
 //! whoever owns a slab owns all fields of its nodes.
 
 use super::Pair;
+use super::interface::Interface;
 use crate::grid::{ActiveRows, Line, Nodes};
 use crate::particles::{ParticleSet, rows_of};
 use crate::simulation::field::{Field, split};
@@ -23,6 +24,8 @@ pub struct Layer {
     pub surface: Nodes,
     /// Rows in use, as of the last sort.
     pub rows: ActiveRows,
+    /// Particles that can reach a node of a partner.
+    pub interface: Interface,
 }
 
 /// All layers, in order of the identifier of the body.
@@ -40,6 +43,8 @@ pub struct LayerPlanes<'a> {
     pub planes: Planes<'a>,
     /// Second lines of the nodes.
     pub surface: &'a mut [Line],
+    /// Particles that can reach a node of a partner.
+    pub interface: &'a Interface,
 }
 
 /// All fields of the planes that one visit owns.
@@ -84,16 +89,26 @@ impl Layers {
             .map(|layer| layer.nodes.lines())
     }
 
-    /// Has layers for exactly these bodies (indices in order of the identifier), with rows for where their particles
-    /// are now.
-    pub fn set(&mut self, bodies: &[usize], sets: &[ParticleSet], field: &Field, stencil: usize) {
+    /// Has layers for exactly these bodies of near pairs (indices in order of the identifier), with rows for where their
+    /// particles are now.
+    pub fn set(
+        &mut self,
+        bodies: &[usize],
+        pairs: &[Pair],
+        near: &[bool],
+        sets: &[ParticleSet],
+        field: &Field,
+        stencil: usize,
+    ) {
         let count = field.shape.nodes.iter().product();
         let mut old = std::mem::take(&mut self.list);
         for &body in bodies {
             let rows = rows_of(std::slice::from_ref(&sets[body]), &field.shape, stencil);
+            let interface = Interface::new(body, pairs, near, sets, &field.shape, stencil);
             let layer = match old.iter().position(|layer| layer.body == body) {
                 Some(at) => Layer {
                     rows,
+                    interface,
                     ..old.swap_remove(at)
                 },
                 None => Layer {
@@ -101,6 +116,7 @@ impl Layers {
                     nodes: Nodes::new(count),
                     surface: Nodes::new(count),
                     rows,
+                    interface,
                 },
             };
             self.list.push(layer);
@@ -146,6 +162,7 @@ impl Layers {
                     body: layer.body,
                     planes: planes(&layer.rows, slab, nodes),
                     surface,
+                    interface: &layer.interface,
                 });
             }
         }

@@ -159,7 +159,7 @@ impl Meetings {
             .collect();
         for plane in fields.common.range.clone() {
             for row in 0..shape.nodes[1] {
-                let Some(span) = union_of_rows(fields, plane, row) else {
+                let Some(span) = shared_span(fields, plane, row) else {
                     continue;
                 };
                 for k in span {
@@ -493,7 +493,12 @@ fn distances(
             })
             .collect();
         let layer = &mut fields.layers[number - 1];
-        search.probe(&bodies.sets[layer.body], layer.surface, &mut probes);
+        search.probe(
+            &bodies.sets[layer.body],
+            layer.interface,
+            layer.surface,
+            &mut probes,
+        );
         for (distance, probe) in distances.iter_mut().zip(probes) {
             *distance -= probe.reach;
         }
@@ -501,13 +506,19 @@ fn distances(
     distances
 }
 
-/// From the first to the last node of a row that any layer uses.
-fn union_of_rows(fields: &SlabFields<'_>, plane: usize, row: usize) -> Option<Range<usize>> {
-    fields
-        .layers
-        .iter()
-        .map(|layer| layer.planes.rows.span(plane, row))
-        .filter(|span| !span.is_empty())
+/// From the first to the last node of a row that two fields use.
+fn shared_span(fields: &SlabFields<'_>, plane: usize, row: usize) -> Option<Range<usize>> {
+    let span = |number: usize| match number {
+        0 => fields.common.rows.span(plane, row),
+        _ => fields.layers[number - 1].planes.rows.span(plane, row),
+    };
+    (1..=fields.layers.len())
+        .flat_map(|b| (0..b).map(move |a| (a, b)))
+        .map(|(a, b)| {
+            let (a, b) = (span(a), span(b));
+            a.start.max(b.start)..a.end.min(b.end)
+        })
+        .filter(|both| !both.is_empty())
         .reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
 }
 

@@ -138,9 +138,14 @@ impl Simulation {
             .filter(|&i| self.bodies[i].in_layer)
             .collect();
         bodies.sort_by_key(|&i| self.bodies[i].id);
-        contact
-            .layers
-            .set(&bodies, &self.sets, &self.field, self.stencil);
+        contact.layers.set(
+            &bodies,
+            &contact.pairs,
+            &contact.near,
+            &self.sets,
+            &self.field,
+            self.stencil,
+        );
     }
 
     /// As [`Simulation::map_to_nodes`] where bodies have layers: trial velocities of all fields, then contact.
@@ -502,12 +507,12 @@ fn map_gradients(
     for layer in &mut fields.layers {
         let mut planes = Planes {
             shape: layer.planes.shape,
-            rows: layer.planes.rows,
+            rows: &layer.interface.rows,
             range: layer.planes.range.clone(),
             nodes: layer.surface,
         };
         planes.clear();
-        gradient.map(layer.body, &mut planes);
+        gradient.map_interface(layer.body, layer.interface, &mut planes);
         surface::fold_gradient(&mut planes, walls);
     }
     0
