@@ -244,7 +244,9 @@ fn momentum_of_the_stack() {
                 assert!((of_nodes(axis) - force[axis]).abs() < 1e-12 * m * INTO);
             }
         }
-        let at_plane = nodes.iter().filter(|n| n.position[2] < PLANE && n.mass > 0.0);
+        let at_plane = nodes
+            .iter()
+            .filter(|n| n.position[2] < PLANE && n.mass > 0.0);
         let gaps: Vec<f64> = at_plane.map(|n| n.contact_gap).collect();
         assert!(gaps.len() >= 20 && gaps.iter().all(|gap| gap.abs() < 1e-3 * H));
         for axis in 0..3 {
