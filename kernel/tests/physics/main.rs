@@ -7,5 +7,6 @@ mod bar;
 mod contact;
 mod damping;
 mod dimension;
+mod driven;
 mod faults;
 mod loads;
