@@ -353,3 +353,24 @@ fn a_surface_pushes_bodies_that_stick_together_as_one() {
         assert!((ratio - 1.0).abs() < 1e-5, "{scheme:?}: {ratio}");
     }
 }
+
+#[test]
+fn the_friction_of_a_surface_can_be_changed() {
+    let stack = Stack {
+        scheme: StressScheme::Usl,
+        along: 5.0,
+        friction: (0.3, None),
+        plane: 0.0,
+    };
+    let mut simulation = stack.simulation(&stack.scene(), 1);
+    simulation.set_surface_friction(0, 0.0).expect("the plane");
+    simulation.step(TO).expect("a step");
+    let force = simulation.contact_force(0);
+    assert!(
+        force[2] > 0.0 && force[0].abs() < 1e-12 * force[2],
+        "{force:?}"
+    );
+    for (surface, friction) in [(1, 0.1), (0, -0.1), (0, f64::INFINITY)] {
+        assert!(simulation.set_surface_friction(surface, friction).is_err());
+    }
+}
