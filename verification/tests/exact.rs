@@ -12,6 +12,12 @@ mod base_column;
 mod boussinesq_box;
 #[path = "exact/boussinesq_half_space.rs"]
 mod boussinesq_half_space;
+#[path = "exact/cantilever.rs"]
+mod cantilever;
+#[path = "exact/fe.rs"]
+mod fe;
+#[path = "exact/ring_impact.rs"]
+mod ring_impact;
 #[path = "exact/rotation.rs"]
 mod rotation;
 #[path = "exact/self_weight.rs"]
