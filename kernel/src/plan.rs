@@ -263,6 +263,13 @@ impl Plan {
             "a record moves a plane, and the mesh with it along its normal",
             "no active record",
         );
+        list.choose(
+            "stage",
+            "held nodes",
+            !scene.held_boxes.is_empty(),
+            "nodes in a box stand still",
+            "no box is held",
+        );
         let nodal = scene.point_loads.len() + scene.tractions.len();
         list.choose(
             "stage",

@@ -22,7 +22,8 @@ pub(super) struct Acting {
 }
 
 impl Simulation {
-    /// Walls with their velocities at the two half-steps, and the nodes of driven bodies in the common field.
+    /// Walls with their velocities at the two half-steps, and the nodes of driven bodies and held boxes in the common
+    /// field.
     pub(super) fn acting(&self, info: &StepInfo) -> Acting {
         let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * info.dt);
         let mut walls = vec![];
@@ -68,7 +69,9 @@ impl Simulation {
                 }));
             }
         }
-        // Where two driven bodies share a node the later body decides, whatever the order of particles.
+        driven.extend_from_slice(&self.held);
+        // Where two driven bodies share a node the later body decides, whatever the order of particles, and a held
+        // node stands still.
         driven.sort_by_key(|d| d.node);
         Acting {
             walls,
