@@ -27,13 +27,13 @@ impl Cantilever {
     ///
     /// # Errors
     /// [`Failure`] if an element turns inside out.
-    pub fn history<const N: usize>(
+    pub fn history(
         &self,
         elements: usize,
-        points: [[f64; 2]; N],
+        points: &[[f64; 2]],
         interval: f64,
         count: usize,
-    ) -> Result<Vec<[[f64; 2]; N]>, Failure> {
+    ) -> Result<Vec<Vec<[f64; 2]>>, Failure> {
         let size = [self.length, self.height];
         let along = (elements as f64 * self.length / self.height).round() as usize;
         let cells = [along, elements];
@@ -42,42 +42,43 @@ impl Cantilever {
             *held = [true; 2];
         }
         model.gravity = [0.0, -self.gravity];
-        let shapes = points.map(|point| Mesh::shape_in_rectangle(size, cells, point));
+        let shapes: Vec<_> = points
+            .iter()
+            .map(|point| Mesh::shape_in_rectangle(size, cells, *point))
+            .collect();
         let mut history = Vec::with_capacity(count);
         for k in 1..=count {
             model.advance_to(interval * k as f64)?;
-            history.push(shapes.map(|(nodes, shape)| {
+            let moved =
+                |n: usize, axis: usize| model.positions[n][axis] - model.mesh.nodes[n][axis];
+            let displacements = shapes.iter().map(|(nodes, shape)| {
                 std::array::from_fn(|axis| {
-                    let moved = |n: usize| model.positions[n][axis] - model.mesh.nodes[n][axis];
-                    nodes.iter().zip(shape).map(|(n, s)| s * moved(*n)).sum()
+                    let parts = nodes.iter().zip(shape).map(|(n, s)| s * moved(*n, axis));
+                    parts.sum()
                 })
-            }));
+            });
+            history.push(displacements.collect());
         }
         Ok(history)
     }
 
-    /// The same, extrapolated from `elements` over the height and half of them, and the largest change of a component
-    /// that the extrapolation makes \[m\].
+    /// The same, extrapolated from `elements` over the height and half of them.
     ///
     /// # Errors
     /// [`Failure`] if an element turns inside out.
-    pub fn extrapolated<const N: usize>(
+    pub fn extrapolated(
         &self,
         elements: usize,
-        points: [[f64; 2]; N],
+        points: &[[f64; 2]],
         interval: f64,
         count: usize,
-    ) -> Result<(Vec<[[f64; 2]; N]>, f64), Failure> {
+    ) -> Result<Vec<Vec<[f64; 2]>>, Failure> {
         let coarse = self.history(elements / 2, points, interval, count)?;
         let mut history = self.history(elements, points, interval, count)?;
-        let mut most = 0.0_f64;
-        for (fine, coarse) in history.iter_mut().flatten().zip(coarse.iter().flatten()) {
-            for (f, c) in fine.iter_mut().zip(coarse) {
-                let change = (*f - c) / 3.0;
-                most = most.max(change.abs());
-                *f += change;
-            }
+        let pairs = history.iter_mut().flatten().flatten();
+        for (fine, coarse) in pairs.zip(coarse.iter().flatten().flatten()) {
+            *fine += (*fine - coarse) / 3.0;
         }
-        Ok((history, most))
+        Ok(history)
     }
 }

@@ -41,10 +41,9 @@ fn published_troughs_of_large_swings() {
     // An independent program of the same kind gave -0.745, -0.749 and -0.751 m at these points with 128 x 32 elements.
     let at = |h: f64| [4.0 - h / 6.0, h / 6.0];
     let points = [at(0.25), at(0.125), at(0.0625)];
-    let (history, change) = beam(1.0).extrapolated(16, points, 0.01, 165).unwrap();
+    let history = beam(1.0).extrapolated(16, &points, 0.01, 165).unwrap();
     for (point, expected) in [-0.745, -0.749, -0.751].into_iter().enumerate() {
         let trough = history.iter().map(|u| u[point][1]).fold(0.0, f64::min);
         assert_relative_eq!(trough, expected, epsilon = 1e-3);
     }
-    assert!(change < 4e-3, "{change}");
 }
