@@ -16,8 +16,14 @@ mod boussinesq_half_space;
 mod cantilever;
 #[path = "exact/fe.rs"]
 mod fe;
+#[path = "exact/hertz.rs"]
+mod hertz;
+#[path = "exact/hertz_layer.rs"]
+mod hertz_layer;
 #[path = "exact/ring_impact.rs"]
 mod ring_impact;
+#[path = "exact/rolling_disk.rs"]
+mod rolling_disk;
 #[path = "exact/rotation.rs"]
 mod rotation;
 #[path = "exact/self_weight.rs"]

@@ -14,6 +14,8 @@ use crate::weights::{axis_weights_at, base_offset};
 pub(super) struct Acting {
     pub(super) walls: Vec<Wall>,
     pub(super) driven: Vec<DrivenNode>,
+    /// Nodes of all fields that stand still.
+    pub(super) held: Vec<DrivenNode>,
     pub(super) kick: f64,
     /// Half a step before and half a step after \[s\].
     pub(super) half_steps: [f64; 2],
@@ -24,8 +26,8 @@ pub(super) struct Acting {
 impl Simulation {
     /// Walls with their velocities at the two half-steps, and the nodes of driven bodies and held boxes in the common
     /// field.
-    pub(super) fn acting(&self, info: &StepInfo) -> Acting {
-        let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * info.dt);
+    pub(super) fn acting(&self, dt: f64) -> Acting {
+        let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * dt);
         let mut walls = vec![];
         for axis in 0..self.plan.axes {
             for side in 0..2 {
@@ -76,9 +78,10 @@ impl Simulation {
         Acting {
             walls,
             driven,
-            kick: 0.5 * (self.clock.dt_before + info.dt),
+            held: self.held.clone(),
+            kick: 0.5 * (self.clock.dt_before + dt),
             half_steps: [before, after],
-            drift: info.dt,
+            drift: dt,
         }
     }
 

@@ -5,11 +5,15 @@ mod bar;
 mod base_acceleration;
 mod block_on_two_blocks;
 mod boussinesq;
+mod cantilever;
 mod colliding_blocks;
 mod dynamics;
+mod hertz;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
+mod rings;
+mod rolling_disk;
 mod rotation;
 mod self_weight;
 mod statics;
@@ -19,9 +23,13 @@ pub use bar::Bar;
 pub use base_acceleration::BaseAcceleration;
 pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
+pub use cantilever::Cantilever;
 pub use colliding_blocks::CollidingBlocks;
+pub use hertz::Hertz;
 pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
+pub use rings::Rings;
+pub use rolling_disk::RollingDisk;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
 
@@ -44,6 +52,10 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &InclinedTwoBlocks::GIVEN,
     &CollidingBlocks::GIVEN,
     &BlockOnTwoBlocks::GIVEN,
+    &Hertz::GIVEN,
+    &RollingDisk::GIVEN,
+    &Cantilever::GIVEN,
+    &Rings::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.
@@ -56,6 +68,8 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
+    &Cantilever::GIVEN,
+    &Rings::GIVEN,
 ];
 
 /// The error of the stress, where a case has one.
