@@ -38,6 +38,8 @@ pub struct VertexContact {
     pub length: f64,
     /// By how much slave and master came closer in the last step \[m\].
     pub approach: f64,
+    /// Speed at which they come closer now \[m/s\].
+    pub closing: f64,
 }
 
 /// What contact does to a pair in one step. Forces are per unit of thickness.
@@ -61,25 +63,15 @@ impl PairForces {
     /// The smallest gap with its vertex \[m\]; `None` where nothing faces anything.
     #[must_use]
     pub fn smallest_gap(&self) -> Option<(usize, f64)> {
-        self.extreme(|v| v.gap)
-    }
-
-    /// The largest approach with its vertex \[m\], among vertices nearer than `reach` or already beyond.
-    #[must_use]
-    pub fn largest_approach(&self) -> Option<(usize, f64)> {
-        self.extreme(|v| -v.approach).map(|(v, a)| (v, -a))
-    }
-
-    fn extreme(&self, value: impl Fn(&VertexContact) -> f64) -> Option<(usize, f64)> {
         self.vertices
             .iter()
             .enumerate()
-            .filter_map(|(k, v)| v.as_ref().map(|v| (k, value(v))))
+            .filter_map(|(k, v)| v.as_ref().map(|v| (k, v.gap)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
 
-/// The two boundaries, and by how much their vertices moved in the last step \[m\].
+/// The two boundaries, how their vertices moved in the last step \[m\] and move now \[m/s\].
 #[derive(Clone, Copy, Debug)]
 pub struct Surfaces<'a> {
     /// Slave: normals, gaps and pressures are its own.
@@ -90,6 +82,10 @@ pub struct Surfaces<'a> {
     pub slave_moved: &'a [Point],
     /// Displacement of the master's vertices.
     pub master_moved: &'a [Point],
+    /// Velocity of the slave's vertices.
+    pub slave_velocity: &'a [Point],
+    /// Velocity of the master's vertices.
+    pub master_velocity: &'a [Point],
 }
 
 /// Gap, pressure and friction at the slave's vertices (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
@@ -108,15 +104,19 @@ pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) ->
     let mut length = vec![0.0; count];
     let mut apart = vec![Point::zeros(); count];
     let mut moved = vec![Point::zeros(); count];
+    let mut speed = vec![Point::zeros(); count];
     for point in &points {
         let distance = point.on_master(&master.points) - point.on_slave(&slave.points);
         let relative =
             point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
+        let velocity =
+            point.on_slave(surfaces.slave_velocity) - point.on_master(surfaces.master_velocity);
         for (k, share) in point.slave {
             let w = share * point.weight;
             length[k] += w;
             apart[k] += w * distance;
             moved[k] += w * relative;
+            speed[k] += w * velocity;
         }
     }
 
@@ -160,6 +160,7 @@ pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) ->
             traction,
             length: length[k],
             approach: n.dot(&relative),
+            closing: n.dot(&speed[k]) / length[k],
         });
     }
 

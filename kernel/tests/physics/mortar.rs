@@ -9,7 +9,8 @@ use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::segments::Detection;
 use proctor_kernel::scene::{
-    BodyBoundary, Dimension, Enforcement, History, MortarContact, RigidLine, Scene, Shape, Vertices,
+    BodyBoundary, Dimension, Enforcement, History, Mortar, MortarContact, RigidLine, Scene, Shape,
+    Vertices,
 };
 use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation, StepErrorKind};
 use std::f64::consts::TAU;
@@ -131,7 +132,7 @@ fn a_contact_that_never_meets_changes_no_bit() {
     let run = |with: bool| {
         let mut scene = collision(0.0);
         scene.bodies.truncate(1);
-        scene.mortar = Default::default();
+        scene.mortar = Mortar::default();
         if with {
             scene.mortar.boundaries = vec![boundary(1, Follow::Spin)];
             scene.mortar.lines = vec![line(&[[2.2, 0.05], [0.1, 0.05]])];

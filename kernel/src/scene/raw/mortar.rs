@@ -36,12 +36,11 @@ impl Build<'_> {
             } else {
                 Side::Open
             };
-            let chain = match &line.points {
-                Some(given) => self.chain(&points, given, side),
-                None => {
-                    self.missing(points.clone(), "a list of points, material on their left");
-                    None
-                }
+            let chain = if let Some(given) = &line.points {
+                self.chain(&points, given, side)
+            } else {
+                self.missing(points.clone(), "a list of points, material on their left");
+                None
             };
             if chain.is_none() {
                 self.stands_in(points);

@@ -15,6 +15,7 @@ pub use vertices::VertexState;
 use super::BodyRun;
 use super::error::SetupError;
 use crate::mortar::Point;
+use crate::mortar::bound::Closing;
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::broad::Bounds;
 use crate::mortar::outline::outline;
@@ -30,6 +31,8 @@ pub(crate) struct MortarState {
     pub(crate) pairs: Vec<MortarPair>,
     /// Largest time step that the contact allows now \[s\].
     pub(super) time_step: f64,
+    /// Largest time step in which no gap closes too far \[s\].
+    pub(super) closing_step: f64,
     groups: usize,
 }
 
@@ -39,6 +42,7 @@ impl Default for MortarState {
             surfaces: vec![],
             pairs: vec![],
             time_step: f64::INFINITY,
+            closing_step: f64::INFINITY,
             groups: 0,
         }
     }
@@ -63,6 +67,7 @@ impl MortarState {
                 carrier,
                 boundary,
                 moved: vec![Point::zeros(); count],
+                velocity: vec![Point::zeros(); count],
                 force: vec![Point::zeros(); count],
                 patches: vec![],
             });
@@ -151,6 +156,8 @@ impl MortarState {
                     master: &master.boundary,
                     slave_moved: &slave.moved,
                     master_moved: &master.moved,
+                    slave_velocity: &slave.velocity,
+                    master_velocity: &master.velocity,
                 },
                 &pair.law,
                 &mut pair.slip,
@@ -159,6 +166,12 @@ impl MortarState {
             pair.forces = PairForces::default();
             pair.slip.0.fill(0.0);
         }
+        pair.closing = Closing::of(
+            &pair.forces.vertices,
+            pair.critical_gap,
+            pair.law.search.reach,
+            [slave.fastest(), master.fastest()],
+        );
     }
 
     /// Whether anything has a boundary. Vertices follow their body also where nothing is in contact with it.

@@ -1,6 +1,7 @@
 //! A pair of boundaries in contact.
 
 use super::surface::{Carrier, Surface};
+use crate::mortar::bound::Closing;
 use crate::mortar::law::{FLOOR, Friction, NormalLaw};
 use crate::mortar::pair::{PairForces, PairLaw, Slip};
 use crate::mortar::segments::Search;
@@ -16,6 +17,7 @@ pub(crate) struct MortarPair {
     pub(super) critical_gap: f64,
     pub(crate) slip: Slip,
     pub(super) forces: PairForces,
+    pub(super) closing: Closing,
 }
 
 /// The pair of an entry; none where both ends are rigid.
@@ -57,5 +59,6 @@ pub(super) fn pair(contact: &MortarContact, surfaces: &[Surface]) -> Option<Mort
         critical_gap: contact.critical_gap,
         slip: Slip(vec![0.0; surfaces[slave].boundary.points.len()]),
         forces: PairForces::default(),
+        closing: Closing::NONE,
     })
 }
