@@ -11,8 +11,11 @@
 //!
 //! Gates: root mean square of the tip's error over 3 s, relative to that of the tip's way, and the vertices of the
 //! boundary at 1.5 s, when the beam hangs. A vertex is where the particle that was nearest to it at the start takes it,
-//! x_p + F_p (X_v - X_p). The variants without one ingredient of the vertices must miss that. At 10 m/s² a tenth of
-//! c dt/h is taken: APIC loses energy with each step, a fifth of it at 0.4. `proctor verify cantilever`.
+//! x_p + F_p (X_v - X_p). Vertices without spin must miss that, and so must those whose weights are not augmented. The last pair of variants has
+//! domains that keep their size (uGIMP), so that nodes at the stretched side lose their mass: with domains that follow,
+//! nodes beyond the beam's edge always have some, and it depends on round-off whether a vertex is lost (then it is 0.26 m
+//! off in the mean) or not (0.01 m). At 10 m/s² a tenth of
+//! h/c is the step: the swings after the first trough miss their phase with larger ones. `proctor verify cantilever`.
 
 use std::sync::OnceLock;
 
@@ -64,7 +67,8 @@ const SMALL: &str = "g=1";
 const LARGE: &str = "g=10";
 const GRADIENT: &str = "g=10, nodal gradient";
 const NO_SPIN: &str = "g=10, no spin";
-const NO_AUGMENTATION: &str = "g=10, no augmentation";
+const UNIFORM: &str = "g=10, uGIMP";
+const NO_AUGMENTATION: &str = "g=10, uGIMP, no augmentation";
 
 /// The beam that is let go.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -434,6 +438,7 @@ impl Case for Cantilever {
                 (LARGE, &[0.25, 0.125]),
                 (GRADIENT, &[0.25]),
                 (NO_SPIN, &[0.25]),
+                (UNIFORM, &[0.25]),
                 (NO_AUGMENTATION, &[0.25]),
             ],
         };
@@ -527,6 +532,7 @@ impl Case for Cantilever {
         vertices(NO_SPIN, Relation::AtLeast, 0.05, far);
         if size == Size::Full {
             vertices(GRADIENT, most, 0.02, close);
+            vertices(UNIFORM, most, 0.02, close);
             vertices(NO_AUGMENTATION, Relation::AtLeast, 0.1, lost);
             for (label, bound) in [("g=1 h=0.125", 0.01), ("g=1 h=0.0625", 0.005)] {
                 gates.push(gate(label, TIP, error(label, TIP), most, bound, figures));
@@ -584,8 +590,12 @@ impl Study for Cantilever {
         Settings {
             particles_per_cell: 3,
             ..Settings::new(Method {
-                weighting: Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
-                scheme: StressScheme::Usl,
+                weighting: if [UNIFORM, NO_AUGMENTATION].contains(&rung.variant) {
+                    Weighting::UniformGimp
+                } else {
+                    Weighting::ContiguousGimp(DomainUpdate::LeftStretch)
+                },
+                scheme: StressScheme::Musl,
                 transfer: TransferKind::Apic,
             })
         }
