@@ -6,30 +6,45 @@
 //! step also where the contact is far from limiting (a resting disk forty times), and goes to zero with the gap.
 
 use super::pair::VertexContact;
-use super::weights::VertexWeights;
-use std::collections::BTreeMap;
 
 /// Share of the bound 2/omega that is used.
 pub const SAFETY: f64 = 0.5;
 
-/// Stiffness over mass of the nodes of one body's layer of the grid.
+/// Stiffness over mass of the nodes of one body's layer of the grid \[1/s²\].
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct NodalStiffness(BTreeMap<[i64; 2], f64>);
+pub struct NodalStiffness {
+    sums: Vec<f64>,
+    touched: Vec<usize>,
+}
 
 impl NodalStiffness {
-    /// Adds a vertex: its augmented weights, the masses of the nodes of its patch \[kg\] and the stiffness of the
+    /// Forgets all vertices.
+    pub fn clear(&mut self) {
+        for node in self.touched.drain(..) {
+            self.sums[node] = 0.0;
+        }
+    }
+
+    /// Adds a vertex: the nodes of its patch, its augmented weights on them, their masses \[kg\] and the stiffness of the
     /// contact at it \[N/m\].
-    pub fn add(&mut self, weights: &VertexWeights, masses: &[f64; 9], stiffness: f64) {
+    pub fn add(
+        &mut self,
+        nodes: &[usize; 9],
+        weights: &[f64; 9],
+        masses: &[f64; 9],
+        stiffness: f64,
+    ) {
         if stiffness == 0.0 {
             return;
         }
         for k in 0..9 {
             if masses[k] > 0.0 {
-                let node = [
-                    weights.base[0] + (k / 3) as i64,
-                    weights.base[1] + (k % 3) as i64,
-                ];
-                *self.0.entry(node).or_insert(0.0) += weights.weights[k] * stiffness / masses[k];
+                let node = nodes[k];
+                if node >= self.sums.len() {
+                    self.sums.resize(node + 1, 0.0);
+                }
+                self.sums[node] += weights[k] * stiffness / masses[k];
+                self.touched.push(node);
             }
         }
     }
@@ -37,7 +52,8 @@ impl NodalStiffness {
     /// Bound of the angular frequency \[1/s\]; 0 without contact.
     #[must_use]
     pub fn frequency(&self) -> f64 {
-        (2.0 * self.0.values().copied().fold(0.0, f64::max)).sqrt()
+        let sums = self.touched.iter().map(|node| self.sums[*node]);
+        (2.0 * sums.fold(0.0, f64::max)).sqrt()
     }
 
     /// Largest time step \[s\], half of 2/omega; infinite without contact.

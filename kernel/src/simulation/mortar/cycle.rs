@@ -1,9 +1,10 @@
 //! The parts of a step that mortar contact adds.
 
+use super::MortarState;
 use super::gradients::NodalGradients;
 use super::surface::{Carrier, Patch, mass_of, nodes_of_patch, velocity_of};
 use crate::mortar::Point;
-use crate::mortar::bound::{Closing, NodalStiffness, allowed_approach};
+use crate::mortar::bound::{Closing, allowed_approach};
 use crate::mortar::motion::{Follow, vertex_velocity};
 use crate::mortar::weights::VertexWeights;
 use crate::simulation::Simulation;
@@ -229,11 +230,17 @@ impl Simulation {
     }
 
     /// Time step that the stiffness of all contacts allows \[s\].
-    fn contact_time_step(&self) -> f64 {
+    fn contact_time_step(&mut self) -> f64 {
+        let MortarState {
+            surfaces,
+            pairs,
+            stiffness: nodes,
+            ..
+        } = &mut self.mortar;
         let mut most = f64::INFINITY;
-        for (s, surface) in self.mortar.surfaces.iter().enumerate() {
-            let mut nodes = NodalStiffness::default();
-            for pair in &self.mortar.pairs {
+        for (s, surface) in surfaces.iter().enumerate() {
+            nodes.clear();
+            for pair in &*pairs {
                 for (of, stiffness) in [
                     (pair.slave, &pair.forces.slave_stiffness),
                     (pair.master, &pair.forces.master_stiffness),
@@ -242,7 +249,7 @@ impl Simulation {
                         continue;
                     }
                     for (patch, k) in surface.patches.iter().zip(stiffness) {
-                        nodes.add(&patch.weights, &patch.masses, *k);
+                        nodes.add(&patch.nodes, &patch.weights.weights, &patch.masses, *k);
                     }
                 }
             }

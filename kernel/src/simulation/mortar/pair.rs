@@ -3,7 +3,7 @@
 use super::surface::{Carrier, Surface};
 use crate::mortar::bound::Closing;
 use crate::mortar::law::{FLOOR, Friction, NormalLaw};
-use crate::mortar::pair::{PairForces, PairLaw, Slip};
+use crate::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
 use crate::mortar::segments::Search;
 use crate::scene::{Enforcement, MortarContact};
 
@@ -18,6 +18,7 @@ pub(crate) struct MortarPair {
     pub(crate) slip: Slip,
     pub(super) forces: PairForces,
     pub(super) closing: Closing,
+    pub(super) work: Workspace,
 }
 
 /// The pair of an entry; none where both ends are rigid.
@@ -60,5 +61,6 @@ pub(super) fn pair(contact: &MortarContact, surfaces: &[Surface]) -> Option<Mort
         slip: Slip(vec![0.0; surfaces[slave].boundary.points.len()]),
         forces: PairForces::default(),
         closing: Closing::NONE,
+        work: Workspace::default(),
     })
 }

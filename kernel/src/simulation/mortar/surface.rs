@@ -27,6 +27,8 @@ pub(crate) struct Surface {
     pub(crate) id: i64,
     pub(super) carrier: Carrier,
     pub(crate) boundary: Boundary,
+    /// Positions of the vertices at the start.
+    pub(super) start: Vec<Point>,
     /// Displacement of the vertices in the last step \[m\].
     pub(crate) moved: Vec<Point>,
     /// Velocity of the vertices at the beginning of this step \[m/s\].
