@@ -15,12 +15,16 @@ mod boussinesq;
 mod cantilever;
 #[path = "cases/colliding_blocks.rs"]
 mod colliding_blocks;
+#[path = "cases/grains.rs"]
+mod grains;
 #[path = "cases/hertz.rs"]
 mod hertz;
 #[path = "cases/inclined_block.rs"]
 mod inclined_block;
 #[path = "cases/inclined_two_blocks.rs"]
 mod inclined_two_blocks;
+#[path = "cases/ironing.rs"]
+mod ironing;
 #[path = "cases/rings.rs"]
 mod rings;
 #[path = "cases/rolling_disk.rs"]

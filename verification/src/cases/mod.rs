@@ -8,10 +8,12 @@ mod boussinesq;
 mod cantilever;
 mod colliding_blocks;
 mod dynamics;
+mod grains;
 mod hertz;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
+mod ironing;
 mod rings;
 mod rolling_disk;
 mod rotation;
@@ -25,9 +27,11 @@ pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
 pub use cantilever::Cantilever;
 pub use colliding_blocks::CollidingBlocks;
+pub use grains::{Grains, outlines as grain_outlines};
 pub use hertz::Hertz;
 pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
+pub use ironing::Ironing;
 pub use rings::Rings;
 pub use rolling_disk::RollingDisk;
 pub use rotation::Rotation;
@@ -56,6 +60,8 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &RollingDisk::GIVEN,
     &Cantilever::GIVEN,
     &Rings::GIVEN,
+    &Ironing::GIVEN,
+    &Grains::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.
