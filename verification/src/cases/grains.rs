@@ -331,7 +331,7 @@ impl Case for Grains {
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
         let (variant, cell) = match size {
-            Size::Quick => ("four", 0.25),
+            Size::Quick => ("four", 0.3125),
             Size::Full => ("sixteen", 0.2),
         };
         vec![Rung {
@@ -344,6 +344,7 @@ impl Case for Grains {
     fn scene(&self, rung: &Rung) -> Scene {
         let h = rung.cell;
         let side = Self::side(rung);
+        let per_cell = if side == 2 { 3 } else { 4 };
         let [width, height] = PART.map(|part| part * side as f64);
         let margin = 2.0 * h;
         let cells = |length: f64| ((length + 2.0 * margin) / h).ceil() as usize;
@@ -388,7 +389,7 @@ impl Case for Grains {
                 shape: Shape::Polygon {
                     points: outline.iter().map(|p| [p[0], p[1], 0.0]).collect(),
                 },
-                particles_per_cell: [4, 4, 1],
+                particles_per_cell: [per_cell, per_cell, 1],
                 velocity: [0.0; 3],
                 motion: None,
             });

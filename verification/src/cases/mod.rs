@@ -37,7 +37,7 @@ pub use rolling_disk::RollingDisk;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
 
-use crate::case::{Case, CaseError, Gate, Relation, Rung, Solved};
+use crate::case::{Case, CaseError, CurvePoint, Gate, Relation, Rung, Solved};
 use crate::convergence::{ConvergenceTable, Row};
 use crate::study::{Measure, Study};
 use proctor_kernel::scene::{Law, Material, ObjectiveRate, Results};
@@ -99,6 +99,13 @@ const NO_RESULTS: Results = Results {
     fields: Vec::new(),
     nodal_fields: Vec::new(),
     checkpoint: false,
+};
+
+/// Parts two lines of a curve.
+const PARTED: CurvePoint = CurvePoint {
+    at: f64::NAN,
+    computed: f64::NAN,
+    exact: f64::NAN,
 };
 
 /// A body at rest and without stress.

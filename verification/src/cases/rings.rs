@@ -22,7 +22,7 @@ use proctor_kernel::scene::{
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::{NO_RESULTS, failed, solve_own, table};
+use super::{NO_RESULTS, PARTED, failed, solve_own, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
@@ -208,20 +208,23 @@ impl History {
         ])
     }
 
-    /// Kinetic energy of both rings, against the reference.
+    /// Kinetic, then strain energy of both rings, against the reference.
     fn curve(&self, label: &str, reference: &[Sample]) -> Curve {
-        let points = self.energies.iter().zip(reference);
+        let points = |kind: usize, of: fn(&Sample) -> f64| {
+            let pairs = self.energies.iter().zip(reference);
+            pairs.map(move |(energies, sample)| CurvePoint {
+                at: sample.time,
+                computed: energies[kind],
+                exact: 2.0 * of(sample),
+            })
+        };
+        let kinetic = points(1, |s| s.kinetic);
+        let strain = points(2, |s| s.strain);
         Curve {
-            title: format!("{label}: kinetic energy of both rings"),
+            title: format!("{label}: kinetic (from above) and strain energy of both rings"),
             abscissa: "t in s",
-            ordinate: "kinetic energy in J",
-            points: points
-                .map(|(energies, sample)| CurvePoint {
-                    at: sample.time,
-                    computed: energies[1],
-                    exact: 2.0 * sample.kinetic,
-                })
-                .collect(),
+            ordinate: "energy in J",
+            points: kinetic.chain([PARTED]).chain(strain).collect(),
         }
     }
 }
