@@ -41,8 +41,6 @@ const HEIGHT: f64 = 1.0;
 const YOUNG: f64 = 1e6;
 const POISSON: f64 = 0.3;
 const DENSITY: f64 = 1050.0;
-/// P-wave speed \[m/s\].
-const WAVE_SPEED: f64 = 35.799;
 /// End of the history \[s\].
 const END: f64 = 3.0;
 /// When the vertices are judged \[s\].
@@ -135,7 +133,7 @@ impl Cantilever {
         );
         mesh.planes[..2].fill([PlaneCondition::Free; 2]);
         let mut scene = Scene::new(Dimension::Two, mesh, Self::ends(rung.variant));
-        scene.name = rung.label.clone();
+        scene.name.clone_from(&rung.label);
         scene.gravity = [0.0, -Self::gravity(rung.variant), 0.0];
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;

@@ -356,7 +356,7 @@ impl Case for Grains {
         );
         mesh.planes[..2].fill([PlaneCondition::Free; 2]);
         let mut scene = Scene::new(Dimension::Two, mesh, WAY * height / SPEED);
-        scene.name = rung.label.clone();
+        scene.name.clone_from(&rung.label);
         scene.results = NO_RESULTS;
         scene.weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
         scene.scheme = StressScheme::Musl;

@@ -241,7 +241,7 @@ impl Case for Ironing {
         mesh.planes[..2].fill([PlaneCondition::Free; 2]);
         mesh.planes[1][0] = PlaneCondition::Fixed;
         let mut scene = Scene::new(Dimension::Two, mesh, Self::end(rung));
-        scene.name = rung.label.clone();
+        scene.name.clone_from(&rung.label);
         scene.results = NO_RESULTS;
         scene.weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
         scene.scheme = StressScheme::Musl;

@@ -383,7 +383,7 @@ impl Study for Rings {
         );
         mesh.planes[..2].fill([PlaneCondition::Free; 2]);
         let mut scene = Scene::new(Dimension::Two, mesh, END);
-        scene.name = rung.label.clone();
+        scene.name.clone_from(&rung.label);
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;
         scene.materials = vec![Material {
