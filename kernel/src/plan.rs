@@ -2,6 +2,7 @@
 //!
 //! [`Plan::new`] decides once. What is left out is never called and its fields are never allocated.
 
+use crate::mortar::motion::Follow;
 use crate::mortar::segments::Detection;
 use crate::particles::{Layout, Optional};
 use crate::scene::{
@@ -37,7 +38,9 @@ pub struct Plan {
     pub scheme: StressScheme,
     /// Affine velocity.
     pub affine: Affine,
-    /// Whether the mapping carries affine velocity or forces of the particles.
+    /// Whether the mapping carries the spin of the particles, for boundaries that follow it.
+    pub spin: bool,
+    /// Whether the mapping carries affine velocity, spin or forces of the particles.
     pub full_mapping: bool,
     /// Factor of local damping.
     pub local_damping: Option<f64>,
@@ -96,6 +99,13 @@ impl Plan {
             _ => None,
         };
         let kinetic_damping = scene.damping == Damping::Kinetic;
+        let spin = scene.mortar.boundaries.iter().any(|boundary| {
+            boundary.follow == Follow::Spin
+                && scene
+                    .bodies
+                    .iter()
+                    .any(|body| body.id == boundary.body && body.motion.is_none())
+        });
         let own_force = !scene.box_loads.is_empty() || demands.body_force;
         let written =
             |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
@@ -114,7 +124,7 @@ impl Plan {
                         deformation: matches!(law, Law::NeoHookean { .. })
                             || domain_update.is_some()
                             || written(Field::DeformationGradient),
-                        affine: affine != Affine::Leave,
+                        affine: affine != Affine::Leave || spin,
                         half_length: domain_update.is_some()
                             || (scene.weighting == Weighting::UniformGimp && is_list(body)),
                         initial_half_length: domain_update.is_some(),
@@ -129,7 +139,8 @@ impl Plan {
             domain_update,
             scheme: scene.scheme,
             affine,
-            full_mapping: affine != Affine::Leave || own_force || viscous_damping.is_some(),
+            spin,
+            full_mapping: affine != Affine::Leave || spin || own_force || viscous_damping.is_some(),
             local_damping,
             kinetic_damping,
             viscous_damping,
@@ -263,6 +274,13 @@ impl Plan {
             scene.base_motion.is_some(),
             "a record moves a plane, and the mesh with it along its normal",
             "no active record",
+        );
+        list.choose(
+            "stage",
+            "held nodes",
+            !scene.held_boxes.is_empty(),
+            "nodes in a box stand still",
+            "no box is held",
         );
         let nodal = scene.point_loads.len() + scene.tractions.len();
         list.choose(

@@ -1,34 +1,50 @@
-//! The time step that the stiffness of the contact allows.
+//! The time steps that the stiffness of a contact and its closing allow.
 //!
 //! The frequency of the nodes on the springs of the contact is bounded by row sums (Gershgorin):
 //! omega² <= 2 max_I (sum_v S_Iv K_v)/m_I with the stiffness K_v of the contact at a vertex. The factor 2 is for the
 //! other body, which may be as light. The printed rule, dt times the smallest gap over the critical gap, shortens the
 //! step also where the contact is far from limiting (a resting disk forty times), and goes to zero with the gap.
 
-use super::weights::VertexWeights;
-use std::collections::BTreeMap;
+use super::pair::VertexContact;
 
 /// Share of the bound 2/omega that is used.
 pub const SAFETY: f64 = 0.5;
 
-/// Stiffness over mass of the nodes of one body's layer of the grid.
+/// Stiffness over mass of the nodes of one body's layer of the grid \[1/s²\].
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct NodalStiffness(BTreeMap<[i64; 2], f64>);
+pub struct NodalStiffness {
+    sums: Vec<f64>,
+    touched: Vec<usize>,
+}
 
 impl NodalStiffness {
-    /// Adds a vertex: its augmented weights, the masses of the nodes of its patch \[kg\] and the stiffness of the
+    /// Forgets all vertices.
+    pub fn clear(&mut self) {
+        for node in self.touched.drain(..) {
+            self.sums[node] = 0.0;
+        }
+    }
+
+    /// Adds a vertex: the nodes of its patch, its augmented weights on them, their masses \[kg\] and the stiffness of the
     /// contact at it \[N/m\].
-    pub fn add(&mut self, weights: &VertexWeights, masses: &[f64; 9], stiffness: f64) {
+    pub fn add(
+        &mut self,
+        nodes: &[usize; 9],
+        weights: &[f64; 9],
+        masses: &[f64; 9],
+        stiffness: f64,
+    ) {
         if stiffness == 0.0 {
             return;
         }
         for k in 0..9 {
             if masses[k] > 0.0 {
-                let node = [
-                    weights.base[0] + (k / 3) as i64,
-                    weights.base[1] + (k % 3) as i64,
-                ];
-                *self.0.entry(node).or_insert(0.0) += weights.weights[k] * stiffness / masses[k];
+                let node = nodes[k];
+                if node >= self.sums.len() {
+                    self.sums.resize(node + 1, 0.0);
+                }
+                self.sums[node] += weights[k] * stiffness / masses[k];
+                self.touched.push(node);
             }
         }
     }
@@ -36,12 +52,84 @@ impl NodalStiffness {
     /// Bound of the angular frequency \[1/s\]; 0 without contact.
     #[must_use]
     pub fn frequency(&self) -> f64 {
-        (2.0 * self.0.values().copied().fold(0.0, f64::max)).sqrt()
+        let sums = self.touched.iter().map(|node| self.sums[*node]);
+        (2.0 * sums.fold(0.0, f64::max)).sqrt()
     }
 
     /// Largest time step \[s\], half of 2/omega; infinite without contact.
     #[must_use]
     pub fn time_step(&self) -> f64 {
         SAFETY * 2.0 / self.frequency()
+    }
+}
+
+/// By how much a gap may close in one step \[m\]: half the critical gap, and from afar down to half of it. No vertex then
+/// passes through the layer in which the contact pushes without having been pushed.
+#[must_use]
+pub fn allowed_approach(gap: f64, critical_gap: f64) -> f64 {
+    (gap - 0.5 * critical_gap).max(0.5 * critical_gap)
+}
+
+/// How fast a pair closes, where that is nearest to what a step allows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closing {
+    /// Vertex of the slave; none for the two boundaries as a whole.
+    pub vertex: Option<usize>,
+    /// Speed at which the gap closes \[m/s\].
+    pub speed: f64,
+    /// By how much it may close in one step \[m\].
+    pub allowed: f64,
+}
+
+impl Closing {
+    /// A pair that does not close.
+    pub const NONE: Self = Self {
+        vertex: None,
+        speed: 0.0,
+        allowed: f64::INFINITY,
+    };
+
+    /// The vertex that allows the smallest step, or the boundaries as a whole: a vertex that faces nothing within
+    /// `reach` \[m\] must not come in one step from there to where it would be too deep. `speeds` are the largest of the
+    /// vertices of slave and master \[m/s\].
+    #[must_use]
+    pub fn of(
+        vertices: &[Option<VertexContact>],
+        critical_gap: f64,
+        reach: f64,
+        speeds: [f64; 2],
+    ) -> Self {
+        let whole = Self {
+            vertex: None,
+            speed: speeds[0] + speeds[1],
+            allowed: allowed_approach(reach, critical_gap),
+        };
+        vertices
+            .iter()
+            .enumerate()
+            .filter_map(|(k, vertex)| {
+                vertex.as_ref().map(|v| Self {
+                    vertex: Some(k),
+                    speed: v.closing,
+                    allowed: allowed_approach(v.gap, critical_gap),
+                })
+            })
+            .fold(whole, |most, one| {
+                if one.time_step() < most.time_step() {
+                    one
+                } else {
+                    most
+                }
+            })
+    }
+
+    /// Largest time step \[s\]; infinite where nothing closes.
+    #[must_use]
+    pub fn time_step(&self) -> f64 {
+        if self.speed > 0.0 {
+            self.allowed / self.speed
+        } else {
+            f64::INFINITY
+        }
     }
 }

@@ -40,53 +40,83 @@ impl Bounds {
     }
 }
 
-/// Segments of the slave with the segments of the master that come within `reach` \[m\] of their box, both ascending.
-/// Slave segments without any are left out.
-#[must_use]
-pub fn near_segments(slave: &Boundary, master: &Boundary, reach: f64) -> Vec<(usize, Vec<usize>)> {
-    let box_of = |boundary: &Boundary, s: usize, margin: f64| {
-        Bounds::around(boundary.segments()[s].map(|k| &boundary.points[k]), margin)
-    };
-    let all = Bounds::around(&master.points, reach);
-    let slaves: Vec<(usize, Bounds)> = (0..slave.segments().len())
-        .map(|s| (s, box_of(slave, s, 0.0)))
-        .filter(|(_, bounds)| bounds.overlaps(&all))
-        .collect();
-    let region = slaves
-        .iter()
-        .fold(Bounds::around([], 0.0), |sum, (_, bounds)| Bounds {
-            lower: sum.lower.inf(&bounds.lower),
-            upper: sum.upper.sup(&bounds.upper),
+/// Pairs of segments that are close enough to be looked at. Kept from step to step for its memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct Near {
+    /// Segment of the slave and segment of the master, ascending.
+    pub pairs: Vec<[usize; 2]>,
+    slaves: Vec<(usize, Bounds)>,
+    masters: Vec<(usize, Bounds)>,
+}
+
+impl Near {
+    /// Finds the segments of the slave and those of the master that come within `reach` \[m\] of their box.
+    pub fn find(&mut self, slave: &Boundary, master: &Boundary, reach: f64) {
+        self.pairs.clear();
+        let all = Bounds::around(&master.points, reach);
+        let mut region = Bounds::around([], 0.0);
+        self.slaves.clear();
+        for (s, bounds) in boxes(slave, 0.0) {
+            if bounds.overlaps(&all) {
+                region.lower = region.lower.inf(&bounds.lower);
+                region.upper = region.upper.sup(&bounds.upper);
+                self.slaves.push((s, bounds));
+            }
+        }
+        self.masters.clear();
+        if self.slaves.is_empty() {
+            return;
+        }
+        self.masters
+            .extend(boxes(master, reach).filter(|(_, bounds)| bounds.overlaps(&region)));
+        // Sorted along the axis in which the region is longer: along the other one all boxes may overlap.
+        let extent = region.upper - region.lower;
+        let axis = usize::from(extent.y > extent.x);
+        self.masters.sort_unstable_by(|a, b| {
+            a.1.lower[axis]
+                .total_cmp(&b.1.lower[axis])
+                .then(a.0.cmp(&b.0))
         });
-    let mut masters: Vec<(usize, Bounds)> = (0..master.segments().len())
-        .map(|m| (m, box_of(master, m, reach)))
-        .filter(|(_, bounds)| bounds.overlaps(&region))
-        .collect();
-    // Sorted along the axis in which the region is longer: along the other one all boxes may overlap.
-    let extent = region.upper - region.lower;
-    let axis = usize::from(extent.y > extent.x);
-    masters.sort_by(|a, b| {
-        a.1.lower[axis]
-            .total_cmp(&b.1.lower[axis])
-            .then(a.0.cmp(&b.0))
-    });
-    let widest = masters
-        .iter()
-        .map(|(_, b)| b.upper[axis] - b.lower[axis])
-        .fold(0.0, f64::max);
-    let mut near = vec![];
-    for (s, bounds) in slaves {
-        let first = masters.partition_point(|(_, b)| b.lower[axis] < bounds.lower[axis] - widest);
-        let mut found: Vec<usize> = masters[first..]
+        let widest = self
+            .masters
             .iter()
-            .take_while(|(_, b)| b.lower[axis] <= bounds.upper[axis])
-            .filter(|(_, b)| b.overlaps(&bounds))
-            .map(|(m, _)| *m)
-            .collect();
-        if !found.is_empty() {
-            found.sort_unstable();
-            near.push((s, found));
+            .map(|(_, b)| b.upper[axis] - b.lower[axis])
+            .fold(0.0, f64::max);
+        for (s, bounds) in &self.slaves {
+            let first = self
+                .masters
+                .partition_point(|(_, b)| b.lower[axis] < bounds.lower[axis] - widest);
+            let own = self.pairs.len();
+            self.pairs.extend(
+                self.masters[first..]
+                    .iter()
+                    .take_while(|(_, b)| b.lower[axis] <= bounds.upper[axis])
+                    .filter(|(_, b)| b.overlaps(bounds))
+                    .map(|(m, _)| [*s, *m]),
+            );
+            self.pairs[own..].sort_unstable();
         }
     }
-    near
+
+    /// The pairs of each segment of the slave that has any.
+    pub fn by_slave(&self) -> impl Iterator<Item = &[[usize; 2]]> {
+        self.pairs.chunk_by(|a, b| a[0] == b[0])
+    }
+}
+
+/// The boxes of the segments, `margin` \[m\] larger on all sides.
+fn boxes(boundary: &Boundary, margin: f64) -> impl Iterator<Item = (usize, Bounds)> {
+    let margin = Point::repeat(margin);
+    boundary
+        .segments()
+        .iter()
+        .enumerate()
+        .map(move |(s, ends)| {
+            let [a, b] = ends.map(|k| &boundary.points[k]);
+            let bounds = Bounds {
+                lower: a.inf(b) - margin,
+                upper: a.sup(b) + margin,
+            };
+            (s, bounds)
+        })
 }

@@ -2,7 +2,7 @@
 
 use super::boundary::Boundary;
 use super::law::{Friction, NormalLaw};
-use super::segments::{Detection, Search, mortar_points};
+use super::segments::{Detection, MortarPoints, Search};
 use super::{Point, cross};
 
 /// How a pair behaves.
@@ -38,6 +38,8 @@ pub struct VertexContact {
     pub length: f64,
     /// By how much slave and master came closer in the last step \[m\].
     pub approach: f64,
+    /// Speed at which they come closer now \[m/s\].
+    pub closing: f64,
 }
 
 /// What contact does to a pair in one step. Forces are per unit of thickness.
@@ -58,28 +60,33 @@ pub struct PairForces {
 }
 
 impl PairForces {
+    /// Nothing acts, on so many vertices of slave and master.
+    pub fn clear(&mut self, slave: usize, master: usize) {
+        let zero = |forces: &mut Vec<Point>, stiffness: &mut Vec<f64>, count: usize| {
+            forces.clear();
+            forces.resize(count, Point::zeros());
+            stiffness.clear();
+            stiffness.resize(count, 0.0);
+        };
+        zero(&mut self.slave, &mut self.slave_stiffness, slave);
+        zero(&mut self.master, &mut self.master_stiffness, master);
+        self.vertices.clear();
+        self.vertices.resize(slave, None);
+        self.energy = 0.0;
+    }
+
     /// The smallest gap with its vertex \[m\]; `None` where nothing faces anything.
     #[must_use]
     pub fn smallest_gap(&self) -> Option<(usize, f64)> {
-        self.extreme(|v| v.gap)
-    }
-
-    /// The largest approach with its vertex \[m\], among vertices nearer than `reach` or already beyond.
-    #[must_use]
-    pub fn largest_approach(&self) -> Option<(usize, f64)> {
-        self.extreme(|v| -v.approach).map(|(v, a)| (v, -a))
-    }
-
-    fn extreme(&self, value: impl Fn(&VertexContact) -> f64) -> Option<(usize, f64)> {
         self.vertices
             .iter()
             .enumerate()
-            .filter_map(|(k, v)| v.as_ref().map(|v| (k, value(v))))
+            .filter_map(|(k, v)| v.as_ref().map(|v| (k, v.gap)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
 
-/// The two boundaries, and by how much their vertices moved in the last step \[m\].
+/// The two boundaries, how their vertices moved in the last step \[m\] and move now \[m/s\].
 #[derive(Clone, Copy, Debug)]
 pub struct Surfaces<'a> {
     /// Slave: normals, gaps and pressures are its own.
@@ -90,87 +97,126 @@ pub struct Surfaces<'a> {
     pub slave_moved: &'a [Point],
     /// Displacement of the master's vertices.
     pub master_moved: &'a [Point],
+    /// Velocity of the slave's vertices.
+    pub slave_velocity: &'a [Point],
+    /// Velocity of the master's vertices.
+    pub master_velocity: &'a [Point],
+}
+
+/// Sums over the points of one vertex of the slave.
+#[derive(Clone, Copy, Debug, Default)]
+struct Row {
+    /// Row sum of D \[m\].
+    length: f64,
+    /// Differences that the rows of D and M give: place, displacement and velocity.
+    apart: Point,
+    moved: Point,
+    speed: Point,
+    /// Traction on the slave with the sign turned \[Pa\], and slope of the law \[Pa/m\].
+    lambda: Point,
+    slope: f64,
+}
+
+/// What is needed to find the forces of a pair; kept from step to step for its memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct Workspace {
+    found: MortarPoints,
+    normals: Vec<Point>,
+    rows: Vec<Row>,
+}
+
+/// [`contact_forces_to`] with memory of its own.
+#[must_use]
+pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) -> PairForces {
+    let mut forces = PairForces::default();
+    contact_forces_to(&mut forces, surfaces, law, slip, &mut Workspace::default());
+    forces
 }
 
 /// Gap, pressure and friction at the slave's vertices (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
 /// f_m = M^T lambda (eq. 54, 55).
 ///
 /// The slip of a vertex is forgotten where there is no pressure.
-#[must_use]
-pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) -> PairForces {
+pub fn contact_forces_to(
+    forces: &mut PairForces,
+    surfaces: Surfaces<'_>,
+    law: &PairLaw,
+    slip: &mut Slip,
+    work: &mut Workspace,
+) {
     let Surfaces { slave, master, .. } = surfaces;
     let count = slave.points.len();
     slip.0.resize(count, 0.0);
-    let normals = slave.normals();
-    let points = mortar_points(slave, &normals, master, law.detection, law.search);
+    let Workspace {
+        found,
+        normals,
+        rows,
+    } = work;
+    slave.normals_to(normals);
+    found.find(slave, normals, master, law.detection, law.search);
+    let points = &found.points;
 
-    // Rows of D and of the differences that the rows of D and M give.
-    let mut length = vec![0.0; count];
-    let mut apart = vec![Point::zeros(); count];
-    let mut moved = vec![Point::zeros(); count];
-    for point in &points {
-        let distance = point.on_master(&master.points) - point.on_slave(&slave.points);
-        let relative =
-            point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
+    rows.clear();
+    rows.resize(count, Row::default());
+    for point in points {
+        let apart = point.on_master(&master.points) - point.on_slave(&slave.points);
+        let moved = point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
+        let speed =
+            point.on_slave(surfaces.slave_velocity) - point.on_master(surfaces.master_velocity);
         for (k, share) in point.slave {
-            let w = share * point.weight;
-            length[k] += w;
-            apart[k] += w * distance;
-            moved[k] += w * relative;
+            let (row, w) = (&mut rows[k], share * point.weight);
+            row.length += w;
+            row.apart += w * apart;
+            row.moved += w * moved;
+            row.speed += w * speed;
         }
     }
 
-    let mut forces = PairForces {
-        slave: vec![Point::zeros(); count],
-        master: vec![Point::zeros(); master.points.len()],
-        slave_stiffness: vec![0.0; count],
-        master_stiffness: vec![0.0; master.points.len()],
-        vertices: vec![None; count],
-        energy: 0.0,
-    };
-    let mut lambda = vec![Point::zeros(); count];
-    let mut slope = vec![0.0; count];
-    for k in 0..count {
-        if length[k] <= 0.0 {
+    forces.clear(count, master.points.len());
+    for (k, row) in rows.iter_mut().enumerate() {
+        let length = row.length;
+        if length <= 0.0 {
             slip.0[k] = 0.0;
             continue;
         }
         let n = normals[k];
         let tangent = Point::new(-n.y, n.x);
-        let gap = n.dot(&apart[k]) / length[k];
-        let relative = moved[k] / length[k];
+        let gap = n.dot(&row.apart) / length;
+        let relative = row.moved / length;
         let pressure = law.normal.pressure(gap);
-        slope[k] = law.normal.slope(gap);
+        row.slope = law.normal.slope(gap);
         let mut traction = 0.0;
         match &law.friction {
             Some(friction) if pressure > 0.0 => {
                 (traction, slip.0[k]) =
                     friction.traction(slip.0[k] + tangent.dot(&relative), pressure);
                 // Normal and tangential springs act at right angles, so the stiffer of them rules the time step.
-                slope[k] = slope[k].max(friction.stiffness);
+                row.slope = row.slope.max(friction.stiffness);
             }
             _ => slip.0[k] = 0.0,
         }
-        lambda[k] = pressure * n + traction * tangent;
-        forces.energy += length[k] * law.normal.energy(gap);
+        row.lambda = pressure * n + traction * tangent;
+        forces.energy += length * law.normal.energy(gap);
         forces.vertices[k] = Some(VertexContact {
             gap,
             normal: n,
             pressure,
             traction,
-            length: length[k],
+            length,
             approach: n.dot(&relative),
+            closing: n.dot(&row.speed) / length,
         });
     }
 
-    for point in &points {
-        let traction = point.weight * point.on_slave(&lambda);
-        let stiffness = point.weight
-            * point
-                .slave
-                .iter()
-                .map(|(k, share)| share * slope[*k])
-                .sum::<f64>();
+    for point in points {
+        let (mut traction, mut stiffness) = (Point::zeros(), 0.0);
+        for (k, share) in point.slave {
+            traction += point.weight * share * rows[k].lambda;
+            stiffness += point.weight * share * rows[k].slope;
+        }
+        if stiffness == 0.0 {
+            continue;
+        }
         for (k, share) in point.slave {
             forces.slave[k] -= share * traction;
             forces.slave_stiffness[k] += share * stiffness;
@@ -180,7 +226,6 @@ pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) ->
             forces.master_stiffness[k] += share * stiffness;
         }
     }
-    forces
 }
 
 /// Resultant of forces on vertices \[N/m\], and their moment about a point \[N\].

@@ -7,7 +7,7 @@
 //! the two bodies cancel whatever part of a segment is covered.
 
 use super::boundary::Boundary;
-use super::broad::near_segments;
+use super::broad::Near;
 use super::{Point, cross};
 
 /// How contact is found along the slave.
@@ -73,22 +73,38 @@ fn interpolate(on: &[(usize, f64); 2], values: &[Point]) -> Point {
     on[0].1 * values[on[0].0] + on[1].1 * values[on[1].0]
 }
 
-/// The points of a pair, in order along the slave. `normals` are those of the slave's vertices.
-#[must_use]
-pub fn mortar_points(
-    slave: &Boundary,
-    normals: &[Point],
-    master: &Boundary,
-    detection: Detection,
-    search: Search,
-) -> Vec<MortarPoint> {
-    let near = near_segments(slave, master, search.reach.max(search.depth));
-    match detection {
-        Detection::Mortar => near
-            .iter()
-            .flat_map(|(s, masters)| points_of_segment(slave, normals, *s, master, masters, search))
-            .collect(),
-        Detection::NodeToSegment => points_of_vertices(slave, normals, master, &near, search),
+/// The points of a pair of boundaries. Kept from step to step for its memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct MortarPoints {
+    /// The points, in order along the slave.
+    pub points: Vec<MortarPoint>,
+    near: Near,
+    cuts: Vec<f64>,
+}
+
+impl MortarPoints {
+    /// Finds the points. `normals` are those of the slave's vertices.
+    pub fn find(
+        &mut self,
+        slave: &Boundary,
+        normals: &[Point],
+        master: &Boundary,
+        detection: Detection,
+        search: Search,
+    ) {
+        self.points.clear();
+        let Self { points, near, cuts } = self;
+        near.find(slave, master, search.reach.max(search.depth));
+        match detection {
+            Detection::Mortar => {
+                for pairs in near.by_slave() {
+                    points_of_segment(slave, normals, master, pairs, search, cuts, points);
+                }
+            }
+            Detection::NodeToSegment => {
+                points_of_vertices(slave, normals, master, near, search, points);
+            }
+        }
     }
 }
 
@@ -125,8 +141,7 @@ pub fn project(
 
 /// Positions xi in (0, 1) on a slave segment whose interpolated normals pass through a point: the roots of
 /// (y - x(xi)) x n(xi) = 0, a quadratic.
-#[must_use]
-pub fn feet(y: &Point, x: [&Point; 2], n: [&Point; 2]) -> Vec<f64> {
+pub fn feet(y: &Point, x: [&Point; 2], n: [&Point; 2]) -> impl Iterator<Item = f64> {
     // About the middle of the segment, so that the wanted root is the one that is small, which is computed without
     // cancellation also where the normals are parallel and the equation is linear.
     let (edge, turn) = (x[1] - x[0], n[1] - n[0]);
@@ -135,51 +150,50 @@ pub fn feet(y: &Point, x: [&Point; 2], n: [&Point; 2]) -> Vec<f64> {
     let b = cross(&d, &turn) - cross(&edge, &middle);
     let c = cross(&d, &middle);
     let discriminant = b * b - 4.0 * a * c;
-    if discriminant.is_nan() || discriminant < 0.0 {
-        return vec![];
-    }
+    // Not a number where there is no root, and then neither of them lies on the segment.
     let q = -0.5 * (b + discriminant.sqrt().copysign(b));
-    let mut roots: Vec<f64> = [c / q, q / a]
+    let (first, second) = (0.5 + c / q, 0.5 + q / a);
+    let second = (second != first).then_some(second);
+    [Some(first), second]
         .into_iter()
-        .map(|s| 0.5 + s)
+        .flatten()
         .filter(|xi| 0.0 < *xi && *xi < 1.0)
-        .collect();
-    roots.dedup();
-    roots
 }
 
 fn points_of_segment(
     slave: &Boundary,
     normals: &[Point],
-    segment: usize,
     master: &Boundary,
-    masters: &[usize],
+    pairs: &[[usize; 2]],
     search: Search,
-) -> Vec<MortarPoint> {
+    cuts: &mut Vec<f64>,
+    points: &mut Vec<MortarPoint>,
+) {
+    let segment = pairs[0][0];
     let [a, b] = slave.segments()[segment];
     let x = |xi: f64| slave.points[a] * (1.0 - xi) + slave.points[b] * xi;
     let n = |xi: f64| normals[a] * (1.0 - xi) + normals[b] * xi;
     // Only vertices that are seen cut: others would change the quadrature with what else is near.
-    let mut cuts = vec![0.0, 1.0];
-    for &m in masters {
+    cuts.clear();
+    cuts.extend([0.0, 1.0]);
+    for &[_, m] in pairs {
         for v in master.segments()[m] {
             let ends = [&slave.points[a], &slave.points[b]];
             let feet = feet(&master.points[v], ends, [&normals[a], &normals[b]]);
-            cuts.extend(feet.into_iter().filter(|xi| {
+            cuts.extend(feet.filter(|xi| {
                 project(&x(*xi), &n(*xi), master, m).is_some_and(|p| search.contains(p.gap))
             }));
         }
     }
     cuts.sort_unstable_by(f64::total_cmp);
     let length = slave.edge(segment).norm();
-    let mut points = vec![];
     for cut in cuts.windows(2) {
         let (from, width) = (cut[0], cut[1] - cut[0]);
         if width < SHORTEST {
             continue;
         }
         let middle = from + 0.5 * width;
-        let Some(seen) = nearest(&x(middle), &n(middle), master, masters, search) else {
+        let Some(seen) = nearest(&x(middle), &n(middle), master, pairs, search) else {
             continue;
         };
         for place in GAUSS {
@@ -197,7 +211,6 @@ fn points_of_segment(
             });
         }
     }
-    points
 }
 
 /// The master segment that a ray meets first, of those that face it within the search.
@@ -205,12 +218,12 @@ fn nearest(
     x: &Point,
     n: &Point,
     master: &Boundary,
-    masters: &[usize],
+    pairs: &[[usize; 2]],
     search: Search,
 ) -> Option<usize> {
-    masters
+    pairs
         .iter()
-        .filter_map(|m| {
+        .filter_map(|[_, m]| {
             let p = project(x, n, master, *m)?;
             let on = (0.0..=1.0).contains(&p.eta);
             (on && search.contains(p.gap)).then_some((*m, p.gap.abs()))
@@ -223,20 +236,18 @@ fn points_of_vertices(
     slave: &Boundary,
     normals: &[Point],
     master: &Boundary,
-    near: &[(usize, Vec<usize>)],
+    near: &Near,
     search: Search,
-) -> Vec<MortarPoint> {
+    points: &mut Vec<MortarPoint>,
+) {
     let lengths = slave.tributary_lengths();
     let mut seen = vec![vec![]; slave.points.len()];
-    for (s, masters) in near {
-        for v in slave.segments()[*s] {
-            seen[v].extend_from_slice(masters);
+    for pair in &near.pairs {
+        for v in slave.segments()[pair[0]] {
+            seen[v].push(*pair);
         }
     }
-    let mut points = vec![];
-    for (v, mut masters) in seen.into_iter().enumerate() {
-        masters.sort_unstable();
-        masters.dedup();
+    for (v, masters) in seen.into_iter().enumerate() {
         let (x, n) = (&slave.points[v], &normals[v]);
         let Some(m) = nearest(x, n, master, &masters, search) else {
             continue;
@@ -251,5 +262,4 @@ fn points_of_vertices(
             weight: lengths[v],
         });
     }
-    points
 }

@@ -5,10 +5,10 @@ use super::error::{StepError, StepErrorKind};
 use super::{BodyRun, Simulation};
 use crate::contact::interface::Interface;
 use crate::lanes::Selected;
-use crate::particles::ParticleSet;
+use crate::particles::{Layout, ParticleSet};
 use crate::plan::Plan;
 use crate::scene::Scene;
-use crate::stage::g2p::{self, Found, G2p, Task};
+use crate::stage::g2p::{self, Affine, Found, G2p, Task};
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{DrivenNode, EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
 use rayon::prelude::*;
@@ -113,6 +113,9 @@ impl Simulation {
 
     /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
     pub(super) fn remap(&mut self, acting: &Acting) {
+        if self.mortar.acts() {
+            return self.remap_with_mortar(acting);
+        }
         if !self.contact.layers.is_empty() {
             return self.remap_layers(acting);
         }
@@ -342,6 +345,7 @@ pub(super) fn bodies_onto<'a>(
         lanes,
         stencil,
         carry,
+        affine: plan.affine != Affine::Leave,
         call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
     }
 }
@@ -353,6 +357,8 @@ pub(super) struct BodiesOnto<'a> {
     lanes: Selected,
     stencil: usize,
     carry: Carry,
+    /// Whether momentum has an affine part.
+    affine: bool,
     call: P2gFn,
 }
 
@@ -419,16 +425,21 @@ impl<'a> BodiesOnto<'a> {
         planes: &mut Planes<'_>,
     ) -> usize {
         let (set, body) = (&self.sets[index], &self.bodies[index]);
+        let layout = Layout {
+            affine: set.layout.affine.filter(|_| self.affine),
+            ..set.layout
+        };
         (self.call)(
             self.lanes,
             P2g {
                 columns: &set.columns,
-                layout: &set.layout,
+                layout: &layout,
                 mapping: &body.mapping,
                 layers,
                 planes: planes.range.clone(),
                 nodes: planes.nodes,
                 carry: self.carry,
+                spin: set.layout.affine,
                 viscous_rate: body.viscous_rate,
             },
         )

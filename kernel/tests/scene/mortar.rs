@@ -111,8 +111,8 @@ fn bad_input_is_named() {
         ),
         (
             r#""transfer": "APIC""#,
-            r#""transfer": "APIC", "stress_scheme_update": "MUSL""#,
-            "built for USL",
+            r#""transfer": "APIC", "stress_scheme_update": "USF""#,
+            "built for USL and MUSL",
         ),
     ] {
         let found = message(from, to);

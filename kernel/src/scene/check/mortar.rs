@@ -66,11 +66,11 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
             "2, or `method` \"grid\"",
         );
     }
-    if scene.scheme != StressScheme::Usl {
+    if scene.scheme == StressScheme::Usf {
         problems.add(
             "stress_scheme_update",
-            "USF or MUSL with mortar contact, which is built for USL",
-            "\"USL\", or `method` \"grid\"",
+            "USF with mortar contact, which is built for USL and MUSL",
+            "\"USL\" or \"MUSL\", or `method` \"grid\"",
         );
     }
     if scene.base_motion.is_some() {

@@ -24,14 +24,6 @@ impl NodalGradients {
         }
     }
 
-    /// None, for vertices that follow velocities alone.
-    pub(super) fn none() -> Self {
-        Self {
-            slots: vec![],
-            sums: vec![],
-        }
-    }
-
     /// Sums over the particles that reach a node of a patch; they are found by their base, without their weights.
     pub(super) fn new(
         patches: &[Patch],

@@ -10,15 +10,16 @@ mod pair;
 mod surface;
 mod vertices;
 
-pub use vertices::VertexState;
+pub use vertices::{BoundaryVertex, VertexState};
 
 use super::BodyRun;
 use super::error::SetupError;
 use crate::mortar::Point;
+use crate::mortar::bound::{Closing, NodalStiffness};
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::broad::Bounds;
 use crate::mortar::outline::outline;
-use crate::mortar::pair::{PairForces, Surfaces, contact_forces};
+use crate::mortar::pair::{Surfaces, contact_forces_to};
 use crate::scene::{Scene, Vertices};
 use pair::{MortarPair, pair};
 use surface::{Carrier, Surface};
@@ -30,7 +31,10 @@ pub(crate) struct MortarState {
     pub(crate) pairs: Vec<MortarPair>,
     /// Largest time step that the contact allows now \[s\].
     pub(super) time_step: f64,
+    /// Largest time step in which no gap closes too far \[s\].
+    pub(super) closing_step: f64,
     groups: usize,
+    stiffness: NodalStiffness,
 }
 
 impl Default for MortarState {
@@ -39,7 +43,9 @@ impl Default for MortarState {
             surfaces: vec![],
             pairs: vec![],
             time_step: f64::INFINITY,
+            closing_step: f64::INFINITY,
             groups: 0,
+            stiffness: NodalStiffness::default(),
         }
     }
 }
@@ -61,8 +67,10 @@ impl MortarState {
             surfaces.push(Surface {
                 id,
                 carrier,
+                start: boundary.points.clone(),
                 boundary,
                 moved: vec![Point::zeros(); count],
+                velocity: vec![Point::zeros(); count],
                 force: vec![Point::zeros(); count],
                 patches: vec![],
             });
@@ -145,20 +153,30 @@ impl MortarState {
         let box_of = |s: &Surface, margin| Bounds::around(&s.boundary.points, margin);
         let margin = pair.law.search.reach.max(pair.law.search.depth);
         if box_of(slave, margin).overlaps(&box_of(master, 0.0)) {
-            pair.forces = contact_forces(
+            contact_forces_to(
+                &mut pair.forces,
                 Surfaces {
                     slave: &slave.boundary,
                     master: &master.boundary,
                     slave_moved: &slave.moved,
                     master_moved: &master.moved,
+                    slave_velocity: &slave.velocity,
+                    master_velocity: &master.velocity,
                 },
                 &pair.law,
                 &mut pair.slip,
+                &mut pair.work,
             );
         } else {
-            pair.forces = PairForces::default();
+            pair.forces.clear(0, 0);
             pair.slip.0.fill(0.0);
         }
+        pair.closing = Closing::of(
+            &pair.forces.vertices,
+            pair.critical_gap,
+            pair.law.search.reach,
+            [slave.fastest(), master.fastest()],
+        );
     }
 
     /// Whether anything has a boundary. Vertices follow their body also where nothing is in contact with it.

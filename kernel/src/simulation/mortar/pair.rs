@@ -1,8 +1,9 @@
 //! A pair of boundaries in contact.
 
 use super::surface::{Carrier, Surface};
+use crate::mortar::bound::Closing;
 use crate::mortar::law::{FLOOR, Friction, NormalLaw};
-use crate::mortar::pair::{PairForces, PairLaw, Slip};
+use crate::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
 use crate::mortar::segments::Search;
 use crate::scene::{Enforcement, MortarContact};
 
@@ -16,6 +17,8 @@ pub(crate) struct MortarPair {
     pub(super) critical_gap: f64,
     pub(crate) slip: Slip,
     pub(super) forces: PairForces,
+    pub(super) closing: Closing,
+    pub(super) work: Workspace,
 }
 
 /// The pair of an entry; none where both ends are rigid.
@@ -57,5 +60,7 @@ pub(super) fn pair(contact: &MortarContact, surfaces: &[Surface]) -> Option<Mort
         critical_gap: contact.critical_gap,
         slip: Slip(vec![0.0; surfaces[slave].boundary.points.len()]),
         forces: PairForces::default(),
+        closing: Closing::NONE,
+        work: Workspace::default(),
     })
 }

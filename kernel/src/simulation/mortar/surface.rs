@@ -6,6 +6,7 @@ use crate::mortar::boundary::Boundary;
 use crate::mortar::motion::Follow;
 use crate::mortar::weights::VertexWeights;
 use crate::scene::History;
+use crate::simulation::history_value;
 
 /// What moves the vertices of a surface.
 #[derive(Clone, Debug)]
@@ -26,8 +27,12 @@ pub(crate) struct Surface {
     pub(crate) id: i64,
     pub(super) carrier: Carrier,
     pub(crate) boundary: Boundary,
+    /// Positions of the vertices at the start.
+    pub(super) start: Vec<Point>,
     /// Displacement of the vertices in the last step \[m\].
     pub(crate) moved: Vec<Point>,
+    /// Velocity of the vertices at the beginning of this step \[m/s\].
+    pub(super) velocity: Vec<Point>,
     /// Contact force on the vertices in this step \[N\].
     pub(super) force: Vec<Point>,
     /// Augmented weights and masses of the patches, for surfaces of bodies.
@@ -43,6 +48,28 @@ pub(super) struct Patch {
     pub(super) masses: [f64; 9],
     /// Their indices.
     pub(super) nodes: [usize; 9],
+    /// Their spins \[1/s\] (eq. 28).
+    pub(super) spins: [f64; 9],
+}
+
+impl Surface {
+    /// Largest speed of a vertex \[m/s\].
+    pub(super) fn fastest(&self) -> f64 {
+        largest(&self.velocity)
+    }
+
+    /// Largest displacement of a vertex in the last step \[m\].
+    pub(super) fn farthest(&self) -> f64 {
+        largest(&self.moved)
+    }
+}
+
+fn largest(vectors: &[Point]) -> f64 {
+    vectors
+        .iter()
+        .map(Point::norm_squared)
+        .fold(0.0, f64::max)
+        .sqrt()
 }
 
 /// Indices of the nodes of a patch; none outside the mesh, also for ghosts, which repeat what lies inside.
@@ -62,4 +89,10 @@ pub(super) fn mass_of(node: usize, shape: &GridShape, rows: &ActiveRows, lines: 
     } else {
         0.0
     }
+}
+
+/// Prescribed velocity at a time; zero without one \[m/s\].
+pub(super) fn velocity_of(motion: Option<&History>, time: f64) -> Point {
+    let [x, y, _] = motion.map_or([0.0; 3], |m| history_value(m, time));
+    Point::new(x, y)
 }

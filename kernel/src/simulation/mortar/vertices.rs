@@ -21,7 +21,67 @@ pub struct VertexState {
     pub length: f64,
 }
 
+/// A vertex of a boundary or rigid line, for output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundaryVertex {
+    /// Identifier of the body or line.
+    pub id: i64,
+    /// Number of the vertex in its boundary, from 0.
+    pub vertex: i64,
+    /// Position in the coordinates of the scene \[m\].
+    pub position: Vector,
+    /// Displacement since the start \[m\].
+    pub displacement: Vector,
+    /// Contact pressure \[Pa\]; zero where the vertex is no slave.
+    pub pressure: f64,
+    /// Smallest weighted gap \[m\]; NaN where the vertex is no slave or faces nothing.
+    pub gap: f64,
+    /// Contact traction on the vertex, normal and tangential \[Pa\]; zero where it is no slave.
+    pub traction: Vector,
+    /// Contact force on the vertex, per thickness \[N/m\].
+    pub force: Vector,
+}
+
 impl Simulation {
+    /// The vertices of all boundaries and rigid lines, one after the other, and the segments between them. Contact is as
+    /// of the last detection.
+    #[must_use]
+    pub fn boundaries(&self) -> (Vec<BoundaryVertex>, Vec<[usize; 2]>) {
+        let (mut vertices, mut segments) = (vec![], vec![]);
+        for (s, surface) in self.mortar.surfaces.iter().enumerate() {
+            let first = vertices.len();
+            let ends = surface.boundary.segments().iter();
+            segments.extend(ends.map(|ends| ends.map(|k| first + k)));
+            for (k, x) in surface.boundary.points.iter().enumerate() {
+                let seen = self
+                    .mortar
+                    .pairs
+                    .iter()
+                    .filter(|pair| pair.slave == s)
+                    .filter_map(|pair| pair.forces.vertices.get(k)?.as_ref());
+                let (mut pressure, mut gap, mut traction) = (0.0, f64::NAN, Point::zeros());
+                for v in seen {
+                    pressure += v.pressure;
+                    gap = v.gap.min(gap);
+                    let tangent = Point::new(-v.normal.y, v.normal.x);
+                    traction -= v.pressure * v.normal + v.traction * tangent;
+                }
+                let flat = |v: Point| [v.x, v.y, 0.0];
+                vertices.push(BoundaryVertex {
+                    id: surface.id,
+                    vertex: k as i64,
+                    position: self.in_scene(x),
+                    displacement: flat(x - surface.start[k]),
+                    pressure,
+                    gap,
+                    traction: flat(traction),
+                    force: flat(surface.force[k]),
+                });
+            }
+        }
+        (vertices, segments)
+    }
+
     /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline.
     #[must_use]
     pub fn mortar_vertices(&self, contact: i64) -> Option<Vec<VertexState>> {
