@@ -292,7 +292,7 @@ impl Case for SphereOnTerrain {
         let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], cells);
         let time = if factor > 1.0 { TIME_FAST } else { TIME };
         let mut scene = Scene::new(Dimension::Three, mesh, time);
-        scene.name = "sphere_on_terrain".to_owned();
+        scene.name = String::from("sphere_on_terrain");
         scene.gravity = [0.0, 0.0, -self.pull * GRAVITY];
         scene.scheme = scheme;
         if smooth {

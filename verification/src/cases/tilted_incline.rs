@@ -116,6 +116,9 @@ struct Problem {
     young: f64,
 }
 
+/// Runs of a size: cell size (m), whether the plane is turned, and the frictions.
+type Group = (f64, bool, &'static [f64]);
+
 /// Variants by scheme and whether the plane is turned.
 const VARIANTS: [(&str, StressScheme, bool); 6] = [
     ("USL", StressScheme::Usl, false),
@@ -139,7 +142,7 @@ impl TiltedIncline {
     fn ladder(size: Size) -> Vec<(Rung, Problem)> {
         const ALL: &[f64] = &[0.0, 0.1, 0.2, 0.3, 0.4, STUDIED];
         // The friction closest to sticking is the hardest: it alone where a run takes long.
-        let (young, soft, groups): (f64, &str, &[(f64, bool, &[f64])]) = match size {
+        let (young, soft, groups): (f64, &str, &[Group]) = match size {
             Size::Quick => (SOFT, " soft", &[(0.25, false, &[0.0, STUDIED])]),
             Size::Full => (
                 STIFF,
@@ -440,7 +443,7 @@ impl Study for TiltedIncline {
         let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], frame.cells);
         let settling = PERIODS * 4.0 * HEIGHT / shear_wave_speed(problem.young);
         let mut scene = Scene::new(Dimension::Three, mesh, settling + TIME);
-        scene.name = "tilted_incline".to_owned();
+        scene.name = String::from("tilted_incline");
         scene.gravity = [0.0, 0.0, -self.pull * GRAVITY];
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, problem.young, POISSON);

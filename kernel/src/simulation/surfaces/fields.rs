@@ -1,7 +1,9 @@
 //! The velocity fields of the grid as surfaces see them.
 //!
 //! A body near a partner of contact has a layer of its own, which a surface pushes alone. Where a body without a pair
-//! has a layer too, or lies in the common field, both share their velocity, before and after the surface.
+//! has a layer too, or lies in the common field, both share their velocity, before and after the surface. Contact between
+//! bodies acts first: at a node that both reach the surface has the last word, and what it brings partners closer by is
+//! left to their contact in the next step.
 
 use crate::contact::Pair;
 use crate::contact::layers::{Layers, joined};
