@@ -2,7 +2,8 @@
 //! and Zhao 2024).
 //!
 //! The parts, in the order in which a step uses them:
-//! - [`boundary`]: the polylines, checked; [`outline`]: polylines of the shapes of bodies;
+//! - [`boundary`]: the polylines, checked; [`outline`]: polylines of the shapes of bodies; [`overlap`]: polylines that
+//!   lie in each other at the start;
 //! - [`weights`]: augmented weights of a vertex, which give no share to nodes without mass; [`motion`]: how vertices
 //!   follow the body;
 //! - [`broad`]: pairs of segments that can meet;
@@ -23,6 +24,7 @@ pub mod broad;
 pub mod law;
 pub mod motion;
 pub mod outline;
+pub mod overlap;
 pub mod pair;
 pub mod segments;
 pub mod weights;

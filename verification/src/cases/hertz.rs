@@ -18,17 +18,19 @@ use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::segments::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    PlaneCondition, RigidLine, Scene, Shape, Transfer, TransferKind, Vertices,
+    PlaneCondition, RigidLine, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation, StepError};
+use proctor_kernel::simulation::{Options, Simulation};
 use std::f64::consts::PI;
 
-use super::{elastic, failed, table};
+use super::{elastic, failed, solve_own, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
 
 const RADIUS: f64 = 8.0;
 const LOAD: f64 = 10.0;
@@ -37,6 +39,8 @@ const POISSON: f64 = 0.3;
 const GAP: f64 = 0.05;
 /// Time at which averaging begins, and at which it ends \[s\].
 const AVERAGED: [f64; 2] = [11.0, 13.0];
+/// Share of PIC, with any transfer.
+const PIC: f64 = 0.1;
 /// The bottom of the disk within this distance of the middle has fine segments \[m\].
 const FINE: f64 = 1.6;
 
@@ -67,6 +71,19 @@ impl Hertz {
             load: LOAD * self.reference_load,
             modulus: contact_modulus([YOUNG, f64::INFINITY], [POISSON, 0.0]),
         }
+    }
+
+    fn rungs_of(ladders: &[(&'static str, &[f64])]) -> Vec<Rung> {
+        ladders
+            .iter()
+            .flat_map(|&(variant, cells)| {
+                cells.iter().map(move |&cell| Rung {
+                    label: format!("{variant} h={cell}"),
+                    cell,
+                    variant,
+                })
+            })
+            .collect()
     }
 
     fn kappa(variant: &str) -> f64 {
@@ -120,90 +137,14 @@ impl Case for Hertz {
     }
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
-        let ladders: &[(&'static str, &[f64])] = match size {
+        Self::rungs_of(match size {
             Size::Quick => &[("hertz", &[0.2])],
             Size::Full => &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
-        };
-        ladders
-            .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Rung {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
-            .collect()
+        })
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
-        let h = rung.cell;
-        let (left, right, below, above) = (-8.6, 8.6, -0.6, 8.6);
-        let cells = |length: f64| (length / h).round() as usize;
-        let top = GAP + RADIUS;
-        // Vertices of the plane every 0.1 m, none of them under the middle.
-        let plane = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
-        Scene {
-            name: rung.label.clone(),
-            transfer: Transfer {
-                kind: TransferKind::Apic,
-                pic_fraction: 0.1,
-            },
-            materials: elastic(1.0, YOUNG, POISSON),
-            bodies: vec![Body {
-                name: "half disk".into(),
-                id: 1,
-                material: 0,
-                shape: shape(),
-                particles_per_cell: [2, 2, 1],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
-            damping: Damping::Viscous { alpha: 0.01 },
-            box_loads: vec![BoxLoad {
-                p1: [left, top - h, 0.0],
-                p2: [right, top + h, 0.0],
-                force: [0.0, -LOAD, 0.0],
-            }],
-            mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Given(vec![boundary(h)]),
-                    follow: Follow::Spin,
-                }],
-                lines: vec![RigidLine {
-                    name: "plane".into(),
-                    id: 2,
-                    chains: vec![Chain {
-                        points: plane.collect(),
-                        side: Side::Open,
-                    }],
-                    motion: None,
-                }],
-                contacts: vec![MortarContact {
-                    name: "half disk on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
-                    friction: 0.0,
-                    critical_gap: GAP,
-                    normal_stiffness: Self::kappa(rung.variant),
-                    tangential_stiffness: 0.0,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
-                }],
-            },
-            ..Scene::new(
-                Dimension::Two,
-                Mesh {
-                    origin: [left, below, 0.0],
-                    cell: [h, h, 1.0],
-                    cells: [cells(right - left), cells(above - below), 1],
-                    planes: [[PlaneCondition::Free; 2]; 3],
-                },
-                AVERAGED[1],
-            )
-        }
+        self.scene_with(rung, &self.own_settings(rung))
     }
 
     fn solve(
@@ -212,62 +153,7 @@ impl Case for Hertz {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
-        let scene = self.scene(rung);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let found = run(&mut simulation, progress).map_err(|e| failed(self, rung, &e))?;
-        let exact = self.exact();
-        let kappa = Self::kappa(rung.variant);
-        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
-            .map_err(|e| {
-                failed(
-                    self,
-                    rung,
-                    &format!("no reference: residual {} m", e.residual),
-                )
-            })?;
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let norm = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value),
-            unit: "1",
-        };
-        let quantities = vec![
-            of(FORCE, found.force, exact.load, "N/m"),
-            of(PEAK, found.peak(), exact.peak(), "Pa"),
-            of(WIDTH, found.half_width(), exact.half_width(), "m"),
-            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
-            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
-            norm(LAYER, layer.distance_from_hertz(&exact)),
-        ];
-        let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            curve: Some(Curve {
-                title: format!("{}: contact pressure", rung.label),
-                abscissa: "x in m",
-                ordinate: "p in Pa",
-                points: points
-                    .map(|p| CurvePoint {
-                        at: p[0],
-                        computed: p[1],
-                        exact: exact.pressure(p[0]),
-                    })
-                    .collect(),
-            }),
-        })
+        solve_own(self, rung, options, progress)
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
@@ -353,6 +239,176 @@ impl Case for Hertz {
     }
 }
 
+impl Study for Hertz {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        Self::rungs_of(match size {
+            Size::Quick => &[("hertz", &[0.8, 0.4])],
+            Size::Full => &[("hertz", &[0.4, 0.2, 0.1])],
+        })
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "pressure",
+                quantity: L2_LAYER,
+            },
+            Measure {
+                word: "peak",
+                quantity: PEAK,
+            },
+        ]
+    }
+
+    fn refined_axes(&self) -> usize {
+        2
+    }
+
+    fn own_settings(&self, _rung: &Rung) -> Settings {
+        Settings::new(Method {
+            transfer: TransferKind::Apic,
+            ..Method::DEFAULT
+        })
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let h = rung.cell;
+        let (left, right, below, above) = (-8.6, 8.6, -0.6, 8.6);
+        let cells = |length: f64| (length / h).round() as usize;
+        let top = GAP + RADIUS;
+        // Vertices of the plane every 0.1 m, none of them under the middle.
+        let plane = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+        let mut scene = Scene {
+            name: rung.label.clone(),
+            time_step: settings.multiplier(),
+            materials: elastic(1.0, YOUNG, POISSON),
+            bodies: vec![Body {
+                name: "half disk".into(),
+                id: 1,
+                material: 0,
+                shape: shape(),
+                particles_per_cell: [2, 2, 1],
+                velocity: [0.0; 3],
+                motion: None,
+            }],
+            damping: Damping::Viscous { alpha: 0.01 },
+            box_loads: vec![BoxLoad {
+                p1: [left, top - h, 0.0],
+                p2: [right, top + h, 0.0],
+                force: [0.0, -LOAD, 0.0],
+            }],
+            mortar: Mortar {
+                boundaries: vec![BodyBoundary {
+                    body: 1,
+                    vertices: Vertices::Given(vec![boundary(h)]),
+                    follow: Follow::Spin,
+                }],
+                lines: vec![RigidLine {
+                    name: "plane".into(),
+                    id: 2,
+                    chains: vec![Chain {
+                        points: plane.collect(),
+                        side: Side::Open,
+                    }],
+                    motion: None,
+                }],
+                contacts: vec![MortarContact {
+                    name: "half disk on plane".into(),
+                    id: 1,
+                    master: 2,
+                    slave: 1,
+                    friction: 0.0,
+                    critical_gap: GAP,
+                    normal_stiffness: Self::kappa(rung.variant),
+                    tangential_stiffness: 0.0,
+                    enforcement: Enforcement::Barrier,
+                    detection: Detection::Mortar,
+                }],
+            },
+            ..Scene::new(
+                Dimension::Two,
+                Mesh {
+                    origin: [left, below, 0.0],
+                    cell: [h, h, 1.0],
+                    cells: [cells(right - left), cells(above - below), 1],
+                    planes: [[PlaneCondition::Free; 2]; 3],
+                },
+                AVERAGED[1],
+            )
+        };
+        settings.apply(&mut scene);
+        scene.transfer.pic_fraction = PIC;
+        scene
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let mut simulation =
+            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        let found = run(&mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
+        let exact = self.exact();
+        let kappa = Self::kappa(rung.variant);
+        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
+            .map_err(|e| {
+                failed(
+                    self,
+                    rung,
+                    &format!("no reference: residual {} m", e.residual),
+                )
+            })?;
+        let of = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        };
+        let norm = |name, value: f64| Quantity {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value),
+            unit: "1",
+        };
+        let quantities = vec![
+            of(FORCE, found.force, exact.load, "N/m"),
+            of(PEAK, found.peak(), exact.peak(), "Pa"),
+            of(WIDTH, found.half_width(), exact.half_width(), "m"),
+            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
+            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
+            norm(LAYER, layer.distance_from_hertz(&exact)),
+        ];
+        let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
+        let solved = Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve: Some(Curve {
+                title: format!("{}: contact pressure", rung.label),
+                abscissa: "x in m",
+                ordinate: "p in Pa",
+                points: points
+                    .map(|p| CurvePoint {
+                        at: p[0],
+                        computed: p[1],
+                        exact: exact.pressure(p[0]),
+                    })
+                    .collect(),
+            }),
+        };
+        Ok(Studied::new(solved, &simulation))
+    }
+}
+
 /// Averages over the end of a run.
 struct Found {
     /// Force on the disk \[N/m\].
@@ -388,13 +444,17 @@ impl Found {
     }
 }
 
-fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Found, StepError> {
+fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Found, String> {
+    observer.phase(Phase::Stepping);
     let (mut force, mut weight) = (0.0, 0.0);
     let mut sums: Vec<[f64; 3]> = vec![];
     while simulation.time() < AVERAGED[1] {
-        let info = simulation.step(AVERAGED[1])?;
+        if observer.stop() {
+            return Err(STOPPED.to_owned());
+        }
+        let info = simulation.step(AVERAGED[1]).map_err(|e| e.to_string())?;
         if info.step % 100 == 0 {
-            progress((simulation.time() / AVERAGED[1]).min(1.0));
+            observer.progress((simulation.time() / AVERAGED[1]).min(1.0));
         }
         if simulation.time() <= AVERAGED[0] {
             continue;
@@ -409,6 +469,7 @@ fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Fou
             sum[2] += info.dt * v.length;
         }
     }
+    observer.phase(Phase::Comparing);
     Ok(Found {
         force: force / weight,
         pressures: sums

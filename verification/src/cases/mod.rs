@@ -81,6 +81,9 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
     &TiltedIncline::GIVEN,
+    &Hertz::GIVEN,
+    &RollingDisk::SLIP,
+    &RollingDisk::GIVEN,
     &Cantilever::GIVEN,
     &Rings::GIVEN,
 ];

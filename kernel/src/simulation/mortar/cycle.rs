@@ -30,12 +30,8 @@ impl Simulation {
             .set(&bodies, &[], &[], &self.sets, &self.field, self.stencil);
     }
 
-    /// The first part of a step with mortar contact: mapping, weights, gaps and forces, and the time step that they
-    /// allow.
-    pub(in crate::simulation) fn meet_boundaries(&mut self) -> Result<(), StepError> {
-        if !self.mortar.acts() {
-            return Ok(());
-        }
+    /// The first part of a step with boundaries: mapping to the nodes, each body to its layer.
+    pub(in crate::simulation) fn map_to_boundaries(&mut self) {
         let acting = self.acting(self.clock.dt_before);
         let mapping = bodies_onto(
             &self.plan,
@@ -72,6 +68,10 @@ impl Simulation {
                     groups
                 });
         self.mortar.groups = groups.into_iter().sum();
+    }
+
+    /// The second part: weights of the vertices, gaps and forces, and the time step that they allow.
+    pub(in crate::simulation) fn meet_boundaries(&mut self) -> Result<(), StepError> {
         self.weigh_vertices()?;
         for surface in &mut self.mortar.surfaces {
             surface.force.fill(Point::zeros());
@@ -164,8 +164,8 @@ impl Simulation {
         }
     }
 
-    /// Stops where a pair approached by more than half the critical gap in the last step, and may do so again, or is
-    /// deeper in each other than the critical gap.
+    /// Stops where the boundaries of a pair may have passed each other in the last step, or one came into the other by
+    /// more than half the critical gap, or is deeper in it than the critical gap.
     fn judge_pair(&self, p: usize) -> Result<(), StepError> {
         let pair = &self.mortar.pairs[p];
         let (slave, master) = (
@@ -187,10 +187,13 @@ impl Simulation {
         if approach > allowed {
             return missed(None, approach, allowed);
         }
+        // Bodies speed up within a step. What is still apart has not been missed.
+        let allowed = 0.5 * pair.critical_gap;
         for (k, vertex) in pair.forces.vertices.iter().enumerate() {
-            let Some(v) = vertex else { continue };
-            let allowed = allowed_approach(v.gap + v.approach, pair.critical_gap);
-            if v.approach > allowed {
+            if let Some(v) = vertex
+                && v.gap < 0.0
+                && v.approach > allowed
+            {
                 return missed(Some(k), v.approach, allowed);
             }
         }
@@ -259,7 +262,7 @@ impl Simulation {
         most
     }
 
-    /// The second part: forces of the contacts to the nodes, equation of motion; the number of vertices under pressure.
+    /// The third part: forces of the contacts to the nodes, equation of motion; the number of vertices under pressure.
     pub(in crate::simulation) fn solve_with_mortar(
         &mut self,
         acting: &Acting,

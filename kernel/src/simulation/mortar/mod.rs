@@ -19,6 +19,7 @@ use crate::mortar::bound::{Closing, NodalStiffness};
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::broad::Bounds;
 use crate::mortar::outline::outline;
+use crate::mortar::overlap::overlap;
 use crate::mortar::pair::{Surfaces, contact_forces_to};
 use crate::scene::{Scene, Vertices};
 use pair::{MortarPair, pair};
@@ -127,19 +128,29 @@ impl MortarState {
         for p in 0..self.pairs.len() {
             self.meet(p);
             let pair = &self.pairs[p];
+            let path = || {
+                let contact = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
+                contact.map_or_else(String::new, |c| c.name.clone())
+            };
             if let Some((vertex, gap)) = pair.forces.smallest_gap()
                 && gap < 0.0
             {
-                let name = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
                 let at = self.surfaces[pair.slave].boundary.points[vertex];
                 return Err(SetupError::Mortar {
-                    path: name.map_or_else(String::new, |c| c.name.clone()),
+                    path: path(),
                     reason: format!(
                         "the gap is {gap} m at vertex {vertex} of {}, ({}, {}) m; accepted: surfaces that are apart",
                         self.surfaces[pair.slave].id,
                         at.x + scene.mesh.origin[0],
                         at.y + scene.mesh.origin[1],
                     ),
+                });
+            }
+            let [slave, master] = [pair.slave, pair.master].map(|s| &self.surfaces[s].boundary);
+            if let Some(found) = overlap(slave, master) {
+                return Err(SetupError::Mortar {
+                    path: path(),
+                    reason: format!("{found}; accepted: surfaces that are apart"),
                 });
             }
         }
