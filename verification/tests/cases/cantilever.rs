@@ -12,7 +12,7 @@ fn gates_hold() {
 #[test]
 fn a_wrong_reference_breaks_the_gates_on_the_tip() {
     let wrong = Cantilever {
-        reference_gravity: 1.1,
+        reference_gravity: 1.2,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     let failing = failing(&verdict);
