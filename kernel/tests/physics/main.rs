@@ -9,3 +9,4 @@ mod damping;
 mod dimension;
 mod faults;
 mod loads;
+mod tunnelling;
