@@ -4,13 +4,14 @@ mod sums;
 
 use super::acting::Acting;
 use super::error::{Overlapping, SetupError, StepError, StepErrorKind};
-use super::passes::{Mapped, Sums, at_half_step_after, bodies_onto, total, trial};
+use super::passes::{BodiesOnto, Mapped, Sums, at_half_step_after, bodies_onto, total, trial};
 use super::{BodyRun, Simulation};
 use crate::contact::layers::{LayerPlanes, SlabFields};
 use crate::contact::meeting::{Bodies, Done, Meetings, On, States, Tunnelling};
 use crate::contact::overlap::overlap;
 use crate::contact::{Pair, State, broad, surface};
 use crate::particles::ParticleSet;
+use crate::plan::Plan;
 use crate::scene::{Contact, Scene, Vector};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, Forces, PlaneSums, Planes, Wall};
@@ -261,116 +262,105 @@ impl Simulation {
 
     /// As [`Simulation::remap`] where bodies have layers.
     pub(super) fn remap_layers(&mut self, acting: &Acting) {
-        let plan = &self.plan;
-        let driven = driven(&self.bodies);
-        let prescribed = prescribed(&self.bodies, acting);
-        let mapping = bodies_onto(
-            plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            Carry::Remap,
-        );
-        let still = at_half_step_after(&acting.walls);
-        let contact = &mut self.contact;
-        let bodies = bodies(
-            &contact.pairs,
-            &contact.near,
-            &self.sets,
-            &driven,
-            acting,
-            self.stencil,
-        );
-        let meetings = &contact.meetings;
-        contact
-            .layers
-            .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
-                for planes in all(&mut fields) {
-                    planes.clear_upper();
+        self.map_again(acting, Carry::Remap, |fields, second| {
+            for planes in all(fields) {
+                planes.clear_upper();
+            }
+            second.mapping.run(&mut fields.common);
+            for layer in &mut fields.layers {
+                if second.bodies.driven[layer.body] {
+                    for_masses(&mut layer.planes, |line| {
+                        line[4..7].copy_from_slice(&second.prescribed[layer.body][1]);
+                    });
+                } else {
+                    second.mapping.map(layer.body, &mut layer.planes);
+                    layer.planes.fold_remapped(&second.still);
+                    layer.planes.remapped_velocities();
                 }
-                mapping.run(&mut fields.common);
-                for layer in &mut fields.layers {
-                    if driven[layer.body] {
-                        for_masses(&mut layer.planes, |line| {
-                            line[4..7].copy_from_slice(&prescribed[layer.body][1]);
-                        });
-                    } else {
-                        mapping.map(layer.body, &mut layer.planes);
-                        layer.planes.fold_remapped(&still);
-                        layer.planes.remapped_velocities();
-                    }
-                }
-                fields.common.fold_remapped(&still);
-                fields.common.remapped_velocities();
-                fields.common.drive_remapped(&acting.driven);
-                // Contact keeps to the planes once the fields do; the ghosts are filled after it.
-                for planes in all(&mut fields) {
-                    planes.constrain_remapped(&still);
-                }
-                // Mortar contact has acted in the equation of motion, and has no meetings on the grid.
-                let Some(meetings) = meetings.get(fields.slab) else {
-                    return;
-                };
-                meetings.clone().act(&mut fields, &bodies, On::Remapped);
-                for planes in all(&mut fields) {
-                    planes.constrain_remapped(&still);
-                }
-            });
+            }
+            fields.common.fold_remapped(&second.still);
+            fields.common.remapped_velocities();
+            fields.common.drive_remapped(&acting.driven);
+            // Contact keeps to the planes once the fields do; the ghosts are filled after it.
+            for planes in all(fields) {
+                planes.constrain_remapped(&second.still);
+            }
+            // Mortar contact has acted in the equation of motion, and has no meetings on the grid.
+            let Some(meetings) = second.meetings.get(fields.slab) else {
+                return;
+            };
+            meetings.clone().act(fields, &second.bodies, On::Remapped);
+            for planes in all(fields) {
+                planes.constrain_remapped(&second.still);
+            }
+        });
     }
 
     /// As [`Simulation::map_momentum`] where bodies have layers.
     pub(super) fn map_momentum_to_layers(&mut self, acting: &Acting) {
-        let plan = &self.plan;
+        let before = self.contact.meetings.iter().flat_map(Meetings::states);
+        let states: States = before.collect();
+        self.map_again(acting, Carry::Momentum, |fields, second| {
+            clear_and_map(fields, &second.mapping, |_| &second.mapping);
+            for planes in all(fields) {
+                planes.fold(&second.still, true, false);
+                planes.velocities();
+            }
+            let gradient = second.mapping.with(second.plan, Carry::MassGradient);
+            map_gradients(fields, &gradient, &second.still);
+            fields.common.drive(&acting.driven, false);
+            fields.common.constrain(&second.still, false);
+            for layer in &mut fields.layers {
+                if second.bodies.driven[layer.body] {
+                    prescribe(layer, &second.prescribed[layer.body], &second.still);
+                } else {
+                    layer.planes.constrain(&second.still, false);
+                }
+            }
+            let mut meetings = Meetings::find(fields, &second.bodies);
+            meetings.recall(&states);
+            meetings.act(fields, &second.bodies, On::Mapped);
+            for planes in all(fields) {
+                planes.unfold(&second.still, false);
+            }
+        });
+    }
+
+    /// Visits all slabs for the second mapping of a step, that of the velocities after the kick.
+    fn map_again(
+        &mut self,
+        acting: &Acting,
+        carry: Carry,
+        act: impl Fn(&mut SlabFields<'_>, &Second<'_>) + Send + Sync,
+    ) {
         let driven = driven(&self.bodies);
-        let prescribed = prescribed(&self.bodies, acting);
-        let mapping = bodies_onto(
-            plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            Carry::Momentum,
-        );
-        let gradient = mapping.with(plan, Carry::MassGradient);
-        let still = at_half_step_after(&acting.walls);
         let contact = &mut self.contact;
-        let bodies = bodies(
-            &contact.pairs,
-            &contact.near,
-            &self.sets,
-            &driven,
-            acting,
-            self.stencil,
-        );
-        let on_grid = !contact.pairs.is_empty();
-        let states: States = contact.meetings.iter().flat_map(Meetings::states).collect();
+        let second = Second {
+            plan: &self.plan,
+            mapping: bodies_onto(
+                &self.plan,
+                &self.sets,
+                &self.bodies,
+                self.lanes,
+                self.stencil,
+                carry,
+            ),
+            bodies: bodies(
+                &contact.pairs,
+                &contact.near,
+                &self.sets,
+                &driven,
+                acting,
+                self.stencil,
+            ),
+            prescribed: prescribed(&self.bodies, acting),
+            still: at_half_step_after(&acting.walls),
+            meetings: &contact.meetings,
+        };
         contact
             .layers
             .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
-                clear_and_map(&mut fields, &mapping, |_| &mapping);
-                for planes in all(&mut fields) {
-                    planes.fold(&still, true, false);
-                    planes.velocities();
-                }
-                if on_grid {
-                    map_gradients(&mut fields, &gradient, &still);
-                }
-                fields.common.drive(&acting.driven, false);
-                fields.common.constrain(&still, false);
-                for layer in &mut fields.layers {
-                    if driven[layer.body] {
-                        prescribe(layer, &prescribed[layer.body], &still);
-                    } else {
-                        layer.planes.constrain(&still, false);
-                    }
-                }
-                let mut meetings = Meetings::find(&mut fields, &bodies);
-                meetings.recall(&states);
-                meetings.act(&mut fields, &bodies, On::Mapped);
-                for planes in all(&mut fields) {
-                    planes.unfold(&still, false);
-                }
+                act(&mut fields, &second);
             });
     }
 
@@ -445,6 +435,19 @@ impl Simulation {
     }
 }
 
+/// What the second mapping of a step knows beside the fields.
+struct Second<'a> {
+    plan: &'a Plan,
+    mapping: BodiesOnto<'a>,
+    bodies: Bodies<'a>,
+    /// Velocities of driven bodies half a step before and after \[m/s\].
+    prescribed: Vec<[Vector; 2]>,
+    /// Walls with the velocity half a step after alone.
+    still: Vec<Wall>,
+    /// Where bodies met in the first mapping.
+    meetings: &'a [Meetings],
+}
+
 /// Whether the motion of each body is prescribed.
 fn driven(bodies: &[BodyRun]) -> Vec<bool> {
     bodies.iter().map(|b| b.motion.is_some()).collect()
@@ -490,8 +493,8 @@ pub(super) fn all<'f, 'a>(
 /// Clears all fields and maps the bodies onto theirs; the number of groups.
 fn clear_and_map<'m>(
     fields: &mut SlabFields<'_>,
-    common: &super::passes::BodiesOnto<'m>,
-    of: impl Fn(usize) -> &'m super::passes::BodiesOnto<'m>,
+    common: &BodiesOnto<'m>,
+    of: impl Fn(usize) -> &'m BodiesOnto<'m>,
 ) -> usize {
     for planes in all(fields) {
         planes.clear();
@@ -504,11 +507,7 @@ fn clear_and_map<'m>(
 }
 
 /// Mass gradients of all layers, folded; no groups are counted, since the first mapping did.
-fn map_gradients(
-    fields: &mut SlabFields<'_>,
-    gradient: &super::passes::BodiesOnto<'_>,
-    walls: &[Wall],
-) -> usize {
+fn map_gradients(fields: &mut SlabFields<'_>, gradient: &BodiesOnto<'_>, walls: &[Wall]) -> usize {
     for layer in &mut fields.layers {
         let mut planes = Planes {
             shape: layer.planes.shape,

@@ -12,3 +12,4 @@ mod faults;
 mod loads;
 mod mortar;
 mod rotation;
+mod tunnelling;
