@@ -17,6 +17,8 @@
 //! off in the mean) or not (0.01 m). At 10 m/s² a tenth of
 //! h/c is the step: the swings after the first trough miss their phase with larger ones. `proctor verify cantilever`.
 
+mod hanging;
+
 use std::sync::OnceLock;
 
 use proctor_kernel::mortar::motion::Follow;
@@ -26,6 +28,7 @@ use proctor_kernel::scene::{
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
+use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
 use super::dynamics::ratio;
 use super::{NO_RESULTS, failed, table};
 use crate::case::{
@@ -57,9 +60,6 @@ const JUDGED: f64 = 0.25;
 const TIP: &str = "rms(tip)";
 const TROUGH: &str = "first trough of the tip";
 const TROUGH_TIME: &str = "time of the first trough";
-const FROM_PARTICLES: &str = "vertices from where their particles take them, rms";
-const FARTHEST: &str = "the same, farthest vertex";
-const FROM_REFERENCE: &str = "vertices from the reference, rms";
 
 const SMALL: &str = "g=1";
 const LARGE: &str = "g=10";
@@ -300,31 +300,12 @@ fn tip_particle(simulation: &Simulation, h: f64) -> Result<u64, String> {
     nearest(simulation, at).map(|p| simulation.sets()[0].id[p])
 }
 
-/// The particle whose initial position is nearest to a point.
-fn nearest(simulation: &Simulation, point: [f64; 2]) -> Result<usize, String> {
-    let distance = |p: usize| {
-        let x = simulation.initial_position(0, p)?;
-        Some((x[0] - point[0]).hypot(x[1] - point[1]))
-    };
-    (0..simulation.sets()[0].len())
-        .filter_map(|p| Some((p, distance(p)?)))
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(p, _)| p)
-        .ok_or_else(|| String::from("no particle keeps its initial position"))
-}
-
 /// Displacement \[m\] of the particle with an identifier.
 fn displacement(simulation: &Simulation, id: u64) -> Result<[f64; 3], String> {
     let place = simulation.sets()[0].id.iter().position(|i| *i == id);
     place
         .and_then(|p| simulation.displacement(0, p))
         .ok_or_else(|| String::from("the particle at the tip is gone"))
-}
-
-/// Root mean square.
-fn rms(values: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = values.fold((0.0, 0), |(s, n), v| (s + v * v, n + 1));
-    (sum / f64::from(count)).sqrt()
 }
 
 /// Time \[s\] and value of the smallest value, on the parabola through it and its neighbours.
@@ -357,66 +338,6 @@ fn tip_quantities(history: &[f64], exact: &[f64]) -> Vec<Quantity> {
         }
     }
     quantities
-}
-
-/// The vertices when the beam hangs.
-struct Hanging {
-    /// From where they started \[m\].
-    displacements: Vec<[f64; 2]>,
-    /// Distances to where their particles take them \[m\].
-    distances: Vec<f64>,
-}
-
-impl Hanging {
-    fn new(simulation: &Simulation, starts: &[[f64; 3]]) -> Result<Self, String> {
-        let now = simulation
-            .boundary_vertices(1)
-            .ok_or("the beam has lost its boundary")?;
-        let mut distances = vec![];
-        for (x, start) in now.iter().zip(starts) {
-            let p = nearest(simulation, [start[0], start[1]])?;
-            let (Some(origin), Some(f)) = (
-                simulation.initial_position(0, p),
-                simulation.deformation(0, p),
-            ) else {
-                return Err("no deformation gradient is kept".to_owned());
-            };
-            let x_p = simulation.position(0, p);
-            let off: [f64; 2] = std::array::from_fn(|i| {
-                let arm: f64 = (0..2).map(|j| f[i][j] * (start[j] - origin[j])).sum();
-                x[i] - x_p[i] - arm
-            });
-            distances.push(off[0].hypot(off[1]));
-        }
-        let displacements = now
-            .iter()
-            .zip(starts)
-            .map(|(x, start)| [x[0] - start[0], x[1] - start[1]]);
-        Ok(Self {
-            displacements: displacements.collect(),
-            distances,
-        })
-    }
-
-    fn quantities(&self, reference: &[[f64; 2]]) -> Vec<Quantity> {
-        let length = |name, value| Quantity {
-            name,
-            value,
-            exact: None,
-            error: None,
-            unit: "m",
-        };
-        let mut quantities = vec![
-            length(FROM_PARTICLES, rms(self.distances.iter().copied())),
-            length(FARTHEST, self.distances.iter().copied().fold(0.0, f64::max)),
-        ];
-        if self.displacements.len() == reference.len() {
-            let off = self.displacements.iter().zip(reference);
-            let off = off.map(|(u, exact)| (u[0] - exact[0]).hypot(u[1] - exact[1]));
-            quantities.push(length(FROM_REFERENCE, rms(off)));
-        }
-        quantities
-    }
 }
 
 impl Case for Cantilever {

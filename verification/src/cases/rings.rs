@@ -221,7 +221,7 @@ impl History {
         let kinetic = points(1, |s| s.kinetic);
         let strain = points(2, |s| s.strain);
         Curve {
-            title: format!("{label}: kinetic (from above) and strain energy of both rings"),
+            title: format!("{label}: kinetic (upper) and strain energy"),
             abscissa: "t in s",
             ordinate: "energy in J",
             points: kinetic.chain([PARTED]).chain(strain).collect(),
@@ -280,7 +280,7 @@ impl Case for Rings {
                 "first contact less 0.25 ms, in s",
                 (value(BEGIN) - 0.25e-3).abs(),
                 0.01e-3,
-                "15 mm at 60 m/s",
+                "the gap less the critical one, 15 mm, at 60 m/s",
             );
             // With FLIP, which is there for the energy, the rings need the fine grid to part in time.
             if variant == APIC || size == Size::Full {
