@@ -36,10 +36,12 @@ fn main() {
         println!("cargo::rerun-if-changed=../{source}");
     }
     // Changes with every commit and checkout. Where there is no history, nothing has to be watched.
+    // The path that git prints is absolute or from the folder of the workspace.
     if let Some(log) = git(&["rev-parse", "--git-path", "logs/HEAD"])
-        && Path::new(&log).exists()
+        .map(|log| Path::new("..").join(log))
+        .filter(|log| log.exists())
     {
-        println!("cargo::rerun-if-changed={log}");
+        println!("cargo::rerun-if-changed={}", log.display());
     }
     let commit = git(&["rev-parse", "HEAD"]).unwrap_or_default();
     tell("COMMIT", &commit);

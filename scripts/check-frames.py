@@ -12,6 +12,10 @@ Reads particles.pvd in FOLDER and every frame that it lists, and checks that
 - the centre of mass and the mass of each body equal those in history.csv at the same time, where the frames have
   Mass and Body Id.
 
+Where there is a grid.pvd, its frames of nodes are checked the same way, but that nodes have no ids and their number
+changes, and that a Contact Gap is no number where no partner is near. The masses and contact forces of the nodes add up
+to those in history.csv: those of a Body Id to the body with a field of its own, those without one to all others.
+
 CHECK is NAME:ID:COMPONENT[@TIME]=VALUE+-TOLERANCE (or ±), for the particle with that Particle Id, in the last
 frame or in the one at TIME; components count from 0; NAME "Points" means the position. Example:
 --expect 'Velocity:7:2@0.1=-0.981+-1e-9'
@@ -30,9 +34,12 @@ from pathlib import Path
 EXIT_FAILED = 1
 EXIT_USAGE = 2
 
-VECTORS = {"Displacement", "Velocity", "Acceleration", "Momentum"}
+VECTORS = {"Displacement", "Velocity", "Acceleration", "Momentum", "Contact Force"}
 WHOLE = {"Particle Id", "Material Id", "Body Id"}
-SCALARS = {"Mass", "Density", "Volume", "Pressure"}
+SCALARS = {"Mass", "Density", "Volume", "Pressure", "Contact Gap"}
+MAY_BE_NO_NUMBER = {"Contact Gap"}
+# Body Id of a node whose field is that of all bodies without one of their own.
+COMMON_FIELD = -(2**63)
 TENSORS = {"Stress", "Strain"}
 TENSOR_COMPONENTS = ["XX", "YY", "ZZ", "XY", "YZ", "XZ"]
 # The sums of a body are formed in another order here than in the run: n * eps for a million particles.
@@ -42,28 +49,45 @@ SUM_TOLERANCE = 1e-9
 def main():
     arguments = parse_arguments()
     modules = import_vtk()
-    listed = read_list(arguments.folder)
-    problems = []
-    frames = []
-    for file, time in listed:
-        frame, error = read_frame(modules, arguments.folder / file)
-        if error:
-            problems.append(f"{file}: {error}")
-            continue
-        frames.append((file, time, frame))
+    folder = arguments.folder
+    listed, frames, problems = read_frames(modules, folder, "particles.pvd")
     for file, time, frame in frames:
-        problems += [f"{file}: {text}" for text in check_frame(frame, time, arguments.require)]
+        problems += [f"{file}: {text}" for text in check_frame(frame, time, ["Particle Id", *arguments.require])]
     problems += check_series(listed, frames, arguments.allow_removed)
     problems += [text for check in arguments.expect for text in check_expected(check, frames)]
-    compared, differing = check_history(arguments.folder / "history.csv", frames)
+    history, wrong = read_history(folder / "history.csv")
+    problems += wrong
+    compared, differing = check_history(history, frames)
     problems += differing
     print_table(frames)
     print(f"{len(listed)} frames listed, {len(frames)} read with VTK {modules['version']}")
     print(f"{len(arguments.expect)} expected values, {compared} body states compared with history.csv")
+    if (folder / "grid.pvd").is_file():
+        listed, frames, wrong = read_frames(modules, folder, "grid.pvd")
+        problems += wrong
+        for file, time, frame in frames:
+            problems += [f"{file}: {text}" for text in check_frame(frame, time, [])]
+        problems += check_times(listed)
+        compared, differing = check_nodes(history, frames)
+        problems += differing
+        print_table(frames)
+        print(f"{len(listed)} frames of nodes listed, {len(frames)} read, {compared} sums compared with history.csv")
     for text in problems:
         print(f"FAILED  {text}")
     print(f"{len(problems)} problems" if problems else "all well")
     return EXIT_FAILED if problems else 0
+
+
+def read_frames(modules, folder, name):
+    """What a list of frames holds, the frames that could be read with their times, and what was wrong with others."""
+    listed, frames, problems = read_list(folder / name), [], []
+    for file, time in listed:
+        frame, error = read_frame(modules, folder / file)
+        if error:
+            problems.append(f"{file}: {error}")
+        else:
+            frames.append((file, time, frame))
+    return listed, frames, problems
 
 
 def parse_arguments():
@@ -121,9 +145,8 @@ def import_vtk():
     }
 
 
-def read_list(folder):
+def read_list(path):
     """File name and time of every frame."""
-    path = folder / "particles.pvd"
     try:
         root = ElementTree.parse(path).getroot()
         listed = [(entry.attrib["file"], float(entry.attrib["timestep"])) for entry in root.iter("DataSet")]
@@ -191,7 +214,7 @@ def check_frame(frame, time, required):
         yield f"TimeValue {frame['time']!r}, listed as {time!r}"
     if frame["vertices"] is None or not numpy.array_equal(frame["vertices"], numpy.arange(count)):
         yield "the cells are not one vertex per point, in their order"
-    for name in ["Particle Id", *required]:
+    for name in required:
         if name not in arrays:
             yield f"no array {name!r}"
     if not numpy.isfinite(frame["points"]).all():
@@ -204,7 +227,8 @@ def check_frame(frame, time, required):
             yield f"{name}: {values.shape[1]} components, expected {components}"
         if name in WHOLE and not numpy.issubdtype(values.dtype, numpy.integer):
             yield f"{name}: {values.dtype}, expected whole numbers"
-        bad = numpy.flatnonzero(~numpy.isfinite(values).all(axis=1))
+        allowed = numpy.isnan(values) if name in MAY_BE_NO_NUMBER else False
+        bad = numpy.flatnonzero(~(numpy.isfinite(values) | allowed).all(axis=1))
         if len(bad):
             yield f"{name}: not finite at {len(bad)} points, first at index {bad[0]}"
     for tensor in TENSORS:
@@ -224,10 +248,14 @@ def known_components(name):
     return None
 
 
-def check_series(listed, frames, allow_removed):
+def check_times(listed):
     for (_, before), (file, time) in zip(listed, listed[1:]):
         if not time > before:
             yield f"{file}: time {time!r} is not later than {before!r}"
+
+
+def check_series(listed, frames, allow_removed):
+    yield from check_times(listed)
     for (_, _, before), (file, _, frame) in zip(frames, frames[1:]):
         old, new = len(before["points"]), len(frame["points"])
         if new > old or (new < old and not allow_removed):
@@ -260,15 +288,48 @@ def check_expected(check, frames):
         yield f"{check['text']}: {file} has {found!r}"
 
 
-def check_history(path, frames):
-    """Number of body states compared, and what differs."""
+def read_history(path):
+    """The rows of history.csv by their time, and what is wrong with it."""
     if not path.is_file():
-        return 0, []
+        return {}, []
     with path.open(newline="", encoding="utf-8") as file:
         try:
-            rows = {float(row["time"]): row for row in csv.DictReader(file)}
+            return {float(row["time"]): row for row in csv.DictReader(file)}, []
         except (KeyError, TypeError, ValueError) as error:
-            return 0, [f"history.csv: {error!r}"]
+            return {}, [f"history.csv: {error!r}"]
+
+
+def check_nodes(rows, frames):
+    """Number of sums over nodes compared, and what differs."""
+    compared, problems = 0, []
+    for file, time, frame in frames:
+        arrays, row, numpy = frame["arrays"], rows.get(time), frame["numpy"]
+        if "Body Id" not in arrays or row is None:
+            continue
+        fields = arrays["Body Id"][:, 0]
+        own = {f"body{field}" for field in numpy.unique(fields) if field != COMMON_FIELD}
+        bodies = {column.split("_")[0] for column in row if re.fullmatch(r"body-?\d+_mass", column)}
+        wanted = [("mass", "Mass", 0)] + [(f"contact_f{axis}", "Contact Force", i) for i, axis in enumerate("xyz")]
+        for name, array, component in wanted:
+            if array not in arrays:
+                continue
+            values = arrays[array][:, component]
+            scale = float(numpy.abs(arrays[array]).sum())
+            sums = [(body, values[fields == int(body[4:])].sum(), [body]) for body in sorted(own & bodies)]
+            sums.append(("the common field", values[fields == COMMON_FIELD].sum(), sorted(bodies - own)))
+            for label, found, of in sums:
+                known = [row.get(f"{body}_{name}") for body in of]
+                if not known or not all(known):
+                    continue
+                expected = sum(float(value) for value in known)
+                compared += 1
+                if not math.isclose(found, expected, rel_tol=0, abs_tol=SUM_TOLERANCE * scale):
+                    problems.append(f"{file}: {name} of {label} is {found!r} in the frame, {expected!r} in history.csv")
+    return compared, problems
+
+
+def check_history(rows, frames):
+    """Number of body states compared, and what differs."""
     compared, problems = 0, []
     for file, time, frame in frames:
         masses, bodies = frame["arrays"].get("Mass"), frame["arrays"].get("Body Id")

@@ -40,10 +40,10 @@ impl Summary {
         })
     }
 
-    /// Distance of the quartiles over the median.
+    /// Largest less least value, over the median: of three or five repetitions the quartiles say little.
     #[must_use]
     pub fn spread(&self) -> f64 {
-        (self.upper_quartile - self.lower_quartile) / self.median
+        (self.maximum - self.minimum) / self.median
     }
 }
 

@@ -315,6 +315,30 @@ fn a_curve_shows_exact_as_line_and_computed_as_dots() {
 }
 
 #[test]
+fn a_curve_without_anything_exact_is_a_line_alone() {
+    let point = |at: f64, computed: f64| CurvePoint {
+        at,
+        computed,
+        exact: f64::NAN,
+    };
+    let curve = Curve {
+        title: "force on the plate".to_owned(),
+        abscissa: "way (m)",
+        ordinate: "force (N)",
+        points: vec![
+            point(0.0, 0.0),
+            point(1.0, 10.0),
+            point(f64::NAN, f64::NAN),
+            point(0.0, 3.0),
+            point(1.0, 4.0),
+        ],
+    };
+    let all = sound("curve alone", &figures::curve(&curve));
+    assert!(!texts(&all).contains(&"exact"));
+    assert!(texts(&all).contains(&"computed"));
+}
+
+#[test]
 fn bars_begin_at_zero_and_carry_name_and_value() {
     let values = [
         ("1 thread".to_owned(), 100.0),

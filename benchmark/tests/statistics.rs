@@ -22,7 +22,7 @@ fn quartiles_interpolate_as_numpy_does() {
         (summary.minimum, summary.maximum, summary.count),
         (1.0, 9.0, 8)
     );
-    assert_eq!(summary.spread(), 1.0);
+    assert_eq!(summary.spread(), 8.0 / 3.5);
 }
 
 #[test]

@@ -232,21 +232,23 @@ impl ParticleSet {
 
     /// Base cell of each particle as one number, slow axis first.
     fn base_keys(&self, shape: &GridShape, stencil: usize) -> Vec<u32> {
-        let bases = shape.bases();
-        let offset = base_offset(stencil);
-        let axes = self.layout.axes;
         (0..self.len())
             .into_par_iter()
             .with_min_len(1 << 14)
-            .map(|p| {
-                let mut at = [0; 3];
-                for axis in 0..axes {
-                    let xi = self.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
-                    at[shape.direction(axis)] = ((xi - offset).floor() + 1.0) as usize;
-                }
-                ((at[0] * bases[1] + at[1]) * bases[2] + at[2]) as u32
-            })
+            .map(|p| self.base_key(p, shape, stencil))
             .collect()
+    }
+
+    #[inline]
+    fn base_key(&self, p: usize, shape: &GridShape, stencil: usize) -> u32 {
+        let bases = shape.bases();
+        let offset = base_offset(stencil);
+        let mut at = [0; 3];
+        for axis in 0..self.layout.axes {
+            let xi = self.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
+            at[shape.direction(axis)] = ((xi - offset).floor() + 1.0) as usize;
+        }
+        ((at[0] * bases[1] + at[1]) * bases[2] + at[2]) as u32
     }
 
     /// Reorders all columns: particle `order[i]` becomes particle `i`.
@@ -347,5 +349,20 @@ pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> Activ
     for set in sets {
         occupy(&set.base_keys(shape, stencil), bases[2], &mut occupied);
     }
+    ActiveRows::new(shape, &occupied, stencil)
+}
+
+/// The rows that some particles of a set can reach before the next sort.
+#[must_use]
+pub fn rows_of_some(
+    set: &ParticleSet,
+    particles: impl Iterator<Item = usize>,
+    shape: &GridShape,
+    stencil: usize,
+) -> ActiveRows {
+    let bases = shape.bases();
+    let mut occupied = vec![None; bases[0] * bases[1]];
+    let keys: Vec<u32> = particles.map(|p| set.base_key(p, shape, stencil)).collect();
+    occupy(&keys, bases[2], &mut occupied);
     ActiveRows::new(shape, &occupied, stencil)
 }

@@ -280,6 +280,13 @@ impl Plan {
             "a record moves a plane, and the mesh with it along its normal",
             "no active record",
         );
+        list.choose(
+            "stage",
+            "held nodes",
+            !scene.held_boxes.is_empty(),
+            "nodes in a box stand still",
+            "no box is held",
+        );
         let nodal = scene.point_loads.len() + scene.tractions.len();
         list.choose(
             "stage",
@@ -401,6 +408,9 @@ fn contact_words(scene: &Scene, list: &mut Words) {
             &format!("boundary of body {}", boundary.body),
             match boundary.follow {
                 Follow::Velocity => "its vertices follow the velocities of the nodes",
+                Follow::Unaugmented => {
+                    "its vertices follow the velocities of the nodes, nodes without mass among them"
+                }
                 Follow::Spin => "its vertices follow velocities and spins of the nodes",
                 Follow::Gradient => {
                     "its vertices follow velocities and velocity gradients of the nodes"

@@ -213,7 +213,8 @@ fn stages_that_are_kept_act() {
 #[test]
 fn features_that_do_nothing_change_no_bit() {
     type Choose = fn(&mut Scene);
-    let cases: [(Choose, &str); 9] = [
+    let cases: [(Choose, &str); 10] = [
+        (|s| s.held_boxes = vec![], "held nodes"),
         (
             |s| s.damping = Damping::Local { alpha: 0.0 },
             "local damping",

@@ -45,7 +45,7 @@ pub struct Quantity {
     pub unit: &'static str,
 }
 
-/// Computed against exact along one coordinate, for pictures.
+/// Computed against exact along one coordinate, for pictures; or computed alone, where there is nothing exact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// What is shown, and where.
@@ -58,6 +58,14 @@ pub struct Curve {
     pub points: Vec<CurvePoint>,
 }
 
+impl Curve {
+    /// Whether any point says what should be.
+    #[must_use]
+    pub fn has_exact(&self) -> bool {
+        self.points.iter().any(|p| p.exact.is_finite())
+    }
+}
+
 /// A point of a [`Curve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint {
@@ -65,8 +73,17 @@ pub struct CurvePoint {
     pub at: f64,
     /// As computed.
     pub computed: f64,
-    /// As it should be.
+    /// As it should be. A curve that has it nowhere is shown alone.
     pub exact: f64,
+}
+
+impl CurvePoint {
+    /// Puts points in order and keeps one of those that lie within `width` of each other: particles of one layer of a
+    /// problem in one dimension.
+    pub fn one_per_place(points: &mut Vec<Self>, width: f64) {
+        points.sort_by(|p, q| p.at.total_cmp(&q.at));
+        points.dedup_by(|p, q| (p.at - q.at).abs() < width);
+    }
 }
 
 /// What a run of one rung gave.

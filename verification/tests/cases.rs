@@ -11,20 +11,32 @@ mod base_acceleration;
 mod block_on_two_blocks;
 #[path = "cases/boussinesq.rs"]
 mod boussinesq;
+#[path = "cases/cantilever.rs"]
+mod cantilever;
 #[path = "cases/colliding_blocks.rs"]
 mod colliding_blocks;
+#[path = "cases/grains.rs"]
+mod grains;
 #[path = "cases/hertz.rs"]
 mod hertz;
 #[path = "cases/inclined_block.rs"]
 mod inclined_block;
 #[path = "cases/inclined_two_blocks.rs"]
 mod inclined_two_blocks;
+#[path = "cases/ironing.rs"]
+mod ironing;
+#[path = "cases/rings.rs"]
+mod rings;
 #[path = "cases/rolling_disk.rs"]
 mod rolling_disk;
 #[path = "cases/rotation.rs"]
 mod rotation;
 #[path = "cases/self_weight.rs"]
 mod self_weight;
+#[path = "cases/sphere_on_terrain.rs"]
+mod sphere_on_terrain;
+#[path = "cases/tilted_incline.rs"]
+mod tilted_incline;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};

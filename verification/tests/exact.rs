@@ -12,10 +12,18 @@ mod base_column;
 mod boussinesq_box;
 #[path = "exact/boussinesq_half_space.rs"]
 mod boussinesq_half_space;
+#[path = "exact/cantilever.rs"]
+mod cantilever;
+#[path = "exact/elastic_block.rs"]
+mod elastic_block;
+#[path = "exact/fe.rs"]
+mod fe;
 #[path = "exact/hertz.rs"]
 mod hertz;
 #[path = "exact/hertz_layer.rs"]
 mod hertz_layer;
+#[path = "exact/ring_impact.rs"]
+mod ring_impact;
 #[path = "exact/rolling_disk.rs"]
 mod rolling_disk;
 #[path = "exact/rotation.rs"]

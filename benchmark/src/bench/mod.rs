@@ -16,6 +16,5 @@ mod session;
 pub mod tables;
 
 pub use plan::{Slot, slots};
-pub use rows::{median, spread};
 pub use sample::{Kind, Sample, Settings, Work};
 pub use session::Session;

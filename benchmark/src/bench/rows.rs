@@ -1,30 +1,10 @@
-//! Samples as rows of a record, and what several of them say together.
+//! Samples as rows of a record.
 
 use super::machine::Peaks;
 use super::plan::Slot;
 use super::sample::Sample;
 use crate::record::Row;
 use proctor_kernel::simulation::Phase;
-
-/// Middle value, the mean of the two middle ones of an even number; NaN of none.
-#[must_use]
-pub fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    match sorted.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => sorted[n / 2],
-        n => 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]),
-    }
-}
-
-/// Largest less smallest, over the median.
-#[must_use]
-pub fn spread(values: &[f64]) -> f64 {
-    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    (largest - smallest) / median(values)
-}
 
 /// The name of a slot in a record, which tells it from all others.
 pub(super) fn name(slot: &Slot) -> String {
@@ -81,7 +61,7 @@ pub(super) fn row(slot: &Slot, repetition: u64, sample: &Sample, peaks: Option<&
 /// The row of the machine's peaks.
 pub(super) fn peaks_row(peaks: &Peaks) -> Row {
     let name = format!("machine/threads:{}", peaks.threads);
-    let mut row = Row::sample(name, 0, peaks.threads);
+    let mut row = Row::aggregate(name, "peaks", peaks.threads);
     row.count("triad_bytes_per_second", peaks.bandwidth);
     row.count("multiply_add_flops_per_second", peaks.arithmetic);
     row

@@ -68,6 +68,11 @@ pub const BUILT_IN: &[BuiltIn] = &[
         what: "a confined column whose weight acts suddenly; exact solution known",
         make: column,
     },
+    BuiltIn {
+        name: "contact",
+        what: "a block on a fixed base and one that slides on it",
+        make: contact,
+    },
 ];
 
 /// Names of all built-in scenes with their dimension.
@@ -226,4 +231,43 @@ fn column(block: &Block) -> Made {
         scene,
         exact: Some(("sudden weight, d'Alembert", exact)),
     }
+}
+
+/// Coefficient of friction between the two blocks, and the speed of the upper one \[m/s\].
+const FRICTION: f64 = 0.3;
+const SLIDE: f64 = 2.0;
+
+fn contact(block: &Block) -> Made {
+    let up = block.axes - 1;
+    let mut cells = block.cells.clone();
+    // Each of the two is one cell high at least.
+    cells[up] = cells[up].max(2);
+    let block = &Block {
+        axes: block.axes,
+        cells,
+    };
+    let (mut below, above) = ([MARGIN; 3], [MARGIN; 3]);
+    below[up] = 0;
+    let mut slide = vec![0.0; block.axes];
+    slide[0] = SLIDE;
+    let mut scene = block.scene(&below, &above, 1, &slide);
+    let mut gravity = vec![0.0; block.axes];
+    gravity[up] = -10.0;
+    scene["gravity"] = gravity.into();
+    let plane = ["plane_Y0", "plane_Z0"][up - 1];
+    scene["mesh"]["boundary_conditions"] = json!({ plane: "fixed" });
+    let middle = (block.cells[up] / 2) as f64 * H;
+    let mut upper = scene["body"][0].clone();
+    upper["id"] = 2.into();
+    upper["point_p1"][up] = middle.into();
+    let lower = &mut scene["body"][0];
+    lower["point_p2"][up] = middle.into();
+    lower["initial_velocity"] = vec![0.0; block.axes].into();
+    if let Some(bodies) = scene["body"].as_array_mut() {
+        bodies.push(upper);
+    }
+    scene["contact"] = json!([{
+        "id": 1, "friction": FRICTION, "master_id": 1, "slave_id": 2, "normal_type": "collinear",
+    }]);
+    Made { scene, exact: None }
 }

@@ -3,10 +3,11 @@
 use super::children::Child;
 use super::machine::Peaks;
 use super::plan::Slot;
-use super::rows::{median, name, spread};
+use super::rows::name;
 use super::session::Session;
 use crate::record::{Record, Row};
 use crate::show::{Table, bytes, grouped, number, seconds};
+use crate::statistics::{Summary, median};
 use proctor_kernel::simulation::Phase;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -45,11 +46,15 @@ impl<'a> Samples<'a> {
 
     /// Median of a counter as text, or nothing.
     fn shown(&self, key: &str, show: impl Fn(f64) -> String) -> String {
-        let values = self.all(key);
-        if values.is_empty() {
-            String::new()
+        median(&self.all(key)).map_or_else(String::new, show)
+    }
+
+    /// What stands in place of a time.
+    fn instead(&self) -> &'static str {
+        if self.failure().is_some() {
+            "failed"
         } else {
-            show(median(&values))
+            "-"
         }
     }
 
@@ -80,13 +85,10 @@ impl<'a> Report<'a> {
         let one = self.session.slots.iter().find(|other| {
             other.work.name == slot.work.name && other.work.threads == 1 && slot.work.threads > 1
         });
-        let one = one.map(|one| median(&self.samples(one).all("wall_ns_per_particle_step")));
-        match one {
-            Some(one) if one.is_finite() => {
+        one.and_then(|one| median(&self.samples(one).all("wall_ns_per_particle_step")))
+            .map_or_else(String::new, |one| {
                 format!("{:.0} %", 100.0 * one / wall / slot.work.threads as f64)
-            }
-            _ => String::new(),
-        }
+            })
     }
 
     /// Cells of a failed slot: the reason is told below the table.
@@ -126,26 +128,18 @@ impl<'a> Report<'a> {
                 method,
                 slot.work.threads.to_string(),
             ];
-            if wall.is_empty() {
-                line.push(
-                    if samples.failure().is_some() {
-                        "failed"
-                    } else {
-                        "-"
-                    }
-                    .to_owned(),
-                );
-            } else {
-                let middle = median(&wall);
+            if let Some(wall) = Summary::of(&wall) {
                 line.extend([
-                    ns(middle),
+                    ns(wall.median),
                     samples.shown("cpu_ns_per_particle_step", ns),
-                    format!("{:.0} %", 100.0 * spread(&wall)),
+                    format!("{:.0} %", 100.0 * wall.spread()),
                     samples.shown("particle_steps_per_second", |rate| {
                         format!("{:.2}", rate * 1e-6)
                     }),
-                    self.efficiency(slot, middle),
+                    self.efficiency(slot, wall.median),
                 ]);
+            } else {
+                line.push(samples.instead().to_owned());
             }
             table.push(line);
         }
@@ -309,24 +303,17 @@ fn child_line(child: &Child, samples: &Samples<'_>) -> Vec<String> {
         samples.shown("particles", |n| grouped(n as u64)),
         child.threads.to_string(),
     ];
-    if wall.is_empty() {
-        line.push(
-            if samples.failure().is_some() {
-                "failed"
-            } else {
-                "-"
-            }
-            .to_owned(),
-        );
-    } else {
+    if let Some(wall) = Summary::of(&wall) {
         line.extend([
-            seconds(median(&wall)),
-            seconds(median(&samples.cpu())),
-            format!("{:.0} %", 100.0 * spread(&wall)),
+            seconds(wall.median),
+            median(&samples.cpu()).map_or_else(String::new, seconds),
+            format!("{:.0} %", 100.0 * wall.spread()),
             samples.shown("peak_rss_bytes", |n| bytes(n as u64)),
             samples.shown("error_l2_displacement", number),
             samples.shown("difference_l2_displacement", number),
         ]);
+    } else {
+        line.push(samples.instead().to_owned());
     }
     line
 }

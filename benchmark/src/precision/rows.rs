@@ -3,7 +3,7 @@
 use super::choices::Choice;
 use super::findings::{Findings, LEVELS};
 use super::run::{Run, Sample, Studied};
-use crate::record::{Record, Row};
+use crate::record::{LADDER, Record, Row};
 use proctor_verification::settings::Method;
 
 /// Name of the rows of a line.
@@ -18,11 +18,20 @@ fn line_name(case: &str, method: Method) -> String {
 
 /// Name of the rows of a choice: the same choice is the same name in every record.
 fn name(case: &str, choice: &Choice) -> String {
+    let line = line_name(case, choice.settings.method);
+    format!("{line}/h={:.4e}/{}", choice.rung.cell, numbers(choice))
+}
+
+/// What runs have in common that differ in resolution alone.
+fn ladder(case: &str, choice: &Choice) -> String {
+    let line = line_name(case, choice.settings.method);
+    format!("{line}/{}", numbers(choice))
+}
+
+fn numbers(choice: &Choice) -> String {
     let settings = &choice.settings;
     format!(
-        "{}/h={:.4e}/C={:.4}/ppc={}",
-        line_name(case, settings.method),
-        choice.rung.cell,
+        "C={:.4}/ppc={}",
         settings.courant_or_automatic(),
         settings.particles_per_cell
     )
@@ -86,6 +95,7 @@ fn sample_row(
     let mut row =
         Row::sample(name(case, choice), repetition as u64, threads).timed(sample.stepping);
     describe(&mut row, case, choice.settings.method);
+    row.label(LADDER, ladder(case, choice));
     row.count("cell_size", choice.rung.cell);
     row.count("courant", choice.settings.courant_or_automatic());
     row.count(

@@ -9,7 +9,7 @@ use crate::show::{figures, precision as show};
 use crate::suite::Ran;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::run::plan_value;
-use proctor_verification::case::{Gate, Relation};
+use proctor_verification::case::{Curve, Gate, Relation};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -124,16 +124,21 @@ impl Details {
             variant = Some(run.rung.variant);
             curves.push(Figure {
                 caption: format!(
-                    "{} over {}: computed against exact, run {}.",
-                    curve.ordinate, curve.abscissa, run.rung.label
+                    "{} over {}: {}, run {}.",
+                    curve.ordinate,
+                    curve.abscissa,
+                    shown(curve),
+                    run.rung.label
                 ),
                 chart: figures::curve(curve),
             });
         }
         curves.extend(ran.verdict.curves.iter().map(|curve| Figure {
             caption: format!(
-                "{} over {}: computed against exact, several runs.",
-                curve.ordinate, curve.abscissa
+                "{} over {}: {}, several runs.",
+                curve.ordinate,
+                curve.abscissa,
+                shown(curve)
             ),
             chart: figures::curve(curve),
         }));
@@ -206,5 +211,14 @@ fn gate(gate: &Gate) -> GateDetail {
         bound: gate.bound,
         reason: gate.reason.to_owned(),
         passed: gate.passed(),
+    }
+}
+
+/// What a chart of a curve shows.
+fn shown(curve: &Curve) -> &'static str {
+    if curve.has_exact() {
+        "computed against exact"
+    } else {
+        "as computed"
     }
 }

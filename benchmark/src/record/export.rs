@@ -7,10 +7,9 @@
 //! | critcmp | critcmp, as its own `--export` writes it | mean and median \[ns\] | particles per second |
 //! | CSV | everything else | every row \[s\] | every counter and label |
 
-use super::{CaseKey, Cases, Kind, Record, Series};
+use super::{CaseKey, Cases, Record, Series};
 use crate::statistics::{Summary, median, ratio_interval};
 use serde_json::{Map, Value, json};
-use std::collections::BTreeSet;
 use std::fmt;
 
 /// Shape of an exported record.
@@ -206,54 +205,7 @@ fn estimates(values: &[f64]) -> Option<Value> {
 }
 
 fn csv(record: &Record) -> Result<String, ExportError> {
-    let of_all = |keys: fn(&super::Row) -> Vec<String>| -> BTreeSet<String> {
-        record.rows.iter().flat_map(keys).collect()
-    };
-    let counters = of_all(|row| row.counters.keys().cloned().collect());
-    let labels = of_all(|row| row.labels.keys().cloned().collect());
-    let mut writer = csv::Writer::from_writer(vec![]);
-    let fixed = [
-        "name",
-        "repetition",
-        "aggregate",
-        "threads",
-        "iterations",
-        "wall_seconds",
-        "cpu_seconds",
-        "failure",
-    ];
-    let head = fixed.into_iter().map(str::to_owned);
-    let head = head
-        .chain(counters.iter().cloned())
-        .chain(labels.iter().cloned());
-    writer.write_record(head).map_err(ExportError::Csv)?;
-    for row in &record.rows {
-        let (repetition, aggregate) = match &row.kind {
-            Kind::Sample { repetition } => (repetition.to_string(), String::new()),
-            Kind::Aggregate { name } => (String::new(), name.clone()),
-        };
-        let number = |value: Option<f64>| value.map_or_else(String::new, |x| x.to_string());
-        let mut line = vec![
-            row.name.clone(),
-            repetition,
-            aggregate,
-            row.threads.to_string(),
-            row.iterations.to_string(),
-            number(row.wall()),
-            number(row.cpu()),
-            row.error.clone().unwrap_or_default(),
-        ];
-        line.extend(
-            counters
-                .iter()
-                .map(|key| number(row.counters.get(key).copied())),
-        );
-        let word = |key| row.labels.get(key).cloned().unwrap_or_default();
-        line.extend(labels.iter().map(word));
-        writer.write_record(line).map_err(ExportError::Csv)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| ExportError::Csv(error.into_error().into()))?;
+    let mut bytes = vec![];
+    record.table(&mut bytes).map_err(ExportError::Csv)?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

@@ -1,10 +1,10 @@
 //! Speed of whole steps, beside the floor of the method and the peaks of the machine.
 
 use super::html::{Section, Table, figure, paragraph};
-use crate::bench::rows::median;
 use crate::record::details::Figure;
 use crate::record::{Record, Row};
 use crate::show::{figures, grouped, number};
+use crate::statistics::median;
 use std::collections::BTreeMap;
 
 /// Floors of the method on paper \[ns of CPU per particle and step\]: 3D, 27 nodes, one core of 75 GFLOP/s with AVX-512
@@ -31,7 +31,7 @@ pub fn section(record: &Record) -> Option<Section> {
             .iter()
             .filter_map(|row| row.counters.get(key).copied())
             .collect();
-        median(&values)
+        median(&values).unwrap_or(f64::NAN)
     };
     let mut bars: Vec<(String, f64)> = FLOORS
         .iter()

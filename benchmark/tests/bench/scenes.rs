@@ -85,3 +85,28 @@ fn the_moving_block_crosses_cells() {
     let u = simulation.displacement(0, 0).expect("kept");
     assert!(u[0] > 3.0 * simulation.scene().mesh.cell[0]);
 }
+
+/// The blocks touch from the start, each in a field of its own, and friction brakes the upper one and pulls the lower.
+#[test]
+fn the_blocks_in_contact_rub() {
+    for name in ["contact-2d", "contact-3d"] {
+        let simulation = run(name, 1000);
+        assert_eq!(simulation.contact_layers(), 2, "{name}");
+        let up = simulation.scene().dimension.axes() - 1;
+        let [lower, upper] = [0, 1].map(|set| simulation.contact_force(set));
+        assert!(upper[up] > 0.0 && upper[0] < 0.0, "{name}: {upper:?}");
+        for axis in 0..3 {
+            let sum = (upper[axis] + lower[axis]).abs();
+            assert!(sum <= 1e-12 * upper[up], "{name}: {upper:?} {lower:?}");
+        }
+        // Coulomb at every node; at the edges the normals tilt, which leaves the sums a percent.
+        assert!(-upper[0] <= 0.3 * upper[up] * 1.02, "{name}: {upper:?}");
+        let (mass, _, velocity) = simulation.center(1);
+        let lost = mass * (2.0 - velocity[0]);
+        let most = 0.3 * mass * (velocity[up] + 10.0 * simulation.velocity_time());
+        assert!(
+            lost > 0.5 * most && lost <= most * 1.02,
+            "{name}: {lost} of {most}"
+        );
+    }
+}

@@ -93,6 +93,9 @@ fn failed_runs_are_rows_lines_and_open_marks() {
         ] {
             assert!(row[key].as_f64().is_some_and(|v| v > 0.0), "{key}: {row}");
         }
+        // A gain that accuracy paid for is judged at equal error, along runs that differ in resolution alone.
+        let ladder = row["ladder"].as_str().expect("a ladder");
+        assert!(!ladder.contains("h="), "{ladder}");
     }
     assert!(
         rows.iter()

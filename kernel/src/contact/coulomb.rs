@@ -32,6 +32,19 @@ pub struct Member {
     pub increment: Vector,
 }
 
+impl Member {
+    fn add(&mut self, axis: usize, change: f64) {
+        self.velocity[axis] += change;
+        self.increment[axis] += change;
+    }
+}
+
+/// Sign of the velocity before the step, against which local damping acts, where it does.
+fn direction(member: &Member, axis: usize) -> Option<f64> {
+    let before = member.velocity[axis] - member.increment[axis];
+    (member.mass.is_finite() && before != 0.0).then_some(before.signum())
+}
+
 /// Two fields that touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
@@ -102,6 +115,49 @@ impl Coulomb {
         // Where every velocity is prescribed there is nothing to push.
         let unit = if smallest.is_finite() { smallest } else { 0.0 };
         impulses.extend(self.impulse.iter().map(|j| j.map(|c| c * unit)));
+    }
+
+    /// Local damping resists by `alpha` times the unbalanced force, and contact is a part of what balances: damped
+    /// without it, a body at rest would be carried by its damping, by a share alpha of its weight. So the damping in the
+    /// trial velocities is taken back, contact found, and what then is unbalanced damped. Changes the fields to those
+    /// trial velocities and returns `true`; `false`, and nothing changed, where no contact acts.
+    pub fn damp_again(
+        &mut self,
+        members: &mut [Member],
+        joined: impl Fn(usize, usize) -> bool,
+        touches: &[Touch],
+        alpha: f64,
+        impulses: &mut Vec<Vector>,
+    ) -> bool {
+        let damped = members.to_vec();
+        for member in &mut *members {
+            for axis in 0..3 {
+                let dv = member.increment[axis];
+                if let Some(direction) = direction(member, axis) {
+                    let kept = 1.0 - alpha * direction * dv.signum();
+                    // A factor of 1 took everything; then there is nothing to give back.
+                    if kept > 0.0 {
+                        member.add(axis, dv / kept - dv);
+                    }
+                }
+            }
+        }
+        let free = members.to_vec();
+        self.resolve(members, joined, touches, impulses);
+        if impulses.iter().all(|j| *j == [0.0; 3]) {
+            members.copy_from_slice(&damped);
+            return false;
+        }
+        for ((member, free), damped) in members.iter_mut().zip(free).zip(&damped) {
+            let unbalanced = member.increment;
+            *member = free;
+            for axis in 0..3 {
+                if let Some(direction) = direction(damped, axis) {
+                    member.add(axis, -alpha * direction * unbalanced[axis].abs());
+                }
+            }
+        }
+        true
     }
 
     /// Groups with their mass and velocity. A prescribed velocity is that of its group; of two the later decides.

@@ -4,6 +4,8 @@
 //! which its body touches; the rest is never committed. It is cut into the same slabs as the common field, so that
 //! whoever owns a slab owns all fields of its nodes.
 
+use super::Pair;
+use super::interface::Interface;
 use crate::grid::{ActiveRows, Line, Nodes};
 use crate::particles::{ParticleSet, rows_of};
 use crate::simulation::field::{Field, split};
@@ -22,6 +24,8 @@ pub struct Layer {
     pub surface: Nodes,
     /// Rows in use, as of the last sort.
     pub rows: ActiveRows,
+    /// Particles that can reach a node of a partner.
+    pub interface: Interface,
 }
 
 /// All layers, in order of the identifier of the body.
@@ -39,6 +43,8 @@ pub struct LayerPlanes<'a> {
     pub planes: Planes<'a>,
     /// Second lines of the nodes.
     pub surface: &'a mut [Line],
+    /// Particles that can reach a node of a partner.
+    pub interface: &'a Interface,
 }
 
 /// All fields of the planes that one visit owns.
@@ -49,6 +55,22 @@ pub struct SlabFields<'a> {
     pub common: Planes<'a>,
     /// Layers, in order of the identifier of the body.
     pub layers: Vec<LayerPlanes<'a>>,
+}
+
+/// Whether two fields share their velocity where they meet: all but the layers of a pair. Fields are known by their
+/// number, 0 the common one, then the layers, whose bodies are `bodies`; row by row.
+#[must_use]
+pub fn joined(bodies: &[usize], pairs: &[Pair]) -> Vec<bool> {
+    let count = bodies.len() + 1;
+    let mut joined = vec![true; count * count];
+    for pair in pairs {
+        let number = |body| bodies.iter().position(|b| *b == body);
+        if let (Some(m), Some(s)) = (number(pair.master), number(pair.slave)) {
+            joined[(m + 1) * count + s + 1] = false;
+            joined[(s + 1) * count + m + 1] = false;
+        }
+    }
+    joined
 }
 
 impl Layers {
@@ -67,16 +89,26 @@ impl Layers {
             .map(|layer| layer.nodes.lines())
     }
 
-    /// Has layers for exactly these bodies (indices in order of the identifier), with rows for where their particles
-    /// are now.
-    pub fn set(&mut self, bodies: &[usize], sets: &[ParticleSet], field: &Field, stencil: usize) {
+    /// Has layers for exactly these bodies of near pairs (indices in order of the identifier), with rows for where their
+    /// particles are now.
+    pub fn set(
+        &mut self,
+        bodies: &[usize],
+        pairs: &[Pair],
+        near: &[bool],
+        sets: &[ParticleSet],
+        field: &Field,
+        stencil: usize,
+    ) {
         let count = field.shape.nodes.iter().product();
         let mut old = std::mem::take(&mut self.list);
         for &body in bodies {
             let rows = rows_of(std::slice::from_ref(&sets[body]), &field.shape, stencil);
+            let interface = Interface::new(body, pairs, near, sets, &field.shape, stencil);
             let layer = match old.iter().position(|layer| layer.body == body) {
                 Some(at) => Layer {
                     rows,
+                    interface,
                     ..old.swap_remove(at)
                 },
                 None => Layer {
@@ -84,6 +116,7 @@ impl Layers {
                     nodes: Nodes::new(count),
                     surface: Nodes::new(count),
                     rows,
+                    interface,
                 },
             };
             self.list.push(layer);
@@ -129,6 +162,7 @@ impl Layers {
                     body: layer.body,
                     planes: planes(&layer.rows, slab, nodes),
                     surface,
+                    interface: &layer.interface,
                 });
             }
         }

@@ -2,7 +2,7 @@
 
 use super::Pair;
 use super::coulomb::{Coulomb, Law, Member, Touch};
-use super::layers::SlabFields;
+use super::layers::{SlabFields, joined};
 use super::surface::{self, Probe, Search, Side, normal};
 use crate::grid::GridShape;
 use crate::particles::ParticleSet;
@@ -101,6 +101,8 @@ pub enum On {
         kick: f64,
         /// Time step \[s\].
         dt: f64,
+        /// Factor of the local damping that is in the increments.
+        damping: Option<f64>,
     },
     /// Velocities in the lower lanes, mapped at the new positions (USF), from which strain is taken. They feel no
     /// force: where the pair touched in this step they keep to what it did, elsewhere they are free. To test them for
@@ -157,7 +159,7 @@ impl Meetings {
             .collect();
         for plane in fields.common.range.clone() {
             for row in 0..shape.nodes[1] {
-                let Some(span) = union_of_rows(fields, plane, row) else {
+                let Some(span) = shared_span(fields, plane, row) else {
                     continue;
                 };
                 for k in span {
@@ -303,7 +305,8 @@ impl Meetings {
             power: vec![0.0; planes],
             ..Done::default()
         };
-        let joined = joined_fields(fields, bodies.pairs);
+        let of_layers: Vec<usize> = fields.layers.iter().map(|l| l.body).collect();
+        let joined = joined(&of_layers, bodies.pairs);
         let count = fields.layers.len() + 1;
         let driven: Vec<bool> = std::iter::once(false)
             .chain(fields.layers.iter().map(|l| bodies.driven[l.body]))
@@ -359,6 +362,18 @@ impl Meetings {
                 }
             }
             let is_joined = |i: usize, j: usize| joined[numbers[i] * count + numbers[j]];
+            if let On::Trial {
+                damping: Some(alpha),
+                ..
+            } = on
+                && coulomb.damp_again(&mut members, is_joined, &touches, alpha, &mut impulses)
+            {
+                for (&number, member) in numbers.iter().zip(&members) {
+                    let line = &mut nodes_mut(fields, number)[node];
+                    line[1..4].copy_from_slice(&member.velocity);
+                    line[4..7].copy_from_slice(&member.increment);
+                }
+            }
             coulomb.resolve(&mut members, is_joined, &touches, &mut impulses);
             let plane = node / per_plane;
             if let On::Trial { kick, .. } = on {
@@ -478,7 +493,12 @@ fn distances(
             })
             .collect();
         let layer = &mut fields.layers[number - 1];
-        search.probe(&bodies.sets[layer.body], layer.surface, &mut probes);
+        search.probe(
+            &bodies.sets[layer.body],
+            layer.interface,
+            layer.surface,
+            &mut probes,
+        );
         for (distance, probe) in distances.iter_mut().zip(probes) {
             *distance -= probe.reach;
         }
@@ -486,27 +506,19 @@ fn distances(
     distances
 }
 
-/// Whether two fields share their velocity where they meet: all but the layers of a pair. By numbers, row by row.
-fn joined_fields(fields: &SlabFields<'_>, pairs: &[Pair]) -> Vec<bool> {
-    let count = fields.layers.len() + 1;
-    let mut joined = vec![true; count * count];
-    for pair in pairs {
-        let number = |body| fields.layers.iter().position(|l| l.body == body);
-        if let (Some(m), Some(s)) = (number(pair.master), number(pair.slave)) {
-            joined[(m + 1) * count + s + 1] = false;
-            joined[(s + 1) * count + m + 1] = false;
-        }
-    }
-    joined
-}
-
-/// From the first to the last node of a row that any layer uses.
-fn union_of_rows(fields: &SlabFields<'_>, plane: usize, row: usize) -> Option<Range<usize>> {
-    fields
-        .layers
-        .iter()
-        .map(|layer| layer.planes.rows.span(plane, row))
-        .filter(|span| !span.is_empty())
+/// From the first to the last node of a row that two fields use.
+fn shared_span(fields: &SlabFields<'_>, plane: usize, row: usize) -> Option<Range<usize>> {
+    let span = |number: usize| match number {
+        0 => fields.common.rows.span(plane, row),
+        _ => fields.layers[number - 1].planes.rows.span(plane, row),
+    };
+    (1..=fields.layers.len())
+        .flat_map(|b| (0..b).map(move |a| (a, b)))
+        .map(|(a, b)| {
+            let (a, b) = (span(a), span(b));
+            a.start.max(b.start)..a.end.min(b.end)
+        })
+        .filter(|both| !both.is_empty())
         .reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
 }
 

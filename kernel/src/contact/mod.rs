@@ -3,6 +3,7 @@
 //! - [`layers`]: a velocity field of the grid for each body that is near a partner. Bodies that are not stay in the
 //!   common field, as in a scene without contact.
 //! - [`broad`]: which pairs are near, at each sort, by boxes of nodes.
+//! - [`interface`]: the particles that partners can share a node with; no other is asked for normals and distances.
 //! - [`surface`]: normals from mass gradients, and the distance of the bodies along them.
 //! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
 //! - [`overlap`]: bodies that overlap at the start.
@@ -20,6 +21,7 @@
 
 pub mod broad;
 pub mod coulomb;
+pub mod interface;
 pub mod layers;
 pub mod meeting;
 pub mod overlap;

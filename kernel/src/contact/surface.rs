@@ -4,6 +4,7 @@
 //! lanes of the second line of a node of a layer. Its derivative is that by the position of the particle, so it points
 //! from the body outward. At a wall the body goes on as its mirror image, as its mass does.
 
+use super::interface::Interface;
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::particles::{Layout, ParticleSet};
 use crate::scene::{ContactNormal, Vector};
@@ -139,9 +140,15 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds the reach of the particles of a body at probes, which are at different nodes. `surface` are the second
+    /// Finds the reach of the particles at the interface of a body at probes, which are at different nodes. `surface` are the second
     /// lines of the nodes of the owned planes.
-    pub fn probe(&self, set: &ParticleSet, surface: &mut [Line], probes: &mut [Probe]) {
+    pub fn probe(
+        &self,
+        set: &ParticleSet,
+        interface: &Interface,
+        surface: &mut [Line],
+        probes: &mut [Probe],
+    ) {
         let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
         for (slot, probe) in probes.iter().enumerate() {
             surface[probe.node][MARK] = (slot + 1) as f64;
@@ -152,7 +159,7 @@ impl Search<'_> {
         }
         // A particle may have left its layer by one cell since the last sort.
         let first = self.planes.start.saturating_sub(self.stencil);
-        for p in set.in_layers(first..self.planes.end + 1) {
+        for p in interface.in_layers(first..self.planes.end + 1).flatten() {
             self.show(set, p, &low, &high, surface, probes);
         }
         for probe in probes.iter() {

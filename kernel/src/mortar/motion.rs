@@ -7,6 +7,9 @@ use nalgebra::Matrix2;
 /// What of the motion around a node is carried to a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Follow {
+    /// Velocities of the nodes through the weights of a particle, which are not augmented: for comparison. Empty nodes
+    /// take their share of velocities and of contact forces, so vertices drift off and momentum is lost.
+    Unaugmented,
     /// Velocities of the nodes alone. Vertices at corners lag behind a rotation.
     Velocity,
     /// Velocity and spin of the nodes, as printed (eq. 29).
@@ -20,7 +23,7 @@ impl Follow {
     #[must_use]
     pub fn part(self, gradient: &Matrix2<f64>) -> Matrix2<f64> {
         match self {
-            Self::Velocity => Matrix2::zeros(),
+            Self::Unaugmented | Self::Velocity => Matrix2::zeros(),
             Self::Spin => 0.5 * (gradient - gradient.transpose()),
             Self::Gradient => *gradient,
         }

@@ -57,4 +57,21 @@ impl VertexWeights {
             ..*self
         })
     }
+
+    /// The weights of a particle on nodes with mass alone, for comparison: what empty nodes take is lost, and a vertex
+    /// that has left all mass behind has none.
+    #[must_use]
+    pub fn on_mass(&self, masses: &[f64; 9]) -> Self {
+        let kept = |k: usize| {
+            if masses[k] > 0.0 {
+                self.weights[k]
+            } else {
+                0.0
+            }
+        };
+        Self {
+            weights: array::from_fn(kept),
+            ..*self
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! What acts on the bodies from outside: base motion, forces, tractions.
 
-use super::Vector;
+use super::{Mesh, Vector};
+use std::ops::Range;
 
 /// A vector given at times, linear between them.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,16 @@ pub enum Motion {
     Velocity(History),
 }
 
+/// A box in which all nodes of the mesh, those on its faces too, stand still whatever acts on them: a clamp that is
+/// smaller than a plane of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldBox {
+    /// Lower corner \[m\].
+    pub p1: Vector,
+    /// Upper corner \[m\]; may equal `p1`.
+    pub p2: Vector,
+}
+
 /// Force on one node.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLoad {
@@ -62,4 +73,16 @@ pub struct BoxLoad {
     pub p2: Vector,
     /// Total force \[N\].
     pub force: Vector,
+}
+
+impl HeldBox {
+    /// Numbers along an axis of the nodes of the mesh that the box holds.
+    pub(crate) fn nodes_along(&self, mesh: &Mesh, axis: usize) -> Range<usize> {
+        let cells = |x: f64| (x - mesh.origin[axis]) / mesh.cell[axis];
+        let tolerance = mesh.tolerance(axis) / mesh.cell[axis];
+        let first = (cells(self.p1[axis]) - tolerance).ceil().max(0.0);
+        let last = (cells(self.p2[axis]) + tolerance).floor();
+        let last = last.min(mesh.cells[axis] as f64);
+        first as usize..(last + 1.0).max(first) as usize
+    }
 }

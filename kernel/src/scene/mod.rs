@@ -24,7 +24,7 @@ mod surface;
 pub use body::{Body, ParticleSeed, Shape};
 pub use contact::{Contact, ContactNormal};
 pub use error::{Location, Problem, SceneError};
-pub use load::{BaseMotion, BoxLoad, History, Motion, PointLoad, Traction};
+pub use load::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Traction};
 pub use material::{Law, Material, ObjectiveRate};
 pub use mesh::{Mesh, PlaneCondition};
 pub use method::{
@@ -90,6 +90,8 @@ pub struct Scene {
     pub damping: Damping,
     /// Motion of one boundary plane, if any ("earthquake").
     pub base_motion: Option<BaseMotion>,
+    /// Boxes in which nodes stand still.
+    pub held_boxes: Vec<HeldBox>,
     /// Forces on nodes, constant in time.
     pub point_loads: Vec<PointLoad>,
     /// Tractions on rectangles that are fixed in space, integrated over the nodal basis.
@@ -137,6 +139,7 @@ impl Scene {
             surfaces: Vec::new(),
             damping: Damping::None,
             base_motion: None,
+            held_boxes: Vec::new(),
             point_loads: Vec::new(),
             tractions: Vec::new(),
             box_loads: Vec::new(),

@@ -14,6 +14,8 @@ use crate::weights::{axis_weights_at, base_offset};
 pub(super) struct Acting {
     pub(super) walls: Vec<Wall>,
     pub(super) driven: Vec<DrivenNode>,
+    /// Nodes of all fields that stand still.
+    pub(super) held: Vec<DrivenNode>,
     pub(super) kick: f64,
     /// Half a step before and half a step after \[s\].
     pub(super) half_steps: [f64; 2],
@@ -22,7 +24,8 @@ pub(super) struct Acting {
 }
 
 impl Simulation {
-    /// Walls with their velocities at the two half-steps, and the nodes of driven bodies in the common field.
+    /// Walls with their velocities at the two half-steps, and the nodes of driven bodies and held boxes in the common
+    /// field.
     pub(super) fn acting(&self, dt: f64) -> Acting {
         let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * dt);
         let mut walls = vec![];
@@ -68,11 +71,14 @@ impl Simulation {
                 }));
             }
         }
-        // Where two driven bodies share a node the later body decides, whatever the order of particles.
+        driven.extend_from_slice(&self.held);
+        // Where two driven bodies share a node the later body decides, whatever the order of particles, and a held
+        // node stands still.
         driven.sort_by_key(|d| d.node);
         Acting {
             walls,
             driven,
+            held: self.held.clone(),
             kick: 0.5 * (self.clock.dt_before + dt),
             half_steps: [before, after],
             drift: dt,

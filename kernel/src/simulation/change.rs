@@ -57,6 +57,32 @@ impl Simulation {
         Ok(())
     }
 
+    /// Sets the coefficient of friction of a rigid surface, by its place in the scene, from here on.
+    ///
+    /// # Errors
+    /// No such surface, or a coefficient that is negative or not finite.
+    pub fn set_surface_friction(
+        &mut self,
+        surface: usize,
+        friction: f64,
+    ) -> Result<(), SetupError> {
+        if !friction.is_finite() || friction < 0.0 {
+            return Err(refused(
+                "friction",
+                &format!("{friction}; accepted: a finite number, 0 or greater"),
+            ));
+        }
+        let count = self.scene.surfaces.len();
+        let Some(entry) = self.scene.surfaces.get_mut(surface) else {
+            return Err(refused(
+                "surface",
+                &format!("{surface}; accepted: below {count}, the number of surfaces"),
+            ));
+        };
+        entry.friction = friction;
+        Ok(())
+    }
+
     /// Prescribes the velocity of the body with identifier `body` from here on, or with `None` releases it: it goes on
     /// with the velocity and the stress that it has.
     ///

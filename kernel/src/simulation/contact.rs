@@ -1,5 +1,7 @@
 //! The passes of a step where bodies have velocity fields of their own, and what contact tells of itself.
 
+mod sums;
+
 use super::acting::Acting;
 use super::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use super::passes::{Mapped, Sums, at_half_step_after, bodies_onto, total, trial};
@@ -11,7 +13,9 @@ use crate::contact::{Pair, State, broad, surface};
 use crate::particles::ParticleSet;
 use crate::scene::{Contact, Scene, Vector};
 use crate::stage::p2g::Carry;
-use crate::stage::solve::{EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
+use crate::stage::solve::{EmptyNode, Forces, PlaneSums, Planes, Wall};
+use sums::add_sums;
+pub(super) use sums::{number_of, shared_loads};
 
 impl State {
     /// The pairs of a scene. Two bodies whose motion is prescribed cannot act on each other.
@@ -134,9 +138,14 @@ impl Simulation {
             .filter(|&i| self.bodies[i].in_layer)
             .collect();
         bodies.sort_by_key(|&i| self.bodies[i].id);
-        contact
-            .layers
-            .set(&bodies, &self.sets, &self.field, self.stencil);
+        contact.layers.set(
+            &bodies,
+            &contact.pairs,
+            &contact.near,
+            &self.sets,
+            &self.field,
+            self.stencil,
+        );
     }
 
     /// As [`Simulation::map_to_nodes`] where bodies have layers: trial velocities of all fields, then contact.
@@ -146,6 +155,7 @@ impl Simulation {
         dt: f64,
     ) -> Result<(usize, usize), StepError> {
         let plan = &self.plan;
+        let alone = self.surfaces.is_none();
         let driven = driven(&self.bodies);
         let prescribed = prescribed(&self.bodies, acting);
         let mapping = bodies_onto(
@@ -207,27 +217,30 @@ impl Simulation {
                 }
                 let mut meetings = Meetings::find(&mut fields, &bodies);
                 let kick = acting.kick;
-                let done = meetings.act(&mut fields, &bodies, On::Trial { kick, dt });
+                let damping = plan.local_damping;
+                let done = meetings.act(&mut fields, &bodies, On::Trial { kick, dt, damping });
+                if damping.is_some() {
+                    // Contact does not know what the planes hold, and damps it too.
+                    for planes in all(&mut fields) {
+                        planes.constrain(&acting.walls, true);
+                    }
+                }
                 for (sums, power) in sums.iter_mut().zip(&done.power) {
                     sums.power += power;
                 }
-                for (number, own) in loads.iter().enumerate() {
-                    let forces = Forces {
-                        loads: own,
-                        ..forces
-                    };
-                    let planes = number_of(&mut fields, number);
+                for planes in all(&mut fields) {
                     planes.unfold(&acting.walls, true);
-                    let body = number.checked_sub(1).map(|i| fields.layers[i].body);
-                    if body.is_none_or(|body| !driven[body]) {
-                        let mut own = vec![PlaneSums::default(); sums.len()];
-                        number_of(&mut fields, number).add_sums(&forces, plan.measure, &mut own);
-                        for (sums, own) in sums.iter_mut().zip(&own) {
-                            sums.power += own.power;
-                            sums.kinetic += own.kinetic;
-                            sums.unbalanced_squared += own.unbalanced_squared;
-                        }
-                    }
+                }
+                // Surfaces still change the velocities, and take the sums after it.
+                if alone {
+                    add_sums(
+                        &mut fields,
+                        &loads,
+                        &forces,
+                        &driven,
+                        plan.measure,
+                        &mut sums,
+                    );
                 }
                 Ok((Sums { sums, groups }, meetings, done))
             });
@@ -474,16 +487,6 @@ pub(super) fn all<'f, 'a>(
     std::iter::once(&mut fields.common).chain(fields.layers.iter_mut().map(|l| &mut l.planes))
 }
 
-pub(super) fn number_of<'f, 'a>(
-    fields: &'f mut SlabFields<'a>,
-    number: usize,
-) -> &'f mut Planes<'a> {
-    match number {
-        0 => &mut fields.common,
-        _ => &mut fields.layers[number - 1].planes,
-    }
-}
-
 /// Clears all fields and maps the bodies onto theirs; the number of groups.
 fn clear_and_map<'m>(
     fields: &mut SlabFields<'_>,
@@ -509,12 +512,12 @@ fn map_gradients(
     for layer in &mut fields.layers {
         let mut planes = Planes {
             shape: layer.planes.shape,
-            rows: layer.planes.rows,
+            rows: &layer.interface.rows,
             range: layer.planes.range.clone(),
             nodes: layer.surface,
         };
         planes.clear();
-        gradient.map(layer.body, &mut planes);
+        gradient.map_interface(layer.body, layer.interface, &mut planes);
         surface::fold_gradient(&mut planes, walls);
     }
     0
@@ -534,48 +537,4 @@ fn prescribe(layer: &mut LayerPlanes<'_>, [before, after]: &[Vector; 2], walls: 
 /// Calls `act` for every node in use that has mass.
 fn for_masses(planes: &mut Planes<'_>, act: impl Fn(&mut crate::grid::Line)) {
     planes.for_rows(|row| row.iter_mut().filter(|line| line[0] > 0.0).for_each(&act));
-}
-
-/// Shares nodal loads between the fields of a node by their mass. Lists by number of the field.
-pub(super) fn shared_loads(
-    fields: &SlabFields<'_>,
-    loads: &[NodeForce],
-    driven: &[bool],
-) -> Result<Vec<Vec<NodeForce>>, EmptyNode> {
-    let shape = fields.common.shape;
-    let first = fields.common.range.start * shape.plane_nodes();
-    let last = fields.common.range.end * shape.plane_nodes();
-    let mut shared = vec![vec![]; fields.layers.len() + 1];
-    for load in loads.iter().filter(|l| (first..last).contains(&l.node)) {
-        let [plane, row, k] = shape.indices(load.node);
-        let mass = |planes: &Planes<'_>| {
-            if planes.rows.span(plane, row).contains(&k) {
-                planes.nodes[load.node - first][0]
-            } else {
-                0.0
-            }
-        };
-        let masses: Vec<f64> = std::iter::once(mass(&fields.common))
-            .chain(fields.layers.iter().map(|layer| {
-                if driven[layer.body] {
-                    0.0
-                } else {
-                    mass(&layer.planes)
-                }
-            }))
-            .collect();
-        let total: f64 = masses.iter().sum();
-        if total <= 0.0 {
-            return Err(EmptyNode(load.node));
-        }
-        for (own, mass) in shared.iter_mut().zip(masses) {
-            if mass > 0.0 {
-                own.push(NodeForce {
-                    force: load.force.map(|f| f * (mass / total)),
-                    ..*load
-                });
-            }
-        }
-    }
-    Ok(shared)
 }

@@ -3,7 +3,7 @@
 use super::error::SetupError;
 use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
-use crate::stage::solve::NodeForce;
+use crate::stage::solve::{DrivenNode, NodeForce};
 
 /// All nodal loads of a scene, one entry per node, in order of the node.
 ///
@@ -34,6 +34,37 @@ pub fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupEr
         }
     }
     Ok(merged)
+}
+
+/// Nodes that stand still, increasing, each once.
+pub fn held(scene: &Scene, shape: &GridShape) -> Vec<DrivenNode> {
+    let mut nodes = vec![];
+    for held in &scene.held_boxes {
+        let along: [Vec<usize>; 3] = std::array::from_fn(|axis| {
+            if axis < shape.axes {
+                held.nodes_along(&scene.mesh, axis).collect()
+            } else {
+                vec![0]
+            }
+        });
+        for &x in &along[0] {
+            for &y in &along[1] {
+                for &z in &along[2] {
+                    nodes.push(shape.index(shape.mesh_node([x, y, z])));
+                }
+            }
+        }
+    }
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+        .into_iter()
+        .map(|node| DrivenNode {
+            node,
+            before: [0.0; 3],
+            after: [0.0; 3],
+        })
+        .collect()
 }
 
 /// Coordinate in cells from the mesh origin; a node where it is one to round-off of the coordinates.

@@ -38,7 +38,7 @@ use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
-use crate::stage::solve::NodeForce;
+use crate::stage::solve::{DrivenNode, NodeForce};
 use clock::Clock;
 use field::Field;
 use rayon::ThreadPool;
@@ -139,6 +139,8 @@ pub struct Simulation {
     /// Displacement of the mesh since the start \[m\].
     pub(crate) mesh_shift: Vector,
     pub(crate) loads: Vec<NodeForce>,
+    /// Nodes that stand still, increasing.
+    pub(crate) held: Vec<DrivenNode>,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
     pub(crate) relaxation: relaxation::Relaxation,

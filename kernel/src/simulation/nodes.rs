@@ -16,10 +16,10 @@ pub struct NodeValues {
     pub mass: f64,
     /// Velocity \[m/s\], half a step after the positions from which it was mapped.
     pub velocity: Vector,
-    /// Contact force on the body in the last step \[N\].
+    /// Contact force on the body in the last step \[N\], in the common field on all bodies there.
     pub contact_force: Vector,
-    /// Smallest distance to a partner of contact less that at which they touch \[m\]; not a number where no partner is
-    /// near or its distance is not looked for.
+    /// Smallest distance to a partner of contact less that at which they touch, or smallest gap between a rigid surface
+    /// and a particle that reaches the node \[m\]; not a number where neither is near or its distance is not looked for.
     pub contact_gap: f64,
 }
 
@@ -62,8 +62,9 @@ impl Simulation {
                             continue;
                         }
                         let local = self.field.shape.position(node);
-                        let (contact_force, contact_gap) = body
-                            .and_then(|body| touching.get(&(body, node)).copied())
+                        let (contact_force, contact_gap) = touching
+                            .get(&(body, node))
+                            .copied()
                             .unwrap_or(([0.0; 3], f64::NAN));
                         all.push(NodeValues {
                             position: std::array::from_fn(|a| local[a] + self.origin()[a]),
@@ -87,22 +88,30 @@ impl Simulation {
         std::iter::once(common).chain(layers.map(|l| (Some(l.body), &l.rows, l.nodes.lines())))
     }
 
-    /// Force on the body and smallest gap by body and node, after the last detection.
-    fn contact_by_node(&self) -> HashMap<(usize, usize), (Vector, f64)> {
-        let mut found: HashMap<(usize, usize), (Vector, f64)> = HashMap::new();
+    /// Force and smallest gap by field (its body; `None` for the common one) and node, after the last detection.
+    fn contact_by_node(&self) -> HashMap<(Option<usize>, usize), (Vector, f64)> {
+        let mut found: HashMap<(Option<usize>, usize), (Vector, f64)> = HashMap::new();
+        let mut add = |field: Option<usize>, node: usize, force: Vector, gap: f64| {
+            let at = found.entry((field, node)).or_insert(([0.0; 3], f64::NAN));
+            at.0 = std::array::from_fn(|axis| at.0[axis] + force[axis]);
+            at.1 = at.1.min(gap);
+        };
         for meetings in &self.contact.meetings {
             for meeting in &meetings.nodes {
                 for touch in &meetings.touches[meeting.touches.clone()] {
                     let pair = &self.contact.pairs[touch.pair];
-                    for (body, sign) in [(pair.master, -1.0), (pair.slave, 1.0)] {
-                        let at = found
-                            .entry((body, meeting.node))
-                            .or_insert(([0.0; 3], f64::NAN));
-                        at.0 = std::array::from_fn(|axis| at.0[axis] + sign * touch.force[axis]);
-                        at.1 = at.1.min(touch.gap);
-                    }
+                    add(
+                        Some(pair.master),
+                        meeting.node,
+                        touch.force.map(|f| -f),
+                        touch.gap,
+                    );
+                    add(Some(pair.slave), meeting.node, touch.force, touch.gap);
                 }
             }
+        }
+        for (set, node, force, gap) in self.surface_forces_at_nodes() {
+            add(self.bodies[set].in_layer.then_some(set), node, force, gap);
         }
         found
     }

@@ -3,6 +3,7 @@
 use super::acting::Acting;
 use super::error::{StepError, StepErrorKind};
 use super::{BodyRun, Simulation};
+use crate::contact::interface::Interface;
 use crate::lanes::Selected;
 use crate::particles::{Layout, ParticleSet};
 use crate::plan::Plan;
@@ -72,6 +73,7 @@ impl Simulation {
         if !self.contact.layers.is_empty() {
             let (groups, touching) = self.map_to_layers(acting, dt)?;
             self.groups.count(groups);
+            self.touch_surfaces(acting)?;
             return Ok(touching);
         }
         let mapping = bodies_onto(
@@ -111,6 +113,9 @@ impl Simulation {
 
     /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
     pub(super) fn remap(&mut self, acting: &Acting) {
+        if self.mortar.acts() {
+            return self.remap_with_mortar(acting);
+        }
         if !self.contact.layers.is_empty() {
             return self.remap_layers(acting);
         }
@@ -384,11 +389,9 @@ impl<'a> BodiesOnto<'a> {
 
     /// Maps one body.
     pub(super) fn map(&self, index: usize, planes: &mut Planes<'_>) -> usize {
-        let (set, body) = (&self.sets[index], &self.bodies[index]);
-        // A particle may have left its layer by one cell since the last sort.
-        let first = planes.range.start.saturating_sub(self.stencil);
-        let last = (planes.range.end + 1).min(set.layers.len() - 1);
-        let layers = (first..last)
+        let set = &self.sets[index];
+        let layers = self.layers_onto(planes);
+        let layers = (layers.start..layers.end.min(set.layers.len() - 1))
             .map(|layer| {
                 (
                     set.in_layers(layer..layer + 1),
@@ -396,6 +399,32 @@ impl<'a> BodiesOnto<'a> {
                 )
             })
             .filter(|(particles, _)| !particles.is_empty());
+        self.map_runs(index, layers.collect(), planes)
+    }
+
+    /// Maps the particles of one body that are near its partners of contact.
+    pub(super) fn map_interface(
+        &self,
+        index: usize,
+        interface: &Interface,
+        planes: &mut Planes<'_>,
+    ) {
+        let runs = interface.in_layers(self.layers_onto(planes));
+        self.map_runs(index, runs.map(|run| (run, false)).collect(), planes);
+    }
+
+    /// Layers of particles that reach planes. A particle may have left its layer by one cell since the last sort.
+    fn layers_onto(&self, planes: &Planes<'_>) -> Range<usize> {
+        planes.range.start.saturating_sub(self.stencil)..planes.range.end + 1
+    }
+
+    fn map_runs(
+        &self,
+        index: usize,
+        layers: Vec<(Range<usize>, bool)>,
+        planes: &mut Planes<'_>,
+    ) -> usize {
+        let (set, body) = (&self.sets[index], &self.bodies[index]);
         let layout = Layout {
             affine: set.layout.affine.filter(|_| self.affine),
             ..set.layout
@@ -406,7 +435,7 @@ impl<'a> BodiesOnto<'a> {
                 columns: &set.columns,
                 layout: &layout,
                 mapping: &body.mapping,
-                layers: layers.collect(),
+                layers,
                 planes: planes.range.clone(),
                 nodes: planes.nodes,
                 carry: self.carry,

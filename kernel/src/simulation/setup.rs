@@ -44,6 +44,7 @@ impl Simulation {
         }
         let (threads, pool) = threads(scene, options)?;
         let loads = loads::nodal(scene, &shape)?;
+        let held = loads::held(scene, &shape);
         let (mut sets, mut bodies) = (vec![], vec![]);
         let mut next_id = 0;
         for i in 0..scene.bodies.len() {
@@ -101,6 +102,7 @@ impl Simulation {
             clock: Clock::default(),
             mesh_shift: [0.0; 3],
             loads,
+            held,
             body_force: options.body_force.clone(),
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),

@@ -28,10 +28,12 @@
 use crate::grid::Line;
 
 /// A node that touching particles reach.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TouchedNode {
     /// Index in the grid.
     pub node: usize,
+    /// Velocity fields that move together there, by their numbers: 0 the common one, then the layers.
+    pub fields: Vec<usize>,
     /// 1/m per axis \[1/kg\]; zero along axes in which a boundary prescribes the velocity.
     pub mobility: [f64; 3],
     /// Change of velocity so far \[m/s\].
@@ -48,6 +50,8 @@ pub struct Touch {
     pub normal: [f64; 3],
     /// Velocity of the particle over the surface before contact, sum_I S_Ip v_I - v_s \[m/s\].
     pub relative: [f64; 3],
+    /// Gap before the step \[m\], negative where the particle reaches through.
+    pub gap: f64,
     /// Smallest normal velocity that is let through \[m/s\], zero or negative.
     pub bound: f64,
     /// Smallest normal impulse \[N s\]: that of the penalty force, else 0; minus infinity makes the bound an equation.
@@ -151,18 +155,18 @@ pub fn resolve(
 /// balances: damped without it, a body at rest on a surface would be carried by its damping, by a share alpha of its
 /// weight. So the damping of the touched nodes is taken back, the contact found, and both done again together.
 ///
-/// `lines` are the nodes after the damped solve.
-pub fn resolve_damped(
+/// `line` gives a node after the damped solve.
+pub fn resolve_damped<'a>(
     touches: &mut [Touch],
     nodes: &mut [TouchedNode],
-    lines: &[Line],
+    line: impl Fn(&TouchedNode) -> &'a Line,
     alpha: f64,
     tolerance: f64,
     most: usize,
 ) {
     // Increment and velocity before it along an axis, where the node is free and damping had a direction.
     let damped = |node: &TouchedNode, axis: usize| {
-        let line = &lines[node.node];
+        let line = line(node);
         let (dv, before) = (line[4 + axis], line[1 + axis] - line[4 + axis]);
         (node.mobility[axis] > 0.0 && before != 0.0).then_some((dv, before))
     };
@@ -239,9 +243,15 @@ fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) ->
     changed
 }
 
-/// Adds the changes to the velocities of the nodes, and where asked for to their increments.
-pub fn apply(nodes: &[TouchedNode], lines: &mut [Line], first_lane: usize, increments: bool) {
-    for touched in nodes {
+/// Adds the changes of the nodes of one field to its velocities, and where asked for to their increments.
+pub fn apply(
+    nodes: &[TouchedNode],
+    field: usize,
+    lines: &mut [Line],
+    first_lane: usize,
+    increments: bool,
+) {
+    for touched in nodes.iter().filter(|t| t.fields.contains(&field)) {
         let line = &mut lines[touched.node];
         for axis in 0..3 {
             line[first_lane + axis] += touched.change[axis];

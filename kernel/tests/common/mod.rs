@@ -117,6 +117,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         surfaces: vec![],
         damping: Damping::None,
         base_motion: None,
+        held_boxes: vec![],
         point_loads: vec![],
         tractions: vec![],
         box_loads: vec![],

@@ -205,6 +205,35 @@ fn a_block_sticks() {
     }
 }
 
+/// Local damping resists what is unbalanced, and contact is a part of what balances: a damped block at rest presses with
+/// its weight, neither more nor less, and is pulled by its gravity alone.
+#[test]
+fn damping_takes_no_part_of_the_weight() {
+    for dimension in DIMENSIONS {
+        for scheme in SCHEMES {
+            let mut scene = slope(dimension, 0.6);
+            scene.scheme = scheme;
+            scene.damping = Damping::Local { alpha: 0.3 };
+            // Half as steep as the friction allows at the most, where an elastic block surely comes to rest.
+            scene.gravity[0] = 3.0;
+            let mut simulation =
+                Simulation::new(&scene, &settled(&scene)).expect("the scene is sound");
+            until(&mut simulation, 0.5);
+            let up = up(dimension);
+            for _ in 0..40 {
+                simulation.step(NEVER).expect("the step is sound");
+                let (m, _, v) = simulation.center(1);
+                let force = simulation.contact_force(1);
+                let off = [force[up] / (10.0 * m) - 1.0, force[0] / (3.0 * m) + 1.0];
+                assert!(
+                    off.iter().all(|off| off.abs() < 5.0e-3) && v[0].abs() < 1.0e-4,
+                    "{dimension:?} {scheme:?}: weight and pull off by {off:?}, moves by {v:?}"
+                );
+            }
+        }
+    }
+}
+
 /// Two blocks side by side.
 fn two(dimension: Dimension, gap: f64, velocities: [f64; 2]) -> Scene {
     let mut scene = empty(dimension, [20, 8, 8], H);

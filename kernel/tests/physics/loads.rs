@@ -5,8 +5,8 @@ use crate::common::{
     particles, run, simulation,
 };
 use proctor_kernel::scene::{
-    BaseMotion, BoxLoad, Dimension, History, Motion, Outside, PlaneCondition, PointLoad, Scene,
-    TimeStep, Traction, Vector, Weighting,
+    BaseMotion, BoxLoad, Dimension, HeldBox, History, Motion, Outside, PlaneCondition, PointLoad,
+    Scene, TimeStep, Traction, Vector, Weighting,
 };
 use proctor_kernel::simulation::{
     BaseVelocity, EventKind, Options, SetupError, Simulation, StepErrorKind,
@@ -352,4 +352,57 @@ fn displacement_is_kept_where_it_is_asked_for() {
             .is_none()
     );
     assert_eq!(particles(&simulation).len(), simulation.particles());
+}
+
+#[test]
+fn nodes_in_a_held_box_stand_still() {
+    for dimension in DIMENSIONS {
+        for scheme in SCHEMES {
+            let mut scene = aligned(dimension);
+            scene.scheme = scheme;
+            scene.gravity = [1.0, -10.0, 0.0];
+            // The left face, and two boxes that share nodes with it.
+            let held = |p1, p2| HeldBox { p1, p2 };
+            scene.held_boxes = vec![
+                held([0.1, 0.1, 0.0], [0.2, 0.6, 0.6]),
+                held([0.2, 0.2, 0.0], [0.2, 0.2, 0.6]),
+                held([0.6, 0.4, 0.2], [0.6, 0.4, 0.4]),
+            ];
+            let mut simulation = simulation(&scene);
+            run(&mut simulation, 20);
+            let (mut still, mut moving) = (0, 0);
+            for node in simulation.node_values() {
+                let [x, y, z] = node.position;
+                let within = |held: &HeldBox| {
+                    let axes = dimension.axes();
+                    (0..axes).all(|a| {
+                        let at = [x, y, z][a];
+                        held.p1[a] - 1e-9 <= at && at <= held.p2[a] + 1e-9
+                    })
+                };
+                if scene.held_boxes.iter().any(within) {
+                    assert_eq!(node.velocity, [0.0; 3], "{scheme:?} {node:?}");
+                    still += 1;
+                } else {
+                    assert!(node.velocity != [0.0; 3], "{scheme:?} {node:?}");
+                    moving += 1;
+                }
+            }
+            assert!(still > 5 && moving > 10, "{still} {moving}");
+        }
+    }
+}
+
+#[test]
+fn a_body_that_is_held_all_over_does_not_move() {
+    let mut scene = aligned(Dimension::Two);
+    scene.gravity = [0.0, -10.0, 0.0];
+    scene.held_boxes = vec![HeldBox {
+        p1: [0.0; 3],
+        p2: [0.9, 0.8, 0.0],
+    }];
+    let mut simulation = simulation(&scene);
+    let before = particles(&simulation);
+    run(&mut simulation, 5);
+    assert_eq!(particles(&simulation), before);
 }

@@ -7,6 +7,7 @@ mod bar;
 mod contact;
 mod damping;
 mod dimension;
+mod driven;
 mod faults;
 mod loads;
 mod mortar;

@@ -9,8 +9,8 @@ use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::segments::Detection;
 use proctor_kernel::scene::{
-    BodyBoundary, Dimension, Enforcement, History, Mortar, MortarContact, RigidLine, Scene, Shape,
-    StressScheme, TimeStep, Transfer, Vertices,
+    BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, RigidLine,
+    Scene, Shape, StressScheme, TimeStep, Transfer, Vertices,
 };
 use proctor_kernel::simulation::{
     Bound, InitialState, Options, SetupError, Simulation, StepErrorKind,
@@ -79,6 +79,12 @@ fn collision(friction: f64) -> Scene {
     scene.mortar.boundaries = vec![boundary(1, Follow::Spin), boundary(2, Follow::Spin)];
     scene.mortar.contacts = vec![contact(1, 2, friction)];
     scene
+}
+
+fn run_until(simulation: &mut Simulation, time: f64) {
+    while simulation.time() < time {
+        run_towards(simulation, 1, time);
+    }
 }
 
 #[test]
@@ -216,6 +222,61 @@ fn vertices_follow_a_turning_body() {
     assert!(spin < 0.02, "{velocity} {spin} {gradient}");
     assert!(gradient < 0.02, "{velocity} {spin} {gradient}");
     assert!(velocity > 3.0 * spin, "{velocity} {spin} {gradient}");
+}
+
+/// Nodes without mass take their share of contact forces with them.
+#[test]
+fn without_augmentation_momentum_is_lost() {
+    let mut scene = collision(0.4);
+    for boundary in &mut scene.mortar.boundaries {
+        boundary.follow = Follow::Unaugmented;
+    }
+    let mut simulation = simulation(&scene);
+    let (before, scale) = (simulation.momentum(), momentum_scale(&simulation));
+    run_until(&mut simulation, 0.12);
+    let after = simulation.momentum();
+    let lost = (after[0] - before[0]).hypot(after[1] - before[1]) / scale;
+    assert!(lost > 1e-6, "{lost}");
+}
+
+/// Strains from velocities that are mapped again keep the energy of FLIP; those before the particles have the forces
+/// of the step take some with every swing.
+#[test]
+fn musl_keeps_the_energy_that_usl_takes() {
+    let lost = |scheme| {
+        let mut scene = collision(0.0);
+        (scene.scheme, scene.transfer) = (scheme, FLIP);
+        scene.check().expect("sound");
+        let mut simulation = simulation(&scene);
+        let before = simulation.kinetic_energy();
+        run_until(&mut simulation, 0.12);
+        assert_eq!(simulation.mortar_energy(), 0.0);
+        1.0 - (simulation.kinetic_energy() + simulation.strain_energy()) / before
+    };
+    let (usl, musl) = (lost(StressScheme::Usl), lost(StressScheme::Musl));
+    assert!(musl.abs() < 0.02 && usl > 5.0 * musl.abs(), "{usl} {musl}");
+}
+
+/// Nodes that are held stand still in the field of a body with a boundary too.
+#[test]
+fn a_held_body_with_a_boundary_stands_still() {
+    for scheme in [StressScheme::Usl, StressScheme::Musl] {
+        let mut scene = collision(0.0);
+        scene.scheme = scheme;
+        scene.gravity = [0.0, -10.0, 0.0];
+        scene.mortar.contacts.clear();
+        scene.bodies[1].velocity = [0.0; 3];
+        scene.held_boxes = vec![HeldBox {
+            p1: [1.05, 0.3, 0.0],
+            p2: [2.4, 1.4, 0.0],
+        }];
+        let mut simulation = simulation(&scene);
+        let before = simulation.boundary_vertices(2);
+        run_towards(&mut simulation, 50, 0.05);
+        assert_eq!(simulation.boundary_vertices(2), before);
+        assert_eq!(simulation.center(1).2, [0.0; 3]);
+        assert!(simulation.center(0).2[1] < -0.1);
+    }
 }
 
 #[test]

@@ -58,6 +58,16 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
     ("time that does not pass", r#""time": 1.0"#, r#""time": 0"#),
     ("negative time step", "1e-4", "-1e-4"),
     (
+        "held box without nodes",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "held_box": [{"point_p1": [0.1, 0, 0], "point_p2": [0.4, 1, 1]}, {"point_p1": [0, 0, 0]}]"#,
+    ),
+    (
+        "held box in a mesh that moves",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "held_box": [{"point_p1": [0, 0, 0], "point_p2": [0, 1, 1]}], "earthquake": {"active": true, "file": "comma_header.csv"}"#,
+    ),
+    (
         "time step and multiplier",
         r#""time_step": 1e-4"#,
         r#""time_step": 1e-4, "time_step_multiplier": 0.5"#,

@@ -164,6 +164,8 @@ fn loads_results_and_probes() {
     };
     assert_eq!(history.times, [0.0, 0.5]);
     assert_eq!(history.values, [[1.0, 2.0, 3.0], [-1e-3, 0.0, 0.25]]);
+    let held = with(r#""held_box": [{"point_p1": [0, 0, 0], "point_p2": [0.5, 0, 0]}],"#);
+    assert_eq!(held.held_boxes[0].p2, [0.5, 0.0, 0.0]);
     // What is switched off is not read.
     let off = with(r#""earthquake": {"active": false, "file": "nowhere.csv"},"#);
     assert!(off.base_motion.is_none());

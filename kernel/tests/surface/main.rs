@@ -1,5 +1,6 @@
 //! Rigid surfaces: files, checks, the search for the nearest triangle, and contact in the cycle.
 
+mod beside_contact;
 mod contact;
 #[cfg(feature = "json")]
 mod fixtures;

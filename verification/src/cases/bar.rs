@@ -99,8 +99,7 @@ impl Bar {
                 })
             })
             .collect::<Option<_>>()?;
-        points.sort_by(|p, q| p.at.total_cmp(&q.at));
-        points.dedup_by(|p, q| (p.at - q.at).abs() < 1e-6 * rung.cell);
+        CurvePoint::one_per_place(&mut points, 1e-6 * rung.cell);
         Some(Curve {
             title: format!("stress along the bar at {t:.2} s, {}", rung.label),
             abscissa: "x (m)",

@@ -3,7 +3,8 @@
 //! What goes before the release is not judged: gravity acts normal to the base, nothing rubs, local damping takes the
 //! motion out of the blocks, which start with the stress of their weight. At the release damping ends and gravity and
 //! friction are those of the scene, so that the force on the base is the weight from the first step on and what is
-//! left to judge is friction (verification notes, section 4).
+//! left to judge is friction (verification notes, section 4). An incline may be tilted before: friction acts and
+//! gravity along it grows, so slowly that the blocks do not swing.
 
 use std::sync::Arc;
 
@@ -14,14 +15,16 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::{AT_REST, NO_RESULTS, elastic};
+use crate::case::{Curve, CurvePoint};
+use crate::exact::sliding::Slope;
 use crate::study::{Observer, Phase, STOPPED};
 
 /// Young's modulus of the manual \[Pa\]; Poisson's ratio is [`POISSON`].
-const YOUNG: f64 = 100e6;
+pub const YOUNG: f64 = 100e6;
 /// Poisson's ratio.
-const POISSON: f64 = 0.3;
+pub const POISSON: f64 = 0.3;
 /// Density \[kg/m³\].
-const DENSITY: f64 = 2500.0;
+pub const DENSITY: f64 = 2500.0;
 /// Gravity of the manual along and into the incline \[m/s²\].
 pub const GRAVITY: f64 = 7.07;
 /// Width of the base of the manual, along the third axis \[m\].
@@ -35,6 +38,10 @@ const PERIODS: f64 = 8.0;
 /// `c dt/h` of the settled scenes, inside the bound of every stress scheme. Near its bound FLIP keeps more of the
 /// vibration of the light nodes at the edges, which rubs.
 pub const COURANT: f64 = 0.3;
+/// Steps of gravity while an incline is tilted.
+const TILTS: u32 = 200;
+/// Points of a picture.
+const POINTS: usize = 40;
 /// Identifier of the base.
 const BASE: i64 = 1;
 
@@ -70,6 +77,9 @@ pub struct Incline {
     pub held: bool,
     /// Factor of local damping after the release.
     pub damping: Option<f64>,
+    /// Time over which the incline is tilted, gravity along it growing at a constant rate, before the release \[s\].
+    /// `None`: it acts at once, at the release.
+    pub tilting: Option<f64>,
 }
 
 impl Incline {
@@ -96,7 +106,7 @@ impl Incline {
         PERIODS * 4.0 * self.height / (YOUNG / DENSITY).sqrt()
     }
 
-    /// The scene, as it is from the release on; it lasts for the settling and `time` (s) more.
+    /// The scene, as it is from the release on; it lasts for settling, tilting and `time` (s) more.
     pub fn scene(&self, name: &str, time: f64) -> Scene {
         let h = self.cell;
         let cells = |length: f64| (length / h - 1e-9).ceil() as usize;
@@ -110,7 +120,11 @@ impl Incline {
         };
         let mut mesh = Mesh::new(self.dimension, [0.0; 3], [h; 3], counts);
         mesh.planes[self.up()][1] = PlaneCondition::Free;
-        let settling = if self.held { self.settling() } else { 0.0 };
+        let settling = if self.held {
+            self.settling() + self.tilting.unwrap_or(0.0)
+        } else {
+            0.0
+        };
         let mut scene = Scene::new(self.dimension, mesh, settling + time);
         scene.name = String::from(name);
         scene.gravity = self.inclined(self.gravity);
@@ -191,15 +205,26 @@ impl Incline {
         for contact in &scene.contacts {
             simulation.set_friction(contact.id, 0.0).map_err(words)?;
         }
-        let release = self.settling();
-        run(&mut simulation, release, scene.time, observer, |_| ())?;
-        simulation.set_local_damping(self.damping).map_err(words)?;
-        simulation.set_gravity(scene.gravity).map_err(words)?;
+        let settled = self.settling();
+        run(&mut simulation, settled, scene.time, observer, |_| ())?;
         for contact in &scene.contacts {
             simulation
                 .set_friction(contact.id, contact.friction)
                 .map_err(words)?;
         }
+        if let Some(tilting) = self.tilting {
+            // By steps that are small beside the periods of the blocks.
+            for stage in 1..=TILTS {
+                let share = f64::from(stage) / f64::from(TILTS);
+                simulation
+                    .set_gravity(self.inclined([share * self.gravity[0], into]))
+                    .map_err(words)?;
+                let until = settled + share * tilting;
+                run(&mut simulation, until, scene.time, observer, |_| ())?;
+            }
+        }
+        simulation.set_local_damping(self.damping).map_err(words)?;
+        simulation.set_gravity(scene.gravity).map_err(words)?;
         Ok(simulation)
     }
 }
@@ -289,11 +314,33 @@ pub fn follow(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
 ) -> Result<Vec<Track>, String> {
+    let mut directions = [[0.0; 3]; 2];
+    directions[0][0] = 1.0;
+    directions[1][incline.up()] = 1.0;
+    let blocks: Vec<usize> = (1..=incline.blocks.len()).collect();
+    let into = incline.gravity[1].abs();
+    follow_along(directions, &blocks, into, simulation, observer, |_| ())
+}
+
+/// As [`follow`] where the unit vectors `directions` point along the incline and out of it. `blocks` are indices of
+/// bodies, `into` gravity into the incline (m/s²); `after` sees the simulation after each step.
+///
+/// # Errors
+/// Why a step failed, in words.
+pub fn follow_along(
+    directions: [Vector; 2],
+    blocks: &[usize],
+    into: f64,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+    mut after: impl FnMut(&Simulation),
+) -> Result<Vec<Track>, String> {
+    let [along, out] = directions.map(|d| move |v: &Vector| dot(v, &d));
     let release = simulation.velocity_time();
     let end = simulation.scene().time;
-    let up = incline.up();
-    let start: Vec<f64> = (0..incline.blocks.len())
-        .map(|i| simulation.center(i + 1).1[0])
+    let start: Vec<f64> = blocks
+        .iter()
+        .map(|&body| along(&simulation.center(body).1))
         .collect();
     let mut tracks = vec![Track::default(); start.len()];
     run(simulation, end, end, observer, |simulation| {
@@ -301,16 +348,40 @@ pub fn follow(
             simulation.time() - release,
             simulation.velocity_time() - release,
         );
-        for (i, track) in tracks.iter_mut().enumerate() {
-            let (m, x, v) = simulation.center(i + 1);
-            track.way.push([t, x[0] - start[i]]);
-            track.velocity.push([t_v, v[0]]);
-            track.out.push([t_v, v[up]]);
-            track.force.push(simulation.contact_force(i + 1)[up]);
-            track.weight = m * incline.gravity[1].abs();
+        for ((track, &body), start) in tracks.iter_mut().zip(blocks).zip(&start) {
+            let (m, x, v) = simulation.center(body);
+            track.way.push([t, along(&x) - start]);
+            track.velocity.push([t_v, along(&v)]);
+            track.out.push([t_v, out(&v)]);
+            track.force.push(out(&simulation.contact_force(body)));
+            track.weight = m * into;
         }
+        after(simulation);
     })?;
     Ok(tracks)
+}
+
+/// Displacement over time beside the exact one, for pictures.
+pub fn sliding_curve(track: &Track, exact: &Slope, label: &str) -> Curve {
+    let every = (track.way.len() / POINTS).max(1);
+    let points = track.way.iter().skip(every - 1).step_by(every);
+    Curve {
+        title: format!("displacement of the centre of mass, {label}"),
+        abscissa: "time since the release (s)",
+        ordinate: "displacement (m)",
+        points: points
+            .map(|&[t, d]| CurvePoint {
+                at: t,
+                computed: d,
+                exact: exact.displacement(t),
+            })
+            .collect(),
+    }
+}
+
+/// Scalar product.
+pub fn dot(a: &Vector, b: &Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Slope of the line that fits points best in the least-squares sense.

@@ -9,10 +9,12 @@
 //! mesh. Its displacement is that of a rigid block but for the time in which the base still sticks, H/c_s: 0.4 % for
 //! mu = 0.5. The study compares with the elastic block, to which the displacement converges.
 //!
-//! It *sticks* for mu >= tan(theta): its creep velocity falls to zero. An elastic block that is released swings, and
-//! without damping it swings on; so a block that is to stick keeps a little local damping, under which one that is too
-//! smooth still creeps. Without it (for the record) block and base part again and again for a moment, and the block
-//! walks downhill in those moments.
+//! It *sticks* for mu >= tan(theta) = 1: its creep velocity falls to zero. A rigid block does so however it is let go; an
+//! elastic one swings when it is released at once, and asks for twice the friction at the turn. So it is tilted slowly
+//! with mu = 1.2, and released at once with mu = 2.5; a little local damping lets the swing end. Released at once with
+//! mu = 1.2 it walks: it slides at the turn, and an elastic body that slides with a friction near 1 and more
+//! flutters, lifts and slides on (Martins, Guimaraes and Faria 1995; Adams 1995). Finite elements of the same block
+//! (`exact::elastic_block`) do the same; both are told for the record.
 //!
 //! The scene as *printed* is run for the record. Its gravity is switched on at once: the force on the base swings
 //! between nothing and twice the weight (period 4H/c = 0.2 s), and the base is free between its rollers and swings
@@ -24,10 +26,12 @@ use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, Time
 use proctor_kernel::simulation::Options;
 
 use super::incline::{
-    Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
+    Block, COURANT, DENSITY, GRAVITY, Incline, POISSON, Track, YOUNG, fitted_slope, follow,
+    shear_wave_speed, sliding_curve,
 };
 use super::{failed, solve_own};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Quantity, Rung, Size, Solved, Verdict};
+use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
 use crate::study::{Measure, Observer, Phase, Studied, Study};
@@ -42,15 +46,16 @@ const LENGTH: f64 = 28.0;
 const HEIGHT: f64 = 2.0;
 /// Coefficients of friction of the manual.
 const FRICTIONS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
-/// Coefficient of a block that sticks; tan(theta) = 1.
+/// Coefficient of a block that sticks where it is tilted slowly; tan(theta) = 1.
 const STICKING: f64 = 1.2;
+/// Coefficient of a block that sticks where it is released at once.
+const STICKING_AT_ONCE: f64 = 2.5;
+/// Time over which a block that is to stick is tilted: 15 periods of its shear \[s\].
+const TILTING: f64 = 1.0;
 /// Friction of the study.
 const STUDIED: f64 = 0.3;
 /// Local damping of a block that is to stick.
 const STICKING_DAMPING: f64 = 0.1;
-/// Points of the picture.
-const POINTS: usize = 40;
-
 /// Name of the displacement among the quantities.
 const WAY: &str = "displacement at 2 s";
 /// Name of the displacement against that of an elastic block.
@@ -69,16 +74,18 @@ pub struct InclinedBlock {
 }
 
 /// What is asked of a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     /// To slide, settled.
     Settled,
-    /// To stick, settled; pulled downhill.
+    /// To stick, tilted slowly.
     Stick,
-    /// To stick where it is pulled the other way.
+    /// To stick where it is tilted the other way.
     StickMirrored,
-    /// To stick without damping.
-    StickUndamped,
+    /// To stick, released at once.
+    StickAtOnce,
+    /// Released at once with a friction at which it walks, with damping and without.
+    Walk(Option<f64>),
     /// To slide as in the manual.
     Printed,
 }
@@ -155,14 +162,16 @@ impl InclinedBlock {
                     let problem = problem(Kind::Settled, friction);
                     (Self::rung(slides, cell, friction, ""), problem)
                 }));
-                for (kind, side) in [
-                    (Kind::Stick, ""),
-                    (Kind::StickMirrored, " mirrored"),
-                    (Kind::StickUndamped, " undamped"),
+                for (kind, friction, how) in [
+                    (Kind::Stick, STICKING, " tilted"),
+                    (Kind::StickMirrored, STICKING, " tilted, mirrored"),
+                    (Kind::StickAtOnce, STICKING_AT_ONCE, " at once"),
+                    (Kind::Walk(Some(STICKING_DAMPING)), STICKING, " at once"),
+                    (Kind::Walk(None), STICKING, " at once, undamped"),
                 ] {
                     all.push((
-                        Self::rung(sticks, cell, STICKING, side),
-                        problem(kind, STICKING),
+                        Self::rung(sticks, cell, friction, how),
+                        problem(kind, friction),
                     ));
                 }
             }
@@ -181,9 +190,9 @@ impl InclinedBlock {
         all
     }
 
-    fn rung(variant: &'static str, cell: f64, friction: f64, side: &str) -> Rung {
+    fn rung(variant: &'static str, cell: f64, friction: f64, how: &str) -> Rung {
         Rung {
-            label: format!("{variant} h={cell} mu={friction}{side}"),
+            label: format!("{variant} h={cell} mu={friction}{how}"),
             cell,
             variant,
         }
@@ -239,8 +248,12 @@ impl InclinedBlock {
             }],
             gravity: [sign * self.pull * GRAVITY, GRAVITY],
             held: true,
-            damping: matches!(problem.kind, Kind::Stick | Kind::StickMirrored)
-                .then_some(STICKING_DAMPING),
+            damping: match problem.kind {
+                Kind::Stick | Kind::StickMirrored | Kind::StickAtOnce => Some(STICKING_DAMPING),
+                Kind::Walk(damping) => damping,
+                Kind::Settled | Kind::Printed => None,
+            },
+            tilting: matches!(problem.kind, Kind::Stick | Kind::StickMirrored).then_some(TILTING),
         };
         match problem.kind {
             Kind::Printed => Incline {
@@ -262,7 +275,8 @@ impl InclinedBlock {
         }
     }
 
-    fn quantities(track: &Track, problem: &Problem, height: f64) -> Vec<Quantity> {
+    /// `moved` is the displacement since the block was laid down \[m\].
+    fn quantities(track: &Track, moved: f64, problem: &Problem, height: f64) -> Vec<Quantity> {
         let exact = Self::exact(problem);
         if exact.sticks() {
             let free = Slope {
@@ -280,9 +294,9 @@ impl InclinedBlock {
                 },
                 Quantity {
                     name: WAY,
-                    value: track.end(),
+                    value: moved,
                     exact: Some(0.0),
-                    error: Some((track.end() / free.displacement(TIME)).abs()),
+                    error: Some((moved / free.displacement(TIME)).abs()),
                     unit: "m",
                 },
             ];
@@ -312,23 +326,27 @@ impl InclinedBlock {
         ]
     }
 
-    /// Displacement over time.
-    fn curve(track: &Track, problem: &Problem, rung: &Rung) -> Curve {
-        let exact = Self::exact(problem);
-        let every = (track.way.len() / POINTS).max(1);
-        let points = track.way.iter().skip(every - 1).step_by(every);
-        Curve {
-            title: format!("displacement of the centre of mass, {}", rung.label),
-            abscissa: "time since the release (s)",
-            ordinate: "displacement (m)",
-            points: points
-                .map(|&[t, d]| CurvePoint {
-                    at: t,
-                    computed: d,
-                    exact: exact.displacement(t),
-                })
-                .collect(),
-        }
+    /// What finite elements of the same size make of a flat block that walks.
+    fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
+        let (Kind::Walk(damping), Dimension::Two) = (problem.kind, problem.dimension) else {
+            return None;
+        };
+        let elements = [ALONG[1] - ALONG[0], HEIGHT].map(|length| (length / rung.cell) as usize);
+        let block = ElasticBlock {
+            elements,
+            edge: rung.cell,
+            young: YOUNG,
+            poisson: POISSON,
+            density: DENSITY,
+        };
+        let slid = block.slide(&Release {
+            gravity: [GRAVITY; 2],
+            friction: problem.friction,
+            damping: damping.unwrap_or(0.0),
+            tilting: 0.0,
+            time: TIME,
+        });
+        Some(slid)
     }
 }
 
@@ -431,12 +449,17 @@ impl Study for InclinedBlock {
         let tracks =
             follow(&incline, &mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
         let problem = Self::problem(rung);
+        let moved = simulation.center(1).1[0] - 0.5 * (ALONG[0] + ALONG[1]);
         let solved = Solved {
             particles: simulation.particles(),
             steps: simulation.steps(),
             time: simulation.time(),
-            quantities: Self::quantities(&tracks[0], &problem, incline.height),
-            curve: Some(Self::curve(&tracks[0], &problem, rung)),
+            quantities: Self::quantities(&tracks[0], moved, &problem, incline.height),
+            curve: Some(sliding_curve(
+                &tracks[0],
+                &Self::exact(&problem),
+                &rung.label,
+            )),
         };
         Ok(Studied::new(solved, &simulation))
     }

@@ -109,6 +109,7 @@ impl InclinedTwoBlocks {
             ],
             held: true,
             damping: None,
+            tilting: None,
         }
     }
 

@@ -5,31 +5,43 @@ mod bar;
 mod base_acceleration;
 mod block_on_two_blocks;
 mod boussinesq;
+mod cantilever;
 mod colliding_blocks;
 mod dynamics;
+mod grains;
 mod hertz;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
+mod ironing;
+mod rings;
 mod rolling_disk;
 mod rotation;
 mod self_weight;
+mod sphere_on_terrain;
 mod statics;
+mod tilted_incline;
 
 pub use axis_aligned::AxisAligned;
 pub use bar::Bar;
 pub use base_acceleration::BaseAcceleration;
 pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
+pub use cantilever::Cantilever;
 pub use colliding_blocks::CollidingBlocks;
+pub use grains::{Grains, outlines as grain_outlines};
 pub use hertz::Hertz;
 pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
+pub use ironing::Ironing;
+pub use rings::Rings;
 pub use rolling_disk::RollingDisk;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
+pub use sphere_on_terrain::SphereOnTerrain;
+pub use tilted_incline::TiltedIncline;
 
-use crate::case::{Case, CaseError, Gate, Relation, Rung, Solved};
+use crate::case::{Case, CaseError, CurvePoint, Gate, Relation, Rung, Solved};
 use crate::convergence::{ConvergenceTable, Row};
 use crate::study::{Measure, Study};
 use proctor_kernel::scene::{Law, Material, ObjectiveRate, Results};
@@ -48,8 +60,14 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &InclinedTwoBlocks::GIVEN,
     &CollidingBlocks::GIVEN,
     &BlockOnTwoBlocks::GIVEN,
+    &TiltedIncline::GIVEN,
+    &SphereOnTerrain::GIVEN,
     &Hertz::GIVEN,
     &RollingDisk::GIVEN,
+    &Cantilever::GIVEN,
+    &Rings::GIVEN,
+    &Ironing::GIVEN,
+    &Grains::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.
@@ -62,6 +80,9 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
+    &TiltedIncline::GIVEN,
+    &Cantilever::GIVEN,
+    &Rings::GIVEN,
     &Hertz::GIVEN,
     &RollingDisk::SLIP,
     &RollingDisk::GIVEN,
@@ -88,6 +109,13 @@ const NO_RESULTS: Results = Results {
     fields: Vec::new(),
     nodal_fields: Vec::new(),
     checkpoint: false,
+};
+
+/// Parts two lines of a curve.
+const PARTED: CurvePoint = CurvePoint {
+    at: f64::NAN,
+    computed: f64::NAN,
+    exact: f64::NAN,
 };
 
 /// A body at rest and without stress.

@@ -89,8 +89,7 @@ impl SelfWeight {
                 })
             })
             .collect::<Option<_>>()?;
-        points.sort_by(|p, q| p.at.total_cmp(&q.at));
-        points.dedup_by(|p, q| (p.at - q.at).abs() < 1e-6 * rung.cell);
+        CurvePoint::one_per_place(&mut points, 1e-6 * rung.cell);
         Some(Curve {
             title: format!("vertical stress over the column, {}", rung.label),
             abscissa: "initial height (m)",

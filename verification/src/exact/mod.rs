@@ -1,4 +1,4 @@
-//! Closed-form solutions as plain functions of position and time.
+//! Closed-form solutions as plain functions of position and time, and finite elements of our own where there are none.
 //!
 //! Nothing here knows the kernel: the references must not share a line of code with what they judge.
 
@@ -8,8 +8,12 @@ pub mod bar_impact;
 pub mod base_column;
 pub mod boussinesq_box;
 pub mod boussinesq_half_space;
+pub mod cantilever;
+pub mod elastic_block;
+pub mod fe;
 pub mod hertz;
 pub mod hertz_layer;
+pub mod ring_impact;
 pub mod rolling_disk;
 pub mod rotation;
 pub mod self_weight;

@@ -7,6 +7,7 @@
 
 use super::check::Check;
 use super::raw::RawConfig;
+use oorandom::Rand64;
 use proctor_kernel::scene::{
     Body, BoxLoad, Dimension, Law, Material, Mesh, ObjectiveRate, ParticleSeed, Scene, Shape,
     TimeStep, Vector,
@@ -304,10 +305,12 @@ impl ManualTest {
         let extent: Vector = std::array::from_fn(|axis| cells[axis] as f64 * cell[axis]);
         let first_cell = cell.iter().copied().fold(0.0, f64::max);
         let volume: f64 = size.iter().product();
-        let mut random = fastrand::Rng::with_seed(*seed);
+        let mut random = Rand64::new(u128::from(*seed));
         let seeds: Vec<ParticleSeed> = (0..particles)
             .map(|_| ParticleSeed {
-                position: std::array::from_fn(|axis| random.f64() * first_cell.min(extent[axis])),
+                position: std::array::from_fn(|axis| {
+                    random.rand_float() * first_cell.min(extent[axis])
+                }),
                 volume,
             })
             .collect();

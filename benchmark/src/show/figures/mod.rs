@@ -134,12 +134,17 @@ pub fn curve(curve: &Curve) -> Chart {
         strength: Strength::Plain,
         open: false,
     };
-    let looks = [
-        ("exact", Colour::Ink, Mark::None, Stroke::Solid),
-        ("computed", Colour::Hue(1), Mark::Dot, Stroke::None),
-    ];
+    // Without anything exact the computed points are the line.
+    let looks: &[_] = if curve.has_exact() {
+        &[
+            ("exact", Colour::Ink, Mark::None, Stroke::Solid),
+            ("computed", Colour::Hue(1), Mark::Dot, Stroke::None),
+        ]
+    } else {
+        &[("computed", Colour::Hue(1), Mark::None, Stroke::Solid)]
+    };
     // A point that is not a number parts two lines.
-    let lines = curve.points.split(|p| !p.exact.is_finite());
+    let lines = curve.points.split(|p| !p.computed.is_finite());
     let largest = curve
         .points
         .iter()
@@ -147,12 +152,16 @@ pub fn curve(curve: &Curve) -> Chart {
         .fold(0.0, f64::max);
     Chart {
         title: curve.title.clone(),
-        description: format!(
-            "{} over {}, computed as dots and exact as a line; they differ by at most {}.",
-            curve.ordinate,
-            curve.abscissa,
-            number(largest)
-        ),
+        description: if curve.has_exact() {
+            format!(
+                "{} over {}, computed as dots and exact as a line; they differ by at most {}.",
+                curve.ordinate,
+                curve.abscissa,
+                number(largest)
+            )
+        } else {
+            format!("{} over {}, as computed.", curve.ordinate, curve.abscissa)
+        },
         x: Axis {
             label: curve.abscissa.to_owned(),
             scale: Scale::Linear,
@@ -165,17 +174,19 @@ pub fn curve(curve: &Curve) -> Chart {
         },
         series: lines
             .flat_map(|line| {
-                looks.map(|(word, colour, mark, stroke)| Series {
-                    colour,
-                    mark,
-                    stroke,
-                    strength: Strength::Plain,
-                    points: if word == "exact" {
-                        side(line, word, |p| p.exact)
-                    } else {
-                        side(line, word, |p| p.computed)
-                    },
-                })
+                looks
+                    .iter()
+                    .map(move |&(word, colour, mark, stroke)| Series {
+                        colour,
+                        mark,
+                        stroke,
+                        strength: Strength::Plain,
+                        points: if word == "exact" {
+                            side(line, word, |p| p.exact)
+                        } else {
+                            side(line, word, |p| p.computed)
+                        },
+                    })
             })
             .collect(),
         guides: vec![],

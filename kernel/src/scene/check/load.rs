@@ -2,7 +2,7 @@
 
 use super::body::{check_box, outside};
 use super::collector::Collector;
-use crate::scene::{History, Mesh, Motion, PointLoad, Scene, Traction};
+use crate::scene::{HeldBox, History, Mesh, Motion, PointLoad, Scene, Traction};
 
 /// A point load must lie on a node within this share of a cell: far above the round-off of any mesh that a file
 /// can describe, far below what could be meant otherwise.
@@ -19,6 +19,15 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
         }
         let (Motion::Acceleration(history) | Motion::Velocity(history)) = &base.motion;
         check_history("earthquake.file", history, problems);
+    }
+    for (i, held) in scene.held_boxes.iter().enumerate() {
+        check_held(
+            scene,
+            mesh_is_sound,
+            held,
+            &format!("held_box[{i}]"),
+            problems,
+        );
     }
     for (i, load) in scene.point_loads.iter().enumerate() {
         let path = format!("nodal_point_load[{i}]");
@@ -75,6 +84,46 @@ pub(super) fn check_history(path: &str, history: &History, problems: &mut Collec
                     history.times[row - 1]
                 ),
             );
+        }
+    }
+}
+
+/// A held box holds at least one node, of a mesh that stands still.
+fn check_held(
+    scene: &Scene,
+    mesh_is_sound: bool,
+    held: &HeldBox,
+    path: &str,
+    problems: &mut Collector,
+) {
+    if scene.base_motion.is_some() {
+        problems.add(
+            path,
+            "nodes that stand still in a mesh that an earthquake moves",
+            "no `held_box`, or no `earthquake`",
+        );
+    }
+    if !scene.contacts.is_empty() {
+        problems.add(
+            path,
+            "held nodes with contact on the grid, which would move them",
+            "no `held_box`, or `contact` with `method` \"mortar\"",
+        );
+    }
+    let sound = problems.vector(format!("{path}.point_p1"), &held.p1)
+        & problems.vector(format!("{path}.point_p2"), &held.p2);
+    if sound && mesh_is_sound {
+        for axis in 0..scene.dimension.axes() {
+            if held.nodes_along(&scene.mesh, axis).is_empty() {
+                problems.add(
+                    path,
+                    format!(
+                        "{} to {} along axis {axis}, where there is no node",
+                        held.p1[axis], held.p2[axis]
+                    ),
+                    "a box that holds nodes of the mesh",
+                );
+            }
         }
     }
 }

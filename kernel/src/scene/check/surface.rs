@@ -12,13 +12,6 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
             "three dimensions; a mesh of one cell between sliding planes gives plane strain",
         );
     }
-    if !scene.surfaces.is_empty() && !scene.contacts.is_empty() {
-        problems.add(
-            "terrain_contact",
-            "a rigid surface beside contact between bodies, which is not built yet",
-            "one of them: a body in contact has a velocity field of its own, which surfaces do not see",
-        );
-    }
     for (i, surface) in scene.surfaces.iter().enumerate() {
         let key = |key: &str| format!("terrain_contact[{i}].{key}");
         problems.not_negative(key("friction"), surface.friction);

@@ -65,6 +65,8 @@ pub(super) struct RawScene {
     pub body: Option<Entries<RawBody>>,
     /// Another spelling of `body`.
     pub bodies: Option<Entries<RawBody>>,
+    /// Boxes in which all nodes of the mesh stand still.
+    pub held_box: Option<Vec<RawHeldBox>>,
     /// Forces on nodes: pairs of a position [m] and a force [N].
     pub nodal_point_load: Option<Vec<Vec<Vec<f64>>>>,
     /// Tractions on rectangles fixed in space.
@@ -247,7 +249,7 @@ pub(super) struct RawBody {
     /// Vertices of the boundary, closed and counter-clockwise, instead of one made from the shape [m].
     pub boundary: Option<Vec<Vec<f64>>>,
     /// How the boundary follows the body. Default: spin.
-    #[schemars(extend("enum" = ["velocity", "spin", "gradient"]))]
+    #[schemars(extend("enum" = ["unaugmented", "velocity", "spin", "gradient"]))]
     pub boundary_follows: Option<String>,
     /// Particles per cell and axis. Default: that of the scene.
     pub particles_per_cell: Option<Counts>,
@@ -285,6 +287,19 @@ pub(super) struct RawBoxLoad {
     pub point_p2: Option<Vec<f64>>,
     /// Total force [N].
     pub force: Option<Vec<f64>>,
+}
+
+/// A box in which all nodes of the mesh stand still.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1` and `point_p2`"
+)]
+pub(super) struct RawHeldBox {
+    /// Lower corner [m].
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner [m].
+    pub point_p2: Option<Vec<f64>>,
 }
 
 /// A particle whose history is written.

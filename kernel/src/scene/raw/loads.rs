@@ -3,7 +3,7 @@
 use super::build::Build;
 use super::keys::{RawEarthquake, RawScene};
 use super::words::{PLANES, QUANTITIES, Quantity};
-use crate::scene::{BaseMotion, BoxLoad, Motion, PointLoad, Scene, Traction, record};
+use crate::scene::{BaseMotion, BoxLoad, HeldBox, Motion, PointLoad, Scene, Traction, record};
 
 impl Build<'_> {
     pub(super) fn loads(&mut self, raw: &RawScene, scene: &mut Scene) {
@@ -29,6 +29,13 @@ impl Build<'_> {
             }
         }
         let (lower, upper) = ("the lower corner [m]", "the upper corner [m]");
+        for (i, raw) in raw.held_box.iter().flatten().enumerate() {
+            let key = |key: &str| format!("held_box[{i}].{key}");
+            scene.held_boxes.push(HeldBox {
+                p1: self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower),
+                p2: self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper),
+            });
+        }
         for (i, raw) in raw.traction.iter().flatten().enumerate() {
             let key = |key: &str| format!("traction[{i}].{key}");
             scene.tractions.push(Traction {

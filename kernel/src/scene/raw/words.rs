@@ -211,6 +211,7 @@ pub(super) const DETECTIONS: Words<Detection> = &[
 ];
 
 pub(super) const FOLLOWS: Words<Follow> = &[
+    ("unaugmented", Follow::Unaugmented),
     ("velocity", Follow::Velocity),
     ("spin", Follow::Spin),
     ("gradient", Follow::Gradient),

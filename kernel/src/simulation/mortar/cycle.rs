@@ -11,7 +11,7 @@ use crate::simulation::Simulation;
 use crate::simulation::acting::Acting;
 use crate::simulation::contact::{all, number_of, shared_loads};
 use crate::simulation::error::{StepError, StepErrorKind};
-use crate::simulation::passes::{Sums, bodies_onto, total, trial};
+use crate::simulation::passes::{Sums, at_half_step_after, bodies_onto, total, trial};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, Forces, PlaneSums};
 use nalgebra::Matrix2;
@@ -24,9 +24,10 @@ impl Simulation {
         for &i in &bodies {
             self.bodies[i].in_layer = true;
         }
+        // Contact on the grid has no pair among them.
         self.contact
             .layers
-            .set(&bodies, &self.sets, &self.field, self.stencil);
+            .set(&bodies, &[], &[], &self.sets, &self.field, self.stencil);
     }
 
     /// The first part of a step with boundaries: mapping to the nodes, each body to its layer.
@@ -103,8 +104,8 @@ impl Simulation {
         let time = self.clock.time;
         let mut lost = None;
         for surface in &mut self.mortar.surfaces {
-            let index = match &surface.carrier {
-                Carrier::Body { index, .. } => *index,
+            let (index, follow) = match &surface.carrier {
+                Carrier::Body { index, follow } => (*index, *follow),
                 Carrier::Prescribed(motion) => {
                     let v = velocity_of(motion.as_ref(), time);
                     surface.velocity.fill(v);
@@ -125,7 +126,12 @@ impl Simulation {
                 let masses = std::array::from_fn(|k| {
                     nodes[k].map_or(0.0, |n| mass_of(n, shape, &layer.rows, lines))
                 });
-                let Ok(weights) = raw.augmented(&masses) else {
+                let weights = if follow == Follow::Unaugmented {
+                    Ok(raw.on_mass(&masses))
+                } else {
+                    raw.augmented(&masses)
+                };
+                let Ok(weights) = weights else {
                     lost = lost.or(Some((surface.id, vertex, *x)));
                     break;
                 };
@@ -303,7 +309,11 @@ impl Simulation {
                             loads: own,
                             ..forces
                         };
-                        let nodes_driven = if number == 0 { &acting.driven[..] } else { &[] };
+                        let nodes_driven = if number == 0 {
+                            &acting.driven
+                        } else {
+                            &acting.held
+                        };
                         let planes = number_of(&mut fields, number);
                         trial(planes, acting, nodes_driven, &forces, &mut sums)?;
                         planes.unfold(&acting.walls, true);
@@ -322,6 +332,41 @@ impl Simulation {
             .flatten()
             .filter(|vertex| vertex.pressure > 0.0)
             .count())
+    }
+
+    /// The second mapping of MUSL. Contact acts through forces, which the particles already have.
+    pub(in crate::simulation) fn remap_with_mortar(&mut self, acting: &Acting) {
+        let mapping = bodies_onto(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            Carry::Remap,
+        );
+        let still = at_half_step_after(&acting.walls);
+        self.contact
+            .layers
+            .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
+                for planes in all(&mut fields) {
+                    planes.clear_upper();
+                }
+                mapping.run(&mut fields.common);
+                for layer in &mut fields.layers {
+                    mapping.map(layer.body, &mut layer.planes);
+                }
+                for planes in all(&mut fields) {
+                    planes.fold_remapped(&still);
+                    planes.remapped_velocities();
+                }
+                fields.common.drive_remapped(&acting.driven);
+                for layer in &mut fields.layers {
+                    layer.planes.drive_remapped(&acting.held);
+                }
+                for planes in all(&mut fields) {
+                    planes.constrain_remapped(&still);
+                }
+            });
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).

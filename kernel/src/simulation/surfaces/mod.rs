@@ -1,17 +1,20 @@
 //! Contact with rigid surfaces in the cycle.
 
+mod fields;
 mod gap;
 mod near;
+mod nodes;
 
 use super::Simulation;
 use super::acting::{Acting, node_weights};
 use super::error::{StepError, StepErrorKind};
 use super::history::integral;
 use super::passes::{at_half_step_after, forces};
-use crate::grid::{GridShape, Line};
+use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
-use crate::stage::solve::{PlaneSums, Wall};
-use crate::stage::touch::{Touch, TouchedNode, apply, resolve, resolve_damped};
+use crate::stage::solve::{PlaneSums, Planes, Wall};
+use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
+use fields::Fields;
 use gap::velocity;
 use near::{Near, Place};
 use std::collections::BTreeMap;
@@ -26,9 +29,9 @@ const SWEEPS: usize = 50;
 #[derive(Debug)]
 pub(crate) struct Surfaces {
     near: Option<Near>,
-    /// Touches of the present step, with where they belong.
-    touches: Vec<Touch>,
-    places: Vec<Place>,
+    /// Touches of the last equation of motion, and those of a second mapping.
+    trial: Touches,
+    mapped: Touches,
     /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier.
     pushed: BTreeMap<(usize, usize, u64), bool>,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
@@ -38,13 +41,21 @@ pub(crate) struct Surfaces {
     pub(crate) total: Vec<Vec<Vector>>,
 }
 
+/// Particles that touch, with where they belong, and the nodes that they reach.
+#[derive(Debug, Default)]
+struct Touches {
+    list: Vec<Touch>,
+    places: Vec<Place>,
+    nodes: Vec<TouchedNode>,
+}
+
 impl Surfaces {
     pub(super) fn new(scene: &Scene) -> Option<Self> {
         let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; scene.surfaces.len()];
         (!scene.surfaces.is_empty()).then(|| Self {
             near: None,
-            touches: vec![],
-            places: vec![],
+            trial: Touches::default(),
+            mapped: Touches::default(),
             pushed: BTreeMap::new(),
             last: zero.clone(),
             last_kick: 0.0,
@@ -97,20 +108,24 @@ impl Simulation {
         let Some(mut surfaces) = self.surfaces.take() else {
             return Ok(());
         };
-        let found = self.touches(&mut surfaces, acting, 1);
+        let done = self.push(&mut surfaces, acting);
         self.surfaces = Some(surfaces);
-        let mut nodes = found?;
-        let Some(surfaces) = &mut self.surfaces else {
-            return Ok(());
-        };
-        let touches = &mut surfaces.touches;
+        done
+    }
+
+    fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
+        let trial = &mut surfaces.trial;
+        self.touches(&mut surfaces.near, acting, 1, trial)?;
         match self.plan.local_damping {
             None => {
-                resolve(touches, &mut nodes, TOLERANCE, SWEEPS);
+                resolve(&mut trial.list, &mut trial.nodes, TOLERANCE, SWEEPS);
             }
             Some(alpha) => {
-                let lines = self.field.nodes.lines();
-                resolve_damped(touches, &mut nodes, lines, alpha, TOLERANCE, SWEEPS);
+                let fields = self.all_fields();
+                // Fields that move together have one velocity and one increment.
+                let line = |t: &TouchedNode| &fields.lines(t.fields[0])[t.node];
+                let (list, nodes) = (&mut trial.list, &mut trial.nodes);
+                resolve_damped(list, nodes, line, alpha, TOLERANCE, SWEEPS);
             }
         }
         for bodies in &mut surfaces.last {
@@ -118,7 +133,7 @@ impl Simulation {
         }
         surfaces.last_kick = acting.kick;
         surfaces.pushed.clear();
-        for (touch, place) in touches.iter().zip(&surfaces.places) {
+        for (touch, place) in trial.list.iter().zip(&trial.places) {
             if let (true, held) = touch.pushes_and_holds() {
                 let id = self.sets[place.set].id[place.p];
                 surfaces.pushed.insert((place.surface, place.set, id), held);
@@ -139,24 +154,29 @@ impl Simulation {
                 }
             }
         }
-        apply(&nodes, self.field.nodes.lines_mut(), 1, true);
+        self.change_velocities(&trial.nodes, 1, true);
         self.sum_after_contact(acting, power);
         Ok(())
     }
 
     /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
     fn sum_after_contact(&mut self, acting: &Acting, power: f64) {
-        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
-        let measure = self.plan.measure;
-        let per_slab = self.field.visit(self.pool.as_ref(), |mut planes| {
-            planes.unfold(&acting.walls, true);
-            let mut sums = vec![PlaneSums::default(); planes.range.len()];
-            planes.add_sums(&forces, measure, &mut sums);
-            sums
-        });
+        let planes = if self.contact.layers.is_empty() {
+            let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
+            let measure = self.plan.measure;
+            let per_slab = self.field.visit(self.pool.as_ref(), |mut planes| {
+                planes.unfold(&acting.walls, true);
+                let mut sums = vec![PlaneSums::default(); planes.range.len()];
+                planes.add_sums(&forces, measure, &mut sums);
+                sums
+            });
+            per_slab.into_iter().flatten().collect()
+        } else {
+            self.sums_of_fields(acting)
+        };
         let sums = &mut self.ledger.sums;
         sums.power += power;
-        for plane in per_slab.into_iter().flatten() {
+        for plane in planes {
             sums.power += plane.power;
             sums.kinetic += plane.kinetic;
             sums.unbalanced_squared += plane.unbalanced_squared;
@@ -177,19 +197,24 @@ impl Simulation {
         let Some(mut surfaces) = self.surfaces.take() else {
             return Ok(());
         };
-        let found = self.touches(&mut surfaces, acting, lane);
-        let mut nodes = match found {
-            Ok(nodes) => nodes,
-            Err(error) => {
-                self.surfaces = Some(surfaces);
-                return Err(error);
-            }
-        };
-        let mut held = surfaces.places.iter().map(|place| {
+        let done = self.hold(&mut surfaces, acting, lane);
+        self.surfaces = Some(surfaces);
+        done
+    }
+
+    fn hold(
+        &mut self,
+        surfaces: &mut Surfaces,
+        acting: &Acting,
+        lane: usize,
+    ) -> Result<(), StepError> {
+        let mapped = &mut surfaces.mapped;
+        self.touches(&mut surfaces.near, acting, lane, mapped)?;
+        let mut held = mapped.places.iter().map(|place| {
             let id = self.sets[place.set].id[place.p];
             surfaces.pushed.get(&(place.surface, place.set, id))
         });
-        surfaces.touches.retain_mut(|touch| {
+        mapped.list.retain_mut(|touch| {
             let Some(&held) = held.next().flatten() else {
                 return false;
             };
@@ -197,51 +222,67 @@ impl Simulation {
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
-        resolve(&mut surfaces.touches, &mut nodes, TOLERANCE, SWEEPS);
-        self.surfaces = Some(surfaces);
-        apply(&nodes, self.field.nodes.lines_mut(), lane, false);
+        resolve(&mut mapped.list, &mut mapped.nodes, TOLERANCE, SWEEPS);
+        self.change_velocities(&mapped.nodes, lane, false);
         let still = at_half_step_after(&acting.walls);
-        self.field.visit(self.pool.as_ref(), |mut planes| {
+        let keep = |planes: &mut Planes<'_>| {
             if lane == 4 {
                 planes.constrain_remapped(&still);
             } else {
                 planes.unfold(&still, false);
             }
+        };
+        let layers = &mut self.contact.layers;
+        layers.visit(&mut self.field, self.pool.as_ref(), |mut fields| {
+            keep(&mut fields.common);
+            for layer in &mut fields.layers {
+                keep(&mut layer.planes);
+            }
         });
         Ok(())
     }
 
-    /// The particles within the threshold of a surface, with their velocities over it from the lanes of the nodes that
-    /// begin at `lane`; and the nodes that they reach.
+    /// Finds the particles within the threshold of a surface, with their velocities over it from the lanes of the nodes
+    /// that begin at `lane`, and the nodes that they reach. After an error `touches` holds those found before it,
+    /// which no one looks at.
     fn touches(
-        &mut self,
-        surfaces: &mut Surfaces,
+        &self,
+        near: &mut Option<Near>,
         acting: &Acting,
         lane: usize,
-    ) -> Result<Vec<TouchedNode>, StepError> {
-        surfaces.touches.clear();
-        surfaces.places.clear();
-        let near = self.near_surfaces(surfaces.near.take(), acting.drift);
-        let mut at_node = BTreeMap::new();
-        let mut nodes = vec![];
-        for place in &near.particles {
-            if let Some(touch) = self.touch(*place, acting, lane, &mut at_node, &mut nodes)? {
-                surfaces.touches.push(touch);
-                surfaces.places.push(*place);
+        touches: &mut Touches,
+    ) -> Result<(), StepError> {
+        let Touches {
+            list,
+            places,
+            nodes,
+        } = touches;
+        list.clear();
+        places.clear();
+        nodes.clear();
+        let known = self.near_surfaces(near.take(), acting.drift);
+        let fields = self.all_fields();
+        let mut known_nodes = BTreeMap::new();
+        for place in &known.particles {
+            let touch = self.touch(*place, acting, lane, &fields, nodes, &mut known_nodes)?;
+            if let Some(touch) = touch {
+                list.push(touch);
+                places.push(*place);
             }
         }
-        surfaces.near = Some(near);
-        Ok(nodes)
+        *near = Some(known);
+        Ok(())
     }
 
-    /// The touch of one particle, if it is within the threshold.
+    /// The touch of one particle, if it is within the threshold. `known_nodes` are places in `nodes` by field and node.
     fn touch(
         &self,
         place: Place,
         acting: &Acting,
         lane: usize,
-        at_node: &mut BTreeMap<usize, usize>,
+        fields: &Fields<'_>,
         nodes: &mut Vec<TouchedNode>,
+        known_nodes: &mut BTreeMap<(usize, usize), usize>,
     ) -> Result<Option<Touch>, StepError> {
         let Place { surface, set, p } = place;
         let rigid = &self.scene.surfaces[surface];
@@ -258,7 +299,8 @@ impl Simulation {
         }
         let shape = &self.field.shape;
         let weights = node_weights(&self.sets[set], &self.bodies[set], shape, self.stencil, p);
-        let lines = self.field.nodes.lines();
+        let field = fields.of(set);
+        let lines = fields.lines(field);
         let v_s = velocity(rigid, self.clock.time, acting.drift);
         let mut relative = v_s.map(|v| -v);
         for &(node, w) in &weights {
@@ -293,13 +335,22 @@ impl Simulation {
         let weights = folded
             .into_iter()
             .map(|(node, w)| {
-                let place = *at_node.entry(node).or_insert_with(|| {
-                    nodes.push(TouchedNode {
-                        node,
-                        mobility: mobility(shape, acting, node, &lines[node]),
-                        change: [0.0; 3],
-                    });
-                    nodes.len() - 1
+                let place = *known_nodes.entry((field, node)).or_insert_with(|| {
+                    let sharing = fields.sharing(field, node);
+                    // Another body may have been there whose field moves together with this one.
+                    let known = |t: &TouchedNode| t.node == node && t.fields == sharing;
+                    let first = (sharing.len() > 1)
+                        .then(|| nodes.iter().position(known))
+                        .flatten();
+                    first.unwrap_or_else(|| {
+                        nodes.push(TouchedNode {
+                            node,
+                            mobility: mobility(shape, acting, node, fields, &sharing),
+                            change: [0.0; 3],
+                            fields: sharing,
+                        });
+                        nodes.len() - 1
+                    })
                 });
                 (place, w)
             })
@@ -309,6 +360,7 @@ impl Simulation {
             weights,
             normal,
             relative,
+            gap,
             bound: -gap.max(0.0) / acting.drift,
             floor,
             friction: rigid.friction,
@@ -338,18 +390,27 @@ fn fold(shape: &GridShape, walls: &[Wall], node: usize) -> (usize, [f64; 3]) {
     (shape.index(at), sign)
 }
 
-/// 1/m, zero where a boundary plane or a driven body prescribes the velocity.
-fn mobility(shape: &GridShape, acting: &Acting, node: usize, line: &Line) -> [f64; 3] {
-    if line[0] <= 0.0
-        || acting
-            .driven
-            .binary_search_by_key(&node, |d| d.node)
-            .is_ok()
-    {
+/// 1/m of the fields that move together at a node, zero where a boundary plane or a driven body prescribes the velocity.
+fn mobility(
+    shape: &GridShape,
+    acting: &Acting,
+    node: usize,
+    fields: &Fields<'_>,
+    sharing: &[usize],
+) -> [f64; 3] {
+    let mass: f64 = sharing.iter().map(|f| fields.mass(*f, node)).sum();
+    let driven = |field: &usize| match field {
+        0 => {
+            let known = acting.driven.binary_search_by_key(&node, |d| d.node);
+            known.is_ok()
+        }
+        _ => fields.is_driven(*field),
+    };
+    if mass <= 0.0 || sharing.iter().any(driven) {
         return [0.0; 3];
     }
     let at = shape.indices(node);
-    let mut mobility = [1.0 / line[0]; 3];
+    let mut mobility = [1.0 / mass; 3];
     for wall in &acting.walls {
         let (_, plane, _) = wall.layers(shape);
         if at[shape.direction(wall.axis)] == plane {

@@ -253,8 +253,7 @@ impl Column {
                 exact: at(z, t) / a,
             })
             .collect();
-        points.sort_by(|p, q| p.at.total_cmp(&q.at));
-        points.dedup_by(|p, q| (p.at - q.at).abs() < 0.1 * self.cell);
+        CurvePoint::one_per_place(&mut points, 0.1 * self.cell);
         Ok(Response {
             // The stress at the top is zero, so v = v(H) - b (H - z)², and the second layer is three times as deep as
             // the first.

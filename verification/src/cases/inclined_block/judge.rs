@@ -1,6 +1,6 @@
 //! Gates of the inclined block, and what is said of the manual's own scene.
 
-use super::{ACCELERATION, CREEP, Kind, Problem, WAY};
+use super::{ACCELERATION, CREEP, GRAVITY, InclinedBlock, Kind, Problem, TIME, WAY};
 use crate::case::{Curve, CurvePoint, Gate, Relation, Rung, Solved, Verdict};
 
 /// Largest relative error of acceleration and displacement.
@@ -31,19 +31,20 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
         let of_group = |(r, _): &&(Rung, Problem)| r.variant == variant && r.cell == cell;
         let group = || {
             let all = ladder.iter().filter(of_group);
-            all.filter(|(_, problem)| problem.kind != Kind::StickUndamped)
+            all.filter(|(_, problem)| !matches!(problem.kind, Kind::Walk(_)))
         };
-        let swings = ladder
-            .iter()
-            .filter(of_group)
-            .filter(|(_, problem)| problem.kind == Kind::StickUndamped);
-        for (rung, _) in swings {
-            if let Some(s) = find(rung) {
+        for (rung, problem) in ladder.iter().filter(of_group) {
+            if let (Kind::Walk(_), Some(s)) = (problem.kind, find(rung)) {
+                let elements = InclinedBlock::by_elements(rung, problem).map(|slid| {
+                    let creep = slid.creep / (GRAVITY * TIME);
+                    format!("; finite elements {creep:.1e}, {:.2} m", slid.way)
+                });
                 verdict.for_the_record.push(format!(
-                    "{}: creeps with {:.2e} of the free velocity, {:.3} m in 2 s",
+                    "{}: creeps with {:.1e} of the free velocity, {:.2} m in 2 s{}",
                     rung.label,
                     s.error(CREEP),
-                    s.value(WAY)
+                    s.value(WAY),
+                    elements.unwrap_or_default(),
                 ));
             }
         }
@@ -72,8 +73,8 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
                 gate(ACCELERATION, of, SLIDING_GATE, reason);
                 gate(WAY, of, SLIDING_GATE, reason);
             }
-            Kind::Stick | Kind::StickMirrored | Kind::StickUndamped => {
-                let both = "both directions";
+            Kind::Stick | Kind::StickMirrored | Kind::StickAtOnce | Kind::Walk(_) => {
+                let both = "tilted both ways and released at once";
                 gate(
                     CREEP,
                     both,

@@ -1,0 +1,95 @@
+//! Which particles of a body can reach a node that a partner reaches too, until the next sort. Normals and distances
+//! are sought at such nodes alone, so no other particle is asked.
+
+use super::{Pair, broad};
+use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape};
+use crate::particles::{Layout, ParticleSet, rows_of_some};
+use crate::weights::base_offset;
+use std::ops::Range;
+
+/// First and last node along each axis that both bodies of a pair can reach.
+type Shared = [(f64, f64); 3];
+
+/// The particles of a body near its partners.
+#[derive(Clone, Debug)]
+pub struct Interface {
+    /// Particles in their order, each range with the layer of particles that it is in.
+    pub runs: Vec<(usize, Range<usize>)>,
+    /// Rows that these particles can reach.
+    pub rows: ActiveRows,
+}
+
+impl Interface {
+    /// The interface of a body with its partners of near pairs.
+    #[must_use]
+    pub fn new(
+        body: usize,
+        pairs: &[Pair],
+        near: &[bool],
+        sets: &[ParticleSet],
+        shape: &GridShape,
+        stencil: usize,
+    ) -> Self {
+        let own = pairs
+            .iter()
+            .zip(near)
+            .filter(|(pair, near)| **near && (pair.master == body || pair.slave == body));
+        let shared: Vec<Shared> = own
+            .map(|(pair, _)| {
+                std::array::from_fn(|axis| {
+                    if axis >= shape.axes {
+                        return (0.0, 0.0);
+                    }
+                    let reach = |body: usize| broad::reach(&sets[body], shape, stencil, axis);
+                    let (a, b) = (reach(pair.master), reach(pair.slave));
+                    (a.0.max(b.0), a.1.min(b.1))
+                })
+            })
+            .collect();
+        let set = &sets[body];
+        let mut runs: Vec<(usize, Range<usize>)> = vec![];
+        for layer in 0..set.layers.len() - 1 {
+            for p in set.in_layers(layer..layer + 1) {
+                if !shared
+                    .iter()
+                    .any(|s| reaches(set, layer, p, s, shape, stencil))
+                {
+                    continue;
+                }
+                match runs.last_mut() {
+                    Some((of, run)) if *of == layer && run.end == p => run.end = p + 1,
+                    _ => runs.push((layer, p..p + 1)),
+                }
+            }
+        }
+        let particles = runs.iter().flat_map(|(_, run)| run.clone());
+        let rows = rows_of_some(set, particles, shape, stencil);
+        Self { runs, rows }
+    }
+
+    /// The runs in some layers of particles.
+    pub fn in_layers(&self, layers: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+        let own = self.runs.iter().filter(move |(of, _)| layers.contains(of));
+        own.map(|(_, run)| run.clone())
+    }
+}
+
+/// Whether a particle can reach some of the nodes before the next sort: it may cross one cell until then.
+fn reaches(
+    set: &ParticleSet,
+    layer: usize,
+    p: usize,
+    nodes: &Shared,
+    shape: &GridShape,
+    stencil: usize,
+) -> bool {
+    (0..shape.axes).all(|axis| {
+        let base = if axis == 0 {
+            layer as f64 - GHOSTS_BELOW as f64
+        } else {
+            let x = set.columns[Layout::POSITION + axis][p];
+            (x * (1.0 / shape.cell[axis]) - base_offset(stencil)).floor()
+        };
+        base - 1.0 <= nodes[axis].1 && base + stencil as f64 >= nodes[axis].0
+    })
+}

@@ -1,0 +1,25 @@
+//! What surfaces did at the nodes, for those who look at it from outside.
+
+use crate::scene::Vector;
+use crate::simulation::Simulation;
+
+impl Simulation {
+    /// Force of the surfaces on a body at a node in the last step \[N\] and the gap of the particle that brought it
+    /// there \[m\], particle by particle: `(body, node, force, gap)`. Particles within the threshold that do not touch
+    /// bring no force.
+    pub(in crate::simulation) fn surface_forces_at_nodes(
+        &self,
+    ) -> impl Iterator<Item = (usize, usize, Vector, f64)> {
+        let surfaces = self.surfaces.iter().filter(|s| s.last_kick > 0.0);
+        surfaces.flat_map(|s| {
+            let touches = s.trial.list.iter().zip(&s.trial.places);
+            touches.flat_map(move |(touch, place)| {
+                let force = touch.impulse().map(|i| i / s.last_kick);
+                touch.weights.iter().map(move |(node, w)| {
+                    let share = std::array::from_fn(|axis| w[axis] * force[axis]);
+                    (place.set, s.trial.nodes[*node].node, share, touch.gap)
+                })
+            })
+        })
+    }
+}

@@ -1,0 +1,78 @@
+//! A block on a body whose motion is prescribed.
+
+use crate::common::{DENSITY, IDENTITY, SCHEMES, body, cuboid, elastic, empty, material, options};
+use proctor_kernel::scene::{Contact, ContactNormal, Dimension, History};
+use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use std::sync::Arc;
+
+const H: f64 = 0.1;
+/// Thickness of the base and height of the block \[m\].
+const TOP: f64 = 0.3;
+const HEIGHT: f64 = 0.3;
+const GRAVITY: f64 = 10.0;
+/// Acceleration of the base \[m/s²\].
+const BASE: f64 = 3.0;
+
+/// A base that accelerates sideways takes a block along up to mu g: with a larger friction the block has its acceleration,
+/// with a smaller one it lags behind by a - mu g.
+#[test]
+fn a_block_on_a_base_that_accelerates() {
+    for scheme in SCHEMES {
+        for (friction, exact) in [(0.5, BASE), (0.2, 2.0), (0.0, 0.0)] {
+            let mut scene = empty(Dimension::Two, [30, 8, 1], H);
+            scene.scheme = scheme;
+            scene.gravity[1] = -GRAVITY;
+            scene.materials = vec![material(elastic(1.0e7, 0.0))];
+            scene.bodies = vec![
+                body(1, cuboid([0.3, 0.0, 0.0], [2.3, TOP, 0.0])),
+                body(2, cuboid([0.8, TOP, 0.0], [1.8, TOP + HEIGHT, 0.0])),
+            ];
+            for body in &mut scene.bodies {
+                body.particles_per_cell = [2, 2, 1];
+            }
+            scene.bodies[0].motion = Some(History {
+                times: vec![0.0, 1.0],
+                values: vec![[0.0; 3], [BASE, 0.0, 0.0]],
+            });
+            scene.contacts = vec![Contact {
+                name: "block on base".into(),
+                id: 1,
+                friction,
+                master: 1,
+                slave: 2,
+                normal: ContactNormal::Master,
+            }];
+            // The block carries its weight from the start.
+            let settled = Options {
+                initial: Some(Arc::new(|x| InitialState {
+                    velocity: [0.0; 3],
+                    velocity_gradient: [[0.0; 3]; 3],
+                    stress: [
+                        0.0,
+                        -DENSITY * GRAVITY * (TOP + HEIGHT - x[1]).min(HEIGHT),
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ],
+                    deformation: IDENTITY,
+                })),
+                ..options()
+            };
+            let mut simulation = Simulation::new(&scene, &settled).expect("the scene is sound");
+            let mut speed = |until: f64| {
+                while simulation.time() < until {
+                    simulation.step(until).expect("a step");
+                }
+                (simulation.velocity_time(), simulation.center(1).2[0])
+            };
+            let ((t_0, v_0), (t, v)) = (speed(0.1), speed(0.4));
+            let a = (v - v_0) / (t - t_0);
+            println!("{scheme:?} mu {friction}: {a} of {exact}");
+            assert!(
+                (a - exact).abs() < 0.02 * BASE,
+                "{scheme:?} mu {friction}: {a} of {exact}"
+            );
+        }
+    }
+}

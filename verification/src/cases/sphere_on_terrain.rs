@@ -1,0 +1,418 @@
+//! Does a sphere that falls on a terrain of triangles stay above it, at its own speed and at ten times that?
+//!
+//! The scene is `fixtures/scenes/sphere_on_terrain.json`: a soft sphere over a bowl with bumps, the terrain an STL
+//! file, cells of 0.1 m on triangles of 0.15 m. There is no exact motion after the impact, but much else is known:
+//!
+//! - until its first particle touches, the sphere falls freely, and the first force acts in the step in which that
+//!   particle would pass; both are computed here from the positions at the start and every triangle;
+//! - no particle goes through. The case asks a height field made of the triangles rather than the kernel's search;
+//! - momentum changes by weight and by the impulse of the terrain alone;
+//! - a smooth terrain pushes along its normals, which all point up, and gives no energy. The kinetic energy is that of
+//!   the leapfrog, half the product of the velocities half a step before and after.
+//!
+//! `proctor verify sphere-on-terrain`.
+
+mod height;
+
+use std::sync::Arc;
+
+use proctor_kernel::scene::{
+    Body, Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TimeStep, Vector,
+};
+use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::surface::{Surface, parse};
+
+use super::incline::{dot, run};
+use super::{NO_RESULTS, elastic, failed};
+use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use height::HeightField;
+
+/// The terrain of the fixtures.
+const TERRAIN: &[u8] = include_bytes!("../../../fixtures/surfaces/terrain.stl");
+/// Gravity \[m/s²\].
+const GRAVITY: f64 = 9.81;
+/// Velocity at the start \[m/s\].
+const VELOCITY: Vector = [0.3, 0.1, -1.0];
+/// Centre and radius of the sphere \[m\].
+const CENTER: Vector = [0.93, 1.02, 0.78];
+const RADIUS: f64 = 0.3;
+/// Time \[s\] at the speed of the scene, in which the sphere falls, bounces and rolls; at ten times that it has bounced
+/// off in a seventh.
+const TIME: f64 = 0.5;
+const TIME_FAST: f64 = 0.07;
+/// Time step over the cell where the terrain is smooth \[s/m\].
+const STEP: f64 = 2.5e-3;
+/// Friction of the scene.
+const FRICTION: f64 = 0.4;
+
+/// Names of the quantities.
+const DEPTH: &str = "deepest penetration over cell";
+const BELOW: &str = "particles below the terrain";
+const FREE_FALL: &str = "fall until touch";
+const TOUCH: &str = "first force, steps from touch";
+const MOMENTUM: &str = "momentum lost, over that given";
+const GAINED: &str = "energy gained, over the initial";
+const DOWNWARD: &str = "largest pull, over weight";
+
+/// Largest penetration over the cell.
+const DEPTH_GATE: f64 = 0.5;
+/// Round-off over some thousand steps.
+const ROUND_OFF: f64 = 1e-11;
+/// The first force acts in the step in which the particle would pass.
+const TOUCH_GATE: f64 = 1.0;
+
+/// A sphere on a terrain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereOnTerrain {
+    /// Gravity over that of the exact fall. Anything but 1 is a wrong scene, to prove that the gates notice.
+    pub pull: f64,
+}
+
+/// A variant: its name, scheme, factor of the speed, and whether the terrain is smooth.
+type Variant = (&'static str, StressScheme, f64, bool);
+
+const VARIANTS: [Variant; 9] = [
+    ("USL", StressScheme::Usl, 1.0, false),
+    ("USF", StressScheme::Usf, 1.0, false),
+    ("MUSL", StressScheme::Musl, 1.0, false),
+    ("ten times the speed USL", StressScheme::Usl, 10.0, false),
+    ("ten times the speed USF", StressScheme::Usf, 10.0, false),
+    ("ten times the speed MUSL", StressScheme::Musl, 10.0, false),
+    ("smooth USL", StressScheme::Usl, 1.0, true),
+    ("smooth USF", StressScheme::Usf, 1.0, true),
+    ("smooth MUSL", StressScheme::Musl, 1.0, true),
+];
+
+/// What is seen of a run.
+#[derive(Default)]
+struct Seen {
+    deepest: f64,
+    below: usize,
+    /// Time at the end of the step with the first force, and that step \[s\].
+    touched: Option<(f64, f64)>,
+    /// Error of the centre of mass before the touch over the radius.
+    fall: f64,
+    /// Total energy at the end of the first step \[J\], and the largest gain over it.
+    first: Option<f64>,
+    gained: f64,
+    /// Of the step before: mass and velocity of the particles, strain and potential energy \[J\].
+    before: Option<(Vec<(f64, Vector)>, f64)>,
+    pull: f64,
+    /// Time before the step \[s\].
+    time: f64,
+}
+
+impl SphereOnTerrain {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self { pull: 1.0 };
+
+    fn variant(rung: &Rung) -> Variant {
+        let found = VARIANTS.into_iter().find(|v| v.0 == rung.variant);
+        found.unwrap_or(VARIANTS[0])
+    }
+
+    /// Time (s) at which the first particle of the sphere at rest touches, from the positions of the centres of its
+    /// particles, their half-length (m) and the fall that they have in common.
+    fn touch(terrain: &Surface, seeds: &[Vector], half: f64, velocity: &Vector) -> f64 {
+        let fallen = |x: &Vector, t: f64| -> Vector {
+            std::array::from_fn(|axis| {
+                let g = if axis == 2 { GRAVITY } else { 0.0 };
+                x[axis] + velocity[axis] * t - 0.5 * g * t * t
+            })
+        };
+        let touches = |t: f64| {
+            seeds.iter().any(|x| {
+                let nearest = terrain.nearest_of_all(&fallen(x, t), half);
+                nearest.is_some_and(|n| !n.on_rim)
+            })
+        };
+        // The sphere is closest after a way of 0.5 m at most, and touches for longer than a hundredth of that time.
+        let most = 0.5 / velocity[2].abs();
+        let steps = 100;
+        let Some(first) = (1..=steps).find(|&i| touches(most * f64::from(i) / f64::from(steps)))
+        else {
+            return f64::NAN;
+        };
+        let mut low = most * f64::from(first - 1) / f64::from(steps);
+        let mut high = most * f64::from(first) / f64::from(steps);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if touches(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        high
+    }
+
+    /// Looks at the state after a step.
+    fn look(simulation: &Simulation, terrain: &HeightField, start: &Start, seen: &mut Seen) {
+        let h = simulation.scene().mesh.cell[0];
+        let (m, x, _) = simulation.center(0);
+        let t = simulation.time();
+        let force = simulation.contact_force(0);
+        let weight = m * GRAVITY;
+        seen.pull = seen.pull.max(-force[2] / weight);
+        if force != [0.0; 3] && seen.touched.is_none() {
+            seen.touched = Some((t, t - seen.time));
+        }
+        seen.time = t;
+        if seen.touched.is_none() {
+            let fallen: Vector = std::array::from_fn(|axis| {
+                let g = if axis == 2 { GRAVITY } else { 0.0 };
+                start.center[axis] + start.velocity[axis] * t - 0.5 * g * t * t
+            });
+            let off = (0..3)
+                .map(|a| (x[a] - fallen[a]).powi(2))
+                .sum::<f64>()
+                .sqrt();
+            seen.fall = seen.fall.max(off / RADIUS);
+        }
+        let velocities = velocities(simulation);
+        if let Some((before, rest)) = seen.before.take() {
+            let kinetic: f64 = before
+                .iter()
+                .zip(&velocities)
+                .map(|((m, v), (_, w))| 0.5 * m * dot(v, w))
+                .sum();
+            let energy = kinetic + rest;
+            let first = *seen.first.get_or_insert(energy);
+            seen.gained = seen.gained.max(energy / first - 1.0);
+        }
+        seen.before = Some((velocities, simulation.strain_energy() + weight * x[2]));
+        if seen.touched.is_none() {
+            return;
+        }
+        for p in 0..simulation.particles() {
+            let position = simulation.position(0, p);
+            if position[2] > terrain.highest() + h {
+                continue;
+            }
+            if let Some((gap, _)) = simulation.surface_gap(0, 0, p, 0.0) {
+                seen.deepest = seen.deepest.max(-gap / h);
+            }
+            // Heights of triangles are 32-bit numbers, planes between them are not.
+            if terrain
+                .height(&position)
+                .is_some_and(|z| position[2] < z - 1e-9)
+            {
+                seen.below += 1;
+            }
+        }
+    }
+
+    fn quantities(
+        simulation: &Simulation,
+        seen: &Seen,
+        start: &Start,
+        touch: f64,
+    ) -> Vec<Quantity> {
+        let of_zero = |name, value: f64| Quantity {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value.abs()),
+            unit: "1",
+        };
+        let m = simulation.center(0).0;
+        let momentum = simulation.momentum();
+        let impulse = simulation.surface_impulse(0, 0);
+        let t = simulation.velocity_time();
+        let given = m * (start.velocity[2].abs() + GRAVITY * t);
+        let lost = (0..3)
+            .map(|axis| {
+                let weight = if axis == 2 { -m * GRAVITY * t } else { 0.0 };
+                momentum[axis] - m * start.velocity[axis] - weight - impulse[axis]
+            })
+            .fold(0.0_f64, |worst, lost| worst.max(lost.abs()));
+        let (touched, dt) = seen.touched.unwrap_or((f64::NAN, f64::NAN));
+        vec![
+            of_zero(DEPTH, seen.deepest),
+            of_zero(BELOW, seen.below as f64),
+            of_zero(FREE_FALL, seen.fall),
+            of_zero(TOUCH, (touched - touch) / dt),
+            of_zero(MOMENTUM, lost / given),
+            of_zero(GAINED, seen.gained),
+            of_zero(DOWNWARD, seen.pull.max(0.0)),
+        ]
+    }
+}
+
+/// What is known of the start.
+struct Start {
+    center: Vector,
+    velocity: Vector,
+}
+
+/// Mass and velocity of all particles, in order of their identifiers.
+fn velocities(simulation: &Simulation) -> Vec<(f64, Vector)> {
+    let set = &simulation.sets()[0];
+    let mut all: Vec<_> = (0..set.len())
+        .map(|p| {
+            (
+                set.id[p],
+                simulation.mass_and_volume(0, p).0,
+                set.velocity(p),
+            )
+        })
+        .collect();
+    all.sort_unstable_by_key(|particle| particle.0);
+    all.into_iter().map(|(_, m, v)| (m, v)).collect()
+}
+
+impl Case for SphereOnTerrain {
+    fn name(&self) -> &'static str {
+        "sphere-on-terrain"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does a sphere that falls on an STL terrain stay above it, at its own speed and at ten times that?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let cells: &[f64] = match size {
+            Size::Quick => &[0.1],
+            Size::Full => &[0.1, 0.05],
+        };
+        let of = |&(variant, ..): &Variant| {
+            cells.iter().map(move |&cell| Rung {
+                label: format!("{variant} h={cell}"),
+                cell,
+                variant,
+            })
+        };
+        VARIANTS.iter().flat_map(of).collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let (_, scheme, factor, smooth) = Self::variant(rung);
+        let h = rung.cell;
+        let cells = [2.0, 2.0, 1.6].map(|length: f64| (length / h).round() as usize);
+        let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], cells);
+        let time = if factor > 1.0 { TIME_FAST } else { TIME };
+        let mut scene = Scene::new(Dimension::Three, mesh, time);
+        scene.name = String::from("sphere_on_terrain");
+        scene.gravity = [0.0, 0.0, -self.pull * GRAVITY];
+        scene.scheme = scheme;
+        if smooth {
+            // The energy of the leapfrog is that of equal steps.
+            scene.time_step = TimeStep::Fixed {
+                dt: STEP * h,
+                allow_unstable: false,
+            };
+        }
+        scene.results = NO_RESULTS;
+        scene.materials = elastic(1000.0, 1e7, 0.3);
+        scene.bodies.push(Body {
+            name: "sphere".to_owned(),
+            id: 1,
+            material: 0,
+            shape: Shape::Sphere {
+                center: CENTER,
+                radius: RADIUS,
+            },
+            particles_per_cell: [2; 3],
+            velocity: VELOCITY.map(|v| factor * v),
+            motion: None,
+        });
+        // The file is part of the program; were it not sound, a scene without a terrain fails the gates.
+        let corners = parse(TERRAIN).ok();
+        scene.surfaces.extend(corners.and_then(|corners| {
+            Some(RigidSurface {
+                name: "terrain".to_owned(),
+                surface: Arc::new(Surface::new(&corners).ok()?),
+                friction: if smooth { 0.0 } else { FRICTION },
+                distance_threshold: h,
+                penalty_stiffness: None,
+                motion: None,
+            })
+        }));
+        scene
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let scene = self.scene(rung);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let Some(rigid) = scene.surfaces.first() else {
+            return Err(failed(self, rung, &"there is no terrain"));
+        };
+        let surface = rigid.surface.clone();
+        let mut simulation =
+            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        let velocity = scene.bodies[0].velocity;
+        let seeds: Vec<Vector> = (0..simulation.particles())
+            .map(|p| simulation.position(0, p))
+            .collect();
+        let half = 0.25 * rung.cell;
+        let touch = Self::touch(&surface, &seeds, half, &velocity);
+        let center = simulation.center(0).1;
+        let start = Start { center, velocity };
+        let terrain = HeightField::new(&surface);
+        let mut seen = Seen::default();
+        run(
+            &mut simulation,
+            scene.time,
+            scene.time,
+            &mut |share| progress(share),
+            |simulation| Self::look(simulation, &terrain, &start, &mut seen),
+        )
+        .map_err(|e| failed(self, rung, &e))?;
+        Ok(Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: Self::quantities(&simulation, &seen, &start, touch),
+            curve: None,
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let mut verdict = Verdict::default();
+        for rung in self.rungs(size) {
+            let (.., smooth) = Self::variant(&rung);
+            let found = solved.iter().find(|(other, _)| *other == rung);
+            let error = |name: &str| found.map_or(f64::NAN, |(_, s)| s.error(name));
+            let mut gate = |name: &str, bound, reason| {
+                verdict.gates.push(Gate {
+                    name: format!("{}: {name}", rung.label),
+                    value: error(name),
+                    relation: Relation::AtMost,
+                    bound,
+                    reason,
+                });
+            };
+            gate(DEPTH, DEPTH_GATE, "half a cell, what the project promises");
+            gate(BELOW, 0.0, "no particle passes the terrain unnoticed");
+            gate(
+                FREE_FALL,
+                ROUND_OFF,
+                "until it touches, the sphere falls freely",
+            );
+            gate(
+                TOUCH,
+                TOUCH_GATE,
+                "the force acts in the step in which a particle would pass",
+            );
+            gate(
+                MOMENTUM,
+                ROUND_OFF,
+                "weight and impulse are all that changes momentum",
+            );
+            if smooth {
+                gate(GAINED, ROUND_OFF, "a smooth terrain gives no energy");
+                gate(
+                    DOWNWARD,
+                    0.0,
+                    "the normals of a terrain point up, and contact never pulls",
+                );
+            }
+        }
+        verdict
+    }
+}
