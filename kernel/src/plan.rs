@@ -411,6 +411,9 @@ fn contact_words(scene: &Scene, list: &mut Words) {
                     "its vertices follow the velocities of the nodes, those without mass too"
                 }
                 Follow::Velocity => "its vertices follow the velocities of the nodes",
+                Follow::Unaugmented => {
+                    "its vertices follow the velocities of the nodes, nodes without mass among them"
+                }
                 Follow::Spin => "its vertices follow velocities and spins of the nodes",
                 Follow::Gradient => {
                     "its vertices follow velocities and velocity gradients of the nodes"

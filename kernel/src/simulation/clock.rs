@@ -182,11 +182,13 @@ impl Simulation {
                     .iter()
                     .copied()
                     .fold(f64::INFINITY, f64::min);
-                (
-                    multiplier * h / (wave_speed + particle_speed),
-                    Bound::Multiplier,
-                    allow_unstable,
-                )
+                let dt = multiplier * h / (wave_speed + particle_speed);
+                let closing = CLOSING_SHARE * self.mortar.closing_step;
+                if closing < dt {
+                    (closing, Bound::Closing, allow_unstable)
+                } else {
+                    (dt, Bound::Multiplier, allow_unstable)
+                }
             }
             TimeStep::Fixed { dt, allow_unstable } => (dt, Bound::Fixed, allow_unstable),
         };
