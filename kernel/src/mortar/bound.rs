@@ -5,7 +5,8 @@
 //! other body, which may be as light. The printed rule, dt times the smallest gap over the critical gap, shortens the
 //! step also where the contact is far from limiting (a resting disk forty times), and goes to zero with the gap.
 
-use super::weights::VertexWeights;
+use super::weights::{VertexWeights, in_patch};
+use std::array;
 use std::collections::BTreeMap;
 
 /// Share of the bound 2/omega that is used.
@@ -13,21 +14,24 @@ pub const SAFETY: f64 = 0.5;
 
 /// Stiffness over mass of the nodes of one body's layer of the grid.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct NodalStiffness(BTreeMap<[i64; 2], f64>);
+pub struct NodalStiffness<const D: usize>(BTreeMap<[i64; D], f64>);
 
-impl NodalStiffness {
+impl<const D: usize> NodalStiffness<D> {
     /// Adds a vertex: its augmented weights, the masses of the nodes of its patch \[kg\] and the stiffness of the
     /// contact at it \[N/m\].
-    pub fn add(&mut self, weights: &VertexWeights, masses: &[f64; 9], stiffness: f64) {
+    pub fn add<const N: usize>(
+        &mut self,
+        weights: &VertexWeights<D, N>,
+        masses: &[f64; N],
+        stiffness: f64,
+    ) {
         if stiffness == 0.0 {
             return;
         }
-        for k in 0..9 {
+        for k in 0..N {
             if masses[k] > 0.0 {
-                let node = [
-                    weights.base[0] + (k / 3) as i64,
-                    weights.base[1] + (k % 3) as i64,
-                ];
+                let at = in_patch::<D>(k);
+                let node = array::from_fn(|axis| weights.base[axis] + at[axis] as i64);
                 *self.0.entry(node).or_insert(0.0) += weights.weights[k] * stiffness / masses[k];
             }
         }

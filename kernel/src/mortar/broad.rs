@@ -1,70 +1,75 @@
-//! Broad phase: which bodies, and which of their segments, are close enough to be looked at.
+//! Broad phase: which bodies, and which of their elements, are close enough to be looked at.
 
-use super::Point;
-use super::boundary::Boundary;
+use super::PointIn;
+use super::elements::Elements;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct Bounds<const D: usize> {
     /// Lower corner \[m\].
-    pub lower: Point,
+    pub lower: PointIn<D>,
     /// Upper corner \[m\].
-    pub upper: Point,
+    pub upper: PointIn<D>,
 }
 
-impl Bounds {
+impl<const D: usize> Bounds<D> {
     /// The box around some points, `margin` \[m\] larger on all sides (eq. 57 takes half the critical gap, which finds
     /// every pair in contact; a deeper search for penetration needs more). Vertices bound a body, particles do not: they
     /// lie inside. Without points the box is empty and overlaps nothing.
     #[must_use]
-    pub fn around<'a>(points: impl IntoIterator<Item = &'a Point>, margin: f64) -> Self {
+    pub fn around<'a>(points: impl IntoIterator<Item = &'a PointIn<D>>, margin: f64) -> Self {
         let mut bounds = Self {
-            lower: Point::repeat(f64::INFINITY),
-            upper: Point::repeat(f64::NEG_INFINITY),
+            lower: PointIn::repeat(f64::INFINITY),
+            upper: PointIn::repeat(f64::NEG_INFINITY),
         };
         for p in points {
             bounds.lower = bounds.lower.inf(p);
             bounds.upper = bounds.upper.sup(p);
         }
-        bounds.lower -= Point::repeat(margin);
-        bounds.upper += Point::repeat(margin);
+        bounds.lower -= PointIn::repeat(margin);
+        bounds.upper += PointIn::repeat(margin);
         bounds
     }
 
     /// Whether two boxes share a point.
     #[must_use]
     pub fn overlaps(&self, other: &Self) -> bool {
-        (0..2).all(|axis| {
+        (0..D).all(|axis| {
             self.lower[axis] <= other.upper[axis] && other.lower[axis] <= self.upper[axis]
         })
     }
 }
 
-/// Segments of the slave with the segments of the master that come within `reach` \[m\] of their box, both ascending.
-/// Slave segments without any are left out.
+/// Elements of the slave with the elements of the master that come within `reach` \[m\] of their box, both ascending.
+/// Slave elements without any are left out.
 #[must_use]
-pub fn near_segments(slave: &Boundary, master: &Boundary, reach: f64) -> Vec<(usize, Vec<usize>)> {
-    let box_of = |boundary: &Boundary, s: usize, margin: f64| {
-        Bounds::around(boundary.segments()[s].map(|k| &boundary.points[k]), margin)
-    };
-    let all = Bounds::around(&master.points, reach);
-    let slaves: Vec<(usize, Bounds)> = (0..slave.segments().len())
-        .map(|s| (s, box_of(slave, s, 0.0)))
+pub fn near<const D: usize, const T: usize>(
+    slave: &impl Elements<D, T>,
+    master: &impl Elements<D, T>,
+    reach: f64,
+) -> Vec<(usize, Vec<usize>)> {
+    let all = Bounds::around(master.points(), reach);
+    let slaves: Vec<(usize, Bounds<D>)> = boxes(slave, 0.0)
         .filter(|(_, bounds)| bounds.overlaps(&all))
         .collect();
     let region = slaves
         .iter()
-        .fold(Bounds::around([], 0.0), |sum, (_, bounds)| Bounds {
+        .fold(Bounds::<D>::around([], 0.0), |sum, (_, bounds)| Bounds {
             lower: sum.lower.inf(&bounds.lower),
             upper: sum.upper.sup(&bounds.upper),
         });
-    let mut masters: Vec<(usize, Bounds)> = (0..master.segments().len())
-        .map(|m| (m, box_of(master, m, reach)))
+    let mut masters: Vec<(usize, Bounds<D>)> = boxes(master, reach)
         .filter(|(_, bounds)| bounds.overlaps(&region))
         .collect();
-    // Sorted along the axis in which the region is longer: along the other one all boxes may overlap.
+    // Sorted along the axis in which the region is longest: along another one all boxes may overlap.
     let extent = region.upper - region.lower;
-    let axis = usize::from(extent.y > extent.x);
+    let axis = (1..D).fold(0, |best, axis| {
+        if extent[axis] > extent[best] {
+            axis
+        } else {
+            best
+        }
+    });
     masters.sort_by(|a, b| {
         a.1.lower[axis]
             .total_cmp(&b.1.lower[axis])
@@ -89,4 +94,17 @@ pub fn near_segments(slave: &Boundary, master: &Boundary, reach: f64) -> Vec<(us
         }
     }
     near
+}
+
+/// Boxes of the elements of a boundary, each `margin` \[m\] larger on all sides.
+fn boxes<const D: usize, const T: usize>(
+    boundary: &impl Elements<D, T>,
+    margin: f64,
+) -> impl Iterator<Item = (usize, Bounds<D>)> {
+    let points = boundary.points();
+    boundary
+        .elements()
+        .iter()
+        .map(move |element| Bounds::around(element.iter().map(|k| &points[*k]), margin))
+        .enumerate()
 }

@@ -1,9 +1,10 @@
 //! Contact of one pair of boundaries: weighted gaps, pressures, friction, and the forces on the vertices of both.
 
-use super::boundary::Boundary;
+use super::elements::Elements;
 use super::law::{Friction, NormalLaw};
-use super::segments::{Detection, Search, mortar_points};
-use super::{Point, cross};
+use super::points::{Detection, Search};
+use super::{Point, PointIn, cross};
+use std::array;
 
 /// How a pair behaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,46 +19,46 @@ pub struct PairLaw {
     pub search: Search,
 }
 
-/// Elastic slip of each vertex of the slave \[m\], kept from step to step.
+/// Elastic slip of each vertex of the slave along its T tangents \[m\], kept from step to step.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Slip(pub Vec<f64>);
+pub struct Slip<const T: usize>(pub Vec<[f64; T]>);
 
 /// Contact at a vertex of the slave that faces the master.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VertexContact {
+pub struct VertexContact<const D: usize, const T: usize> {
     /// Weighted gap (eq. 46) \[m\].
     pub gap: f64,
     /// Outward normal of the slave.
-    pub normal: Point,
+    pub normal: PointIn<D>,
     /// Contact pressure lambda_n \[Pa\].
     pub pressure: f64,
-    /// Tangential traction lambda_tau \[Pa\], along the normal turned by +90 degrees; positive where the slave slips in
-    /// that direction, and then it is pushed back.
-    pub traction: f64,
-    /// Length of the slave that belongs to the vertex, the row sum of D \[m\].
-    pub length: f64,
+    /// Tangential traction lambda_tau \[Pa\] along the tangents of the vertex, in the plane the normal turned by
+    /// +90 degrees; positive where the slave slips in that direction, and then it is pushed back.
+    pub traction: [f64; T],
+    /// Length, in space area, of the slave that belongs to the vertex: the row sum of D \[m, in space m²\].
+    pub measure: f64,
     /// By how much slave and master came closer in the last step \[m\].
     pub approach: f64,
 }
 
-/// What contact does to a pair in one step. Forces are per unit of thickness.
+/// What contact does to a pair in one step. In the plane all is per metre of thickness: forces in N/m, and so on.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct PairForces {
-    /// Force on each vertex of the slave \[N/m\].
-    pub slave: Vec<Point>,
-    /// Force on each vertex of the master \[N/m\].
-    pub master: Vec<Point>,
-    /// Stiffness of the contact at each vertex of the slave, sum w N slope \[N/m²\], for the time step.
+pub struct PairForces<const D: usize, const T: usize> {
+    /// Force on each vertex of the slave \[N\].
+    pub slave: Vec<PointIn<D>>,
+    /// Force on each vertex of the master \[N\].
+    pub master: Vec<PointIn<D>>,
+    /// Stiffness of the contact at each vertex of the slave, sum w N slope \[N/m\], for the time step.
     pub slave_stiffness: Vec<f64>,
     /// The same for the master.
     pub master_stiffness: Vec<f64>,
     /// Contact at each vertex of the slave, where it faces the master.
-    pub vertices: Vec<Option<VertexContact>>,
-    /// Energy stored in the normal law \[J/m\].
+    pub vertices: Vec<Option<VertexContact<D, T>>>,
+    /// Energy stored in the normal law \[J\].
     pub energy: f64,
 }
 
-impl PairForces {
+impl<const D: usize, const T: usize> PairForces<D, T> {
     /// The smallest gap with its vertex \[m\]; `None` where nothing faces anything.
     #[must_use]
     pub fn smallest_gap(&self) -> Option<(usize, f64)> {
@@ -70,7 +71,7 @@ impl PairForces {
         self.extreme(|v| -v.approach).map(|(v, a)| (v, -a))
     }
 
-    fn extreme(&self, value: impl Fn(&VertexContact) -> f64) -> Option<(usize, f64)> {
+    fn extreme(&self, value: impl Fn(&VertexContact<D, T>) -> f64) -> Option<(usize, f64)> {
         self.vertices
             .iter()
             .enumerate()
@@ -80,85 +81,101 @@ impl PairForces {
 }
 
 /// The two boundaries, and by how much their vertices moved in the last step \[m\].
-#[derive(Clone, Copy, Debug)]
-pub struct Surfaces<'a> {
+#[derive(Debug)]
+pub struct Surfaces<'a, B, const D: usize> {
     /// Slave: normals, gaps and pressures are its own.
-    pub slave: &'a Boundary,
+    pub slave: &'a B,
     /// Master.
-    pub master: &'a Boundary,
+    pub master: &'a B,
     /// Displacement of the slave's vertices.
-    pub slave_moved: &'a [Point],
+    pub slave_moved: &'a [PointIn<D>],
     /// Displacement of the master's vertices.
-    pub master_moved: &'a [Point],
+    pub master_moved: &'a [PointIn<D>],
 }
+
+// By hand, since a boundary need not be.
+impl<B, const D: usize> Clone for Surfaces<'_, B, D> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B, const D: usize> Copy for Surfaces<'_, B, D> {}
 
 /// Gap, pressure and friction at the slave's vertices (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
 /// f_m = M^T lambda (eq. 54, 55).
 ///
 /// The slip of a vertex is forgotten where there is no pressure.
 #[must_use]
-pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) -> PairForces {
+pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
+    surfaces: Surfaces<'_, B, D>,
+    law: &PairLaw,
+    slip: &mut Slip<T>,
+) -> PairForces<D, T> {
     let Surfaces { slave, master, .. } = surfaces;
-    let count = slave.points.len();
-    slip.0.resize(count, 0.0);
+    let count = slave.points().len();
+    slip.0.resize(count, [0.0; T]);
     let normals = slave.normals();
-    let points = mortar_points(slave, &normals, master, law.detection, law.search);
+    let points = slave.facing(&normals, master, law.detection, law.search);
 
     // Rows of D and of the differences that the rows of D and M give.
-    let mut length = vec![0.0; count];
-    let mut apart = vec![Point::zeros(); count];
-    let mut moved = vec![Point::zeros(); count];
+    let mut measure = vec![0.0; count];
+    let mut apart = vec![PointIn::zeros(); count];
+    let mut moved = vec![PointIn::zeros(); count];
     for point in &points {
-        let distance = point.on_master(&master.points) - point.on_slave(&slave.points);
+        let distance = point.on_master(master.points()) - point.on_slave(slave.points());
         let relative =
             point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
         for (k, share) in point.slave {
             let w = share * point.weight;
-            length[k] += w;
+            measure[k] += w;
             apart[k] += w * distance;
             moved[k] += w * relative;
         }
     }
 
     let mut forces = PairForces {
-        slave: vec![Point::zeros(); count],
-        master: vec![Point::zeros(); master.points.len()],
+        slave: vec![PointIn::zeros(); count],
+        master: vec![PointIn::zeros(); master.points().len()],
         slave_stiffness: vec![0.0; count],
-        master_stiffness: vec![0.0; master.points.len()],
+        master_stiffness: vec![0.0; master.points().len()],
         vertices: vec![None; count],
         energy: 0.0,
     };
-    let mut lambda = vec![Point::zeros(); count];
+    let mut lambda = vec![PointIn::zeros(); count];
     let mut slope = vec![0.0; count];
     for k in 0..count {
-        if length[k] <= 0.0 {
-            slip.0[k] = 0.0;
+        if measure[k] <= 0.0 {
+            slip.0[k] = [0.0; T];
             continue;
         }
         let n = normals[k];
-        let tangent = Point::new(-n.y, n.x);
-        let gap = n.dot(&apart[k]) / length[k];
-        let relative = moved[k] / length[k];
+        let tangents = slave.tangents(k, &n);
+        let gap = n.dot(&apart[k]) / measure[k];
+        let relative = moved[k] / measure[k];
         let pressure = law.normal.pressure(gap);
         slope[k] = law.normal.slope(gap);
-        let mut traction = 0.0;
+        let mut traction = [0.0; T];
         match &law.friction {
             Some(friction) if pressure > 0.0 => {
-                (traction, slip.0[k]) =
-                    friction.traction(slip.0[k] + tangent.dot(&relative), pressure);
+                let trial = array::from_fn(|t| slip.0[k][t] + tangents[t].dot(&relative));
+                (traction, slip.0[k]) = friction.traction(trial, pressure);
                 // Normal and tangential springs act at right angles, so the stiffer of them rules the time step.
                 slope[k] = slope[k].max(friction.stiffness);
             }
-            _ => slip.0[k] = 0.0,
+            _ => slip.0[k] = [0.0; T],
         }
-        lambda[k] = pressure * n + traction * tangent;
-        forces.energy += length[k] * law.normal.energy(gap);
+        lambda[k] = tangents
+            .iter()
+            .zip(traction)
+            .fold(pressure * n, |sum, (tangent, t)| sum + t * tangent);
+        forces.energy += measure[k] * law.normal.energy(gap);
         forces.vertices[k] = Some(VertexContact {
             gap,
             normal: n,
             pressure,
             traction,
-            length: length[k],
+            measure: measure[k],
             approach: n.dot(&relative),
         });
     }

@@ -1,42 +1,14 @@
-//! Projection of a slave boundary onto a master boundary, and the points at which integrals over their contact are
-//! evaluated.
+//! Projection of a slave boundary onto a master boundary in the plane.
 //!
 //! Slave points are projected along the normal field of the slave, interpolated between its vertices. A slave segment
 //! is cut where master vertices project onto it; on each piece (mortar segment) one master segment is seen, and two
-//! Gauss points lie on it (algorithm 1). D and M are both sums over these points and no others, so that the forces on
-//! the two bodies cancel whatever part of a segment is covered.
+//! Gauss points lie on it (algorithm 1).
 
 use super::boundary::Boundary;
-use super::broad::near_segments;
+use super::broad::near;
+use super::elements::Elements;
+use super::points::{Detection, FACING, MortarPoint, Search};
 use super::{Point, cross};
-
-/// How contact is found along the slave.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Detection {
-    /// Integrals over mortar segments.
-    #[default]
-    Mortar,
-    /// At the vertices of the slave, each with half the length of its segments.
-    NodeToSegment,
-}
-
-/// Where the master is looked for along the slave's normals.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Search {
-    /// Largest gap \[m\].
-    pub reach: f64,
-    /// Deepest penetration \[m\].
-    pub depth: f64,
-}
-
-impl Search {
-    fn contains(&self, gap: f64) -> bool {
-        (-self.depth..=self.reach).contains(&gap)
-    }
-}
-
-/// Cosine between the normals of facing surfaces, below which they can touch.
-const FACING: f64 = -0.2;
 
 /// Pieces of a segment shorter than this share of it are left out: they hold nothing but round-off.
 const SHORTEST: f64 = 1.0e-12;
@@ -44,51 +16,40 @@ const SHORTEST: f64 = 1.0e-12;
 /// Places of the two Gauss points in a piece, in shares of its length.
 const GAUSS: [f64; 2] = [0.211_324_865_405_187_13, 0.788_675_134_594_812_9];
 
-/// A point of the slave, the point of the master that it faces, and its share of the length of the contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MortarPoint {
-    /// The two vertices of the slave, and their shape functions N_i at the point.
-    pub slave: [(usize, f64); 2],
-    /// The same for the master.
-    pub master: [(usize, f64); 2],
-    /// Weight of the point in an integral over the slave, w_g J_l \[m\].
-    pub weight: f64,
-}
-
-impl MortarPoint {
-    /// Interpolates values of the slave's vertices to the point.
-    #[must_use]
-    pub fn on_slave(&self, values: &[Point]) -> Point {
-        interpolate(&self.slave, values)
+impl Elements<2, 1> for Boundary {
+    fn points(&self) -> &[Point] {
+        &self.points
     }
 
-    /// Interpolates values of the master's vertices to the facing point.
-    #[must_use]
-    pub fn on_master(&self, values: &[Point]) -> Point {
-        interpolate(&self.master, values)
+    fn elements(&self) -> &[[usize; 2]] {
+        self.segments()
     }
-}
 
-fn interpolate(on: &[(usize, f64); 2], values: &[Point]) -> Point {
-    on[0].1 * values[on[0].0] + on[1].1 * values[on[1].0]
-}
+    fn normals(&self) -> Vec<Point> {
+        Self::normals(self)
+    }
 
-/// The points of a pair, in order along the slave. `normals` are those of the slave's vertices.
-#[must_use]
-pub fn mortar_points(
-    slave: &Boundary,
-    normals: &[Point],
-    master: &Boundary,
-    detection: Detection,
-    search: Search,
-) -> Vec<MortarPoint> {
-    let near = near_segments(slave, master, search.reach.max(search.depth));
-    match detection {
-        Detection::Mortar => near
-            .iter()
-            .flat_map(|(s, masters)| points_of_segment(slave, normals, *s, master, masters, search))
-            .collect(),
-        Detection::NodeToSegment => points_of_vertices(slave, normals, master, &near, search),
+    fn tangents(&self, _vertex: usize, normal: &Point) -> [Point; 1] {
+        [Point::new(-normal.y, normal.x)]
+    }
+
+    fn facing(
+        &self,
+        normals: &[Point],
+        master: &Self,
+        detection: Detection,
+        search: Search,
+    ) -> Vec<MortarPoint<2>> {
+        let near = near(self, master, search.margin());
+        match detection {
+            Detection::Mortar => near
+                .iter()
+                .flat_map(|(s, masters)| {
+                    points_of_segment(self, normals, *s, master, masters, search)
+                })
+                .collect(),
+            Detection::NodeToSegment => points_of_vertices(self, normals, master, &near, search),
+        }
     }
 }
 
@@ -155,7 +116,7 @@ fn points_of_segment(
     master: &Boundary,
     masters: &[usize],
     search: Search,
-) -> Vec<MortarPoint> {
+) -> Vec<MortarPoint<2>> {
     let [a, b] = slave.segments()[segment];
     let x = |xi: f64| slave.points[a] * (1.0 - xi) + slave.points[b] * xi;
     let n = |xi: f64| normals[a] * (1.0 - xi) + normals[b] * xi;
@@ -225,7 +186,7 @@ fn points_of_vertices(
     master: &Boundary,
     near: &[(usize, Vec<usize>)],
     search: Search,
-) -> Vec<MortarPoint> {
+) -> Vec<MortarPoint<2>> {
     let lengths = slave.tributary_lengths();
     let mut seen = vec![vec![]; slave.points.len()];
     for (s, masters) in near {

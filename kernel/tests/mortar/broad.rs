@@ -3,7 +3,7 @@
 use crate::common::cases;
 use crate::support::{moved, point};
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::broad::{Bounds, near_segments};
+use proctor_kernel::mortar::broad::{Bounds, near};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::scene::Shape;
 use proptest::prelude::*;
@@ -45,6 +45,6 @@ proptest! {
                 all.push((s, of));
             }
         }
-        prop_assert_eq!(near_segments(&slave, &master, reach), all);
+        prop_assert_eq!(near(&slave, &master, reach), all);
     }
 }

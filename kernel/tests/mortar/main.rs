@@ -11,5 +11,6 @@ mod motion;
 mod outline;
 mod pair;
 mod segments;
+mod space;
 mod support;
 mod weights;

@@ -4,9 +4,9 @@ use crate::common::cases;
 use crate::support::{ceiling, floor, open, point};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::segments::{
-    Detection, MortarPoint, Search, feet, mortar_points, project,
-};
+use proctor_kernel::mortar::elements::Elements;
+use proctor_kernel::mortar::points::{Detection, MortarPoint, Search};
+use proctor_kernel::mortar::segments::{feet, project};
 use proptest::prelude::*;
 
 const SEARCH: Search = Search {
@@ -14,11 +14,11 @@ const SEARCH: Search = Search {
     depth: 0.5,
 };
 
-fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<MortarPoint> {
-    mortar_points(slave, &slave.normals(), master, detection, SEARCH)
+fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<MortarPoint<2>> {
+    slave.facing(&slave.normals(), master, detection, SEARCH)
 }
 
-fn covered(points: &[MortarPoint]) -> f64 {
+fn covered(points: &[MortarPoint<2>]) -> f64 {
     points.iter().map(|p| p.weight).sum()
 }
 

@@ -1,0 +1,31 @@
+//! What a boundary is to contact, whatever its dimension.
+
+use super::PointIn;
+use super::points::{Detection, MortarPoint, Search};
+
+/// A boundary made of straight elements with D vertices each in D dimensions, and T = D - 1 tangents: segments in the
+/// plane, triangles in space.
+pub trait Elements<const D: usize, const T: usize> {
+    /// Positions of the vertices \[m\].
+    fn points(&self) -> &[PointIn<D>];
+
+    /// Vertices of each element.
+    fn elements(&self) -> &[[usize; D]];
+
+    /// Outward unit normals of the vertices, means of those of their elements (eq. 41).
+    fn normals(&self) -> Vec<PointIn<D>>;
+
+    /// Unit vectors at a vertex at right angles to its normal and to each other. They turn with the boundary, so that
+    /// numbers kept along them do too.
+    fn tangents(&self, vertex: usize, normal: &PointIn<D>) -> [PointIn<D>; T];
+
+    /// The points at which integrals over the contact of this slave with a master are evaluated, element by element.
+    /// `normals` are those of the slave's vertices.
+    fn facing(
+        &self,
+        normals: &[PointIn<D>],
+        master: &Self,
+        detection: Detection,
+        search: Search,
+    ) -> Vec<MortarPoint<D>>;
+}
