@@ -423,18 +423,16 @@ pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(
     mu.mul_add(largest, longitudinal) / L::splat(law.density)
 }
 
-/// Diagonal of the right stretch tensor U of F = R U.
+/// Rotation R of the polar decomposition F = R U = V R; the leading block, and 1 beyond it.
 #[inline(always)]
-pub fn stretch_diagonal<L: Lanes, const D: usize>(f: &Matrix<L>) -> [L; 3] {
-    let one = L::splat(1.0);
+fn polar_rotation<L: Lanes, const D: usize>(f: &Matrix<L>) -> Matrix<L> {
+    let (one, zero) = (L::splat(1.0), L::splat(0.0));
     let half = L::splat(0.5);
-    let mut u = [one; 3];
     if D == 2 {
         let (c, s) = (f[0][0] + f[1][1], f[1][0] - f[0][1]);
         let r = one / (c * c + s * s).sqrt();
         let (c, s) = (c * r, s * r);
-        u[0] = c * f[0][0] + s * f[1][0];
-        u[1] = c * f[1][1] - s * f[0][1];
+        [[c, -s, zero], [s, c, zero], [zero, zero, one]]
     } else {
         // Newton's iteration R <- (R + R^-T)/2 (Higham 1986); nine steps reach round-off for stretches up to
         // about 10.
@@ -448,11 +446,37 @@ pub fn stretch_diagonal<L: Lanes, const D: usize>(f: &Matrix<L>) -> [L; 3] {
             }
         }
         // `r` was updated row by row from an inverse taken before, so no entry is used twice.
-        for i in 0..3 {
-            u[i] = r[0][i] * f[0][i] + r[1][i] * f[1][i] + r[2][i] * f[2][i];
+        r
+    }
+}
+
+/// Diagonal of the right stretch tensor U = R^T F, along the axes that the particle had at the start.
+#[inline(always)]
+pub fn stretch_diagonal<L: Lanes, const D: usize>(f: &Matrix<L>) -> [L; 3] {
+    let r = polar_rotation::<L, D>(f);
+    let mut u = [L::splat(1.0); 3];
+    for i in 0..D {
+        u[i] = r[0][i] * f[0][i] + r[1][i] * f[1][i];
+        if D == 3 {
+            u[i] = u[i] + r[2][i] * f[2][i];
         }
     }
     u
+}
+
+/// Diagonal of the left stretch tensor V = F R^T, along the axes of space: the one that a domain along these axes
+/// follows when a stretched particle turns.
+#[inline(always)]
+pub fn left_stretch_diagonal<L: Lanes, const D: usize>(f: &Matrix<L>) -> [L; 3] {
+    let r = polar_rotation::<L, D>(f);
+    let mut v = [L::splat(1.0); 3];
+    for i in 0..D {
+        v[i] = f[i][0] * r[i][0] + f[i][1] * r[i][1];
+        if D == 3 {
+            v[i] = v[i] + f[i][2] * r[i][2];
+        }
+    }
+    v
 }
 
 #[cfg(test)]

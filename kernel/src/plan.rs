@@ -2,9 +2,10 @@
 //!
 //! [`Plan::new`] decides once. What is left out is never called and its fields are never allocated.
 
+use crate::mortar::segments::Detection;
 use crate::particles::{Layout, Optional};
 use crate::scene::{
-    Body, ContactNormal, Damping, Dimension, DomainUpdate, Field, Law, PlaneCondition,
+    Body, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, Field, Law, PlaneCondition,
     RigidSurface, Scene, Shape, StressScheme, TransferKind, Weighting,
 };
 use crate::simulation::has_safe_step;
@@ -378,6 +379,31 @@ fn contact_words(scene: &Scene, list: &mut Words) {
             "the motion of both bodies is prescribed",
         );
     }
+    for contact in &scene.mortar.contacts {
+        list.keep(
+            "stage",
+            &format!("mortar contact {}", contact.id),
+            &format!(
+                "master {}, slave {}, critical gap {} m, normal stiffness {} Pa/m, friction {}; {}, {}",
+                contact.master,
+                contact.slave,
+                contact.critical_gap,
+                contact.normal_stiffness,
+                contact.friction,
+                match contact.enforcement {
+                    Enforcement::Barrier => "barrier",
+                    Enforcement::Penalty => "penalty",
+                },
+                match contact.detection {
+                    Detection::Mortar => "mortar segments",
+                    Detection::NodeToSegment => "node to segment",
+                },
+            ),
+        );
+    }
+    if scene.contacts.is_empty() && !scene.mortar.contacts.is_empty() {
+        return;
+    }
     if scene.contacts.is_empty() {
         list.leave("stage", "contact", "the scene asks for none");
         return;
@@ -442,6 +468,9 @@ fn weighting_words(weighting: Weighting) -> &'static str {
         }
         Weighting::ContiguousGimp(DomainUpdate::Stretch) => {
             "cpGIMP, domain by U_ii; 3 nodes per axis, 4 once a half-length exceeds h/2"
+        }
+        Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => {
+            "cpGIMP, domain by V_ii; 3 nodes per axis, 4 once a half-length exceeds h/2"
         }
         Weighting::QuadraticBSpline => "quadratic B-spline, 3 nodes per axis",
     }

@@ -12,6 +12,9 @@ mod folder;
 mod frames;
 #[path = "output/history.rs"]
 mod history;
+#[cfg(feature = "json")]
+#[path = "output/mortar.rs"]
+mod mortar;
 #[path = "output/summary.rs"]
 mod summary;
 

@@ -47,6 +47,7 @@ impl Method {
             Weighting::UniformGimp => "uGIMP",
             Weighting::ContiguousGimp(DomainUpdate::Determinant) => "cpGIMP-det",
             Weighting::ContiguousGimp(DomainUpdate::Stretch) => "cpGIMP",
+            Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => "cpGIMP-V",
             Weighting::QuadraticBSpline => "B-spline",
         }
     }

@@ -13,10 +13,14 @@ mod block_on_two_blocks;
 mod boussinesq;
 #[path = "cases/colliding_blocks.rs"]
 mod colliding_blocks;
+#[path = "cases/hertz.rs"]
+mod hertz;
 #[path = "cases/inclined_block.rs"]
 mod inclined_block;
 #[path = "cases/inclined_two_blocks.rs"]
 mod inclined_two_blocks;
+#[path = "cases/rolling_disk.rs"]
+mod rolling_disk;
 #[path = "cases/rotation.rs"]
 mod rotation;
 #[path = "cases/self_weight.rs"]

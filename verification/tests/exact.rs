@@ -12,6 +12,12 @@ mod base_column;
 mod boussinesq_box;
 #[path = "exact/boussinesq_half_space.rs"]
 mod boussinesq_half_space;
+#[path = "exact/hertz.rs"]
+mod hertz;
+#[path = "exact/hertz_layer.rs"]
+mod hertz_layer;
+#[path = "exact/rolling_disk.rs"]
+mod rolling_disk;
 #[path = "exact/rotation.rs"]
 mod rotation;
 #[path = "exact/self_weight.rs"]

@@ -107,6 +107,7 @@ pub(super) fn words(scene: &Scene) -> [String; 3] {
         Weighting::UniformGimp => "uGIMP",
         Weighting::ContiguousGimp(DomainUpdate::Determinant) => "cpGIMP",
         Weighting::ContiguousGimp(DomainUpdate::Stretch) => "cpGIMP-stretch",
+        Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => "cpGIMP-left-stretch",
         Weighting::QuadraticBSpline => "quadratic_bspline",
     };
     let scheme = match scene.scheme {

@@ -140,6 +140,7 @@ fn bound_words(bound: Bound) -> &'static str {
         Bound::Stability => "by the stability bound",
         Bound::Travel => "so that nothing crosses half a cell",
         Bound::Multiplier => "by the scene's multiplier",
+        Bound::Contact => "by the stiffness of the contact",
         Bound::Fixed => "constant, by the scene",
         Bound::OutputTime => "in equal steps to the outputs",
     }

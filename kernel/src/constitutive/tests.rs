@@ -30,6 +30,7 @@ enum What {
     NeoHookean,
     SpeedSquared,
     Stretch,
+    LeftStretch,
     Determinant,
     Inverse,
     Relative(Configuration),
@@ -65,6 +66,7 @@ impl<const D: usize> Kernel for Call<D> {
                 )]
             }
             What::Stretch => stretch_diagonal::<_, D>(&m).to_vec(),
+            What::LeftStretch => left_stretch_diagonal::<_, D>(&m).to_vec(),
             What::Determinant => vec![determinant::<_, D>(&m)],
             What::Inverse => flat(inverse::<_, D>(&m)),
             What::Relative(at) => flat(relative_deformation::<_, D>(&m, at)),

@@ -1,6 +1,7 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
 use super::RunError;
+use crate::mortar::Point;
 use crate::output::{Checkpoint, CheckpointError};
 use crate::particles::Layout;
 use crate::scene::{Results, Scene};
@@ -91,6 +92,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         let forces = contact.forces.as_flattened().to_vec();
         checkpoint.push::<f64>("contact/forces", forces);
     }
+    save_mortar(simulation, &mut checkpoint);
     if let Some(surfaces) = &simulation.surfaces {
         let flat =
             |impulses: &[Vec<[f64; 3]>]| impulses.iter().flatten().flatten().copied().collect();
@@ -100,6 +102,46 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     }
     save_events(simulation, &mut checkpoint);
     checkpoint
+}
+
+/// Vertices with their last displacement, and the slip of each pair: what mortar contact remembers.
+fn save_mortar(simulation: &Simulation, checkpoint: &mut Checkpoint) {
+    let flat = |points: &[Point]| points.iter().flat_map(|p| [p.x, p.y]).collect();
+    for (i, surface) in simulation.mortar.surfaces.iter().enumerate() {
+        checkpoint.push::<f64>(
+            format!("mortar/surface{i}/points"),
+            flat(&surface.boundary.points),
+        );
+        checkpoint.push::<f64>(format!("mortar/surface{i}/moved"), flat(&surface.moved));
+    }
+    for (i, pair) in simulation.mortar.pairs.iter().enumerate() {
+        checkpoint.push::<f64>(format!("mortar/pair{i}/slip"), pair.slip.0.clone());
+    }
+}
+
+fn restore_mortar(simulation: &mut Simulation, checkpoint: &Checkpoint) -> Result<(), RunError> {
+    let points = |name: &str, into: &mut [Point]| {
+        let values = checkpoint.array::<f64>(name, 2 * into.len())?;
+        for (point, value) in into.iter_mut().zip(values.as_chunks::<2>().0) {
+            *point = Point::from(*value);
+        }
+        Ok::<(), RunError>(())
+    };
+    for (i, surface) in simulation.mortar.surfaces.iter_mut().enumerate() {
+        points(
+            &format!("mortar/surface{i}/points"),
+            &mut surface.boundary.points,
+        )?;
+        points(&format!("mortar/surface{i}/moved"), &mut surface.moved)?;
+    }
+    for (i, pair) in simulation.mortar.pairs.iter_mut().enumerate() {
+        let slip = checkpoint.array::<f64>(&format!("mortar/pair{i}/slip"), pair.slip.0.len())?;
+        pair.slip.0.copy_from_slice(slip);
+    }
+    if simulation.mortar.acts() {
+        simulation.set_mortar_layers();
+    }
+    Ok(())
 }
 
 fn save_events(simulation: &Simulation, checkpoint: &mut Checkpoint) {
@@ -217,6 +259,7 @@ pub(super) fn restore(
         simulation.set_near_pairs(near.iter().map(|&near| near != 0).collect());
         simulation.contact.forces = forces.as_chunks().0.to_vec();
     }
+    restore_mortar(simulation, checkpoint)?;
     Ok(())
 }
 

@@ -42,6 +42,8 @@ pub enum DomainUpdate {
     Determinant,
     /// `l_p,i = l_p0,i U_ii`, with U the right stretch tensor.
     Stretch,
+    /// `l_p,i = l_p0,i V_ii`, with V the left stretch tensor.
+    LeftStretch,
 }
 
 /// When the stress is updated.

@@ -14,6 +14,7 @@ mod load;
 mod material;
 mod mesh;
 mod method;
+mod mortar;
 #[cfg(feature = "json")]
 mod raw;
 pub mod record;
@@ -29,6 +30,7 @@ pub use mesh::{Mesh, PlaneCondition};
 pub use method::{
     Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
 };
+pub use mortar::{BodyBoundary, Enforcement, Mortar, MortarContact, RigidLine, Vertices};
 #[cfg(feature = "json")]
 pub use raw::{from_json, listed, nearest, parse, place, read, schema, words_of};
 pub use results::{Field, NodalField, Outside, Probe, Results};
@@ -100,6 +102,8 @@ pub struct Scene {
     /// closer than lambda cells (contact manual, section 1.2). 0 switches the correction off. `None`: the sum of the
     /// half-lengths of the particles of both bodies, which is the manual's 0.5 with two particles per cell and axis.
     pub contact_distance: Option<f64>,
+    /// Mortar contact, with the boundaries and rigid lines that it needs.
+    pub mortar: Mortar,
     /// What happens to a particle that leaves the mesh.
     pub outside: Outside,
     /// What is written, and how often.
@@ -138,6 +142,7 @@ impl Scene {
             box_loads: Vec::new(),
             contacts: Vec::new(),
             contact_distance: None,
+            mortar: Mortar::default(),
             outside: Outside::Stop,
             results: Results::default(),
             probes: Vec::new(),

@@ -23,8 +23,8 @@ pub(super) struct Acting {
 
 impl Simulation {
     /// Walls with their velocities at the two half-steps, and the nodes of driven bodies in the common field.
-    pub(super) fn acting(&self, info: &StepInfo) -> Acting {
-        let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * info.dt);
+    pub(super) fn acting(&self, dt: f64) -> Acting {
+        let (before, after) = (self.velocity_time(), self.clock.time + 0.5 * dt);
         let mut walls = vec![];
         for axis in 0..self.plan.axes {
             for side in 0..2 {
@@ -73,9 +73,9 @@ impl Simulation {
         Acting {
             walls,
             driven,
-            kick: 0.5 * (self.clock.dt_before + info.dt),
+            kick: 0.5 * (self.clock.dt_before + dt),
             half_steps: [before, after],
-            drift: info.dt,
+            drift: dt,
         }
     }
 

@@ -35,6 +35,8 @@ pub enum Bound {
     Travel,
     /// The multiplier of the scene.
     Multiplier,
+    /// The stiffness of mortar contact.
+    Contact,
     /// The scene's constant step.
     Fixed,
     /// Equal steps up to a time at which something is written.
@@ -127,6 +129,11 @@ impl Simulation {
             (travel, Bound::Travel)
         } else {
             (stable, Bound::Stability)
+        };
+        let (critical, bound) = if self.mortar.time_step < critical {
+            (self.mortar.time_step, Bound::Contact)
+        } else {
+            (critical, bound)
         };
         (critical, bound, wave_speed, particle_speed)
     }

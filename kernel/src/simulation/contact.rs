@@ -394,7 +394,7 @@ impl Simulation {
     /// of a pair that have no other it is the same number with opposite signs.
     #[must_use]
     pub fn contact_force(&self, set: usize) -> Vector {
-        let mut sum = [0.0; 3];
+        let mut sum = self.mortar_force(self.bodies[set].id).unwrap_or_default();
         for surface in 0..self.scene.surfaces.len() {
             let force = self.surface_force_on(surface, set);
             sum = std::array::from_fn(|axis| sum[axis] + force[axis]);
@@ -415,7 +415,9 @@ impl Simulation {
     #[must_use]
     pub fn has_contact(&self, set: usize) -> bool {
         let pairs = &self.contact.pairs;
-        self.surfaces.is_some() || pairs.iter().any(|p| p.master == set || p.slave == set)
+        self.surfaces.is_some()
+            || pairs.iter().any(|p| p.master == set || p.slave == set)
+            || self.mortar_force(self.bodies[set].id).is_some()
     }
 
     /// Number of velocity fields beside the common one: bodies that are near a partner of contact.
@@ -461,11 +463,16 @@ fn bodies<'a>(
 }
 
 /// The fields of a slab, common one first.
-fn all<'f, 'a>(fields: &'f mut SlabFields<'a>) -> impl Iterator<Item = &'f mut Planes<'a>> {
+pub(super) fn all<'f, 'a>(
+    fields: &'f mut SlabFields<'a>,
+) -> impl Iterator<Item = &'f mut Planes<'a>> {
     std::iter::once(&mut fields.common).chain(fields.layers.iter_mut().map(|l| &mut l.planes))
 }
 
-fn number_of<'f, 'a>(fields: &'f mut SlabFields<'a>, number: usize) -> &'f mut Planes<'a> {
+pub(super) fn number_of<'f, 'a>(
+    fields: &'f mut SlabFields<'a>,
+    number: usize,
+) -> &'f mut Planes<'a> {
     match number {
         0 => &mut fields.common,
         _ => &mut fields.layers[number - 1].planes,
@@ -525,7 +532,7 @@ fn for_masses(planes: &mut Planes<'_>, act: impl Fn(&mut crate::grid::Line)) {
 }
 
 /// Shares nodal loads between the fields of a node by their mass. Lists by number of the field.
-fn shared_loads(
+pub(super) fn shared_loads(
     fields: &SlabFields<'_>,
     loads: &[NodeForce],
     driven: &[bool],

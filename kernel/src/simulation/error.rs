@@ -32,6 +32,13 @@ pub enum SetupError {
     Threads(String),
     /// Pairs of contact whose bodies overlap at the start.
     Overlap(Vec<Overlapping>),
+    /// A boundary or pair of mortar contact that cannot be used.
+    Mortar {
+        /// Which, as in the scene.
+        path: String,
+        /// Why.
+        reason: String,
+    },
     /// A change between two stages that cannot be made.
     Change {
         /// What was to be changed.
@@ -84,7 +91,9 @@ impl fmt::Display for SetupError {
             Self::Body { body, reason } => write!(f, "body \"{body}\": {reason}"),
             Self::Lanes(lanes) => lanes.fmt(f),
             Self::UnstableTimeStep(unstable) => unstable.fmt(f),
-            Self::Load { path, reason } => write!(f, "{path}: {reason}"),
+            Self::Load { path, reason } | Self::Mortar { path, reason } => {
+                write!(f, "{path}: {reason}")
+            }
             Self::TooLarge { what } => write!(f, "{what}"),
             Self::Threads(reason) => write!(f, "threads: {reason}"),
             Self::Overlap(all) => {
@@ -151,6 +160,24 @@ pub enum StepErrorKind {
         approach: f64,
         /// Distance at which they touch, or without a position one cell \[m\].
         distance: f64,
+    },
+    /// The boundaries of a mortar contact are deeper in each other than the critical gap.
+    Penetration {
+        /// Identifiers of master and slave.
+        bodies: [i64; 2],
+        /// Position of the vertex of the slave \[m\].
+        position: [f64; 3],
+        /// Weighted gap \[m\].
+        gap: f64,
+    },
+    /// A vertex of a boundary has no node with mass near it.
+    VertexLost {
+        /// Identifier of the body.
+        body: i64,
+        /// Number of the vertex, from 0.
+        vertex: usize,
+        /// Where it is \[m\].
+        position: [f64; 3],
     },
     /// A particle's centre lies behind a rigid surface.
     ThroughSurface {
@@ -240,6 +267,24 @@ impl fmt::Display for StepError {
                      at which that is seen; accepted: a smaller time step"
                 )
             }
+            StepErrorKind::Penetration {
+                bodies: [master, slave],
+                position: [x, y, z],
+                gap,
+            } => write!(
+                f,
+                "bodies {master} and {slave} are in each other at ({x}, {y}, {z}) m: the gap is {gap} m; accepted: a stiffer \
+                 contact, a larger critical gap or a smaller time step"
+            ),
+            StepErrorKind::VertexLost {
+                body,
+                vertex,
+                position: [x, y, z],
+            } => write!(
+                f,
+                "vertex {vertex} of the boundary of body {body} at ({x}, {y}, {z}) m has no node with mass near it; accepted: \
+                 vertices that lie on the body, and a body that does not fall apart"
+            ),
             StepErrorKind::ThroughSurface {
                 particle,
                 surface,

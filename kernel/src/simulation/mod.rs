@@ -10,6 +10,7 @@ pub(crate) mod field;
 mod history;
 mod loads;
 mod measure;
+mod mortar;
 mod nodes;
 mod passes;
 mod phase;
@@ -25,6 +26,7 @@ pub use error::{
 };
 pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
+pub use mortar::VertexState;
 pub use nodes::NodeValues;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
@@ -129,6 +131,7 @@ pub struct Simulation {
     pub(crate) contact: crate::contact::State,
     /// Nodes per axis of the stencil, 3 or 4.
     pub(crate) stencil: usize,
+    pub(crate) mortar: mortar::MortarState,
     /// Largest travel in cells since the last sort.
     pub(crate) travel: f64,
     pub(crate) groups: passes::Groups,

@@ -54,6 +54,9 @@ impl Simulation {
             if !self.contact.pairs.is_empty() {
                 self.find_near_pairs();
             }
+            if self.mortar.acts() {
+                self.set_mortar_layers();
+            }
             if let Some(surfaces) = &mut self.surfaces {
                 surfaces.forget();
             }
@@ -63,6 +66,9 @@ impl Simulation {
     /// Mass, momentum and force to the nodes, then the equation of motion, then contact; the number of nodes where a
     /// contact force acts.
     pub(super) fn map_to_nodes(&mut self, acting: &Acting, dt: f64) -> Result<usize, StepError> {
+        if self.mortar.acts() {
+            return self.solve_with_mortar(acting);
+        }
         if !self.contact.layers.is_empty() {
             let (groups, touching) = self.map_to_layers(acting, dt)?;
             self.groups.count(groups);

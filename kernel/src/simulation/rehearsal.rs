@@ -4,6 +4,7 @@ use super::acting::Acting;
 use super::clock::{Clock, StepInfo};
 use super::error::StepError;
 use super::measure::Ledger;
+use super::mortar::MortarState;
 use super::passes::{Groups, bodies_onto, equation_of_motion, forces};
 use super::{BodyRun, Simulation};
 use crate::contact;
@@ -70,6 +71,7 @@ struct Kept {
     clock: Clock,
     ledger: Ledger,
     contact: contact::State,
+    mortar: MortarState,
 }
 
 /// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
@@ -99,9 +101,11 @@ impl Simulation {
             clock: self.clock,
             ledger: self.ledger,
             contact: self.contact.clone(),
+            mortar: self.mortar.clone(),
         };
+        self.meet_boundaries()?;
         let info = self.choose_time_step(f64::INFINITY)?;
-        let acting = self.acting(&info);
+        let acting = self.acting(info.dt);
         let mut rehearsal = Rehearsal {
             simulation: self,
             part,
@@ -125,6 +129,7 @@ impl Rehearsal<'_> {
             Part::Weights | Part::Sort | Part::NodesFromParticles => {}
             Part::Solve => simulation.map_alone(),
             Part::Remap => {
+                simulation.meet_boundaries()?;
                 simulation.map_to_nodes(&self.acting, self.info.dt)?;
             }
             Part::ParticlesFromNodes => {
@@ -133,6 +138,7 @@ impl Rehearsal<'_> {
                         column.copy_from_slice(was);
                     }
                 }
+                simulation.meet_boundaries()?;
                 simulation.map_to_nodes(&self.acting, self.info.dt)?;
             }
         }
@@ -181,6 +187,7 @@ impl Drop for Rehearsal<'_> {
         simulation.clock = kept.clock;
         simulation.ledger = kept.ledger;
         simulation.contact = std::mem::take(&mut kept.contact);
+        simulation.mortar = std::mem::take(&mut kept.mortar);
     }
 }
 

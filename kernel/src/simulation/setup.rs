@@ -3,6 +3,7 @@
 use super::error::SetupError;
 use super::field::Field;
 use super::measure::Ledger;
+use super::mortar::MortarState;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
 use super::surfaces::Surfaces;
@@ -78,6 +79,7 @@ impl Simulation {
             .map(|b| b.found.half_length)
             .fold(0.0, f64::max);
         let contact = State::new(scene, &bodies);
+        let mortar = MortarState::new(scene, &bodies)?;
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
             base: scene
@@ -93,6 +95,7 @@ impl Simulation {
             bodies,
             field: Field::new(shape),
             contact,
+            mortar,
             travel: f64::INFINITY,
             groups: Groups::default(),
             clock: Clock::default(),
@@ -358,11 +361,8 @@ fn start_domain(
         DomainUpdate::Determinant => {
             nalgebra::Vector3::repeat(f.determinant().powf(1.0 / axes as f64))
         }
-        DomainUpdate::Stretch => {
-            let mut square = (f.transpose() * f).symmetric_eigen();
-            square.eigenvalues.apply(|x| *x = x.sqrt());
-            square.recompose().diagonal()
-        }
+        DomainUpdate::Stretch => root_diagonal(f.transpose() * f),
+        DomainUpdate::LeftStretch => root_diagonal(f * f.transpose()),
     };
     let mut widest = 0.0_f64;
     for axis in 0..axes {
@@ -371,6 +371,13 @@ fn start_domain(
         widest = widest.max(l);
     }
     widest
+}
+
+/// Diagonal of the square root of a symmetric matrix.
+fn root_diagonal(square: nalgebra::Matrix3<f64>) -> nalgebra::Vector3<f64> {
+    let mut square = square.symmetric_eigen();
+    square.eigenvalues.apply(|x| *x = x.sqrt());
+    square.recompose().diagonal()
 }
 
 /// Spreads a box load by volume over the particles in the box.

@@ -32,12 +32,18 @@ impl Simulation {
         stop: f64,
         ended: &mut dyn FnMut(Phase),
     ) -> Result<StepInfo, StepError> {
+        if self.mortar.acts() {
+            self.sort_if_stale();
+            self.meet_boundaries()?;
+        }
         let mut info = self.choose_time_step(stop)?;
         ended(Phase::TimeStep);
         self.refuse_leaps(info.dt)?;
-        self.sort_if_stale();
+        if !self.mortar.acts() {
+            self.sort_if_stale();
+        }
         ended(Phase::Sort);
-        let acting = self.acting(&info);
+        let acting = self.acting(info.dt);
         self.set_body_force();
 
         info.contact_nodes = self.map_to_nodes(&acting, info.dt)?;
@@ -46,6 +52,9 @@ impl Simulation {
         let relax = self.peak_of_kinetic_energy(&info);
         let drift = relax.unwrap_or(info.dt);
         let moved = self.mesh_velocity(&info).map(|v| v * drift);
+        if self.mortar.acts() {
+            self.move_vertices(drift, acting.half_steps[1]);
+        }
         match self.scene.scheme {
             StressScheme::Usl => {
                 self.interpolate(Task {
@@ -83,7 +92,7 @@ impl Simulation {
                 let acting = if self.contact.pairs.is_empty() {
                     acting
                 } else {
-                    self.acting(&info)
+                    self.acting(info.dt)
                 };
                 self.map_momentum(&acting);
                 self.hold_at_surfaces(&acting, 1)?;

@@ -5,8 +5,9 @@
 
 use super::{Mapping, group_at, load, store, weights_of};
 use crate::constitutive::{
-    Configuration, Kind, Matrix, Parameters, determinant, hypoelastic, neo_hookean,
-    neo_hookean_speed_squared, product, relative_deformation, stretch_diagonal, volume_ratio,
+    Configuration, Kind, Matrix, Parameters, determinant, hypoelastic, left_stretch_diagonal,
+    neo_hookean, neo_hookean_speed_squared, product, relative_deformation, stretch_diagonal,
+    volume_ratio,
 };
 use crate::grid::{GHOSTS_BELOW, Line};
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
@@ -494,6 +495,7 @@ fn strain<L: Lanes, const D: usize>(
     ) {
         let factor = match update {
             DomainUpdate::Stretch => stretch_diagonal::<L, D>(&f),
+            DomainUpdate::LeftStretch => left_stretch_diagonal::<L, D>(&f),
             DomainUpdate::Determinant if D == 2 => [ratio.sqrt(); 3],
             DomainUpdate::Determinant => [ratio.map(f64::cbrt); 3],
         };

@@ -5,7 +5,7 @@
 
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, ObjectiveRate, Outside,
+    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, Mortar, ObjectiveRate, Outside,
     PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector,
     Weighting,
 };
@@ -14,11 +14,12 @@ use std::sync::Arc;
 
 pub const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
 pub const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Musl, StressScheme::Usf];
-pub const WEIGHTINGS: [Weighting; 5] = [
+pub const WEIGHTINGS: [Weighting; 6] = [
     Weighting::Linear,
     Weighting::UniformGimp,
     Weighting::ContiguousGimp(DomainUpdate::Determinant),
     Weighting::ContiguousGimp(DomainUpdate::Stretch),
+    Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
     Weighting::QuadraticBSpline,
 ];
 pub const FLIP: Transfer = Transfer {
@@ -121,6 +122,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         box_loads: vec![],
         contacts: vec![],
         contact_distance: None,
+        mortar: Mortar::default(),
         outside: Outside::Stop,
         results: Results {
             print: 0,

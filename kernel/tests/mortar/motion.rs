@@ -61,3 +61,19 @@ fn the_nodal_gradient_is_the_mean_by_mass() {
     // (0.5 * 2 - 0.25 * 12) / (1 + 3).
     assert!((node.mean() + 0.5 * a).norm() < 1e-15);
 }
+
+/// Without augmentation the shares of empty nodes, which have no velocity, are lost: the vertex lags even behind a
+/// translation, and drifts off the body.
+#[test]
+fn without_augmentation_a_vertex_lags_behind_a_translation() {
+    let raw = VertexWeights::new(Family::Gimp, &point(7.3, 2.1), 0.25);
+    let v = point(2.0, -1.0);
+    let velocities = LEFT.map(|mass| if mass > 0.0 { v } else { Point::zeros() });
+    let still = [Matrix2::zeros(); 9];
+    let found = |w: &VertexWeights| {
+        vertex_velocity(w, &velocities, &still, Follow::Spin, &Point::from(CELL))
+    };
+    let augmented = raw.augmented(&LEFT).expect("has mass");
+    assert!((found(&augmented) - v).norm() < 1e-14);
+    assert!((found(&raw) - v).norm() > 0.1 * v.norm());
+}

@@ -9,3 +9,5 @@ mod damping;
 mod dimension;
 mod faults;
 mod loads;
+mod mortar;
+mod rotation;

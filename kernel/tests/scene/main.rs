@@ -6,4 +6,5 @@ mod bad_input;
 mod keys;
 mod library;
 mod manual;
+mod mortar;
 mod records;

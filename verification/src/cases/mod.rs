@@ -7,9 +7,11 @@ mod block_on_two_blocks;
 mod boussinesq;
 mod colliding_blocks;
 mod dynamics;
+mod hertz;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
+mod rolling_disk;
 mod rotation;
 mod self_weight;
 mod statics;
@@ -20,8 +22,10 @@ pub use base_acceleration::BaseAcceleration;
 pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
 pub use colliding_blocks::CollidingBlocks;
+pub use hertz::Hertz;
 pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
+pub use rolling_disk::RollingDisk;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
 
@@ -44,6 +48,8 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &InclinedTwoBlocks::GIVEN,
     &CollidingBlocks::GIVEN,
     &BlockOnTwoBlocks::GIVEN,
+    &Hertz::GIVEN,
+    &RollingDisk::GIVEN,
 ];
 
 /// All cases that can be studied with any settings, in the same order.

@@ -122,6 +122,16 @@ fn stretch_inverse_and_determinant_are_nalgebras() {
             let svd = f.svd(true, true);
             let v = svd.v_t.expect("asked for");
             let u = v.transpose() * Matrix3::from_diagonal(&svd.singular_values) * v;
+            // V of F R is V of F, as U of R F is U of F.
+            let w = svd.u.expect("asked for");
+            let left = w * Matrix3::from_diagonal(&svd.singular_values) * w.transpose();
+            let found = call(axes, NEO, f * turn, What::LeftStretch);
+            for axis in 0..axes {
+                assert!(
+                    (found[axis] - left[(axis, axis)]).abs() < 1.0e-13,
+                    "{found:?} {left}"
+                );
+            }
             let diagonal = call(axes, NEO, turn * f, What::Stretch);
             for axis in 0..axes {
                 assert!(

@@ -6,6 +6,7 @@ mod body;
 mod collector;
 mod contact;
 mod load;
+mod mortar;
 mod polygon;
 mod surface;
 
@@ -28,6 +29,7 @@ impl Scene {
         body::check(self, mesh_is_sound, &mut problems);
         load::check(self, mesh_is_sound, &mut problems);
         contact::check(self, &mut problems);
+        mortar::check(self, &mut problems);
         surface::check(self, &mut problems);
         self.check_results(&mut problems);
         SceneError::unless_empty(problems.found)

@@ -55,6 +55,7 @@ impl<'a> Build<'a> {
         scene.materials = self.materials(raw);
         scene.bodies = self.bodies(raw, &scene.materials);
         self.loads(raw, &mut scene);
+        self.boundaries(raw, &mut scene);
         self.contacts(raw, &mut scene);
         scene.surfaces = self.surfaces(raw, &scene.mesh);
         scene

@@ -27,11 +27,9 @@ impl Build<'_> {
             Some(Contacts::List(entries)) => entries,
         };
         for (i, (name, entry)) in entries.0.iter().enumerate() {
-            let checked = format!("contact[{i}]");
             let path = name
                 .as_ref()
-                .map_or_else(|| checked.clone(), |name| join("contact", name));
-            self.spelt(checked, path.clone());
+                .map_or_else(|| format!("contact[{i}]"), |name| join("contact", name));
             let key = |key: &str| join(&path, key);
             let method = self.word_or(
                 &key("method"),
@@ -39,13 +37,6 @@ impl Build<'_> {
                 CONTACT_METHODS,
                 ContactMethod::Grid,
             );
-            if method == ContactMethod::Mortar {
-                self.add(
-                    key("method"),
-                    "\"mortar\", which is not built yet",
-                    "`grid`",
-                );
-            }
             let friction = self.number(
                 &key("friction"),
                 entry.friction,
@@ -53,12 +44,19 @@ impl Build<'_> {
             );
             let master = self.body_of_pair(&key("master_id"), entry.master_id);
             let slave = self.body_of_pair(&key("slave_id"), entry.slave_id);
+            if method == ContactMethod::Mortar {
+                let id = entry.id.unwrap_or(i as i64 + 1);
+                self.mortar_contact(&path, entry, id, friction, [master, slave], scene);
+                continue;
+            }
+            self.refuse_mortar_keys(&path, entry);
             let normal = self.word_or(
                 &key("normal_type"),
                 entry.normal_type.as_ref(),
                 CONTACT_NORMALS,
                 ContactNormal::Collinear,
             );
+            self.spelt(format!("contact[{}]", scene.contacts.len()), path.clone());
             if master.is_none() || slave.is_none() {
                 self.stands_in(path.clone());
             }

@@ -39,7 +39,7 @@ pub(super) struct RawScene {
     #[schemars(extend("enum" = ["linear", "GIMP", "uGIMP", "cpGIMP", "quadratic_bspline"]))]
     pub shape_function: Option<String>,
     /// How the particle domain of cpGIMP follows the deformation. Default: determinant.
-    #[schemars(extend("enum" = ["determinant", "stretch"]))]
+    #[schemars(extend("enum" = ["determinant", "stretch", "left_stretch"]))]
     pub domain_update: Option<String>,
     /// How velocity is carried between particles and nodes. Default: FLIP, as in the manuals.
     #[schemars(extend("enum" = ["FLIP", "APIC", "TPIC"]))]
@@ -78,6 +78,8 @@ pub(super) struct RawScene {
     pub probes: Option<Vec<RawProbe>>,
     /// Contact between bodies.
     pub contact: Option<Contacts>,
+    /// Rigid polylines without particles, for mortar contact in two dimensions.
+    pub rigid_line: Option<Entries<RawRigidLine>>,
     /// Settings of all contacts.
     pub contact_manager: Option<RawContactManager>,
     /// Contact with a rigid surface, or a list of them (3D).
@@ -240,6 +242,13 @@ pub(super) struct RawBody {
     pub particles: Option<Vec<Vec<f64>>>,
     /// Particles from a text file with the columns x, y, z, volume; a path relative to the scene's folder.
     pub file: Option<String>,
+    /// Longest segment of the boundary made from the shape, for mortar contact in two dimensions [m].
+    pub boundary_segment: Option<f64>,
+    /// Vertices of the boundary, closed and counter-clockwise, instead of one made from the shape [m].
+    pub boundary: Option<Vec<Vec<f64>>>,
+    /// How the boundary follows the body. Default: spin.
+    #[schemars(extend("enum" = ["velocity", "spin", "gradient"]))]
+    pub boundary_follows: Option<String>,
     /// Particles per cell and axis. Default: that of the scene.
     pub particles_per_cell: Option<Counts>,
     /// Initial velocity [m/s]. Default: zero.
@@ -306,9 +315,38 @@ pub(super) struct RawContact {
     /// How the normal is found. Default: collinear.
     #[schemars(extend("enum" = ["master", "slave", "collinear"]))]
     pub normal_type: Option<String>,
-    /// Method of contact. Default: grid, the only one that is built.
-    #[schemars(extend("enum" = ["grid"]))]
+    /// Method of contact. Default: grid.
+    #[schemars(extend("enum" = ["grid", "mortar"]))]
     pub method: Option<String>,
+    /// Mortar: gap at which contact begins [m].
+    pub critical_gap: Option<f64>,
+    /// Mortar: stiffness of the normal law [Pa/m].
+    pub normal_stiffness: Option<f64>,
+    /// Mortar: stiffness of the tangential spring [Pa/m]; needed with friction.
+    pub tangential_stiffness: Option<f64>,
+    /// Mortar: normal law. Default: barrier.
+    #[schemars(extend("enum" = ["barrier", "penalty"]))]
+    pub enforcement: Option<String>,
+    /// Mortar: how contact is found. Default: mortar.
+    #[schemars(extend("enum" = ["mortar", "node_to_segment"]))]
+    pub detection: Option<String>,
+}
+
+/// A rigid polyline.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of a rigid line"
+)]
+pub(super) struct RawRigidLine {
+    /// Identifier; no body may have it.
+    pub id: Option<i64>,
+    /// Vertices, material on the left of their direction [m].
+    pub points: Option<Vec<Vec<f64>>>,
+    /// Whether the last vertex is joined to the first. Default: false.
+    pub closed: Option<bool>,
+    /// Prescribed velocity: a vector, or rows of time and velocity [s, m/s]. Default: at rest.
+    pub prescribed_velocity: Option<VectorOrTable>,
 }
 
 /// Settings of all contacts.

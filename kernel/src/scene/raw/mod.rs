@@ -10,6 +10,7 @@ mod materials;
 mod mesh;
 mod message;
 mod method;
+mod mortar;
 mod position;
 mod shapes;
 mod surfaces;

@@ -1,7 +1,9 @@
 //! Words of the scene language, and the nearest known one to a word that is not.
 
+use crate::mortar::motion::Follow;
+use crate::mortar::segments::Detection;
 use crate::scene::{
-    ContactNormal, Dimension, DomainUpdate, Field, NodalField, ObjectiveRate, Outside,
+    ContactNormal, Dimension, DomainUpdate, Enforcement, Field, NodalField, ObjectiveRate, Outside,
     PlaneCondition, StressScheme, TransferKind,
 };
 
@@ -29,6 +31,7 @@ pub(super) const SHAPE_FUNCTIONS: Words<ShapeFunction> = &[
 pub(super) const DOMAIN_UPDATES: Words<DomainUpdate> = &[
     ("determinant", DomainUpdate::Determinant),
     ("stretch", DomainUpdate::Stretch),
+    ("left_stretch", DomainUpdate::LeftStretch),
 ];
 
 pub(super) const SCHEMES: Words<StressScheme> = &[
@@ -195,6 +198,22 @@ pub(super) enum ContactMethod {
 pub(super) const CONTACT_METHODS: Words<ContactMethod> = &[
     ("grid", ContactMethod::Grid),
     ("mortar", ContactMethod::Mortar),
+];
+
+pub(super) const ENFORCEMENTS: Words<Enforcement> = &[
+    ("barrier", Enforcement::Barrier),
+    ("penalty", Enforcement::Penalty),
+];
+
+pub(super) const DETECTIONS: Words<Detection> = &[
+    ("mortar", Detection::Mortar),
+    ("node_to_segment", Detection::NodeToSegment),
+];
+
+pub(super) const FOLLOWS: Words<Follow> = &[
+    ("velocity", Follow::Velocity),
+    ("spin", Follow::Spin),
+    ("gradient", Follow::Gradient),
 ];
 
 /// What a word means; upper and lower case are the same.

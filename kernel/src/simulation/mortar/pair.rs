@@ -1,0 +1,61 @@
+//! A pair of boundaries in contact.
+
+use super::surface::{Carrier, Surface};
+use crate::mortar::law::{FLOOR, Friction, NormalLaw};
+use crate::mortar::pair::{PairForces, PairLaw, Slip};
+use crate::mortar::segments::Search;
+use crate::scene::{Enforcement, MortarContact};
+
+/// A pair of surfaces.
+#[derive(Clone, Debug)]
+pub(crate) struct MortarPair {
+    pub(super) id: i64,
+    pub(super) slave: usize,
+    pub(super) master: usize,
+    pub(super) law: PairLaw,
+    pub(super) critical_gap: f64,
+    pub(crate) slip: Slip,
+    pub(super) forces: PairForces,
+}
+
+/// The pair of an entry; none where both ends are rigid.
+pub(super) fn pair(contact: &MortarContact, surfaces: &[Surface]) -> Option<MortarPair> {
+    let index = |id: i64| surfaces.iter().position(|s| s.id == id);
+    let (slave, master) = (index(contact.slave)?, index(contact.master)?);
+    let rigid = |s: usize| matches!(surfaces[s].carrier, Carrier::Prescribed(_));
+    if rigid(slave) && rigid(master) {
+        return None;
+    }
+    let longest = surfaces[slave].boundary.longest_segment();
+    let normal = match contact.enforcement {
+        Enforcement::Barrier => NormalLaw::Barrier {
+            stiffness: contact.normal_stiffness,
+            critical_gap: contact.critical_gap,
+            floor: FLOOR,
+        },
+        Enforcement::Penalty => NormalLaw::Penalty {
+            stiffness: contact.normal_stiffness,
+        },
+    };
+    Some(MortarPair {
+        id: contact.id,
+        slave,
+        master,
+        law: PairLaw {
+            normal,
+            friction: (contact.friction > 0.0).then_some(Friction {
+                coefficient: contact.friction,
+                stiffness: contact.tangential_stiffness,
+            }),
+            detection: contact.detection,
+            // Beyond the critical gap for the slip before contact, and as deep as a segment is long.
+            search: Search {
+                reach: contact.critical_gap + longest,
+                depth: contact.critical_gap.max(longest),
+            },
+        },
+        critical_gap: contact.critical_gap,
+        slip: Slip(vec![0.0; surfaces[slave].boundary.points.len()]),
+        forces: PairForces::default(),
+    })
+}

@@ -1,0 +1,266 @@
+//! Mortar contact in the cycle: balance, bits, vertices that follow their body, and what is refused.
+
+use crate::common::{
+    APIC, IDENTITY, body, elastic, empty, material, momentum_scale, options, run_towards,
+    simulation,
+};
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::scene::{
+    BodyBoundary, Dimension, Enforcement, History, Mortar, MortarContact, RigidLine, Scene, Shape,
+    Vertices,
+};
+use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation, StepErrorKind};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+const GAP: f64 = 0.04;
+
+fn contact(master: i64, slave: i64, friction: f64) -> MortarContact {
+    MortarContact {
+        name: "contact".into(),
+        id: 1,
+        master,
+        slave,
+        friction,
+        critical_gap: GAP,
+        normal_stiffness: 1.0e6,
+        tangential_stiffness: 1.0e7,
+        enforcement: Enforcement::Barrier,
+        detection: Detection::Mortar,
+    }
+}
+
+fn disc(center: [f64; 2], radius: f64) -> Shape {
+    Shape::Sphere {
+        center: [center[0], center[1], 0.0],
+        radius,
+    }
+}
+
+fn boundary(body: i64, follow: Follow) -> BodyBoundary {
+    BodyBoundary {
+        body,
+        vertices: Vertices::Spacing(0.05),
+        follow,
+    }
+}
+
+fn line(points: &[[f64; 2]]) -> RigidLine {
+    RigidLine {
+        name: "line".into(),
+        id: 9,
+        chains: vec![Chain {
+            points: points.iter().map(|p| Point::from(*p)).collect(),
+            side: Side::Open,
+        }],
+        motion: None,
+    }
+}
+
+/// Two discs that hit each other off centre.
+fn collision(friction: f64) -> Scene {
+    let mut scene = empty(Dimension::Two, [24, 14, 1], 0.1);
+    scene.transfer = APIC;
+    scene.materials = vec![material(elastic(1.0e6, 0.3))];
+    scene.bodies = vec![
+        body(1, disc([0.75, 0.6], 0.3)),
+        body(2, disc([1.41, 0.75], 0.3)),
+    ];
+    for body in &mut scene.bodies {
+        body.particles_per_cell = [2, 2, 1];
+    }
+    scene.bodies[0].velocity = [2.0, 0.0, 0.0];
+    scene.bodies[1].velocity = [-2.0, 0.5, 0.0];
+    scene.mortar.boundaries = vec![boundary(1, Follow::Spin), boundary(2, Follow::Spin)];
+    scene.mortar.contacts = vec![contact(1, 2, friction)];
+    scene
+}
+
+#[test]
+fn a_collision_keeps_the_momentum() {
+    for friction in [0.0, 0.4] {
+        let scene = collision(friction);
+        scene.check().expect("sound");
+        let mut simulation = simulation(&scene);
+        let (before, scale) = (simulation.momentum(), momentum_scale(&simulation));
+        let mut pushed = 0.0_f64;
+        while simulation.time() < 0.12 {
+            run_towards(&mut simulation, 1, 0.12);
+            let [a, b] = [1, 2].map(|id| simulation.mortar_force(id).expect("has a boundary"));
+            for axis in 0..2 {
+                assert!((a[axis] + b[axis]).abs() <= 1e-12 * a[axis].abs().max(1.0));
+            }
+            pushed = pushed.max(b[0]);
+        }
+        assert!(pushed > 100.0, "{pushed}");
+        // They part, each the way it came.
+        assert!(simulation.center(0).2[0] < -0.5 && simulation.center(1).2[0] > 0.5);
+        for (axis, p) in simulation.momentum().iter().enumerate() {
+            assert!(
+                (p - before[axis]).abs() < 1e-12 * scale,
+                "{p} {}",
+                before[axis]
+            );
+        }
+    }
+}
+
+#[test]
+fn threads_change_no_bit() {
+    let scene = collision(0.4);
+    let hash = |threads| {
+        let options = Options {
+            threads: Some(threads),
+            ..options()
+        };
+        let mut simulation = Simulation::new(&scene, &options).expect("sound");
+        run_towards(&mut simulation, 60, 1.0);
+        assert!(simulation.mortar_energy() > 0.0);
+        simulation.state_hash()
+    };
+    let one = hash(1);
+    assert_eq!(one, hash(2));
+    assert_eq!(one, hash(5));
+}
+
+/// A line that is never reached is a contact that does nothing.
+#[test]
+fn a_contact_that_never_meets_changes_no_bit() {
+    let run = |with: bool| {
+        let mut scene = collision(0.0);
+        scene.bodies.truncate(1);
+        scene.mortar = Mortar::default();
+        if with {
+            scene.mortar.boundaries = vec![boundary(1, Follow::Spin)];
+            scene.mortar.lines = vec![line(&[[2.2, 0.05], [0.1, 0.05]])];
+            scene.mortar.contacts = vec![contact(9, 1, 0.3)];
+        }
+        let mut simulation = simulation(&scene);
+        run_towards(&mut simulation, 40, 1.0);
+        simulation.state_hash()
+    };
+    assert_eq!(run(true), run(false));
+}
+
+/// How far the vertices are from where the mean turn of the particles would have brought them, in the mean, after
+/// about one turn \[m\].
+fn drift(follow: Follow) -> f64 {
+    let mut scene = empty(Dimension::Two, [14, 14, 1], 0.1);
+    let center = [0.7, 0.7, 0.0];
+    scene.transfer = APIC;
+    scene.materials = vec![material(elastic(1.0e6, 0.3))];
+    scene.bodies = vec![body(
+        1,
+        Shape::Cuboid {
+            p1: [0.4, 0.5, 0.0],
+            p2: [1.0, 0.9, 0.0],
+        },
+    )];
+    scene.mortar.boundaries = vec![boundary(1, follow)];
+    scene.mortar.lines = vec![line(&[[0.01, -40.0], [0.0, -40.0]])];
+    scene.mortar.contacts = vec![contact(9, 1, 0.0)];
+    let options = Options {
+        displacement: true,
+        initial: Some(Arc::new(move |x| InitialState {
+            velocity: [-TAU * (x[1] - center[1]), TAU * (x[0] - center[0]), 0.0],
+            velocity_gradient: [[0.0, -TAU, 0.0], [TAU, 0.0, 0.0], [0.0; 3]],
+            stress: [0.0; 6],
+            deformation: IDENTITY,
+        })),
+        ..options()
+    };
+    let mut simulation = Simulation::new(&scene, &options).expect("sound");
+    let before = simulation.boundary_vertices(1).expect("has one");
+    while simulation.time() < 1.0 {
+        run_towards(&mut simulation, 1, 1.0);
+    }
+    let from_center = |x: [f64; 3]| Point::new(x[0] - center[0], x[1] - center[1]);
+    let (mut sin, mut cos) = (0.0, 0.0);
+    for p in 0..simulation.particles() {
+        let now = from_center(simulation.position(0, p));
+        let then = from_center(simulation.initial_position(0, p).expect("kept"));
+        sin += then.perp(&now);
+        cos += then.dot(&now);
+    }
+    let turn = nalgebra::Rotation2::new(sin.atan2(cos));
+    let after = simulation.boundary_vertices(1).expect("has one");
+    let sum: f64 = before
+        .iter()
+        .zip(&after)
+        .map(|(a, b)| (turn * from_center(*a) - from_center(*b)).norm_squared())
+        .sum();
+    (sum / before.len() as f64).sqrt()
+}
+
+/// The body deforms a little meanwhile; what the update of the vertices leaves out comes on top.
+#[test]
+fn vertices_follow_a_turning_body() {
+    let [velocity, spin, gradient] = [Follow::Velocity, Follow::Spin, Follow::Gradient].map(drift);
+    assert!(spin < 0.02, "{velocity} {spin} {gradient}");
+    assert!(gradient < 0.02, "{velocity} {spin} {gradient}");
+    assert!(velocity > 3.0 * spin, "{velocity} {spin} {gradient}");
+}
+
+#[test]
+fn surfaces_that_overlap_are_refused() {
+    let mut scene = collision(0.0);
+    scene.bodies[1].shape = disc([1.34, 0.6], 0.3);
+    let Err(SetupError::Mortar { path, reason }) = Simulation::new(&scene, &options()) else {
+        panic!("they overlap");
+    };
+    assert!(
+        path == "contact" && reason.contains("gap is -"),
+        "{path}: {reason}"
+    );
+}
+
+#[test]
+fn a_vertex_off_the_body_is_named() {
+    let mut scene = collision(0.0);
+    let triangle = [[0.5, 0.3], [0.8, 0.3], [0.5, 1.2]];
+    scene.mortar.boundaries[0].vertices = Vertices::Given(vec![Chain {
+        points: triangle.iter().map(|p| Point::from(*p)).collect(),
+        side: Side::Outer,
+    }]);
+    let mut simulation = simulation(&scene);
+    let error = simulation.step(1.0).expect_err("nothing is near it");
+    assert!(
+        matches!(
+            error.kind,
+            StepErrorKind::VertexLost {
+                body: 1,
+                vertex: 2,
+                ..
+            }
+        ),
+        "{error}"
+    );
+}
+
+/// A plate that comes faster than half the critical gap per step is not let through.
+#[test]
+fn bodies_do_not_pass_through_each_other() {
+    let mut scene = collision(0.0);
+    scene.bodies.truncate(1);
+    scene.bodies[0].velocity = [0.0; 3];
+    scene.mortar.boundaries.truncate(1);
+    scene.mortar.lines = vec![line(&[[2.2, 0.2], [0.1, 0.2]])];
+    scene.mortar.lines[0].motion = Some(History {
+        times: vec![0.0],
+        values: vec![[0.0, 30.0, 0.0]],
+    });
+    scene.mortar.contacts = vec![contact(9, 1, 0.0)];
+    let mut simulation = simulation(&scene);
+    let mut failed = None;
+    while failed.is_none() && simulation.time() < 0.1 {
+        failed = simulation.step(0.1).err();
+    }
+    let error = failed.expect("it is refused");
+    assert!(
+        matches!(error.kind, StepErrorKind::Tunnelling { bodies: [9, 1], .. }),
+        "{error}"
+    );
+}

@@ -1,0 +1,122 @@
+//! Mortar contact in a scene file: its keys, and bad input by name.
+
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::scene::{Enforcement, Scene, SceneError, Vertices, from_json};
+use std::path::Path;
+
+const FILE: &str = "../fixtures/scenes/rolling_disc_2d.json";
+
+/// The fixture with one piece of its text replaced.
+fn changed(from: &str, to: &str) -> Result<Scene, SceneError> {
+    let text = std::fs::read_to_string(FILE).expect("the fixture is there");
+    assert!(text.contains(from), "{from}");
+    from_json(&text.replacen(from, to, 1), "rolling.json", Path::new(""))
+}
+
+fn message(from: &str, to: &str) -> String {
+    changed(from, to).expect_err("is bad input").to_string()
+}
+
+#[test]
+fn every_key_is_understood() {
+    let scene = changed(
+        r#""boundary_segment": 0.05"#,
+        r#""boundary": [[-0.5, 0.5], [0, 0.01], [0.5, 0.5], [0, 1]], "boundary_follows": "gradient""#,
+    )
+    .unwrap_or_else(|e| panic!("{e}"));
+    let boundary = &scene.mortar.boundaries[0];
+    assert!(matches!(&boundary.vertices, Vertices::Given(chains) if chains[0].points.len() == 4));
+    assert_eq!((boundary.body, boundary.follow), (1, Follow::Gradient));
+    let scene = changed(
+        r#""friction": 0.3"#,
+        r#""friction": 0, "enforcement": "penalty", "detection": "node_to_segment""#,
+    )
+    .unwrap_or_else(|e| panic!("{e}"));
+    let contact = &scene.mortar.contacts[0];
+    assert_eq!(contact.name, "contact.disc on plane");
+    assert_eq!((contact.master, contact.slave), (2, 1));
+    assert_eq!(contact.enforcement, Enforcement::Penalty);
+    assert_eq!(contact.detection, Detection::NodeToSegment);
+    assert_eq!(contact.critical_gap, 0.04);
+    assert_eq!(scene.mortar.lines[0].chains[0].points.len(), 5);
+    assert!(scene.contacts.is_empty());
+}
+
+#[test]
+fn bad_input_is_named() {
+    for (from, to, expected) in [
+        (
+            r#""critical_gap": 0.04,"#,
+            "",
+            "critical_gap: found nothing",
+        ),
+        (
+            r#""critical_gap": 0.04"#,
+            r#""critical_gap": 0"#,
+            "critical_gap: found 0",
+        ),
+        (
+            r#""normal_stiffness": 1e4"#,
+            r#""normal_stiffness": -1"#,
+            "normal_stiffness: found -1",
+        ),
+        (
+            r#""normal_stiffness": 1e4"#,
+            r#""normal_stifness": 1e4"#,
+            "`normal_stiffness`",
+        ),
+        (
+            r#""normal_stiffness": 1e4,
+      "tangential_stiffness": 1e6"#,
+            r#""normal_stiffness": 1e4"#,
+            "tangential_stiffness: found nothing",
+        ),
+        (
+            r#""slave_id": 1"#,
+            r#""slave_id": 7"#,
+            "7, which no body and no rigid line has",
+        ),
+        (r#""slave_id": 1"#, r#""slave_id": 2"#, "the master itself"),
+        (
+            r#",
+      "boundary_segment": 0.05"#,
+            "",
+            "a body without a boundary",
+        ),
+        (
+            r#""boundary_segment": 0.05"#,
+            r#""boundary_segment": 0"#,
+            "boundary_segment",
+        ),
+        (
+            r#""boundary_segment": 0.05"#,
+            r#""boundary": [[0, 1], [0.5, 0.5], [0, 0.01], [-0.5, 0.5]]"#,
+            "must run counter-clockwise",
+        ),
+        (
+            r#""boundary_segment": 0.05"#,
+            r#""boundary": [[-0.5, 0.5], [0.5, 0.5], [0, 0.01], [0.1, 1]]"#,
+            "crosses or touches segment",
+        ),
+        (
+            r#""id": 2, "points""#,
+            r#""id": 1, "points""#,
+            "which another body or line has",
+        ),
+        (
+            r#""method": "mortar""#,
+            r#""method": "grid""#,
+            "a key of mortar contact",
+        ),
+        (
+            r#""transfer": "APIC""#,
+            r#""transfer": "APIC", "stress_scheme_update": "MUSL""#,
+            "built for USL",
+        ),
+    ] {
+        let found = message(from, to);
+        assert!(found.contains(expected), "{expected}: {found}");
+        assert!(found.contains("rolling.json:"), "{found}");
+    }
+}

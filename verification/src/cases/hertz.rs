@@ -1,0 +1,420 @@
+//! Is the pressure between an elastic half disk and a rigid plane that of Hertz?
+//!
+//! Source: Liang et al. 2024, section 4.2: R = 8 m, E = 200 Pa, nu = 0.3, a load of 10 N/m on the flat top, initial gap
+//! and critical gap 0.05 m, no friction. The paper gives no density; it is 1 kg/m³ here, with which the printed viscous
+//! damping of 0.01 damps the bounce on the contact to nothing in the 13 s that are run. Pressures are averaged over the
+//! last 2 s.
+//!
+//! A barrier carries pressure across a gap, which is an error of the model: `paper` has the paper's kappa = 1500 Pa/m,
+//! with which the exact solution of the layer is 12 % from Hertz, and is judged against that solution; its distance from
+//! Hertz is shown. `hertz` has kappa = 1.5e4 Pa/m (a layer 6 % off) and is judged against Hertz. Stiffer layers than
+//! kappa h/E of about 10 make the pressure oscillate, because several vertices share each node.
+//!
+//! Expected with h = 0.1 m: force 0.4 %, peak 0.2 %, half-width 0.7 %, pressure 3 % in L2. `proctor verify hertz`.
+
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::scene::{
+    Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
+    PlaneCondition, RigidLine, Scene, Shape, Transfer, TransferKind, Vertices,
+};
+use proctor_kernel::simulation::{Options, Simulation, StepError};
+use std::f64::consts::PI;
+
+use super::{elastic, failed, table};
+use crate::case::{
+    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
+};
+use crate::exact::hertz::{Hertz as Exact, contact_modulus};
+use crate::exact::hertz_layer::{LayerContact, barrier};
+
+const RADIUS: f64 = 8.0;
+const LOAD: f64 = 10.0;
+const YOUNG: f64 = 200.0;
+const POISSON: f64 = 0.3;
+const GAP: f64 = 0.05;
+/// Time at which averaging begins, and at which it ends \[s\].
+const AVERAGED: [f64; 2] = [11.0, 13.0];
+/// The bottom of the disk within this distance of the middle has fine segments \[m\].
+const FINE: f64 = 1.6;
+
+const FORCE: &str = "contact force";
+const PEAK: &str = "peak pressure";
+const WIDTH: &str = "half-width";
+const L2_HERTZ: &str = "L2(p) against Hertz";
+const L2_LAYER: &str = "L2(p) against the barrier layer";
+const LAYER: &str = "the layer's own L2 distance from Hertz";
+
+/// The half disk on a rigid plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hertz {
+    /// Load of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
+    /// notice.
+    pub reference_load: f64,
+}
+
+impl Hertz {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_load: 1.0,
+    };
+
+    fn exact(self) -> Exact {
+        Exact {
+            radius: RADIUS,
+            load: LOAD * self.reference_load,
+            modulus: contact_modulus([YOUNG, f64::INFINITY], [POISSON, 0.0]),
+        }
+    }
+
+    fn kappa(variant: &str) -> f64 {
+        if variant == "paper" { 1.5e3 } else { 1.5e4 }
+    }
+}
+
+/// Point of the disk's circle at a length along it from the bottom.
+fn on_circle(s: f64) -> [f64; 2] {
+    let (sin, cos) = (s / RADIUS).sin_cos();
+    [RADIUS * sin, GAP + RADIUS * (1.0 - cos)]
+}
+
+/// The boundary: fine segments at the bottom, coarse ones up the sides, one across the top.
+fn boundary(h: f64) -> Chain {
+    let count = (FINE / (0.4 * h)).round() as i32;
+    let fine = (-count..=count).map(|k| FINE * f64::from(k) / f64::from(count));
+    let rest = 0.5 * PI * RADIUS - FINE;
+    let coarse = (rest / (4.0 * h)).ceil() as i32;
+    let side = |k: i32| FINE + rest * f64::from(k) / f64::from(coarse);
+    let left = (1..=coarse).rev().map(|k| -side(k));
+    let right = (1..=coarse).map(side);
+    Chain {
+        points: left
+            .chain(fine)
+            .chain(right)
+            .map(|s| Point::from(on_circle(s)))
+            .collect(),
+        side: Side::Outer,
+    }
+}
+
+/// The shape, as a polygon so fine that its area is that of the half disk to 1e-5.
+fn shape() -> Shape {
+    let points = (0..=400)
+        .map(|k| {
+            let [x, y] = on_circle(PI * RADIUS * (f64::from(k) / 400.0 - 0.5));
+            [x, y, 0.0]
+        })
+        .collect();
+    Shape::Polygon { points }
+}
+
+impl Case for Hertz {
+    fn name(&self) -> &'static str {
+        "hertz"
+    }
+
+    fn question(&self) -> &'static str {
+        "Is the pressure between an elastic half disk and a rigid plane that of Hertz?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let ladders: &[(&'static str, &[f64])] = match size {
+            Size::Quick => &[("hertz", &[0.2])],
+            Size::Full => &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
+        };
+        ladders
+            .iter()
+            .flat_map(|&(variant, cells)| {
+                cells.iter().map(move |&cell| Rung {
+                    label: format!("{variant} h={cell}"),
+                    cell,
+                    variant,
+                })
+            })
+            .collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let h = rung.cell;
+        let (left, right, below, above) = (-8.6, 8.6, -0.6, 8.6);
+        let cells = |length: f64| (length / h).round() as usize;
+        let top = GAP + RADIUS;
+        // Vertices of the plane every 0.1 m, none of them under the middle.
+        let plane = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+        Scene {
+            name: rung.label.clone(),
+            transfer: Transfer {
+                kind: TransferKind::Apic,
+                pic_fraction: 0.1,
+            },
+            materials: elastic(1.0, YOUNG, POISSON),
+            bodies: vec![Body {
+                name: "half disk".into(),
+                id: 1,
+                material: 0,
+                shape: shape(),
+                particles_per_cell: [2, 2, 1],
+                velocity: [0.0; 3],
+                motion: None,
+            }],
+            damping: Damping::Viscous { alpha: 0.01 },
+            box_loads: vec![BoxLoad {
+                p1: [left, top - h, 0.0],
+                p2: [right, top + h, 0.0],
+                force: [0.0, -LOAD, 0.0],
+            }],
+            mortar: Mortar {
+                boundaries: vec![BodyBoundary {
+                    body: 1,
+                    vertices: Vertices::Given(vec![boundary(h)]),
+                    follow: Follow::Spin,
+                }],
+                lines: vec![RigidLine {
+                    name: "plane".into(),
+                    id: 2,
+                    chains: vec![Chain {
+                        points: plane.collect(),
+                        side: Side::Open,
+                    }],
+                    motion: None,
+                }],
+                contacts: vec![MortarContact {
+                    name: "half disk on plane".into(),
+                    id: 1,
+                    master: 2,
+                    slave: 1,
+                    friction: 0.0,
+                    critical_gap: GAP,
+                    normal_stiffness: Self::kappa(rung.variant),
+                    tangential_stiffness: 0.0,
+                    enforcement: Enforcement::Barrier,
+                    detection: Detection::Mortar,
+                }],
+            },
+            ..Scene::new(
+                Dimension::Two,
+                Mesh {
+                    origin: [left, below, 0.0],
+                    cell: [h, h, 1.0],
+                    cells: [cells(right - left), cells(above - below), 1],
+                    planes: [[PlaneCondition::Free; 2]; 3],
+                },
+                AVERAGED[1],
+            )
+        }
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let scene = self.scene(rung);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let mut simulation =
+            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        let found = run(&mut simulation, progress).map_err(|e| failed(self, rung, &e))?;
+        let exact = self.exact();
+        let kappa = Self::kappa(rung.variant);
+        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
+            .map_err(|e| {
+                failed(
+                    self,
+                    rung,
+                    &format!("no reference: residual {} m", e.residual),
+                )
+            })?;
+        let of = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        };
+        let norm = |name, value: f64| Quantity {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value),
+            unit: "1",
+        };
+        let quantities = vec![
+            of(FORCE, found.force, exact.load, "N/m"),
+            of(PEAK, found.peak(), exact.peak(), "Pa"),
+            of(WIDTH, found.half_width(), exact.half_width(), "m"),
+            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
+            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
+            norm(LAYER, layer.distance_from_hertz(&exact)),
+        ];
+        let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
+        Ok(Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve: Some(Curve {
+                title: format!("{}: contact pressure", rung.label),
+                abscissa: "x in m",
+                ordinate: "p in Pa",
+                points: points
+                    .map(|p| CurvePoint {
+                        at: p[0],
+                        computed: p[1],
+                        exact: exact.pressure(p[0]),
+                    })
+                    .collect(),
+            }),
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let error = |label: &str, name| {
+            let run = solved.iter().find(|(rung, _)| rung.label == label);
+            run.map_or(f64::NAN, |(_, s)| s.error(name))
+        };
+        let gate = |label: &str, name, bound, reason| Gate {
+            name: format!("{label}: {name}"),
+            value: error(label, name),
+            relation: Relation::AtMost,
+            bound,
+            reason,
+        };
+        let gates = match size {
+            Size::Quick => vec![
+                gate(
+                    "hertz h=0.2",
+                    FORCE,
+                    0.015,
+                    "the load must arrive; half settled at 13 s",
+                ),
+                gate("hertz h=0.2", WIDTH, 0.04, "3.4 cells over the half-width"),
+                gate(
+                    "hertz h=0.2",
+                    L2_HERTZ,
+                    0.1,
+                    "a layer 6 % off on a mesh twice as coarse as judged in full",
+                ),
+            ],
+            Size::Full => vec![
+                gate("hertz h=0.1", FORCE, 0.01, "the load must arrive"),
+                gate(
+                    "hertz h=0.1",
+                    PEAK,
+                    0.02,
+                    "the method's reference figures: 0.2 %",
+                ),
+                gate(
+                    "hertz h=0.1",
+                    WIDTH,
+                    0.02,
+                    "the method's reference figures: 0.7 %",
+                ),
+                gate(
+                    "hertz h=0.1",
+                    L2_HERTZ,
+                    0.05,
+                    "the method's reference figures: 3.3 %",
+                ),
+                gate(
+                    "paper h=0.1",
+                    L2_LAYER,
+                    0.05,
+                    "the method's reference figures: 3.1 %",
+                ),
+            ],
+        };
+        Verdict {
+            tables: ["hertz", "paper"]
+                .into_iter()
+                .filter(|v| solved.iter().any(|(rung, _)| rung.variant == *v))
+                .map(|v| {
+                    let names = [FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER];
+                    (v.to_owned(), table(solved, v, &names))
+                })
+                .collect(),
+            gates,
+            for_the_record: solved
+                .iter()
+                .map(|(rung, s)| {
+                    format!(
+                        "{}: the barrier layer itself is {:.1} % from Hertz; computed {:.1} % from the layer, {:.1} % from Hertz",
+                        rung.label,
+                        100.0 * s.value(LAYER),
+                        100.0 * s.value(L2_LAYER),
+                        100.0 * s.value(L2_HERTZ),
+                    )
+                })
+                .collect(),
+            curves: vec![],
+        }
+    }
+}
+
+/// Averages over the end of a run.
+struct Found {
+    /// Force on the disk \[N/m\].
+    force: f64,
+    /// Place, pressure and length of each vertex at the bottom.
+    pressures: Vec<[f64; 3]>,
+}
+
+impl Found {
+    fn peak(&self) -> f64 {
+        self.pressures.iter().map(|p| p[1]).fold(0.0, f64::max)
+    }
+
+    /// Half-width of the Hertz pressure with the same second moment.
+    fn half_width(&self) -> f64 {
+        let moment = |power| {
+            self.pressures
+                .iter()
+                .map(|[x, p, w]| w * p * x.powi(power))
+                .sum::<f64>()
+        };
+        2.0 * (moment(2) / moment(0)).sqrt()
+    }
+
+    /// L2 norm of the difference to a pressure, over that of the pressure.
+    fn distance(&self, exact: impl Fn(f64) -> f64) -> f64 {
+        let (mut off, mut all) = (0.0, 0.0);
+        for [x, p, w] in &self.pressures {
+            off += w * (p - exact(*x)).powi(2);
+            all += w * exact(*x).powi(2);
+        }
+        (off / all).sqrt()
+    }
+}
+
+fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Found, StepError> {
+    let (mut force, mut weight) = (0.0, 0.0);
+    let mut sums: Vec<[f64; 3]> = vec![];
+    while simulation.time() < AVERAGED[1] {
+        let info = simulation.step(AVERAGED[1])?;
+        if info.step % 100 == 0 {
+            progress((simulation.time() / AVERAGED[1]).min(1.0));
+        }
+        if simulation.time() <= AVERAGED[0] {
+            continue;
+        }
+        weight += info.dt;
+        force += info.dt * simulation.mortar_force(1).map_or(0.0, |f| f[1]);
+        let vertices = simulation.mortar_vertices(1).unwrap_or_default();
+        sums.resize(vertices.len(), [0.0; 3]);
+        for (sum, v) in sums.iter_mut().zip(&vertices) {
+            sum[0] += info.dt * v.position[0];
+            sum[1] += info.dt * v.pressure;
+            sum[2] += info.dt * v.length;
+        }
+    }
+    Ok(Found {
+        force: force / weight,
+        pressures: sums
+            .into_iter()
+            .map(|sum| sum.map(|s| s / weight))
+            .filter(|[x, _, length]| x.abs() < FINE && *length > 0.0)
+            .collect(),
+    })
+}

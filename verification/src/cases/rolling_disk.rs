@@ -1,0 +1,373 @@
+//! Does a soft disk on an inclined plane slide and roll as a rigid one does?
+//!
+//! Source: Liang et al. 2024, section 4.3: R = 0.5 m on a plane of 30 degrees, E = 250 kPa, nu = 0.3, 300 kg/m³,
+//! h = 0.1 m with 5 x 5 particles per cell, 64 vertices, g_c = 0.04 m, kappa = 1e4 Pa/m, kappa_t = 1e6 Pa/m; friction 0.1
+//! (it slides) and 0.3 (it rolls). The plane is a rigid line. The disk first settles for 2 s under the gravity normal to
+//! the plane, with local damping of 0.1 (without any, as printed, it would bounce), and is then let go without.
+//!
+//! Expected: the way after 2 s within 1 % (slip) and 2 % (stick) at h = 0.1, stick within 0.5 % at h = 0.05. What is left
+//! of the slip's error is a velocity picked up while the tangential spring loads. The area must not grow with the
+//! number of steps; 1.3 % of growth is the centrifugal force on so soft a disk. `stiff` has a hundred times the modulus
+//! and so hardly any contact width: it shows what of the error the softness is. `proctor verify rolling-disk`.
+
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::scene::{
+    Body, BodyBoundary, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
+    PlaneCondition, Results, RigidLine, Scene, Shape, StressScheme, TimeStep, Transfer,
+    TransferKind, Vertices, Weighting,
+};
+use proctor_kernel::simulation::{Options, Simulation};
+use std::f64::consts::TAU;
+
+use super::{elastic, failed, table};
+use crate::case::{
+    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
+};
+use crate::exact::rolling_disk::RollingDisk as Exact;
+
+const GRAVITY: f64 = 9.81;
+const RADIUS: f64 = 0.5;
+const YOUNG: f64 = 2.5e5;
+const POISSON: f64 = 0.3;
+const DENSITY: f64 = 300.0;
+const GAP: f64 = 0.04;
+const KAPPA: f64 = 1e4;
+const KAPPA_T: f64 = 1e6;
+const INCLINATION_DEGREES: f64 = 30.0;
+/// Each of the two stages \[s\].
+const STAGE: f64 = 2.0;
+/// Local damping while the disk settles.
+const SETTLING: f64 = 0.1;
+
+const WAY: &str = "way along the plane after 2 s";
+const RATIO: &str = "turn times R over way, after 2 s";
+const AREA: &str = "growth of the area";
+
+/// The disk on the inclined plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingDisk {
+    /// Gravity of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
+    /// notice.
+    pub reference_gravity: f64,
+}
+
+impl RollingDisk {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_gravity: 1.0,
+    };
+
+    fn friction(variant: &str) -> f64 {
+        if variant == "slip" { 0.1 } else { 0.3 }
+    }
+
+    fn exact(self, rung: &Rung) -> Exact {
+        Exact {
+            gravity: GRAVITY * self.reference_gravity,
+            inclination: INCLINATION_DEGREES.to_radians(),
+            friction: Self::friction(rung.variant),
+            radius: RADIUS,
+        }
+    }
+}
+
+/// Vertices of the rigid plane, every h/2, outward up.
+fn plane(h: f64, from: f64, to: f64) -> Chain {
+    let count = ((to - from) / (0.5 * h)).round() as usize;
+    Chain {
+        points: (0..=count)
+            .map(|k| Point::new(to - (to - from) * k as f64 / count as f64, 0.0))
+            .collect(),
+        side: Side::Open,
+    }
+}
+
+impl Case for RollingDisk {
+    fn name(&self) -> &'static str {
+        "rolling-disk"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does a soft disk on an inclined plane slide and roll as a rigid one does?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let ladders: &[(&'static str, &[f64])] = match size {
+            Size::Quick => &[("slip", &[0.1]), ("stick", &[0.1])],
+            Size::Full => &[
+                ("slip", &[0.2, 0.1, 0.05]),
+                ("stick", &[0.2, 0.1, 0.05]),
+                ("stiff", &[0.1]),
+            ],
+        };
+        ladders
+            .iter()
+            .flat_map(|&(variant, cells)| {
+                cells.iter().map(move |&cell| Rung {
+                    label: format!("{variant} h={cell}"),
+                    cell,
+                    variant,
+                })
+            })
+            .collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let h = rung.cell;
+        let young = if rung.variant == "stiff" {
+            100.0 * YOUNG
+        } else {
+            YOUNG
+        };
+        let (from, to, below, above) = (-1.2, 9.6, -0.4, 1.4);
+        let cells = |length: f64| (length / h).round() as usize;
+        let normal = GRAVITY * INCLINATION_DEGREES.to_radians().cos();
+        Scene {
+            name: rung.label.clone(),
+            time_step: TimeStep::Automatic,
+            gravity: [0.0, -normal, 0.0],
+            weighting: Weighting::UniformGimp,
+            scheme: StressScheme::Usl,
+            transfer: Transfer {
+                kind: TransferKind::Apic,
+                pic_fraction: 0.001,
+            },
+            materials: elastic(DENSITY, young, POISSON),
+            bodies: vec![Body {
+                name: "disk".into(),
+                id: 1,
+                material: 0,
+                shape: Shape::Sphere {
+                    center: [0.0, RADIUS + 0.5 * GAP, 0.0],
+                    radius: RADIUS,
+                },
+                particles_per_cell: [5, 5, 1],
+                velocity: [0.0; 3],
+                motion: None,
+            }],
+            damping: Damping::Local { alpha: SETTLING },
+            mortar: Mortar {
+                boundaries: vec![BodyBoundary {
+                    body: 1,
+                    vertices: Vertices::Spacing(TAU * RADIUS / 64.0),
+                    follow: Follow::Spin,
+                }],
+                lines: vec![RigidLine {
+                    name: "plane".into(),
+                    id: 2,
+                    chains: vec![plane(0.1, from + 0.2, to - 0.2)],
+                    motion: None,
+                }],
+                contacts: vec![MortarContact {
+                    name: "disk on plane".into(),
+                    id: 1,
+                    master: 2,
+                    slave: 1,
+                    friction: Self::friction(rung.variant),
+                    critical_gap: GAP,
+                    normal_stiffness: KAPPA,
+                    tangential_stiffness: KAPPA_T,
+                    enforcement: Enforcement::Barrier,
+                    detection: Detection::Mortar,
+                }],
+            },
+            results: Results {
+                print: 0,
+                ..Results::default()
+            },
+            ..Scene::new(
+                Dimension::Two,
+                Mesh {
+                    origin: [from, below, 0.0],
+                    cell: [h, h, 1.0],
+                    cells: [cells(to - from), cells(above - below), 1],
+                    planes: [[PlaneCondition::Free; 2]; 3],
+                },
+                2.0 * STAGE,
+            )
+        }
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let scene = self.scene(rung);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let mut simulation =
+            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        run_to(&mut simulation, STAGE, progress).map_err(|e| failed(self, rung, &e))?;
+        let (sin, cos) = INCLINATION_DEGREES.to_radians().sin_cos();
+        simulation
+            .set_local_damping(None)
+            .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
+            .map_err(|e| failed(self, rung, &e))?;
+        let (_, start, _) = simulation.center(0);
+        let exact = self.exact(rung);
+        let (mut points, mut turn) = (vec![], 0.0);
+        for k in 1..=20 {
+            let time = f64::from(k) / 20.0 * STAGE;
+            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
+            while simulation.time() < STAGE + time {
+                let info = simulation.step(STAGE + time);
+                let info = info.map_err(|e| failed(self, rung, &e))?;
+                turn += angular_velocity(&simulation) * info.dt;
+            }
+            progress((0.5 + 0.025 * f64::from(k)).min(1.0));
+            points.push(CurvePoint {
+                at: time,
+                computed: simulation.center(0).1[0] - start[0],
+                exact: exact.way_and_turn(time).0,
+            });
+        }
+        let way = points.last().map_or(f64::NAN, |p| p.computed);
+        let of = |name, value: f64, exact: f64| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit: if name == WAY { "m" } else { "1" },
+        };
+        let growth = area(&simulation) / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
+        let quantities = vec![
+            of(WAY, way, exact.way_and_turn(STAGE).0),
+            of(RATIO, turn * RADIUS / way, exact.rolling_ratio()),
+            Quantity {
+                name: AREA,
+                value: growth,
+                exact: None,
+                error: None,
+                unit: "1",
+            },
+        ];
+        Ok(Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve: Some(Curve {
+                title: format!("{}: way along the plane", rung.label),
+                abscissa: "t in s",
+                ordinate: "u_x in m",
+                points,
+            }),
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let of = |label: &str| {
+            solved
+                .iter()
+                .find(|(r, _)| r.label == label)
+                .map(|(_, s)| s)
+        };
+        let error = |label: &str, name| of(label).map_or(f64::NAN, |s| s.error(name));
+        let mut gates = vec![];
+        let mut at_most = |label: &str, what: &str, value: f64, bound: f64, reason| {
+            gates.push(Gate {
+                name: format!("{label}: {what}"),
+                value,
+                relation: Relation::AtMost,
+                bound,
+                reason,
+            });
+        };
+        let on_way = format!("error of the {WAY}");
+        at_most(
+            "slip h=0.1",
+            &on_way,
+            error("slip h=0.1", WAY),
+            0.01,
+            "the method's reference figures: 0.46 %",
+        );
+        at_most(
+            "stick h=0.1",
+            &on_way,
+            error("stick h=0.1", WAY),
+            0.02,
+            "the method's reference figures: 1.3 %",
+        );
+        for label in ["slip h=0.1", "stick h=0.1"] {
+            let growth = of(label).map_or(f64::NAN, |s| s.value(AREA));
+            at_most(label, AREA, growth, 0.015, "1.3 % is the centrifugal force");
+        }
+        if size == Size::Full {
+            at_most(
+                "stick h=0.05",
+                &on_way,
+                error("stick h=0.05", WAY),
+                0.005,
+                "the method's reference figures: 0.18 %",
+            );
+            at_most(
+                "stiff h=0.1",
+                &on_way,
+                error("stiff h=0.1", WAY),
+                error("stick h=0.1", WAY),
+                "a stiffer disk is nearer to a rigid one",
+            );
+        }
+        Verdict {
+            tables: ["slip", "stick", "stiff"]
+                .into_iter()
+                .filter(|v| solved.iter().any(|(rung, _)| rung.variant == *v))
+                .map(|v| (v.to_owned(), table(solved, v, &[WAY, RATIO])))
+                .collect(),
+            gates,
+            for_the_record: solved
+                .iter()
+                .map(|(rung, s)| {
+                    let ratio = s.quantity(RATIO);
+                    format!(
+                        "{}: {RATIO} is {:.4}, rigid {:.4}; area growth {:.2} %",
+                        rung.label,
+                        s.value(RATIO),
+                        ratio.and_then(|q| q.exact).unwrap_or(f64::NAN),
+                        100.0 * s.value(AREA),
+                    )
+                })
+                .collect(),
+            curves: vec![],
+        }
+    }
+}
+
+fn run_to(
+    simulation: &mut Simulation,
+    time: f64,
+    progress: &mut dyn FnMut(f64),
+) -> Result<(), proctor_kernel::simulation::StepError> {
+    while simulation.time() < time {
+        let info = simulation.step(time)?;
+        if info.step % 200 == 0 {
+            progress((simulation.time() / (2.0 * STAGE)).min(1.0));
+        }
+    }
+    Ok(())
+}
+
+/// Sum of the particles' volumes \[m²\].
+fn area(simulation: &Simulation) -> f64 {
+    (0..simulation.particles())
+        .map(|p| simulation.mass_and_volume(0, p).1)
+        .sum()
+}
+
+/// Angular velocity down the plane (clockwise), as angular momentum over moment of inertia \[1/s\].
+fn angular_velocity(simulation: &Simulation) -> f64 {
+    let (_, x_c, v_c) = simulation.center(0);
+    let (mut angular, mut inertia) = (0.0, 0.0);
+    for p in 0..simulation.particles() {
+        let m = simulation.mass_and_volume(0, p).0;
+        let (x, v) = (simulation.position(0, p), simulation.sets()[0].velocity(p));
+        let (rx, ry) = (x[0] - x_c[0], x[1] - x_c[1]);
+        angular += m * (rx * (v[1] - v_c[1]) - ry * (v[0] - v_c[0]));
+        inertia += m * (rx * rx + ry * ry);
+    }
+    -angular / inertia
+}
