@@ -2,7 +2,8 @@
 //!
 //! [`Plan::new`] decides once. What is left out is never called and its fields are never allocated.
 
-use crate::mortar::segments::Detection;
+use crate::mortar::motion::Follow;
+use crate::mortar::points::Detection;
 use crate::particles::{Layout, Optional};
 use crate::scene::{
     Body, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, Field, Law, PlaneCondition,
@@ -37,7 +38,9 @@ pub struct Plan {
     pub scheme: StressScheme,
     /// Affine velocity.
     pub affine: Affine,
-    /// Whether the mapping carries affine velocity or forces of the particles.
+    /// Whether the mapping carries the spin of the particles, for boundaries that follow it.
+    pub spin: bool,
+    /// Whether the mapping carries affine velocity, spin or forces of the particles.
     pub full_mapping: bool,
     /// Factor of local damping.
     pub local_damping: Option<f64>,
@@ -96,6 +99,16 @@ impl Plan {
             _ => None,
         };
         let kinetic_damping = scene.damping == Damping::Kinetic;
+        // In three dimensions spins are summed from the velocity gradients of the particles near the boundary.
+        let in_plane = scene.dimension == Dimension::Two;
+        let spin = scene.mortar.boundaries.iter().any(|boundary| {
+            in_plane
+                && boundary.follow == Follow::Spin
+                && scene
+                    .bodies
+                    .iter()
+                    .any(|body| body.id == boundary.body && body.motion.is_none())
+        });
         let own_force = !scene.box_loads.is_empty() || demands.body_force;
         let written =
             |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
@@ -114,7 +127,7 @@ impl Plan {
                         deformation: matches!(law, Law::NeoHookean { .. })
                             || domain_update.is_some()
                             || written(Field::DeformationGradient),
-                        affine: affine != Affine::Leave,
+                        affine: affine != Affine::Leave || spin,
                         half_length: domain_update.is_some()
                             || (scene.weighting == Weighting::UniformGimp && is_list(body)),
                         initial_half_length: domain_update.is_some(),
@@ -129,7 +142,8 @@ impl Plan {
             domain_update,
             scheme: scene.scheme,
             affine,
-            full_mapping: affine != Affine::Leave || own_force || viscous_damping.is_some(),
+            spin,
+            full_mapping: affine != Affine::Leave || spin || own_force || viscous_damping.is_some(),
             local_damping,
             kinetic_damping,
             viscous_damping,
@@ -394,9 +408,11 @@ fn contact_words(scene: &Scene, list: &mut Words) {
                     Enforcement::Barrier => "barrier",
                     Enforcement::Penalty => "penalty",
                 },
-                match contact.detection {
-                    Detection::Mortar => "mortar segments",
-                    Detection::NodeToSegment => "node to segment",
+                match (contact.detection, scene.dimension) {
+                    (Detection::Mortar, Dimension::Two) => "mortar segments",
+                    (Detection::Mortar, Dimension::Three) => "mortar triangles",
+                    (Detection::NodeToSegment, Dimension::Two) => "node to segment",
+                    (Detection::NodeToSegment, Dimension::Three) => "node to triangle",
                 },
             ),
         );

@@ -16,6 +16,8 @@ mod boussinesq_half_space;
 mod hertz;
 #[path = "exact/hertz_layer.rs"]
 mod hertz_layer;
+#[path = "exact/hertz_sphere.rs"]
+mod hertz_sphere;
 #[path = "exact/rolling_disk.rs"]
 mod rolling_disk;
 #[path = "exact/rotation.rs"]

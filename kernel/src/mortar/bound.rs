@@ -1,10 +1,11 @@
-//! The time step that the stiffness of the contact allows.
+//! The time steps that the stiffness of a contact and its closing allow.
 //!
 //! The frequency of the nodes on the springs of the contact is bounded by row sums (Gershgorin):
 //! omega² <= 2 max_I (sum_v S_Iv K_v)/m_I with the stiffness K_v of the contact at a vertex. The factor 2 is for the
 //! other body, which may be as light. The printed rule, dt times the smallest gap over the critical gap, shortens the
 //! step also where the contact is far from limiting (a resting disk forty times), and goes to zero with the gap.
 
+use super::pair::VertexContact;
 use super::weights::{VertexWeights, in_patch};
 use std::array;
 use std::collections::BTreeMap;
@@ -47,5 +48,76 @@ impl<const D: usize> NodalStiffness<D> {
     #[must_use]
     pub fn time_step(&self) -> f64 {
         SAFETY * 2.0 / self.frequency()
+    }
+}
+
+/// By how much a gap may close in one step \[m\]: half the critical gap, and from afar down to half of it. No vertex then
+/// passes through the layer in which the contact pushes without having been pushed.
+#[must_use]
+pub fn allowed_approach(gap: f64, critical_gap: f64) -> f64 {
+    (gap - 0.5 * critical_gap).max(0.5 * critical_gap)
+}
+
+/// How fast a pair closes, where that is nearest to what a step allows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closing {
+    /// Vertex of the slave; none for the two boundaries as a whole.
+    pub vertex: Option<usize>,
+    /// Speed at which the gap closes \[m/s\].
+    pub speed: f64,
+    /// By how much it may close in one step \[m\].
+    pub allowed: f64,
+}
+
+impl Closing {
+    /// A pair that does not close.
+    pub const NONE: Self = Self {
+        vertex: None,
+        speed: 0.0,
+        allowed: f64::INFINITY,
+    };
+
+    /// The vertex that allows the smallest step, or the boundaries as a whole: a vertex that faces nothing within
+    /// `reach` \[m\] must not come in one step from there to where it would be too deep. `speeds` are the largest of the
+    /// vertices of slave and master \[m/s\].
+    #[must_use]
+    pub fn of<const D: usize, const T: usize>(
+        vertices: &[Option<VertexContact<D, T>>],
+        critical_gap: f64,
+        reach: f64,
+        speeds: [f64; 2],
+    ) -> Self {
+        let whole = Self {
+            vertex: None,
+            speed: speeds[0] + speeds[1],
+            allowed: allowed_approach(reach, critical_gap),
+        };
+        vertices
+            .iter()
+            .enumerate()
+            .filter_map(|(k, vertex)| {
+                vertex.as_ref().map(|v| Self {
+                    vertex: Some(k),
+                    speed: v.closing,
+                    allowed: allowed_approach(v.gap, critical_gap),
+                })
+            })
+            .fold(whole, |most, one| {
+                if one.time_step() < most.time_step() {
+                    one
+                } else {
+                    most
+                }
+            })
+    }
+
+    /// Largest time step \[s\]; infinite where nothing closes.
+    #[must_use]
+    pub fn time_step(&self) -> f64 {
+        if self.speed > 0.0 {
+            self.allowed / self.speed
+        } else {
+            f64::INFINITY
+        }
     }
 }

@@ -9,8 +9,14 @@ pub trait Elements<const D: usize, const T: usize> {
     /// Positions of the vertices \[m\].
     fn points(&self) -> &[PointIn<D>];
 
+    /// The same, to move them.
+    fn points_mut(&mut self) -> &mut [PointIn<D>];
+
     /// Vertices of each element.
     fn elements(&self) -> &[[usize; D]];
+
+    /// Length of the longest segment or edge \[m\].
+    fn longest(&self) -> f64;
 
     /// Outward unit normals of the vertices, means of those of their elements (eq. 41).
     fn normals(&self) -> Vec<PointIn<D>>;
@@ -28,4 +34,20 @@ pub trait Elements<const D: usize, const T: usize> {
         detection: Detection,
         search: Search,
     ) -> Vec<MortarPoint<D>>;
+
+    /// The velocity of a vertex without what would take it off a plane of symmetry that it lies in \[m/s\].
+    fn held(&self, _vertex: usize, velocity: PointIn<D>) -> PointIn<D> {
+        velocity
+    }
+
+    /// Where edges of this slave and a master meet at a distance between `-depth` and `reach` \[m\], which contact of
+    /// elements does not see, and the distance. In the plane there are none.
+    fn edges_that_meet(
+        &self,
+        _master: &Self,
+        _reach: f64,
+        _depth: f64,
+    ) -> Option<(PointIn<D>, f64)> {
+        None
+    }
 }

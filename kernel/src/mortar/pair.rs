@@ -39,6 +39,8 @@ pub struct VertexContact<const D: usize, const T: usize> {
     pub measure: f64,
     /// By how much slave and master came closer in the last step \[m\].
     pub approach: f64,
+    /// Speed at which they come closer now \[m/s\].
+    pub closing: f64,
 }
 
 /// What contact does to a pair in one step. In the plane all is per metre of thickness: forces in N/m, and so on.
@@ -62,25 +64,15 @@ impl<const D: usize, const T: usize> PairForces<D, T> {
     /// The smallest gap with its vertex \[m\]; `None` where nothing faces anything.
     #[must_use]
     pub fn smallest_gap(&self) -> Option<(usize, f64)> {
-        self.extreme(|v| v.gap)
-    }
-
-    /// The largest approach with its vertex \[m\], among vertices nearer than `reach` or already beyond.
-    #[must_use]
-    pub fn largest_approach(&self) -> Option<(usize, f64)> {
-        self.extreme(|v| -v.approach).map(|(v, a)| (v, -a))
-    }
-
-    fn extreme(&self, value: impl Fn(&VertexContact<D, T>) -> f64) -> Option<(usize, f64)> {
         self.vertices
             .iter()
             .enumerate()
-            .filter_map(|(k, v)| v.as_ref().map(|v| (k, value(v))))
+            .filter_map(|(k, v)| v.as_ref().map(|v| (k, v.gap)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
 
-/// The two boundaries, and by how much their vertices moved in the last step \[m\].
+/// The two boundaries, how their vertices moved in the last step \[m\] and move now \[m/s\].
 #[derive(Debug)]
 pub struct Surfaces<'a, B, const D: usize> {
     /// Slave: normals, gaps and pressures are its own.
@@ -91,6 +83,10 @@ pub struct Surfaces<'a, B, const D: usize> {
     pub slave_moved: &'a [PointIn<D>],
     /// Displacement of the master's vertices.
     pub master_moved: &'a [PointIn<D>],
+    /// Velocity of the slave's vertices.
+    pub slave_velocity: &'a [PointIn<D>],
+    /// Velocity of the master's vertices.
+    pub master_velocity: &'a [PointIn<D>],
 }
 
 // By hand, since a boundary need not be.
@@ -122,15 +118,19 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
     let mut measure = vec![0.0; count];
     let mut apart = vec![PointIn::zeros(); count];
     let mut moved = vec![PointIn::zeros(); count];
+    let mut speed = vec![PointIn::zeros(); count];
     for point in &points {
         let distance = point.on_master(master.points()) - point.on_slave(slave.points());
         let relative =
             point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
+        let velocity =
+            point.on_slave(surfaces.slave_velocity) - point.on_master(surfaces.master_velocity);
         for (k, share) in point.slave {
             let w = share * point.weight;
             measure[k] += w;
             apart[k] += w * distance;
             moved[k] += w * relative;
+            speed[k] += w * velocity;
         }
     }
 
@@ -177,6 +177,7 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
             traction,
             measure: measure[k],
             approach: n.dot(&relative),
+            closing: n.dot(&speed[k]) / measure[k],
         });
     }
 

@@ -21,8 +21,16 @@ impl Elements<2, 1> for Boundary {
         &self.points
     }
 
+    fn points_mut(&mut self) -> &mut [Point] {
+        &mut self.points
+    }
+
     fn elements(&self) -> &[[usize; 2]] {
         self.segments()
+    }
+
+    fn longest(&self) -> f64 {
+        self.longest_segment()
     }
 
     fn normals(&self) -> Vec<Point> {

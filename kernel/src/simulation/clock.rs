@@ -37,6 +37,8 @@ pub enum Bound {
     Multiplier,
     /// The stiffness of mortar contact.
     Contact,
+    /// No gap of mortar contact closes by more than half the critical gap.
+    Closing,
     /// The scene's constant step.
     Fixed,
     /// Equal steps up to a time at which something is written.
@@ -159,6 +161,11 @@ impl Simulation {
     pub(super) fn propose(&self) -> Result<(f64, f64, Bound), Unstable> {
         let (critical, bound, wave_speed, particle_speed) = self.critical();
         let (dt, bound, allow) = match self.scene.time_step {
+            TimeStep::Automatic if self.mortar.closing_step < critical => (
+                AUTOMATIC_SHARE * self.mortar.closing_step,
+                Bound::Closing,
+                false,
+            ),
             TimeStep::Automatic => (AUTOMATIC_SHARE * critical, bound, false),
             TimeStep::Multiplier {
                 multiplier,

@@ -161,14 +161,37 @@ pub enum StepErrorKind {
         /// Distance at which they touch, or without a position one cell \[m\].
         distance: f64,
     },
+    /// The boundaries of a mortar contact come closer in one step by more than half the critical gap.
+    ClosingTooFast {
+        /// Identifiers of master and slave.
+        bodies: [i64; 2],
+        /// Vertex of the slave, from 0, and where it is \[m\]; `None` where the boundaries move too fast to be compared
+        /// vertex by vertex.
+        vertex: Option<(usize, [f64; 3])>,
+        /// Approach in the step \[m\].
+        approach: f64,
+        /// Largest approach that cannot be missed \[m\].
+        allowed: f64,
+    },
     /// The boundaries of a mortar contact are deeper in each other than the critical gap.
     Penetration {
         /// Identifiers of master and slave.
         bodies: [i64; 2],
+        /// Vertex of the slave, from 0.
+        vertex: usize,
         /// Position of the vertex of the slave \[m\].
         position: [f64; 3],
         /// Weighted gap \[m\].
         gap: f64,
+    },
+    /// Sharp edges of two boundaries meet, which mortar contact between faces does not see (3D).
+    EdgesMeet {
+        /// Identifiers of master and slave.
+        bodies: [i64; 2],
+        /// Where on the edge of the slave \[m\].
+        position: [f64; 3],
+        /// Distance of the edges, negative when past each other \[m\].
+        distance: f64,
     },
     /// A vertex of a boundary has no node with mass near it.
     VertexLost {
@@ -267,14 +290,39 @@ impl fmt::Display for StepError {
                      at which that is seen; accepted: a smaller time step"
                 )
             }
+            StepErrorKind::ClosingTooFast {
+                bodies: [master, slave],
+                vertex,
+                approach,
+                allowed,
+            } => {
+                let place = vertex.map_or_else(String::new, |(vertex, [x, y, z])| {
+                    format!(" at vertex {vertex} of {slave}, ({x}, {y}, {z}) m")
+                });
+                write!(
+                    f,
+                    "{slave} closes on {master} by {approach} m in one step{place}, more than the {allowed} m that cannot be \
+                     missed; accepted: a smaller time step or a larger critical gap"
+                )
+            }
             StepErrorKind::Penetration {
                 bodies: [master, slave],
+                vertex,
                 position: [x, y, z],
                 gap,
             } => write!(
                 f,
-                "bodies {master} and {slave} are in each other at ({x}, {y}, {z}) m: the gap is {gap} m; accepted: a stiffer \
-                 contact, a larger critical gap or a smaller time step"
+                "bodies {master} and {slave} are in each other at vertex {vertex} of {slave}, ({x}, {y}, {z}) m: the gap is \
+                 {gap} m; accepted: a stiffer contact, a larger critical gap or a smaller time step"
+            ),
+            StepErrorKind::EdgesMeet {
+                bodies: [master, slave],
+                position: [x, y, z],
+                distance,
+            } => write!(
+                f,
+                "a sharp edge of {slave} crosses one of {master} at ({x}, {y}, {z}) m, {distance} m apart; accepted: faces \
+                 that meet faces, since mortar contact does not see edges"
             ),
             StepErrorKind::VertexLost {
                 body,

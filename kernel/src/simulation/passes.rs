@@ -4,10 +4,10 @@ use super::acting::Acting;
 use super::error::{StepError, StepErrorKind};
 use super::{BodyRun, Simulation};
 use crate::lanes::Selected;
-use crate::particles::ParticleSet;
+use crate::particles::{Layout, ParticleSet};
 use crate::plan::Plan;
 use crate::scene::Scene;
-use crate::stage::g2p::{self, Found, G2p, Task};
+use crate::stage::g2p::{self, Affine, Found, G2p, Task};
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{DrivenNode, EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
 use rayon::prelude::*;
@@ -340,6 +340,7 @@ pub(super) fn bodies_onto<'a>(
         lanes,
         stencil,
         carry,
+        affine: plan.affine != Affine::Leave,
         call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
     }
 }
@@ -351,6 +352,8 @@ pub(super) struct BodiesOnto<'a> {
     lanes: Selected,
     stencil: usize,
     carry: Carry,
+    /// Whether momentum has an affine part.
+    affine: bool,
     call: P2gFn,
 }
 
@@ -393,16 +396,21 @@ impl<'a> BodiesOnto<'a> {
                 )
             })
             .filter(|(particles, _)| !particles.is_empty());
+        let layout = Layout {
+            affine: set.layout.affine.filter(|_| self.affine),
+            ..set.layout
+        };
         (self.call)(
             self.lanes,
             P2g {
                 columns: &set.columns,
-                layout: &set.layout,
+                layout: &layout,
                 mapping: &body.mapping,
                 layers: layers.collect(),
                 planes: planes.range.clone(),
                 nodes: planes.nodes,
                 carry: self.carry,
+                spin: set.layout.affine,
                 viscous_rate: body.viscous_rate,
             },
         )

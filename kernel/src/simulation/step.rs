@@ -39,6 +39,7 @@ impl Simulation {
         let mut info = self.choose_time_step(stop)?;
         ended(Phase::TimeStep);
         self.refuse_leaps(info.dt)?;
+        self.refuse_fast_closing(info.dt)?;
         if !self.mortar.acts() {
             self.sort_if_stale();
         }
@@ -122,7 +123,11 @@ impl Simulation {
             mesh_shift: [0.0; 3],
             strain: strain.map(|dt| (dt, Configuration::Beginning)),
             gradient_of_upper: false,
-            affine: self.plan.affine,
+            affine: match self.plan.affine {
+                // The velocity gradient is kept for the spins alone.
+                Affine::Leave if self.plan.spin => Affine::Tpic,
+                affine => affine,
+            },
         }
     }
 

@@ -25,6 +25,9 @@ pub enum Carry {
     Remap,
     /// Mass gradient sum m grad S to the upper lanes, for the normals of contact.
     MassGradient,
+    /// As [`Carry::All`], and m times spin to the last lane, for the vertices of boundaries (2D; Liang et al. 2024,
+    /// eq. 28).
+    AllAndSpin,
 }
 
 /// One call: the particles of some layers of a set onto some planes.
@@ -43,9 +46,16 @@ pub struct P2g<'a> {
     pub nodes: &'a mut [Line],
     /// What is carried.
     pub carry: Carry,
+    /// First column of the velocity gradient of which the spin is carried.
+    pub spin: Option<usize>,
     /// Rate of viscous damping, f = -rate m v \[1/s\] (Liang et al. 2024, eq. 20); 0 for none.
     pub viscous_rate: f64,
 }
+
+/// What an instance carries beyond mass, momentum and force: nothing, the mass gradient instead of them, or the spin.
+const NOTHING: u8 = 0;
+const MASS_GRADIENT: u8 = 1;
+const SPIN: u8 = 2;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
@@ -57,29 +67,34 @@ pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
 #[must_use]
 pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn {
-    let gradient = full || matches!(carry, Carry::All | Carry::Force);
+    let gradient = full || matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force);
     // An instance of its own, so that the others do not ask for every particle.
-    if carry == Carry::MassGradient {
-        return match (axes, stencil) {
-            (2, 3) => entry::<2, 3, false, true, true>,
-            (2, _) => entry::<2, 4, false, true, true>,
-            (_, 3) => entry::<3, 3, false, true, true>,
-            (_, _) => entry::<3, 4, false, true, true>,
-        };
+    match carry {
+        Carry::MassGradient => {
+            return match (axes, stencil) {
+                (2, 3) => entry::<2, 3, false, true, MASS_GRADIENT>,
+                (2, _) => entry::<2, 4, false, true, MASS_GRADIENT>,
+                (_, 3) => entry::<3, 3, false, true, MASS_GRADIENT>,
+                (_, _) => entry::<3, 4, false, true, MASS_GRADIENT>,
+            };
+        }
+        Carry::AllAndSpin if stencil == 3 => return entry::<2, 3, true, true, SPIN>,
+        Carry::AllAndSpin => return entry::<2, 4, true, true, SPIN>,
+        _ => {}
     }
     match (axes, stencil, full, gradient) {
-        (2, 3, false, true) => entry::<2, 3, false, true, false>,
-        (2, 3, false, false) => entry::<2, 3, false, false, false>,
-        (2, 3, true, _) => entry::<2, 3, true, true, false>,
-        (2, _, false, true) => entry::<2, 4, false, true, false>,
-        (2, _, false, false) => entry::<2, 4, false, false, false>,
-        (2, _, true, _) => entry::<2, 4, true, true, false>,
-        (_, 3, false, true) => entry::<3, 3, false, true, false>,
-        (_, 3, false, false) => entry::<3, 3, false, false, false>,
-        (_, 3, true, _) => entry::<3, 3, true, true, false>,
-        (_, _, false, true) => entry::<3, 4, false, true, false>,
-        (_, _, false, false) => entry::<3, 4, false, false, false>,
-        (_, _, true, _) => entry::<3, 4, true, true, false>,
+        (2, 3, false, true) => entry::<2, 3, false, true, NOTHING>,
+        (2, 3, false, false) => entry::<2, 3, false, false, NOTHING>,
+        (2, 3, true, _) => entry::<2, 3, true, true, NOTHING>,
+        (2, _, false, true) => entry::<2, 4, false, true, NOTHING>,
+        (2, _, false, false) => entry::<2, 4, false, false, NOTHING>,
+        (2, _, true, _) => entry::<2, 4, true, true, NOTHING>,
+        (_, 3, false, true) => entry::<3, 3, false, true, NOTHING>,
+        (_, 3, false, false) => entry::<3, 3, false, false, NOTHING>,
+        (_, 3, true, _) => entry::<3, 3, true, true, NOTHING>,
+        (_, _, false, true) => entry::<3, 4, false, true, NOTHING>,
+        (_, _, false, false) => entry::<3, 4, false, false, NOTHING>,
+        (_, _, true, _) => entry::<3, 4, true, true, NOTHING>,
     }
 }
 
@@ -88,12 +103,12 @@ fn entry<
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
-    const MASS_GRADIENT: bool,
+    const EXTRA: u8,
 >(
     lanes: Selected,
     call: P2g<'_>,
 ) -> usize {
-    lanes.run(Instance::<'_, D, N, FULL, GRADIENT, MASS_GRADIENT>(call))
+    lanes.run(Instance::<'_, D, N, FULL, GRADIENT, EXTRA>(call))
 }
 
 struct Instance<
@@ -102,16 +117,11 @@ struct Instance<
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
-    const MASS_GRADIENT: bool,
+    const EXTRA: u8,
 >(P2g<'a>);
 
-impl<
-    const D: usize,
-    const N: usize,
-    const FULL: bool,
-    const GRADIENT: bool,
-    const MASS_GRADIENT: bool,
-> Kernel for Instance<'_, D, N, FULL, GRADIENT, MASS_GRADIENT>
+impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, const EXTRA: u8> Kernel
+    for Instance<'_, D, N, FULL, GRADIENT, EXTRA>
 {
     type Output = usize;
 
@@ -125,6 +135,7 @@ impl<
             planes,
             nodes,
             carry,
+            spin,
             viscous_rate,
         } = self.0;
         let mut scratch = Scratch::<N>::new();
@@ -144,13 +155,14 @@ impl<
                         group.count,
                         carry,
                     );
-                    scratch.fill_lines::<D, FULL, MASS_GRADIENT>(
+                    scratch.fill_lines::<D, FULL, EXTRA>(
                         columns,
                         layout,
                         mapping,
                         at,
                         group.count,
                         carry,
+                        spin,
                         viscous_rate,
                     );
                     let row = if D == 3 {
@@ -236,10 +248,10 @@ impl<const N: usize> Scratch<N> {
         }
     }
 
-    // One call site; a struct of the eight would only be taken apart again.
+    // One call site; a struct of the nine would only be taken apart again.
     #[allow(clippy::too_many_arguments)]
     #[inline(always)]
-    fn fill_lines<const D: usize, const FULL: bool, const MASS_GRADIENT: bool>(
+    fn fill_lines<const D: usize, const FULL: bool, const EXTRA: u8>(
         &mut self,
         columns: &[Vec<f64>],
         layout: &Layout,
@@ -247,6 +259,7 @@ impl<const N: usize> Scratch<N> {
         at: usize,
         count: usize,
         carry: Carry,
+        spin: Option<usize>,
         viscous_rate: f64,
     ) {
         let stress = Layout::stress(D);
@@ -256,11 +269,16 @@ impl<const N: usize> Scratch<N> {
             let lines = &mut self.lines[p];
             *lines = [[0.0; 8]; 4];
             let m = columns[Layout::MASS][i];
-            if MASS_GRADIENT {
+            if EXTRA == MASS_GRADIENT {
                 for axis in 0..D {
                     lines[Self::lean_line_of::<D>(axis)][4 + axis] = m * mapping.inverse_cell[axis];
                 }
                 continue;
+            }
+            if EXTRA == SPIN
+                && let Some(gradient) = spin
+            {
+                lines[0][7] = 0.5 * m * (columns[gradient + 2][i] - columns[gradient + 1][i]);
             }
             if carry != Carry::Force {
                 let first = if carry == Carry::Remap { 4 } else { 1 };
@@ -280,7 +298,7 @@ impl<const N: usize> Scratch<N> {
                     }
                 }
             }
-            if matches!(carry, Carry::All | Carry::Force) {
+            if matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force) {
                 let volume = -columns[Layout::VOLUME][i];
                 for axis in 0..D {
                     let scale = volume * mapping.inverse_cell[axis];

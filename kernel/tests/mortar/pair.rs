@@ -44,6 +44,8 @@ fn forces(
             master,
             slave_moved: &at_rest(slave),
             master_moved: &at_rest(master),
+            slave_velocity: &at_rest(slave),
+            master_velocity: &at_rest(master),
         },
         law,
         slip,
@@ -159,7 +161,8 @@ proptest! {
         let master_moved = vec![point(seed[2], seed[3]); master.points.len()];
         let mut slip = Slip::default();
         let found = contact_forces(
-            Surfaces { slave: &slave, master: &master, slave_moved: &slave_moved, master_moved: &master_moved },
+            Surfaces { slave: &slave, master: &master, slave_moved: &slave_moved, master_moved: &master_moved,
+                slave_velocity: &at_rest(&slave), master_velocity: &at_rest(&master) },
             &law, &mut slip);
         let (on_slave, moment_slave) = resultant(&slave.points, &found.slave, &point(0.0, 0.0));
         let (on_master, moment_master) = resultant(&master.points, &found.master, &point(0.0, 0.0));
@@ -194,7 +197,8 @@ proptest! {
             let mut slip = Slip::default();
             let steps: Vec<PairForces<2, 1>> = (0..3).map(|_| contact_forces(
                 Surfaces { slave, master, slave_moved: &vec![slide; slave.points.len()],
-                    master_moved: &at_rest(master) }, &law, &mut slip)).collect();
+                    master_moved: &at_rest(master), slave_velocity: &at_rest(slave),
+                    master_velocity: &at_rest(master) }, &law, &mut slip)).collect();
             steps.into_iter().next_back().unwrap()
         };
         let here = run(&slave, &master, slide);
@@ -229,6 +233,8 @@ fn pulling_a_line_along_a_floor() {
                 master: &master,
                 slave_moved: &[point(dx, 0.0); 3],
                 master_moved: &at_rest(&master),
+                slave_velocity: &at_rest(&slave),
+                master_velocity: &at_rest(&master),
             },
             &law,
             &mut slip,
@@ -287,10 +293,15 @@ fn the_approach_is_the_relative_motion_along_the_normal() {
             master: &master,
             slave_moved: &[point(0.3, -0.01); 2],
             master_moved: &[point(0.1, 0.02); 2],
+            slave_velocity: &[point(3.0, -1.0); 2],
+            master_velocity: &[point(1.0, 2.0); 2],
         },
         &law(Detection::Mortar, 0.0),
         &mut Slip::default(),
     );
-    let (_, approach) = found.largest_approach().expect("they face");
-    assert!((approach - 0.03).abs() < 1e-15);
+    for vertex in found.vertices {
+        let vertex = vertex.expect("they face");
+        assert!((vertex.approach - 0.03).abs() < 1e-15);
+        assert!((vertex.closing - 3.0).abs() < 1e-14);
+    }
 }

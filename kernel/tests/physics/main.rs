@@ -10,4 +10,5 @@ mod dimension;
 mod faults;
 mod loads;
 mod mortar;
+mod mortar_space;
 mod rotation;

@@ -8,12 +8,16 @@ mod boussinesq;
 mod colliding_blocks;
 mod dynamics;
 mod hertz;
+mod hertz_slab;
+mod hertz_sphere;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
 mod rolling_disk;
+mod rolling_disk_slab;
 mod rotation;
 mod self_weight;
+mod slab;
 mod statics;
 
 pub use axis_aligned::AxisAligned;
@@ -23,9 +27,12 @@ pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
 pub use colliding_blocks::CollidingBlocks;
 pub use hertz::Hertz;
+pub use hertz_slab::HertzSlab;
+pub use hertz_sphere::HertzSphere;
 pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use rolling_disk::RollingDisk;
+pub use rolling_disk_slab::RollingDiskSlab;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
 
@@ -50,6 +57,9 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &BlockOnTwoBlocks::GIVEN,
     &Hertz::GIVEN,
     &RollingDisk::GIVEN,
+    &HertzSlab,
+    &HertzSphere::GIVEN,
+    &RollingDiskSlab,
 ];
 
 /// All cases that can be studied with any settings, in the same order.

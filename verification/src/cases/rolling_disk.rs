@@ -13,7 +13,7 @@
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
     PlaneCondition, Results, RigidLine, Scene, Shape, StressScheme, TimeStep, Transfer,
@@ -42,9 +42,9 @@ const STAGE: f64 = 2.0;
 /// Local damping while the disk settles.
 const SETTLING: f64 = 0.1;
 
-const WAY: &str = "way along the plane after 2 s";
-const RATIO: &str = "turn times R over way, after 2 s";
-const AREA: &str = "growth of the area";
+pub(super) const WAY: &str = "way along the plane after 2 s";
+pub(super) const RATIO: &str = "turn times R over way, after 2 s";
+pub(super) const AREA: &str = "growth of the area";
 
 /// The disk on the inclined plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +71,76 @@ impl RollingDisk {
             friction: Self::friction(rung.variant),
             radius: RADIUS,
         }
+    }
+
+    /// Runs a scene of the case for `case`, in the plane or as a slab of a thickness \[m\].
+    pub(super) fn solve_scene(
+        self,
+        case: &dyn Case,
+        scene: &Scene,
+        thickness: f64,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        scene.check().map_err(|e| failed(case, rung, &e))?;
+        let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
+        run_to(&mut simulation, STAGE, progress).map_err(|e| failed(case, rung, &e))?;
+        let (sin, cos) = INCLINATION_DEGREES.to_radians().sin_cos();
+        simulation
+            .set_local_damping(None)
+            .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
+            .map_err(|e| failed(case, rung, &e))?;
+        let (_, start, _) = simulation.center(0);
+        let exact = self.exact(rung);
+        let (mut points, mut turn) = (vec![], 0.0);
+        for k in 1..=20 {
+            let time = f64::from(k) / 20.0 * STAGE;
+            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
+            while simulation.time() < STAGE + time {
+                let info = simulation.step(STAGE + time);
+                let info = info.map_err(|e| failed(case, rung, &e))?;
+                turn += angular_velocity(&simulation) * info.dt;
+            }
+            progress((0.5 + 0.025 * f64::from(k)).min(1.0));
+            points.push(CurvePoint {
+                at: time,
+                computed: simulation.center(0).1[0] - start[0],
+                exact: exact.way_and_turn(time).0,
+            });
+        }
+        let way = points.last().map_or(f64::NAN, |p| p.computed);
+        let of = |name, value: f64, exact: f64| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit: if name == WAY { "m" } else { "1" },
+        };
+        let growth = area(&simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
+        let quantities = vec![
+            of(WAY, way, exact.way_and_turn(STAGE).0),
+            of(RATIO, turn * RADIUS / way, exact.rolling_ratio()),
+            Quantity {
+                name: AREA,
+                value: growth,
+                exact: None,
+                error: None,
+                unit: "1",
+            },
+        ];
+        Ok(Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve: Some(Curve {
+                title: format!("{}: way along the plane", rung.label),
+                abscissa: "t in s",
+                ordinate: "u_x in m",
+                points,
+            }),
+        })
     }
 }
 
@@ -155,6 +225,7 @@ impl Case for RollingDisk {
                     vertices: Vertices::Spacing(TAU * RADIUS / 64.0),
                     follow: Follow::Spin,
                 }],
+                facets: vec![],
                 lines: vec![RigidLine {
                     name: "plane".into(),
                     id: 2,
@@ -197,66 +268,7 @@ impl Case for RollingDisk {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
-        let scene = self.scene(rung);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        run_to(&mut simulation, STAGE, progress).map_err(|e| failed(self, rung, &e))?;
-        let (sin, cos) = INCLINATION_DEGREES.to_radians().sin_cos();
-        simulation
-            .set_local_damping(None)
-            .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
-            .map_err(|e| failed(self, rung, &e))?;
-        let (_, start, _) = simulation.center(0);
-        let exact = self.exact(rung);
-        let (mut points, mut turn) = (vec![], 0.0);
-        for k in 1..=20 {
-            let time = f64::from(k) / 20.0 * STAGE;
-            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
-            while simulation.time() < STAGE + time {
-                let info = simulation.step(STAGE + time);
-                let info = info.map_err(|e| failed(self, rung, &e))?;
-                turn += angular_velocity(&simulation) * info.dt;
-            }
-            progress((0.5 + 0.025 * f64::from(k)).min(1.0));
-            points.push(CurvePoint {
-                at: time,
-                computed: simulation.center(0).1[0] - start[0],
-                exact: exact.way_and_turn(time).0,
-            });
-        }
-        let way = points.last().map_or(f64::NAN, |p| p.computed);
-        let of = |name, value: f64, exact: f64| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit: if name == WAY { "m" } else { "1" },
-        };
-        let growth = area(&simulation) / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
-        let quantities = vec![
-            of(WAY, way, exact.way_and_turn(STAGE).0),
-            of(RATIO, turn * RADIUS / way, exact.rolling_ratio()),
-            Quantity {
-                name: AREA,
-                value: growth,
-                exact: None,
-                error: None,
-                unit: "1",
-            },
-        ];
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            curve: Some(Curve {
-                title: format!("{}: way along the plane", rung.label),
-                abscissa: "t in s",
-                ordinate: "u_x in m",
-                points,
-            }),
-        })
+        self.solve_scene(self, &self.scene(rung), 1.0, rung, options, progress)
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {

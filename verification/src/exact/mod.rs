@@ -10,6 +10,7 @@ pub mod boussinesq_box;
 pub mod boussinesq_half_space;
 pub mod hertz;
 pub mod hertz_layer;
+pub mod hertz_sphere;
 pub mod rolling_disk;
 pub mod rotation;
 pub mod self_weight;

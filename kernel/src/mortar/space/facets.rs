@@ -2,6 +2,7 @@
 
 use super::Point;
 use super::projection::{points_of_triangle, points_of_vertices};
+use super::ridges::crossing;
 use crate::mortar::broad::near;
 use crate::mortar::elements::Elements;
 use crate::mortar::points::{Detection, MortarPoint, Search};
@@ -264,8 +265,30 @@ impl Elements<3, 2> for Facets {
         &self.points
     }
 
+    fn points_mut(&mut self) -> &mut [Point] {
+        &mut self.points
+    }
+
     fn elements(&self) -> &[[usize; 3]] {
         &self.triangles
+    }
+
+    fn longest(&self) -> f64 {
+        self.longest_edge()
+    }
+
+    fn held(&self, vertex: usize, velocity: Point) -> Point {
+        Point::from_fn(|axis, _| {
+            if self.mirrored[vertex][axis] {
+                0.0
+            } else {
+                velocity[axis]
+            }
+        })
+    }
+
+    fn edges_that_meet(&self, master: &Self, reach: f64, depth: f64) -> Option<(Point, f64)> {
+        crossing(self, master, reach, depth).map(|found| (found.position, found.distance))
     }
 
     /// Weighted by area.

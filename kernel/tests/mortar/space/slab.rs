@@ -57,13 +57,19 @@ fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: Flat) -> Both {
     let (slave_slab, of_slave) = slab(slave);
     let (master_slab, of_master) = slab(master);
     let (mut slip, mut slip_slab) = (Slip::default(), Slip::default());
+    let moved = vec![by; slave.points.len()];
+    let at_rest = vec![point(0.0, 0.0); master.points.len()];
+    let moved_slab = vec![Point::new(by.x, by.y, 0.0); slave_slab.points.len()];
+    let slab_at_rest = vec![Point::zeros(); master_slab.points.len()];
     let mut step = || {
         let plane = contact_forces(
             Surfaces {
                 slave,
                 master,
-                slave_moved: &vec![by; slave.points.len()],
-                master_moved: &vec![point(0.0, 0.0); master.points.len()],
+                slave_moved: &moved,
+                master_moved: &at_rest,
+                slave_velocity: &moved,
+                master_velocity: &at_rest,
             },
             law,
             &mut slip,
@@ -72,8 +78,10 @@ fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: Flat) -> Both {
             Surfaces {
                 slave: &slave_slab,
                 master: &master_slab,
-                slave_moved: &vec![Point::new(by.x, by.y, 0.0); slave_slab.points.len()],
-                master_moved: &vec![Point::zeros(); master_slab.points.len()],
+                slave_moved: &moved_slab,
+                master_moved: &slab_at_rest,
+                slave_velocity: &moved_slab,
+                master_velocity: &slab_at_rest,
             },
             law,
             &mut slip_slab,

@@ -81,12 +81,16 @@ pub fn dragged(
     by: &Point,
     slip: &mut Slip<2>,
 ) -> PairForces<3, 2> {
+    let moved = vec![*by; slave.points().len()];
+    let at_rest = vec![Point::zeros(); master.points().len()];
     contact_forces(
         Surfaces {
             slave,
             master,
-            slave_moved: &vec![*by; slave.points().len()],
-            master_moved: &vec![Point::zeros(); master.points().len()],
+            slave_moved: &moved,
+            master_moved: &at_rest,
+            slave_velocity: &moved,
+            master_velocity: &at_rest,
         },
         law,
         slip,
