@@ -124,5 +124,6 @@ fn frame(particles: &[Particle], time: f64, step: u64) -> Frame {
         step,
         points,
         arrays,
+        lines: vec![],
     }
 }

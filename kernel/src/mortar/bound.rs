@@ -6,23 +6,31 @@
 //! step also where the contact is far from limiting (a resting disk forty times), and goes to zero with the gap.
 
 use super::pair::VertexContact;
-use super::weights::{VertexWeights, in_patch};
-use std::array;
-use std::collections::BTreeMap;
 
 /// Share of the bound 2/omega that is used.
 pub const SAFETY: f64 = 0.5;
 
-/// Stiffness over mass of the nodes of one body's layer of the grid.
+/// Stiffness over mass of the nodes of one body's layer of the grid \[1/s²\].
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct NodalStiffness<const D: usize>(BTreeMap<[i64; D], f64>);
+pub struct NodalStiffness {
+    sums: Vec<f64>,
+    touched: Vec<usize>,
+}
 
-impl<const D: usize> NodalStiffness<D> {
-    /// Adds a vertex: its augmented weights, the masses of the nodes of its patch \[kg\] and the stiffness of the
+impl NodalStiffness {
+    /// Forgets all vertices.
+    pub fn clear(&mut self) {
+        for node in self.touched.drain(..) {
+            self.sums[node] = 0.0;
+        }
+    }
+
+    /// Adds a vertex: the nodes of its patch, its augmented weights on them, their masses \[kg\] and the stiffness of the
     /// contact at it \[N/m\].
     pub fn add<const N: usize>(
         &mut self,
-        weights: &VertexWeights<D, N>,
+        nodes: &[usize; N],
+        weights: &[f64; N],
         masses: &[f64; N],
         stiffness: f64,
     ) {
@@ -31,9 +39,12 @@ impl<const D: usize> NodalStiffness<D> {
         }
         for k in 0..N {
             if masses[k] > 0.0 {
-                let at = in_patch::<D>(k);
-                let node = array::from_fn(|axis| weights.base[axis] + at[axis] as i64);
-                *self.0.entry(node).or_insert(0.0) += weights.weights[k] * stiffness / masses[k];
+                let node = nodes[k];
+                if node >= self.sums.len() {
+                    self.sums.resize(node + 1, 0.0);
+                }
+                self.sums[node] += weights[k] * stiffness / masses[k];
+                self.touched.push(node);
             }
         }
     }
@@ -41,7 +52,8 @@ impl<const D: usize> NodalStiffness<D> {
     /// Bound of the angular frequency \[1/s\]; 0 without contact.
     #[must_use]
     pub fn frequency(&self) -> f64 {
-        (2.0 * self.0.values().copied().fold(0.0, f64::max)).sqrt()
+        let sums = self.touched.iter().map(|node| self.sums[*node]);
+        (2.0 * sums.fold(0.0, f64::max)).sqrt()
     }
 
     /// Largest time step \[s\], half of 2/omega; infinite without contact.

@@ -203,17 +203,24 @@ impl Boundary {
     /// whose two segments fold onto each other has none (zero).
     #[must_use]
     pub fn normals(&self) -> Vec<Point> {
-        let mut sums = vec![Point::zeros(); self.points.len()];
+        let mut normals = vec![];
+        self.normals_to(&mut normals);
+        normals
+    }
+
+    /// [`Boundary::normals`] into a list that is used again.
+    pub fn normals_to(&self, sums: &mut Vec<Point>) {
+        sums.clear();
+        sums.resize(self.points.len(), Point::zeros());
         for (s, [a, b]) in self.segments.iter().enumerate() {
             // The unit normal times the length is the edge turned.
             let turned = right_of(&self.edge(s));
             sums[*a] += turned;
             sums[*b] += turned;
         }
-        for n in &mut sums {
+        for n in sums {
             *n = n.try_normalize(0.0).unwrap_or_default();
         }
-        sums
     }
 
     /// Enclosed area of all closed chains together \[m²\]; holes count negative. Open chains are closed for it.

@@ -40,71 +40,94 @@ impl<const D: usize> Bounds<D> {
     }
 }
 
-/// Elements of the slave with the elements of the master that come within `reach` \[m\] of their box, both ascending.
-/// Slave elements without any are left out.
-#[must_use]
-pub fn near<const D: usize, const T: usize>(
-    slave: &impl Elements<D, T>,
-    master: &impl Elements<D, T>,
-    reach: f64,
-) -> Vec<(usize, Vec<usize>)> {
-    let all = Bounds::around(master.points(), reach);
-    let slaves: Vec<(usize, Bounds<D>)> = boxes(slave, 0.0)
-        .filter(|(_, bounds)| bounds.overlaps(&all))
-        .collect();
-    let region = slaves
-        .iter()
-        .fold(Bounds::<D>::around([], 0.0), |sum, (_, bounds)| Bounds {
-            lower: sum.lower.inf(&bounds.lower),
-            upper: sum.upper.sup(&bounds.upper),
-        });
-    let mut masters: Vec<(usize, Bounds<D>)> = boxes(master, reach)
-        .filter(|(_, bounds)| bounds.overlaps(&region))
-        .collect();
-    // Sorted along the axis in which the region is longest: along another one all boxes may overlap.
-    let extent = region.upper - region.lower;
-    let axis = (1..D).fold(0, |best, axis| {
-        if extent[axis] > extent[best] {
-            axis
-        } else {
-            best
-        }
-    });
-    masters.sort_by(|a, b| {
-        a.1.lower[axis]
-            .total_cmp(&b.1.lower[axis])
-            .then(a.0.cmp(&b.0))
-    });
-    let widest = masters
-        .iter()
-        .map(|(_, b)| b.upper[axis] - b.lower[axis])
-        .fold(0.0, f64::max);
-    let mut near = vec![];
-    for (s, bounds) in slaves {
-        let first = masters.partition_point(|(_, b)| b.lower[axis] < bounds.lower[axis] - widest);
-        let mut found: Vec<usize> = masters[first..]
-            .iter()
-            .take_while(|(_, b)| b.lower[axis] <= bounds.upper[axis])
-            .filter(|(_, b)| b.overlaps(&bounds))
-            .map(|(m, _)| *m)
-            .collect();
-        if !found.is_empty() {
-            found.sort_unstable();
-            near.push((s, found));
-        }
-    }
-    near
+/// Pairs of elements that are close enough to be looked at. Kept from step to step for its memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct Near<const D: usize> {
+    /// Element of the slave and element of the master, ascending.
+    pub pairs: Vec<[usize; 2]>,
+    slaves: Vec<(usize, Bounds<D>)>,
+    masters: Vec<(usize, Bounds<D>)>,
 }
 
-/// Boxes of the elements of a boundary, each `margin` \[m\] larger on all sides.
+impl<const D: usize> Near<D> {
+    /// Finds the elements of the slave and those of the master that come within `reach` \[m\] of their box.
+    pub fn find<B: Elements<D, T>, const T: usize>(&mut self, slave: &B, master: &B, reach: f64) {
+        self.pairs.clear();
+        let all = Bounds::around(master.points(), reach);
+        let mut region = Bounds::<D>::around([], 0.0);
+        self.slaves.clear();
+        for (s, bounds) in boxes(slave, 0.0) {
+            if bounds.overlaps(&all) {
+                region.lower = region.lower.inf(&bounds.lower);
+                region.upper = region.upper.sup(&bounds.upper);
+                self.slaves.push((s, bounds));
+            }
+        }
+        self.masters.clear();
+        if self.slaves.is_empty() {
+            return;
+        }
+        self.masters
+            .extend(boxes(master, reach).filter(|(_, bounds)| bounds.overlaps(&region)));
+        // Sorted along the axis in which the region is longest: along another one all boxes may overlap.
+        let extent = region.upper - region.lower;
+        let longer = |best, axis| {
+            if extent[axis] > extent[best] {
+                axis
+            } else {
+                best
+            }
+        };
+        let axis = (1..D).fold(0, longer);
+        self.masters.sort_unstable_by(|a, b| {
+            a.1.lower[axis]
+                .total_cmp(&b.1.lower[axis])
+                .then(a.0.cmp(&b.0))
+        });
+        let widest = self
+            .masters
+            .iter()
+            .map(|(_, b)| b.upper[axis] - b.lower[axis])
+            .fold(0.0, f64::max);
+        for (s, bounds) in &self.slaves {
+            let first = self
+                .masters
+                .partition_point(|(_, b)| b.lower[axis] < bounds.lower[axis] - widest);
+            let own = self.pairs.len();
+            self.pairs.extend(
+                self.masters[first..]
+                    .iter()
+                    .take_while(|(_, b)| b.lower[axis] <= bounds.upper[axis])
+                    .filter(|(_, b)| b.overlaps(bounds))
+                    .map(|(m, _)| [*s, *m]),
+            );
+            self.pairs[own..].sort_unstable();
+        }
+    }
+
+    /// The pairs of each element of the slave that has any.
+    pub fn by_slave(&self) -> impl Iterator<Item = &[[usize; 2]]> {
+        self.pairs.chunk_by(|a, b| a[0] == b[0])
+    }
+}
+
+/// The boxes of the elements, `margin` \[m\] larger on all sides.
 fn boxes<const D: usize, const T: usize>(
     boundary: &impl Elements<D, T>,
     margin: f64,
 ) -> impl Iterator<Item = (usize, Bounds<D>)> {
     let points = boundary.points();
+    let margin = PointIn::repeat(margin);
     boundary
         .elements()
         .iter()
-        .map(move |element| Bounds::around(element.iter().map(|k| &points[*k]), margin))
         .enumerate()
+        .map(move |(element, vertices)| {
+            let of = |k: usize| points[vertices[k]];
+            let bounds = Bounds {
+                lower: (1..D).fold(of(0), |low, k| low.inf(&of(k))) - margin,
+                upper: (1..D).fold(of(0), |high, k| high.sup(&of(k))) + margin,
+            };
+            (element, bounds)
+        })
 }

@@ -1,7 +1,8 @@
 //! What a boundary is to contact, whatever its dimension.
 
 use super::PointIn;
-use super::points::{Detection, MortarPoint, Search};
+use super::broad::Near;
+use super::points::{MortarPoint, Search};
 
 /// A boundary made of straight elements with D vertices each in D dimensions, and T = D - 1 tangents: segments in the
 /// plane, triangles in space.
@@ -18,22 +19,34 @@ pub trait Elements<const D: usize, const T: usize> {
     /// Length of the longest segment or edge \[m\].
     fn longest(&self) -> f64;
 
-    /// Outward unit normals of the vertices, means of those of their elements (eq. 41).
-    fn normals(&self) -> Vec<PointIn<D>>;
+    /// Outward unit normals of the vertices, means of those of their elements (eq. 41), into a list that is used again.
+    fn normals_to(&self, normals: &mut Vec<PointIn<D>>);
 
     /// Unit vectors at a vertex at right angles to its normal and to each other. They turn with the boundary, so that
     /// numbers kept along them do too.
     fn tangents(&self, vertex: usize, normal: &PointIn<D>) -> [PointIn<D>; T];
 
-    /// The points at which integrals over the contact of this slave with a master are evaluated, element by element.
-    /// `normals` are those of the slave's vertices.
-    fn facing(
+    /// Adds the points at which integrals over the contact of one element of this slave are evaluated. `pairs` are that
+    /// element and those of the master near it, `normals` those of the slave's vertices, `cuts` is memory.
+    fn points_of_element(
         &self,
         normals: &[PointIn<D>],
         master: &Self,
-        detection: Detection,
+        pairs: &[[usize; 2]],
         search: Search,
-    ) -> Vec<MortarPoint<D>>;
+        cuts: &mut Vec<f64>,
+        points: &mut Vec<MortarPoint<D>>,
+    );
+
+    /// Adds a point at each vertex of this slave that faces the master, with the vertex's share of the elements around it.
+    fn points_of_vertices(
+        &self,
+        normals: &[PointIn<D>],
+        master: &Self,
+        near: &Near<D>,
+        search: Search,
+        points: &mut Vec<MortarPoint<D>>,
+    );
 
     /// The velocity of a vertex without what would take it off a plane of symmetry that it lies in \[m/s\].
     fn held(&self, _vertex: usize, velocity: PointIn<D>) -> PointIn<D> {

@@ -2,7 +2,7 @@
 
 use super::elements::Elements;
 use super::law::{Friction, NormalLaw};
-use super::points::{Detection, Search};
+use super::points::{Detection, MortarPoints, Search};
 use super::{Point, PointIn, cross};
 use std::array;
 
@@ -61,6 +61,21 @@ pub struct PairForces<const D: usize, const T: usize> {
 }
 
 impl<const D: usize, const T: usize> PairForces<D, T> {
+    /// Nothing acts, on so many vertices of slave and master.
+    pub fn clear(&mut self, slave: usize, master: usize) {
+        let zero = |forces: &mut Vec<PointIn<D>>, stiffness: &mut Vec<f64>, count: usize| {
+            forces.clear();
+            forces.resize(count, PointIn::zeros());
+            stiffness.clear();
+            stiffness.resize(count, 0.0);
+        };
+        zero(&mut self.slave, &mut self.slave_stiffness, slave);
+        zero(&mut self.master, &mut self.master_stiffness, master);
+        self.vertices.clear();
+        self.vertices.resize(slave, None);
+        self.energy = 0.0;
+    }
+
     /// The smallest gap with its vertex \[m\]; `None` where nothing faces anything.
     #[must_use]
     pub fn smallest_gap(&self) -> Option<(usize, f64)> {
@@ -98,97 +113,141 @@ impl<B, const D: usize> Clone for Surfaces<'_, B, D> {
 
 impl<B, const D: usize> Copy for Surfaces<'_, B, D> {}
 
-/// Gap, pressure and friction at the slave's vertices (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
-/// f_m = M^T lambda (eq. 54, 55).
-///
-/// The slip of a vertex is forgotten where there is no pressure.
+/// Sums over the points of one vertex of the slave.
+#[derive(Clone, Copy, Debug)]
+struct Row<const D: usize> {
+    /// Row sum of D \[m, in space m²\].
+    measure: f64,
+    /// Differences that the rows of D and M give: place, displacement and velocity.
+    apart: PointIn<D>,
+    moved: PointIn<D>,
+    speed: PointIn<D>,
+    /// Traction on the slave with the sign turned \[Pa\], and slope of the law \[Pa/m\].
+    lambda: PointIn<D>,
+    slope: f64,
+}
+
+impl<const D: usize> Row<D> {
+    fn empty() -> Self {
+        let zero = PointIn::zeros();
+        Self {
+            measure: 0.0,
+            apart: zero,
+            moved: zero,
+            speed: zero,
+            lambda: zero,
+            slope: 0.0,
+        }
+    }
+}
+
+/// What is needed to find the forces of a pair; kept from step to step for its memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct Workspace<const D: usize> {
+    found: MortarPoints<D>,
+    normals: Vec<PointIn<D>>,
+    rows: Vec<Row<D>>,
+}
+
+/// [`contact_forces_to`] with memory of its own.
 #[must_use]
 pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
     surfaces: Surfaces<'_, B, D>,
     law: &PairLaw,
     slip: &mut Slip<T>,
 ) -> PairForces<D, T> {
+    let mut forces = PairForces::default();
+    contact_forces_to(&mut forces, surfaces, law, slip, &mut Workspace::default());
+    forces
+}
+
+/// Gap, pressure and friction at the slave's vertices (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
+/// f_m = M^T lambda (eq. 54, 55).
+///
+/// The slip of a vertex is forgotten where there is no pressure.
+pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
+    forces: &mut PairForces<D, T>,
+    surfaces: Surfaces<'_, B, D>,
+    law: &PairLaw,
+    slip: &mut Slip<T>,
+    work: &mut Workspace<D>,
+) {
     let Surfaces { slave, master, .. } = surfaces;
     let count = slave.points().len();
     slip.0.resize(count, [0.0; T]);
-    let normals = slave.normals();
-    let points = slave.facing(&normals, master, law.detection, law.search);
+    let Workspace {
+        found,
+        normals,
+        rows,
+    } = work;
+    slave.normals_to(normals);
+    found.find(slave, normals, master, law.detection, law.search);
+    let points = &found.points;
 
-    // Rows of D and of the differences that the rows of D and M give.
-    let mut measure = vec![0.0; count];
-    let mut apart = vec![PointIn::zeros(); count];
-    let mut moved = vec![PointIn::zeros(); count];
-    let mut speed = vec![PointIn::zeros(); count];
-    for point in &points {
-        let distance = point.on_master(master.points()) - point.on_slave(slave.points());
-        let relative =
-            point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
-        let velocity =
+    rows.clear();
+    rows.resize(count, Row::empty());
+    for point in points {
+        let apart = point.on_master(master.points()) - point.on_slave(slave.points());
+        let moved = point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
+        let speed =
             point.on_slave(surfaces.slave_velocity) - point.on_master(surfaces.master_velocity);
         for (k, share) in point.slave {
-            let w = share * point.weight;
-            measure[k] += w;
-            apart[k] += w * distance;
-            moved[k] += w * relative;
-            speed[k] += w * velocity;
+            let (row, w) = (&mut rows[k], share * point.weight);
+            row.measure += w;
+            row.apart += w * apart;
+            row.moved += w * moved;
+            row.speed += w * speed;
         }
     }
 
-    let mut forces = PairForces {
-        slave: vec![PointIn::zeros(); count],
-        master: vec![PointIn::zeros(); master.points().len()],
-        slave_stiffness: vec![0.0; count],
-        master_stiffness: vec![0.0; master.points().len()],
-        vertices: vec![None; count],
-        energy: 0.0,
-    };
-    let mut lambda = vec![PointIn::zeros(); count];
-    let mut slope = vec![0.0; count];
-    for k in 0..count {
-        if measure[k] <= 0.0 {
+    forces.clear(count, master.points().len());
+    for (k, row) in rows.iter_mut().enumerate() {
+        let measure = row.measure;
+        if measure <= 0.0 {
             slip.0[k] = [0.0; T];
             continue;
         }
         let n = normals[k];
         let tangents = slave.tangents(k, &n);
-        let gap = n.dot(&apart[k]) / measure[k];
-        let relative = moved[k] / measure[k];
+        let gap = n.dot(&row.apart) / measure;
+        let relative = row.moved / measure;
         let pressure = law.normal.pressure(gap);
-        slope[k] = law.normal.slope(gap);
+        row.slope = law.normal.slope(gap);
         let mut traction = [0.0; T];
         match &law.friction {
             Some(friction) if pressure > 0.0 => {
                 let trial = array::from_fn(|t| slip.0[k][t] + tangents[t].dot(&relative));
                 (traction, slip.0[k]) = friction.traction(trial, pressure);
                 // Normal and tangential springs act at right angles, so the stiffer of them rules the time step.
-                slope[k] = slope[k].max(friction.stiffness);
+                row.slope = row.slope.max(friction.stiffness);
             }
             _ => slip.0[k] = [0.0; T],
         }
-        lambda[k] = tangents
+        row.lambda = tangents
             .iter()
             .zip(traction)
             .fold(pressure * n, |sum, (tangent, t)| sum + t * tangent);
-        forces.energy += measure[k] * law.normal.energy(gap);
+        forces.energy += measure * law.normal.energy(gap);
         forces.vertices[k] = Some(VertexContact {
             gap,
             normal: n,
             pressure,
             traction,
-            measure: measure[k],
+            measure,
             approach: n.dot(&relative),
-            closing: n.dot(&speed[k]) / measure[k],
+            closing: n.dot(&row.speed) / measure,
         });
     }
 
-    for point in &points {
-        let traction = point.weight * point.on_slave(&lambda);
-        let stiffness = point.weight
-            * point
-                .slave
-                .iter()
-                .map(|(k, share)| share * slope[*k])
-                .sum::<f64>();
+    for point in points {
+        let (mut traction, mut stiffness) = (PointIn::zeros(), 0.0);
+        for (k, share) in point.slave {
+            traction += point.weight * share * rows[k].lambda;
+            stiffness += point.weight * share * rows[k].slope;
+        }
+        if stiffness == 0.0 {
+            continue;
+        }
         for (k, share) in point.slave {
             forces.slave[k] -= share * traction;
             forces.slave_stiffness[k] += share * stiffness;
@@ -198,7 +257,6 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
             forces.master_stiffness[k] += share * stiffness;
         }
     }
-    forces
 }
 
 /// Resultant of forces on vertices \[N/m\], and their moment about a point \[N\].

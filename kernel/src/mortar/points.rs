@@ -4,6 +4,8 @@
 //! of an element is covered.
 
 use super::PointIn;
+use super::broad::Near;
+use super::elements::Elements;
 
 /// How contact is found along the slave.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,4 +72,39 @@ impl<const D: usize> MortarPoint<D> {
 fn interpolate<const D: usize>(on: &[(usize, f64); D], values: &[PointIn<D>]) -> PointIn<D> {
     let of = |(k, share): (usize, f64)| share * values[k];
     on[1..].iter().fold(of(on[0]), |sum, k| sum + of(*k))
+}
+
+/// The points of a pair of boundaries. Kept from step to step for its memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct MortarPoints<const D: usize> {
+    /// The points, in order along the slave.
+    pub points: Vec<MortarPoint<D>>,
+    near: Near<D>,
+    cuts: Vec<f64>,
+}
+
+impl<const D: usize> MortarPoints<D> {
+    /// Finds the points. `normals` are those of the slave's vertices.
+    pub fn find<B: Elements<D, T>, const T: usize>(
+        &mut self,
+        slave: &B,
+        normals: &[PointIn<D>],
+        master: &B,
+        detection: Detection,
+        search: Search,
+    ) {
+        let Self { points, near, cuts } = self;
+        points.clear();
+        near.find(slave, master, search.margin());
+        match detection {
+            Detection::Mortar => {
+                for pairs in near.by_slave() {
+                    slave.points_of_element(normals, master, pairs, search, cuts, points);
+                }
+            }
+            Detection::NodeToSegment => {
+                slave.points_of_vertices(normals, master, near, search, points);
+            }
+        }
+    }
 }

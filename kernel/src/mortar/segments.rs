@@ -5,9 +5,9 @@
 //! Gauss points lie on it (algorithm 1).
 
 use super::boundary::Boundary;
-use super::broad::near;
+use super::broad::Near;
 use super::elements::Elements;
-use super::points::{Detection, FACING, MortarPoint, Search};
+use super::points::{FACING, MortarPoint, Search};
 use super::{Point, cross};
 
 /// Pieces of a segment shorter than this share of it are left out: they hold nothing but round-off.
@@ -33,31 +33,35 @@ impl Elements<2, 1> for Boundary {
         self.longest_segment()
     }
 
-    fn normals(&self) -> Vec<Point> {
-        Self::normals(self)
+    fn normals_to(&self, normals: &mut Vec<Point>) {
+        Self::normals_to(self, normals);
     }
 
     fn tangents(&self, _vertex: usize, normal: &Point) -> [Point; 1] {
         [Point::new(-normal.y, normal.x)]
     }
 
-    fn facing(
+    fn points_of_element(
         &self,
         normals: &[Point],
         master: &Self,
-        detection: Detection,
+        pairs: &[[usize; 2]],
         search: Search,
-    ) -> Vec<MortarPoint<2>> {
-        let near = near(self, master, search.margin());
-        match detection {
-            Detection::Mortar => near
-                .iter()
-                .flat_map(|(s, masters)| {
-                    points_of_segment(self, normals, *s, master, masters, search)
-                })
-                .collect(),
-            Detection::NodeToSegment => points_of_vertices(self, normals, master, &near, search),
-        }
+        cuts: &mut Vec<f64>,
+        points: &mut Vec<MortarPoint<2>>,
+    ) {
+        points_of_segment(self, normals, master, pairs, search, cuts, points);
+    }
+
+    fn points_of_vertices(
+        &self,
+        normals: &[Point],
+        master: &Self,
+        near: &Near<2>,
+        search: Search,
+        points: &mut Vec<MortarPoint<2>>,
+    ) {
+        points_of_vertices(self, normals, master, near, search, points);
     }
 }
 
@@ -94,8 +98,7 @@ pub fn project(
 
 /// Positions xi in (0, 1) on a slave segment whose interpolated normals pass through a point: the roots of
 /// (y - x(xi)) x n(xi) = 0, a quadratic.
-#[must_use]
-pub fn feet(y: &Point, x: [&Point; 2], n: [&Point; 2]) -> Vec<f64> {
+pub fn feet(y: &Point, x: [&Point; 2], n: [&Point; 2]) -> impl Iterator<Item = f64> {
     // About the middle of the segment, so that the wanted root is the one that is small, which is computed without
     // cancellation also where the normals are parallel and the equation is linear.
     let (edge, turn) = (x[1] - x[0], n[1] - n[0]);
@@ -104,51 +107,50 @@ pub fn feet(y: &Point, x: [&Point; 2], n: [&Point; 2]) -> Vec<f64> {
     let b = cross(&d, &turn) - cross(&edge, &middle);
     let c = cross(&d, &middle);
     let discriminant = b * b - 4.0 * a * c;
-    if discriminant.is_nan() || discriminant < 0.0 {
-        return vec![];
-    }
+    // Not a number where there is no root, and then neither of them lies on the segment.
     let q = -0.5 * (b + discriminant.sqrt().copysign(b));
-    let mut roots: Vec<f64> = [c / q, q / a]
+    let (first, second) = (0.5 + c / q, 0.5 + q / a);
+    let second = (second != first).then_some(second);
+    [Some(first), second]
         .into_iter()
-        .map(|s| 0.5 + s)
+        .flatten()
         .filter(|xi| 0.0 < *xi && *xi < 1.0)
-        .collect();
-    roots.dedup();
-    roots
 }
 
 fn points_of_segment(
     slave: &Boundary,
     normals: &[Point],
-    segment: usize,
     master: &Boundary,
-    masters: &[usize],
+    pairs: &[[usize; 2]],
     search: Search,
-) -> Vec<MortarPoint<2>> {
+    cuts: &mut Vec<f64>,
+    points: &mut Vec<MortarPoint<2>>,
+) {
+    let segment = pairs[0][0];
     let [a, b] = slave.segments()[segment];
     let x = |xi: f64| slave.points[a] * (1.0 - xi) + slave.points[b] * xi;
     let n = |xi: f64| normals[a] * (1.0 - xi) + normals[b] * xi;
     // Only vertices that are seen cut: others would change the quadrature with what else is near.
-    let mut cuts = vec![0.0, 1.0];
-    for &m in masters {
+    cuts.clear();
+    cuts.extend([0.0, 1.0]);
+    for &[_, m] in pairs {
         for v in master.segments()[m] {
             let ends = [&slave.points[a], &slave.points[b]];
             let feet = feet(&master.points[v], ends, [&normals[a], &normals[b]]);
-            cuts.extend(feet.into_iter().filter(|xi| {
+            cuts.extend(feet.filter(|xi| {
                 project(&x(*xi), &n(*xi), master, m).is_some_and(|p| search.contains(p.gap))
             }));
         }
     }
     cuts.sort_unstable_by(f64::total_cmp);
     let length = slave.edge(segment).norm();
-    let mut points = vec![];
     for cut in cuts.windows(2) {
         let (from, width) = (cut[0], cut[1] - cut[0]);
         if width < SHORTEST {
             continue;
         }
         let middle = from + 0.5 * width;
-        let Some(seen) = nearest(&x(middle), &n(middle), master, masters, search) else {
+        let Some(seen) = nearest(&x(middle), &n(middle), master, pairs, search) else {
             continue;
         };
         for place in GAUSS {
@@ -166,7 +168,6 @@ fn points_of_segment(
             });
         }
     }
-    points
 }
 
 /// The master segment that a ray meets first, of those that face it within the search.
@@ -174,12 +175,12 @@ fn nearest(
     x: &Point,
     n: &Point,
     master: &Boundary,
-    masters: &[usize],
+    pairs: &[[usize; 2]],
     search: Search,
 ) -> Option<usize> {
-    masters
+    pairs
         .iter()
-        .filter_map(|m| {
+        .filter_map(|[_, m]| {
             let p = project(x, n, master, *m)?;
             let on = (0.0..=1.0).contains(&p.eta);
             (on && search.contains(p.gap)).then_some((*m, p.gap.abs()))
@@ -192,20 +193,18 @@ fn points_of_vertices(
     slave: &Boundary,
     normals: &[Point],
     master: &Boundary,
-    near: &[(usize, Vec<usize>)],
+    near: &Near<2>,
     search: Search,
-) -> Vec<MortarPoint<2>> {
+    points: &mut Vec<MortarPoint<2>>,
+) {
     let lengths = slave.tributary_lengths();
     let mut seen = vec![vec![]; slave.points.len()];
-    for (s, masters) in near {
-        for v in slave.segments()[*s] {
-            seen[v].extend_from_slice(masters);
+    for pair in &near.pairs {
+        for v in slave.segments()[pair[0]] {
+            seen[v].push(*pair);
         }
     }
-    let mut points = vec![];
-    for (v, mut masters) in seen.into_iter().enumerate() {
-        masters.sort_unstable();
-        masters.dedup();
+    for (v, masters) in seen.into_iter().enumerate() {
         let (x, n) = (&slave.points[v], &normals[v]);
         let Some(m) = nearest(x, n, master, &masters, search) else {
             continue;
@@ -220,5 +219,4 @@ fn points_of_vertices(
             weight: lengths[v],
         });
     }
-    points
 }

@@ -112,7 +112,7 @@ impl Series {
                 last: Some(last),
             });
         }
-        let file = name_of(self.stem, self.next_number());
+        let file = name_of(self.stem, self.next_number(), frame.extension());
         let path = self.folder.file(&file);
         vtu::write(&path, frame, self.compression)?;
         self.entries.push(Entry {
@@ -174,11 +174,11 @@ impl Series {
 /// File name of the frame with this number: `particles_000000.vtu`, and more digits when six are not enough.
 #[must_use]
 pub fn frame_name(number: u64) -> String {
-    name_of(PARTICLES, number)
+    name_of(PARTICLES, number, "vtu")
 }
 
-fn name_of(stem: &str, number: u64) -> String {
-    format!("{stem}_{number:06}.vtu")
+fn name_of(stem: &str, number: u64, extension: &str) -> String {
+    format!("{stem}_{number:06}.{extension}")
 }
 
 fn list_name(stem: &str) -> String {
@@ -186,11 +186,8 @@ fn list_name(stem: &str) -> String {
 }
 
 fn frame_number(stem: &str, file: &str) -> Option<u64> {
-    file.strip_prefix(stem)?
-        .strip_prefix('_')?
-        .strip_suffix(".vtu")?
-        .parse()
-        .ok()
+    let name = file.strip_suffix(".vtu").or(file.strip_suffix(".vtp"))?;
+    name.strip_prefix(stem)?.strip_prefix('_')?.parse().ok()
 }
 
 /// Reads the list as [`Series`] writes it, one frame a line; empty where there is none.

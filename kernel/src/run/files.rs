@@ -1,6 +1,6 @@
 //! The state of a simulation as frames, history rows and checkpoints.
 
-use super::{RunError, grid, state};
+use super::{RunError, boundaries, grid, state};
 use crate::output::checkpoint::CHECKPOINT;
 use crate::output::{Array, ArrayData, Compression, Frame, HistoryWriter, OutputFolder, Series};
 use crate::particles::ParticleSet;
@@ -9,6 +9,8 @@ use crate::simulation::Simulation;
 
 /// Beginning of the names of the files that hold nodes.
 const GRID: &str = "grid";
+/// Beginning of the names of the files that hold boundaries.
+const BOUNDARIES: &str = "boundaries";
 
 /// The growing files of a run.
 pub(super) struct Files {
@@ -16,6 +18,8 @@ pub(super) struct Files {
     series: Option<Series>,
     /// Frames of the nodes, where the scene asks for nodal fields.
     grid: Option<Series>,
+    /// Frames of the boundaries, where the scene has any.
+    boundaries: Option<Series>,
     history: Option<HistoryWriter>,
     probes: Vec<ProbedParticle>,
 }
@@ -38,6 +42,7 @@ impl Files {
             folder,
             series: None,
             grid: None,
+            boundaries: None,
             history: None,
             probes: probed(simulation),
         };
@@ -55,13 +60,19 @@ impl Files {
                 files.series = Some(Series::create(files.folder.clone(), Compression::None)?);
                 files.history = Some(HistoryWriter::create(&files.folder, &columns)?);
             }
-            if !simulation.scene().results.nodal_fields.is_empty() {
+            let series = |stem| {
                 let folder = files.folder.clone();
-                files.grid = Some(if resume {
-                    Series::resume_named(folder, GRID, Compression::None, time)?
+                if resume {
+                    Series::resume_named(folder, stem, Compression::None, time)
                 } else {
-                    Series::create_named(folder, GRID, Compression::None)?
-                });
+                    Series::create_named(folder, stem, Compression::None)
+                }
+            };
+            if !simulation.scene().results.nodal_fields.is_empty() {
+                files.grid = Some(series(GRID)?);
+            }
+            if simulation.mortar.acts() {
+                files.boundaries = Some(series(BOUNDARIES)?);
             }
         }
         Ok(files)
@@ -85,6 +96,11 @@ impl Files {
             && let Some(frame) = grid::frame(simulation)
         {
             grid.write_frame(&frame)?;
+        }
+        if let Some(boundaries) = &mut self.boundaries
+            && boundaries.last_time().is_none_or(|last| last < time)
+        {
+            boundaries.write_frame(&boundaries::frame(simulation))?;
         }
         if let Some(history) = &mut self.history
             && history.last_time().is_none_or(|last| last < time)
@@ -226,6 +242,7 @@ fn frame(simulation: &Simulation) -> Frame {
             .into_iter()
             .flat_map(|field| arrays(simulation, &order, field))
             .collect(),
+        lines: vec![],
     }
 }
 

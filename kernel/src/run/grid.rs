@@ -18,6 +18,7 @@ pub(super) fn frame(simulation: &Simulation) -> Option<Frame> {
         step: simulation.steps(),
         points: nodes.iter().map(|n| n.position).collect(),
         arrays: fields.into_iter().map(|f| array(&nodes, f)).collect(),
+        lines: vec![],
     })
 }
 

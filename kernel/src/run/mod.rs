@@ -11,6 +11,7 @@
 //! run.summary()
 //! ```
 
+mod boundaries;
 mod error;
 mod files;
 mod grid;

@@ -1,9 +1,12 @@
 //! The bound of the time step against frequencies that are known.
 
 use crate::support::point;
-use proctor_kernel::mortar::bound::{NodalStiffness, SAFETY};
+use proctor_kernel::mortar::bound::{Closing, NodalStiffness, SAFETY, allowed_approach};
+use proctor_kernel::mortar::pair::VertexContact;
 use proctor_kernel::mortar::weights::VertexWeights;
 use proctor_kernel::weights::Family;
+
+const NODES: [usize; 9] = [7, 8, 9, 17, 18, 19, 27, 28, 29];
 
 #[test]
 fn one_node_on_a_spring() {
@@ -15,12 +18,14 @@ fn one_node_on_a_spring() {
         .expect("has mass");
     let mut nodes = NodalStiffness::default();
     assert_eq!(nodes.time_step(), f64::INFINITY);
-    nodes.add(&w, &masses, 0.0);
+    nodes.add(&NODES, &w.weights, &masses, 0.0);
     assert_eq!(nodes.frequency(), 0.0);
-    nodes.add(&w, &masses, 50.0);
+    nodes.add(&NODES, &w.weights, &masses, 50.0);
     let between_equals = (2.0 * 50.0 / 2.0_f64).sqrt();
     assert!((nodes.frequency() - between_equals).abs() < 1e-14);
     assert!((nodes.time_step() - SAFETY * 2.0 / between_equals).abs() < 1e-15);
+    nodes.clear();
+    assert_eq!(nodes.frequency(), 0.0);
 }
 
 /// The bound is not below the largest eigenvalue of a patch on springs to a rigid body, K = sum S k S^T, and stays
@@ -35,7 +40,7 @@ fn the_bound_is_above_the_frequencies_of_a_patch() {
             .augmented(&masses)
             .expect("has mass");
         assert_eq!(w.base, [0, 0]);
-        nodes.add(&w, &masses, stiffness);
+        nodes.add(&NODES, &w.weights, &masses, stiffness);
         let s = nalgebra::SVector::from(w.weights);
         k += stiffness * s * s.transpose();
     }
@@ -58,4 +63,39 @@ fn the_bound_is_above_the_frequencies_of_a_patch() {
         "{} {largest}",
         bound * bound
     );
+}
+
+#[test]
+fn a_gap_may_close_to_half_the_critical_one_or_by_that_much() {
+    let gc = 0.2;
+    assert_eq!(allowed_approach(1.0, gc), 0.9);
+    assert_eq!(allowed_approach(gc, gc), 0.1);
+    assert_eq!(allowed_approach(0.01, gc), 0.1);
+    assert_eq!(allowed_approach(-1.0, gc), 0.1);
+}
+
+#[test]
+fn the_vertex_that_is_in_most_of_a_hurry_decides() {
+    let vertex = |gap: f64, closing: f64| {
+        Some(VertexContact {
+            gap,
+            normal: point(0.0, 1.0),
+            pressure: 0.0,
+            traction: [0.0],
+            measure: 1.0,
+            approach: 0.0,
+            closing,
+        })
+    };
+    let (gc, reach) = (0.2, 1.1);
+    let of =
+        |vertices: &[Option<VertexContact<2, 1>>]| Closing::of(vertices, gc, reach, [3.0, 2.0]);
+    // Nothing faces anything: both at full speed towards each other, from just out of reach.
+    let whole = of(&[None]);
+    assert_eq!((whole.vertex, whole.time_step()), (None, 1.0 / 5.0));
+    // 0.1 m allowed at 1 m/s, against 0.4 m at 3 m/s and one that leaves.
+    let found = of(&[vertex(0.5, 3.0), None, vertex(0.1, 1.0), vertex(0.0, -9.0)]);
+    assert_eq!(found.vertex, Some(2));
+    assert!((found.time_step() - 0.1).abs() < 1e-15);
+    assert_eq!(Closing::NONE.time_step(), f64::INFINITY);
 }

@@ -3,7 +3,7 @@
 use crate::common::cases;
 use crate::support::{moved, point};
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::broad::{Bounds, near};
+use proctor_kernel::mortar::broad::{Bounds, Near};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::scene::Shape;
 use proptest::prelude::*;
@@ -38,13 +38,15 @@ proptest! {
         let box_of = |b: &Boundary, s: usize, margin| Bounds::around(b.segments()[s].map(|k| &b.points[k]), margin);
         let mut all = vec![];
         for s in 0..slave.segments().len() {
-            let of: Vec<usize> = (0..master.segments().len())
+            all.extend((0..master.segments().len())
                 .filter(|m| box_of(&slave, s, 0.0).overlaps(&box_of(&master, *m, reach)))
-                .collect();
-            if !of.is_empty() {
-                all.push((s, of));
-            }
+                .map(|m| [s, m]));
         }
-        prop_assert_eq!(near(&slave, &master, reach), all);
+        let mut near = Near::default();
+        // Twice: what is left of another search must not matter.
+        near.find(&master, &slave, 2.0 * reach);
+        near.find(&slave, &master, reach);
+        prop_assert_eq!(&near.pairs, &all);
+        prop_assert!(near.by_slave().all(|own| own.iter().all(|pair| pair[0] == own[0][0])));
     }
 }

@@ -4,8 +4,7 @@ use crate::common::cases;
 use crate::support::{ceiling, floor, open, point};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::elements::Elements;
-use proctor_kernel::mortar::points::{Detection, MortarPoint, Search};
+use proctor_kernel::mortar::points::{Detection, MortarPoint, MortarPoints, Search};
 use proctor_kernel::mortar::segments::{feet, project};
 use proptest::prelude::*;
 
@@ -15,7 +14,9 @@ const SEARCH: Search = Search {
 };
 
 fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<MortarPoint<2>> {
-    slave.facing(&slave.normals(), master, detection, SEARCH)
+    let mut found = MortarPoints::default();
+    found.find(slave, &slave.normals(), master, detection, SEARCH);
+    found.points
 }
 
 fn covered(points: &[MortarPoint<2>]) -> f64 {
@@ -53,7 +54,7 @@ proptest! {
         let n = [t1, t2].map(|t: f64| turn * point(t.sin(), -t.cos()));
         let normal = n[0] * (1.0 - xi) + n[1] * xi;
         let y = x[0] * (1.0 - xi) + x[1] * xi + gap * normal;
-        let found = feet(&y, [&x[0], &x[1]], [&n[0], &n[1]]);
+        let found: Vec<f64> = feet(&y, [&x[0], &x[1]], [&n[0], &n[1]]).collect();
         prop_assert!(found.iter().any(|f| (f - xi).abs() < 1e-9), "{found:?} {xi}");
     }
 

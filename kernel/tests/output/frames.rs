@@ -35,6 +35,7 @@ fn frame(n: usize) -> Frame {
                 ArrayData::Vector((0..n).map(|i| [0.0, odd(i), f64::NAN]).collect()),
             ),
         ],
+        lines: vec![],
     }
 }
 

@@ -3,9 +3,9 @@
 use super::Point;
 use super::projection::{points_of_triangle, points_of_vertices};
 use super::ridges::crossing;
-use crate::mortar::broad::near;
+use crate::mortar::broad::Near;
 use crate::mortar::elements::Elements;
-use crate::mortar::points::{Detection, MortarPoint, Search};
+use crate::mortar::points::{MortarPoint, Search};
 use crate::surface::{Surface, SurfaceError};
 use std::fmt;
 
@@ -224,6 +224,14 @@ impl Facets {
             .sum()
     }
 
+    /// Outward unit normals of the vertices.
+    #[must_use]
+    pub fn normals(&self) -> Vec<Point> {
+        let mut normals = vec![];
+        self.normals_to(&mut normals);
+        normals
+    }
+
     fn find_ridges(&self) -> Vec<Ridge> {
         let mut edges: Vec<([usize; 2], usize)> = self
             .triangles
@@ -292,8 +300,9 @@ impl Elements<3, 2> for Facets {
     }
 
     /// Weighted by area.
-    fn normals(&self) -> Vec<Point> {
-        let mut sums = vec![Point::zeros(); self.points.len()];
+    fn normals_to(&self, sums: &mut Vec<Point>) {
+        sums.clear();
+        sums.resize(self.points.len(), Point::zeros());
         for (triangle, vertices) in self.triangles.iter().enumerate() {
             let spanned = self.spanned(triangle);
             for v in vertices {
@@ -308,7 +317,6 @@ impl Elements<3, 2> for Facets {
             }
             *n = n.try_normalize(0.0).unwrap_or_default();
         }
-        sums
     }
 
     /// The first points to a neighbour that never changes.
@@ -320,20 +328,26 @@ impl Elements<3, 2> for Facets {
         [first, normal.cross(&first)]
     }
 
-    fn facing(
+    fn points_of_element(
+        &self,
+        _normals: &[Point],
+        master: &Self,
+        pairs: &[[usize; 2]],
+        search: Search,
+        _cuts: &mut Vec<f64>,
+        points: &mut Vec<MortarPoint<3>>,
+    ) {
+        points_of_triangle(self, master, pairs, search, points);
+    }
+
+    fn points_of_vertices(
         &self,
         normals: &[Point],
         master: &Self,
-        detection: Detection,
+        near: &Near<3>,
         search: Search,
-    ) -> Vec<MortarPoint<3>> {
-        let near = near(self, master, search.margin());
-        match detection {
-            Detection::Mortar => near
-                .iter()
-                .flat_map(|(t, masters)| points_of_triangle(self, *t, master, masters, search))
-                .collect(),
-            Detection::NodeToSegment => points_of_vertices(self, normals, master, &near, search),
-        }
+        points: &mut Vec<MortarPoint<3>>,
+    ) {
+        points_of_vertices(self, normals, master, near, search, points);
     }
 }

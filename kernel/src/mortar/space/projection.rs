@@ -7,6 +7,7 @@
 use super::Point;
 use super::clip::{Flat, GAUSS, area, overlap, shares};
 use super::facets::Facets;
+use crate::mortar::broad::Near;
 use crate::mortar::points::{FACING, MortarPoint, Search};
 use std::array;
 
@@ -92,25 +93,25 @@ impl Seen {
 /// Points of one slave triangle and the master triangles near it.
 pub(super) fn points_of_triangle(
     slave: &Facets,
-    triangle: usize,
     master: &Facets,
-    masters: &[usize],
+    pairs: &[[usize; 2]],
     search: Search,
-) -> Vec<MortarPoint<3>> {
+    points: &mut Vec<MortarPoint<3>>,
+) {
+    let triangle = pairs[0][0];
     let vertices = slave.triangles()[triangle];
     let normal = slave.triangle_normal(triangle);
     let plane = Plane::new(slave.points[vertices[0]], normal);
     let own = vertices.map(|v| plane.flat(&slave.points[v]));
     let smallest = SMALLEST * area(&own);
-    let parts: Vec<_> = masters
+    let parts: Vec<_> = pairs
         .iter()
-        .filter_map(|m| {
+        .filter_map(|[_, m]| {
             let seen = Seen::new(&plane, master, *m)?;
             let part = overlap(&seen.corners, &own);
             (part.area() > smallest).then_some((seen, part))
         })
         .collect();
-    let mut points = vec![];
     for (k, (seen, part)) in parts.iter().enumerate() {
         for cell in part.fan() {
             let weight = area(&cell) / 3.0;
@@ -136,7 +137,6 @@ pub(super) fn points_of_triangle(
             }
         }
     }
-    points
 }
 
 /// Points at the vertices of the slave, each with a third of the triangles around it.
@@ -144,17 +144,17 @@ pub(super) fn points_of_vertices(
     slave: &Facets,
     normals: &[Point],
     master: &Facets,
-    near: &[(usize, Vec<usize>)],
+    near: &Near<3>,
     search: Search,
-) -> Vec<MortarPoint<3>> {
+    points: &mut Vec<MortarPoint<3>>,
+) {
     let areas = slave.tributary_areas();
-    let mut candidates = vec![vec![]; slave.points.len()];
-    for (triangle, masters) in near {
+    let mut candidates: Vec<Vec<usize>> = vec![vec![]; slave.points.len()];
+    for [triangle, m] in &near.pairs {
         for v in slave.triangles()[*triangle] {
-            candidates[v].extend_from_slice(masters);
+            candidates[v].push(*m);
         }
     }
-    let mut points = vec![];
     for (v, mut masters) in candidates.into_iter().enumerate() {
         masters.sort_unstable();
         masters.dedup();
@@ -179,5 +179,4 @@ pub(super) fn points_of_vertices(
             });
         }
     }
-    points
 }

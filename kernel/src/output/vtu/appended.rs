@@ -92,9 +92,10 @@ impl Block<'_> {
 pub(super) enum Values<'a> {
     Float(&'a [f64]),
     Integer(&'a [i64]),
-    /// `from`, `from + 1`, … (`n` of them).
+    /// `from`, `from + step`, … (`n` of them).
     Count {
         from: usize,
+        step: usize,
         n: usize,
     },
     /// The type of `n` vertex cells.
@@ -123,8 +124,8 @@ impl Values<'_> {
         match *self {
             Self::Float(values) => little_endian::write(values.iter().copied(), file),
             Self::Integer(values) => little_endian::write(values.iter().copied(), file),
-            Self::Count { from, n } => {
-                little_endian::write((from..from + n).map(|i| i as i64), file)
+            Self::Count { from, step, n } => {
+                little_endian::write((0..n).map(|i| (from + step * i) as i64), file)
             }
             Self::Vertices(n) => little_endian::write(std::iter::repeat_n(VTK_VERTEX, n), file),
         }

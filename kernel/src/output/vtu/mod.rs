@@ -1,11 +1,12 @@
-//! One frame: the particles at one time, as a VTK XML file (`.vtu`) that `ParaView` and VTK read.
+//! One frame: points at one time, as a VTK XML file that `ParaView` and VTK read.
 //!
-//! An unstructured grid with one vertex cell per particle, so that it is visible without a filter. The numbers
-//! follow the XML in one `AppendedData` section, raw and little-endian: each array is an 8-byte length and its
+//! Particles are an unstructured grid (`.vtu`) with one vertex cell per particle, so that it is visible without a
+//! filter; points that are joined by lines are poly data (`.vtp`). The numbers follow the XML in one `AppendedData` section, raw and little-endian: each array is an 8-byte length and its
 //! values, or, compressed, the block table of `vtkZLibDataCompressor` and its blocks.
 
 use std::collections::HashSet;
 use std::io::{self, Write};
+use std::ops::Not;
 use std::path::Path;
 
 mod appended;
@@ -24,6 +25,16 @@ pub struct Frame {
     pub points: Vec<[f64; 3]>,
     /// Point data, each as long as `points`.
     pub arrays: Vec<Array>,
+    /// Lines between two points each, by their numbers from 0; none for particles.
+    pub lines: Vec<[i64; 2]>,
+}
+
+impl Frame {
+    /// What the names of files with this frame end in: `vtp` with lines, else `vtu`.
+    #[must_use]
+    pub fn extension(&self) -> &'static str {
+        if self.lines.is_empty() { "vtu" } else { "vtp" }
+    }
 }
 
 /// A named quantity of every particle.
@@ -105,6 +116,19 @@ fn check(path: &Path, frame: &Frame) -> Result<(), OutputError> {
             last: None,
         });
     }
+    let n = frame.points.len();
+    if let Some(k) = frame
+        .lines
+        .as_flattened()
+        .iter()
+        .find(|k| usize::try_from(**k).is_ok_and(|k| k < n).not())
+    {
+        return Err(OutputError::Name {
+            path: path.to_path_buf(),
+            name: format!("line to point {k}"),
+            reason: "there is no such point",
+        });
+    }
     let mut names = HashSet::new();
     for array in &frame.arrays {
         let name = array.name.as_str();
@@ -139,23 +163,36 @@ fn check(path: &Path, frame: &Frame) -> Result<(), OutputError> {
 
 fn fill(file: &mut dyn Write, frame: &Frame, compression: Compression) -> io::Result<()> {
     let n = frame.points.len();
+    let kind = if frame.lines.is_empty() {
+        "UnstructuredGrid"
+    } else {
+        "PolyData"
+    };
     let mut appended = Appended::new(compression);
     write!(
         file,
         "<?xml version=\"1.0\"?>\n\
-         <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"{}>\n\
-         <UnstructuredGrid>\n\
+         <VTKFile type=\"{kind}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"{}>\n\
+         <{kind}>\n\
          <FieldData>\n\
          <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>\n\
          <DataArray type=\"Int64\" Name=\"Step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n\
          </FieldData>\n\
-         <Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n",
+         <Piece NumberOfPoints=\"{n}\" {}>\n",
         match compression {
             Compression::None => "",
             Compression::Zlib(_) => " compressor=\"vtkZLibDataCompressor\"",
         },
         frame.time,
         frame.step,
+        if frame.lines.is_empty() {
+            format!("NumberOfCells=\"{n}\"")
+        } else {
+            format!(
+                "NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"",
+                frame.lines.len()
+            )
+        },
     )?;
     writeln!(file, "<PointData>")?;
     for array in &frame.arrays {
@@ -173,13 +210,40 @@ fn fill(file: &mut dyn Write, frame: &Frame, compression: Compression) -> io::Re
         3,
         Values::Float(frame.points.as_flattened()),
     )?;
-    writeln!(file, "</Points>\n<Cells>")?;
-    appended.declare(file, "connectivity", 1, Values::Count { from: 0, n })?;
-    appended.declare(file, "offsets", 1, Values::Count { from: 1, n })?;
-    appended.declare(file, "types", 1, Values::Vertices(n))?;
+    let (element, connectivity, offsets) = if frame.lines.is_empty() {
+        (
+            "Cells",
+            Values::Count {
+                from: 0,
+                step: 1,
+                n,
+            },
+            Values::Count {
+                from: 1,
+                step: 1,
+                n,
+            },
+        )
+    } else {
+        (
+            "Lines",
+            Values::Integer(frame.lines.as_flattened()),
+            Values::Count {
+                from: 2,
+                step: 2,
+                n: frame.lines.len(),
+            },
+        )
+    };
+    writeln!(file, "</Points>\n<{element}>")?;
+    appended.declare(file, "connectivity", 1, connectivity)?;
+    appended.declare(file, "offsets", 1, offsets)?;
+    if frame.lines.is_empty() {
+        appended.declare(file, "types", 1, Values::Vertices(n))?;
+    }
     write!(
         file,
-        "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"
+        "</{element}>\n</Piece>\n</{kind}>\n<AppendedData encoding=\"raw\">\n_"
     )?;
     appended.write(file)?;
     write!(file, "\n</AppendedData>\n</VTKFile>\n")

@@ -13,7 +13,7 @@ use crate::mortar::bound::{Closing, NodalStiffness, allowed_approach};
 use crate::mortar::broad::Bounds;
 use crate::mortar::elements::Elements;
 use crate::mortar::motion::{Follow, vertex_velocity};
-use crate::mortar::pair::{PairForces, Surfaces, contact_forces};
+use crate::mortar::pair::{Surfaces, contact_forces_to};
 use crate::mortar::weights::VertexWeights;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
@@ -59,6 +59,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         self.surfaces.push(Surface {
             id,
             carrier,
+            start: boundary.points().to_vec(),
             boundary,
             moved: zeros.clone(),
             velocity: zeros.clone(),
@@ -74,7 +75,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         let box_of = |s: &Surface<B, D, N>, margin| Bounds::around(s.boundary.points(), margin);
         let margin = pair.law.search.margin();
         if box_of(slave, margin).overlaps(&box_of(master, 0.0)) {
-            pair.forces = contact_forces(
+            contact_forces_to(
+                &mut pair.forces,
                 Surfaces {
                     slave: &slave.boundary,
                     master: &master.boundary,
@@ -85,9 +87,10 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 },
                 &pair.law,
                 &mut pair.slip,
+                &mut pair.work,
             );
         } else {
-            pair.forces = PairForces::default();
+            pair.forces.clear(0, 0);
             pair.slip.0.fill([0.0; T]);
         }
         pair.closing = Closing::of(
@@ -265,11 +268,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Time step that the stiffness of all contacts allows \[s\].
-    pub(super) fn time_step(&self) -> f64 {
+    /// Time step that the stiffness of all contacts allows \[s\]; `nodes` is memory.
+    pub(super) fn time_step(&self, nodes: &mut NodalStiffness) -> f64 {
         let mut most = f64::INFINITY;
         for (s, surface) in self.surfaces.iter().enumerate() {
-            let mut nodes = NodalStiffness::default();
+            nodes.clear();
             for pair in &self.pairs {
                 for (of, stiffness) in [
                     (pair.slave, &pair.forces.slave_stiffness),
@@ -279,7 +282,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         continue;
                     }
                     for (patch, k) in surface.patches.iter().zip(stiffness) {
-                        nodes.add(&patch.weights, &patch.masses, *k);
+                        nodes.add(&patch.nodes, &patch.weights.weights, &patch.masses, *k);
                     }
                 }
             }

@@ -13,9 +13,10 @@ mod surface;
 mod vertices;
 
 pub(crate) use boundaries::Boundaries;
-pub use vertices::VertexState;
+pub use vertices::{BoundaryVertex, VertexState};
 
 use super::error::StepErrorKind;
+use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;
 use boundaries::Hosts;
@@ -32,6 +33,7 @@ pub(crate) struct MortarState {
     /// Largest time step in which no gap closes too far \[s\].
     pub(super) closing_step: f64,
     groups: usize,
+    stiffness: NodalStiffness,
 }
 
 impl Default for MortarState {
@@ -42,6 +44,7 @@ impl Default for MortarState {
             time_step: f64::INFINITY,
             closing_step: f64::INFINITY,
             groups: 0,
+            stiffness: NodalStiffness::default(),
         }
     }
 }
@@ -64,7 +67,9 @@ impl MortarState {
         self.space.weigh(hosts, time)?;
         self.plane.meet_all(&hosts.origin)?;
         self.space.meet_all(&hosts.origin)?;
-        self.time_step = self.plane.time_step().min(self.space.time_step());
+        let nodes = &mut self.stiffness;
+        let plane = self.plane.time_step(nodes);
+        self.time_step = plane.min(self.space.time_step(nodes));
         self.closing_step = self.plane.closing_step().min(self.space.closing_step());
         Ok(())
     }

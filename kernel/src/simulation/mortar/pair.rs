@@ -4,7 +4,7 @@ use super::surface::{Carrier, Surface};
 use crate::mortar::bound::Closing;
 use crate::mortar::elements::Elements;
 use crate::mortar::law::{FLOOR, Friction, NormalLaw};
-use crate::mortar::pair::{PairForces, PairLaw, Slip};
+use crate::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
 use crate::mortar::points::Search;
 use crate::scene::{Enforcement, MortarContact};
 
@@ -20,6 +20,7 @@ pub(crate) struct MortarPair<const D: usize, const T: usize> {
     pub(super) forces: PairForces<D, T>,
     /// How fast the pair closes.
     pub(super) closing: Closing,
+    pub(super) work: Workspace<D>,
 }
 
 /// The pair of an entry; none where both ends are rigid.
@@ -66,5 +67,6 @@ pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: u
         slip: Slip(vec![[0.0; T]; boundary.points().len()]),
         forces: PairForces::default(),
         closing: Closing::NONE,
+        work: Workspace::default(),
     })
 }

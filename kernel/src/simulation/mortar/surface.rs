@@ -26,6 +26,8 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(crate) id: i64,
     pub(super) carrier: Carrier,
     pub(crate) boundary: B,
+    /// Positions of the vertices at the start.
+    pub(super) start: Vec<PointIn<D>>,
     /// Displacement of the vertices in the last step \[m\].
     pub(crate) moved: Vec<PointIn<D>>,
     /// Velocity of the vertices at the beginning of this step \[m/s\].

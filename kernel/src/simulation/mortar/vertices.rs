@@ -2,6 +2,7 @@
 
 use super::boundaries::Boundaries;
 use super::surface::{in_scene, to_vector};
+use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
@@ -24,7 +25,41 @@ pub struct VertexState {
     pub measure: f64,
 }
 
+/// A vertex of a boundary, or of a rigid line or surface, for output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundaryVertex {
+    /// Identifier of the body, line or surface.
+    pub id: i64,
+    /// Number of the vertex in its boundary, from 0.
+    pub vertex: i64,
+    /// Position in the coordinates of the scene \[m\].
+    pub position: Vector,
+    /// Displacement since the start \[m\].
+    pub displacement: Vector,
+    /// Contact pressure \[Pa\]; zero where the vertex is no slave.
+    pub pressure: f64,
+    /// Smallest weighted gap \[m\]; NaN where the vertex is no slave or faces nothing.
+    pub gap: f64,
+    /// Contact traction on the vertex, normal and tangential \[Pa\]; zero where it is no slave.
+    pub traction: Vector,
+    /// Contact force on the vertex \[N\]; in two dimensions per thickness \[N/m\].
+    pub force: Vector,
+}
+
 impl Simulation {
+    /// The vertices of all boundaries, rigid lines and rigid surfaces, one after the other, and the segments or edges of
+    /// triangles between them, each once. Contact is as of the last detection.
+    #[must_use]
+    pub fn boundaries(&self) -> (Vec<BoundaryVertex>, Vec<[usize; 2]>) {
+        let origin = self.origin();
+        let (mut vertices, mut edges) = (vec![], vec![]);
+        let plane = &self.mortar.plane;
+        plane.shown(&origin, &mut vertices, &mut edges);
+        let space = &self.mortar.space;
+        space.shown(&origin, &mut vertices, &mut edges);
+        (vertices, edges)
+    }
+
     /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline or surface.
     #[must_use]
     pub fn mortar_vertices(&self, contact: i64) -> Option<Vec<VertexState>> {
@@ -85,6 +120,61 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             }
         });
         Some(states.collect())
+    }
+
+    fn shown(
+        &self,
+        origin: &Vector,
+        vertices: &mut Vec<BoundaryVertex>,
+        edges: &mut Vec<[usize; 2]>,
+    ) {
+        for (s, surface) in self.surfaces.iter().enumerate() {
+            let first = vertices.len();
+            let boundary = &surface.boundary;
+            let mut own: Vec<[usize; 2]> = boundary
+                .elements()
+                .iter()
+                .flat_map(|element| {
+                    // A segment has one edge, a triangle three.
+                    (0..if D == 2 { 1 } else { D }).map(|k| [element[k], element[(k + 1) % D]])
+                })
+                .collect();
+            if D == 3 {
+                for edge in &mut own {
+                    edge.sort_unstable();
+                }
+                own.sort_unstable();
+                own.dedup();
+            }
+            edges.extend(own.iter().map(|edge| edge.map(|k| first + k)));
+            for (k, x) in boundary.points().iter().enumerate() {
+                let seen = self
+                    .pairs
+                    .iter()
+                    .filter(|pair| pair.slave == s)
+                    .filter_map(|pair| pair.forces.vertices.get(k)?.as_ref());
+                let (mut pressure, mut gap) = (0.0, f64::NAN);
+                let mut traction = PointIn::<D>::zeros();
+                for v in seen {
+                    pressure += v.pressure;
+                    gap = v.gap.min(gap);
+                    traction -= v.pressure * v.normal;
+                    for (tangent, t) in boundary.tangents(k, &v.normal).iter().zip(v.traction) {
+                        traction -= t * tangent;
+                    }
+                }
+                vertices.push(BoundaryVertex {
+                    id: surface.id,
+                    vertex: k as i64,
+                    position: in_scene(x, origin),
+                    displacement: to_vector(&(x - surface.start[k])),
+                    pressure,
+                    gap,
+                    traction: to_vector(&traction),
+                    force: to_vector(&surface.force[k]),
+                });
+            }
+        }
     }
 
     fn positions(&self, id: i64, origin: &Vector) -> Option<Vec<Vector>> {

@@ -90,7 +90,7 @@ fn the_bound_is_above_the_frequencies_of_a_patch() {
             .augmented(&masses)
             .expect("has mass");
         assert_eq!(w.base, [0; 3]);
-        nodes.add(&w, &masses, stiffness);
+        nodes.add(&std::array::from_fn(|k| k), &w.weights, &masses, stiffness);
         for i in (0..27).filter(|i| masses[*i] > 0.0) {
             for j in (0..27).filter(|j| masses[*j] > 0.0) {
                 k[(i, j)] +=

@@ -3,8 +3,7 @@
 use super::support::{ball, ceiling, floor, moved, point};
 use crate::common::cases;
 use nalgebra::Rotation3;
-use proctor_kernel::mortar::elements::Elements;
-use proctor_kernel::mortar::points::{Detection, MortarPoint, Search};
+use proctor_kernel::mortar::points::{Detection, MortarPoint, MortarPoints, Search};
 use proctor_kernel::mortar::space::facets::Facets;
 use proptest::prelude::*;
 
@@ -14,7 +13,9 @@ const SEARCH: Search = Search {
 };
 
 fn points(slave: &Facets, master: &Facets, detection: Detection) -> Vec<MortarPoint<3>> {
-    slave.facing(&slave.normals(), master, detection, SEARCH)
+    let mut found = MortarPoints::default();
+    found.find(slave, &slave.normals(), master, detection, SEARCH);
+    found.points
 }
 
 fn covered(points: &[MortarPoint<3>]) -> f64 {
