@@ -15,12 +15,18 @@ mod boussinesq;
 mod colliding_blocks;
 #[path = "cases/hertz.rs"]
 mod hertz;
+#[path = "cases/hertz_slab.rs"]
+mod hertz_slab;
+#[path = "cases/hertz_sphere.rs"]
+mod hertz_sphere;
 #[path = "cases/inclined_block.rs"]
 mod inclined_block;
 #[path = "cases/inclined_two_blocks.rs"]
 mod inclined_two_blocks;
 #[path = "cases/rolling_disk.rs"]
 mod rolling_disk;
+#[path = "cases/rolling_disk_slab.rs"]
+mod rolling_disk_slab;
 #[path = "cases/rotation.rs"]
 mod rotation;
 #[path = "cases/self_weight.rs"]

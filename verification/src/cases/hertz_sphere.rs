@@ -91,7 +91,8 @@ fn bottom(r: f64) -> f64 {
     GAP + RADIUS - (RADIUS * RADIUS - r * r).sqrt()
 }
 
-/// Particles of the quarter of the block, two per cell and axis, with volumes that add up to that of the block.
+/// Particles of the quarter of the block, about two per cell and axis: columns that reach from the ball's surface to the
+/// top, so that no step of a lattice lies in the contact, with volumes that add up to that of the block.
 fn particles(h: f64) -> Vec<ParticleSeed> {
     let step = 0.5 * h;
     let count = (BLOCK / step).ceil() as usize;
@@ -104,25 +105,25 @@ fn particles(h: f64) -> Vec<ParticleSeed> {
             if r >= BLOCK {
                 continue;
             }
-            for k in 0..=count {
-                let z = at(k);
-                if (bottom(r)..=GAP + BLOCK).contains(&z) {
-                    seeds.push(ParticleSeed {
-                        position: [x, y, z],
-                        volume: 1.0,
-                    });
-                }
+            let height = GAP + BLOCK - bottom(r);
+            let layers = (height / step).round();
+            for k in 0..layers as usize {
+                let z = bottom(r) + height * (k as f64 + 0.5) / layers;
+                seeds.push(ParticleSeed {
+                    position: [x, y, z],
+                    volume: step * step * height / layers,
+                });
             }
         }
     }
-    // The block without what is below the ball: pi L² H less the volume of its cap.
+    // The block without what is below the ball: pi L² H less the volume under its cap.
     let sag = bottom(BLOCK) - GAP;
     let cap = PI * sag * sag * (RADIUS - sag / 3.0);
     let below = PI * BLOCK * BLOCK * sag - cap;
     let volume = 0.25 * (PI * BLOCK.powi(3) - below);
-    let each = volume / seeds.len() as f64;
+    let scale = volume / seeds.iter().map(|seed| seed.volume).sum::<f64>();
     for seed in &mut seeds {
-        seed.volume = each;
+        seed.volume *= scale;
     }
     seeds
 }
