@@ -2,6 +2,8 @@
 //!
 //! [`Plan::new`] decides once. What is left out is never called and its fields are never allocated.
 
+mod warnings;
+
 use crate::mortar::motion::Follow;
 use crate::mortar::points::Detection;
 use crate::particles::{Layout, Optional};
@@ -56,6 +58,8 @@ pub struct Plan {
     pub layouts: Vec<Layout>,
     /// What was decided, in words.
     pub entries: Vec<Entry>,
+    /// What the scene may do, but not well, each with its reason.
+    pub warnings: Vec<String>,
 }
 
 /// One decision in words.
@@ -151,6 +155,7 @@ impl Plan {
             measure: demands.measure || kinetic_damping,
             layouts,
             entries: vec![],
+            warnings: warnings::warnings(scene),
         };
         plan.entries = plan.describe(scene, demands);
         plan
@@ -393,6 +398,19 @@ fn contact_words(scene: &Scene, list: &mut Words) {
             "the motion of both bodies is prescribed",
         );
     }
+    for boundary in &scene.mortar.boundaries {
+        list.keep(
+            "stage",
+            &format!("boundary of body {}", boundary.body),
+            match boundary.follow {
+                Follow::Velocity => "its vertices follow the velocities of the nodes",
+                Follow::Spin => "its vertices follow velocities and spins of the nodes",
+                Follow::Gradient => {
+                    "its vertices follow velocities and velocity gradients of the nodes"
+                }
+            },
+        );
+    }
     for contact in &scene.mortar.contacts {
         list.keep(
             "stage",
@@ -537,6 +555,9 @@ impl fmt::Display for Plan {
                     entry.because
                 )?;
             }
+        }
+        for warning in &self.warnings {
+            writeln!(f, "warning: {warning}")?;
         }
         writeln!(f, "bytes per particle  {}", self.bytes_per_particle())?;
         write!(f, "bytes per node      {}", self.bytes_per_node())

@@ -60,6 +60,9 @@ impl Run {
             self.restart.as_deref(),
         )
         .map_err(|error| Failure::BadInput(format!("{}: {error}", self.scene.display())))?;
+        for warning in &run.simulation().plan().warnings {
+            eprintln!("warning: {warning}");
+        }
         let first = run.simulation().steps();
         let mut tally = Tally::default();
         let fault = drive(&mut run, &mut tally, &interrupt);

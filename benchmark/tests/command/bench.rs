@@ -76,7 +76,16 @@ fn every_sample_is_a_row_and_the_repetitions_are_interleaved() {
         );
     }
     // Phases are parts of the whole.
-    let phases: f64 = ["time_step", "sort", "p2g_solve", "remap", "g2p", "finish"]
+    let names = [
+        "contact",
+        "time_step",
+        "sort",
+        "p2g_solve",
+        "remap",
+        "g2p",
+        "finish",
+    ];
+    let phases: f64 = names
         .iter()
         .map(|phase| step[format!("ns_{phase}")].as_f64().expect("a number"))
         .sum();

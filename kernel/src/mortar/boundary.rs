@@ -110,6 +110,7 @@ pub struct Boundary {
     /// Positions of the vertices \[m\], chain after chain.
     pub points: Vec<Point>,
     segments: Vec<[usize; 2]>,
+    sides: Vec<Side>,
     around: Vec<[Option<usize>; 2]>,
 }
 
@@ -122,6 +123,7 @@ impl Boundary {
         let mut points = vec![];
         let mut segments = vec![];
         let mut origin = vec![];
+        let mut sides = vec![];
         for (index, chain) in chains.iter().enumerate() {
             check_chain(index, chain)?;
             let (first, count) = (points.len(), chain.points.len());
@@ -134,6 +136,7 @@ impl Boundary {
             for k in 0..joined {
                 segments.push([first + k, first + (k + 1) % count]);
                 origin.push([index, k]);
+                sides.push(chain.side);
             }
         }
         if let Some([s, t]) = first_crossing(&points, &segments) {
@@ -150,6 +153,7 @@ impl Boundary {
         Ok(Self {
             points,
             segments,
+            sides,
             around,
         })
     }
@@ -158,6 +162,12 @@ impl Boundary {
     #[must_use]
     pub fn segments(&self) -> &[[usize; 2]] {
         &self.segments
+    }
+
+    /// What the chain of a segment bounds.
+    #[must_use]
+    pub fn side(&self, segment: usize) -> Side {
+        self.sides[segment]
     }
 
     /// The segments that end and begin at a vertex.

@@ -53,6 +53,12 @@ pub trait Elements<const D: usize, const T: usize> {
         velocity
     }
 
+    /// How this slave and a master lie in each other, in words; nothing where they are apart or touch. In space only
+    /// faces that face each other are compared, by their gap.
+    fn lies_in(&self, _master: &Self) -> Option<String> {
+        None
+    }
+
     /// Where edges of this slave and a master meet at a distance between `-depth` and `reach` \[m\], which contact of
     /// elements does not see, and the distance. In the plane there are none.
     fn edges_that_meet(

@@ -2,7 +2,8 @@
 //! dimensions, triangles in three.
 //!
 //! The parts, in the order in which a step uses them:
-//! - [`boundary`]: the polylines, checked; [`outline`]: polylines of the shapes of bodies; [`space`]: the same made of
+//! - [`boundary`]: the polylines, checked; [`outline`]: polylines of the shapes of bodies; [`overlap`]: polylines that
+//!   lie in each other at the start; [`space`]: the same made of
 //!   triangles, and what projection and clipping are there;
 //! - [`weights`]: augmented weights of a vertex, which give no share to nodes without mass; [`motion`]: how vertices
 //!   follow the body;
@@ -26,6 +27,7 @@ pub mod elements;
 pub mod law;
 pub mod motion;
 pub mod outline;
+pub mod overlap;
 pub mod pair;
 pub mod points;
 pub mod segments;

@@ -84,6 +84,35 @@ pub fn outline(shape: &Shape, segment: f64) -> Result<Vec<Chain>, OutlineError> 
     }
 }
 
+/// Distance of a point from the boundary of a shape \[m\]; `None` for a shape without an outline of its own.
+#[must_use]
+pub fn distance_to_outline(shape: &Shape, x: &Point) -> Option<f64> {
+    let from_circle = |center: &[f64; 3], radius: f64| {
+        ((x - Point::new(center[0], center[1])).norm() - radius).abs()
+    };
+    match shape {
+        Shape::Sphere { center, radius } => Some(from_circle(center, *radius)),
+        Shape::Ring {
+            center,
+            inner,
+            outer,
+        } => Some(from_circle(center, *inner).min(from_circle(center, *outer))),
+        _ => {
+            // Corners alone: no edge is divided.
+            let chains = outline(shape, f64::MAX).ok()?;
+            let corners = &chains.first()?.points;
+            let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+            edges
+                .map(|(a, b)| {
+                    let edge = b - a;
+                    let share = ((x - a).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+                    (x - a - share * edge).norm()
+                })
+                .min_by(f64::total_cmp)
+        }
+    }
+}
+
 /// Number of equal parts of a length that are no longer than `segment`. A length that is a multiple but for round-off
 /// gets no part more.
 pub(super) fn parts(length: f64, segment: f64) -> usize {

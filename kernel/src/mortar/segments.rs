@@ -7,6 +7,7 @@
 use super::boundary::Boundary;
 use super::broad::Near;
 use super::elements::Elements;
+use super::overlap::overlap;
 use super::points::{FACING, MortarPoint, Search};
 use super::{Point, cross};
 
@@ -35,6 +36,10 @@ impl Elements<2, 1> for Boundary {
 
     fn normals_to(&self, normals: &mut Vec<Point>) {
         Self::normals_to(self, normals);
+    }
+
+    fn lies_in(&self, master: &Self) -> Option<String> {
+        overlap(self, master).map(|found| found.to_string())
     }
 
     fn tangents(&self, _vertex: usize, normal: &Point) -> [Point; 1] {

@@ -211,12 +211,16 @@ pub fn plan_value(plan: &Plan) -> Value {
             .map(|e| json!({ "group": e.group, "name": e.name, "because": e.because }))
             .collect()
     };
-    json!({
+    let mut value = json!({
         "kept": list(true),
         "left_out": list(false),
         "bytes_per_particle": plan.bytes_per_particle(),
         "bytes_per_node": plan.bytes_per_node(),
-    })
+    });
+    if !plan.warnings.is_empty() {
+        value["warnings"] = json!(plan.warnings);
+    }
+    value
 }
 
 fn event(event: &Event) -> SummaryEvent {

@@ -295,9 +295,11 @@ impl Simulation {
                 for planes in all(&mut fields) {
                     planes.constrain_remapped(&still);
                 }
-                meetings[fields.slab]
-                    .clone()
-                    .act(&mut fields, &bodies, On::Remapped);
+                // Mortar contact has acted in the equation of motion, and has no meetings on the grid.
+                let Some(meetings) = meetings.get(fields.slab) else {
+                    return;
+                };
+                meetings.clone().act(&mut fields, &bodies, On::Remapped);
                 for planes in all(&mut fields) {
                     planes.constrain_remapped(&still);
                 }
@@ -328,6 +330,7 @@ impl Simulation {
             acting,
             self.stencil,
         );
+        let on_grid = !contact.pairs.is_empty();
         let states: States = contact.meetings.iter().flat_map(Meetings::states).collect();
         contact
             .layers
@@ -337,7 +340,9 @@ impl Simulation {
                     planes.fold(&still, true, false);
                     planes.velocities();
                 }
-                map_gradients(&mut fields, &gradient, &still);
+                if on_grid {
+                    map_gradients(&mut fields, &gradient, &still);
+                }
                 fields.common.drive(&acting.driven, false);
                 fields.common.constrain(&still, false);
                 for layer in &mut fields.layers {

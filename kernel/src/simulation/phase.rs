@@ -4,6 +4,8 @@
 /// [`Simulation::step_watched`](super::Simulation::step_watched) is told when a phase has ended and may read its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Phase {
+    /// Vertices of boundaries: weights, gaps and forces of mortar contact, motion; only in scenes with boundaries.
+    Contact,
     /// Choice of the time step.
     TimeStep,
     /// Sorting of the particles, in steps that sort.
@@ -20,7 +22,8 @@ pub enum Phase {
 
 impl Phase {
     /// All phases, in the order of a step.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
+        Self::Contact,
         Self::TimeStep,
         Self::Sort,
         Self::NodesFromParticles,
@@ -33,6 +36,7 @@ impl Phase {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
+            Self::Contact => "contact",
             Self::TimeStep => "time_step",
             Self::Sort => "sort",
             Self::NodesFromParticles => "p2g_solve",

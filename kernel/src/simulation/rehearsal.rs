@@ -103,7 +103,7 @@ impl Simulation {
             contact: self.contact.clone(),
             mortar: self.mortar.clone(),
         };
-        self.meet_boundaries()?;
+        self.find_contact()?;
         let info = self.choose_time_step(f64::INFINITY)?;
         let acting = self.acting(info.dt);
         let mut rehearsal = Rehearsal {
@@ -129,7 +129,7 @@ impl Rehearsal<'_> {
             Part::Weights | Part::Sort | Part::NodesFromParticles => {}
             Part::Solve => simulation.map_alone(),
             Part::Remap => {
-                simulation.meet_boundaries()?;
+                simulation.find_contact()?;
                 simulation.map_to_nodes(&self.acting, self.info.dt)?;
             }
             Part::ParticlesFromNodes => {
@@ -138,7 +138,7 @@ impl Rehearsal<'_> {
                         column.copy_from_slice(was);
                     }
                 }
-                simulation.meet_boundaries()?;
+                simulation.find_contact()?;
                 simulation.map_to_nodes(&self.acting, self.info.dt)?;
             }
         }
@@ -192,6 +192,15 @@ impl Drop for Rehearsal<'_> {
 }
 
 impl Simulation {
+    /// What a step with boundaries does before its time step is chosen.
+    fn find_contact(&mut self) -> Result<(), StepError> {
+        if self.mortar.acts() {
+            self.map_to_boundaries();
+            self.meet_boundaries()?;
+        }
+        Ok(())
+    }
+
     /// Particles to nodes without the equation of motion.
     fn map_alone(&mut self) {
         let mapping = bodies_onto(

@@ -34,7 +34,11 @@ impl Simulation {
     ) -> Result<StepInfo, StepError> {
         if self.mortar.acts() {
             self.sort_if_stale();
+            ended(Phase::Sort);
+            self.map_to_boundaries();
+            ended(Phase::NodesFromParticles);
             self.meet_boundaries()?;
+            ended(Phase::Contact);
         }
         let mut info = self.choose_time_step(stop)?;
         ended(Phase::TimeStep);
@@ -42,8 +46,8 @@ impl Simulation {
         self.refuse_fast_closing(info.dt)?;
         if !self.mortar.acts() {
             self.sort_if_stale();
+            ended(Phase::Sort);
         }
-        ended(Phase::Sort);
         let acting = self.acting(info.dt);
         self.set_body_force();
 
@@ -55,6 +59,7 @@ impl Simulation {
         let moved = self.mesh_velocity(&info).map(|v| v * drift);
         if self.mortar.acts() {
             self.move_vertices(drift, acting.half_steps[1]);
+            ended(Phase::Contact);
         }
         match self.scene.scheme {
             StressScheme::Usl => {

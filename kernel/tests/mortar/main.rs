@@ -9,6 +9,7 @@ mod common;
 mod law;
 mod motion;
 mod outline;
+mod overlap;
 mod pair;
 mod segments;
 mod space;

@@ -47,7 +47,7 @@ fn written(frame: &Frame, compression: Compression) -> Vec<u8> {
 }
 
 /// A reader that knows only what the VTK file format says: name to (type, components, bytes).
-fn arrays(file: &[u8]) -> HashMap<String, (String, usize, Vec<u8>)> {
+pub(super) fn arrays(file: &[u8]) -> HashMap<String, (String, usize, Vec<u8>)> {
     let marker = b"<AppendedData encoding=\"raw\">\n_";
     let start = file
         .windows(marker.len())
@@ -321,5 +321,17 @@ fn a_list_that_is_none_is_refused() {
             "{text}: {error:?}"
         );
         assert_eq!(fs::read_to_string(folder.file(LIST)).unwrap(), text);
+    }
+}
+
+#[test]
+fn a_line_to_a_point_that_is_not_there_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("frame.vtp");
+    for lines in [vec![[0, 2]], vec![[0, 1], [-1, 0]]] {
+        let wrong = Frame { lines, ..frame(2) };
+        let error = vtu::write(&path, &wrong, Compression::None).unwrap_err();
+        assert!(error.to_string().contains("no such point"), "{error}");
+        assert!(!path.exists());
     }
 }

@@ -1,7 +1,7 @@
 //! Mortar contact in the cycle: balance, bits, vertices that follow their body, and what is refused.
 
 use crate::common::{
-    APIC, IDENTITY, body, elastic, empty, material, momentum_scale, options, run_towards,
+    APIC, FLIP, IDENTITY, body, elastic, empty, material, momentum_scale, options, run_towards,
     simulation,
 };
 use proctor_kernel::mortar::Point;
@@ -10,9 +10,11 @@ use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, History, Mortar, MortarContact, RigidLine, Scene, Shape,
-    Vertices,
+    StressScheme, TimeStep, Transfer, Vertices,
 };
-use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation, StepErrorKind};
+use proctor_kernel::simulation::{
+    Bound, InitialState, Options, SetupError, Simulation, StepErrorKind,
+};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -81,8 +83,18 @@ fn collision(friction: f64) -> Scene {
 
 #[test]
 fn a_collision_keeps_the_momentum() {
-    for friction in [0.0, 0.4] {
-        let scene = collision(friction);
+    let usl = StressScheme::Usl;
+    let runs = [
+        (0.0, APIC, usl),
+        (0.4, APIC, usl),
+        (0.4, FLIP, usl),
+        (0.4, APIC, StressScheme::Musl),
+        (0.4, FLIP, StressScheme::Musl),
+    ];
+    for (friction, transfer, scheme) in runs {
+        let mut scene = collision(friction);
+        scene.transfer = transfer;
+        scene.scheme = scheme;
         scene.check().expect("sound");
         let mut simulation = simulation(&scene);
         let (before, scale) = (simulation.momentum(), momentum_scale(&simulation));
@@ -147,10 +159,10 @@ fn a_contact_that_never_meets_changes_no_bit() {
 
 /// How far the vertices are from where the mean turn of the particles would have brought them, in the mean, after
 /// about one turn \[m\].
-fn drift(follow: Follow) -> f64 {
+fn drift(follow: Follow, transfer: Transfer) -> f64 {
     let mut scene = empty(Dimension::Two, [14, 14, 1], 0.1);
     let center = [0.7, 0.7, 0.0];
-    scene.transfer = APIC;
+    scene.transfer = transfer;
     scene.materials = vec![material(elastic(1.0e6, 0.3))];
     scene.bodies = vec![body(
         1,
@@ -160,8 +172,6 @@ fn drift(follow: Follow) -> f64 {
         },
     )];
     scene.mortar.boundaries = vec![boundary(1, follow)];
-    scene.mortar.lines = vec![line(&[[0.01, -40.0], [0.0, -40.0]])];
-    scene.mortar.contacts = vec![contact(9, 1, 0.0)];
     let options = Options {
         displacement: true,
         initial: Some(Arc::new(move |x| InitialState {
@@ -198,7 +208,11 @@ fn drift(follow: Follow) -> f64 {
 /// The body deforms a little meanwhile; what the update of the vertices leaves out comes on top.
 #[test]
 fn vertices_follow_a_turning_body() {
-    let [velocity, spin, gradient] = [Follow::Velocity, Follow::Spin, Follow::Gradient].map(drift);
+    let [velocity, spin, gradient] =
+        [Follow::Velocity, Follow::Spin, Follow::Gradient].map(|follow| drift(follow, APIC));
+    // With FLIP the spins come from a velocity gradient that is kept for them alone.
+    let flip = drift(Follow::Spin, FLIP);
+    assert!(flip < 0.02, "{flip}");
     assert!(spin < 0.02, "{velocity} {spin} {gradient}");
     assert!(gradient < 0.02, "{velocity} {spin} {gradient}");
     assert!(velocity > 3.0 * spin, "{velocity} {spin} {gradient}");
@@ -240,9 +254,28 @@ fn a_vertex_off_the_body_is_named() {
     );
 }
 
-/// A plate that comes faster than half the critical gap per step is not let through.
 #[test]
-fn bodies_do_not_pass_through_each_other() {
+fn a_surface_inside_another_is_refused() {
+    let mut scene = collision(0.0);
+    scene.bodies[1].shape = disc([0.75, 0.6], 0.1);
+    let Err(SetupError::Mortar { reason, .. }) = Simulation::new(&scene, &options()) else {
+        panic!("one is in the other");
+    };
+    assert!(
+        reason.contains("vertex 0 of the slave lies inside"),
+        "{reason}"
+    );
+    // In the hole of a ring there is room.
+    scene.bodies[0].shape = Shape::Ring {
+        center: [0.75, 0.6, 0.0],
+        inner: 0.2,
+        outer: 0.4,
+    };
+    assert!(Simulation::new(&scene, &options()).is_ok());
+}
+
+/// A plate that comes up at a disc at rest.
+fn plate(speed: f64) -> Scene {
     let mut scene = collision(0.0);
     scene.bodies.truncate(1);
     scene.bodies[0].velocity = [0.0; 3];
@@ -250,17 +283,70 @@ fn bodies_do_not_pass_through_each_other() {
     scene.mortar.lines = vec![line(&[[2.2, 0.2], [0.1, 0.2]])];
     scene.mortar.lines[0].motion = Some(History {
         times: vec![0.0],
-        values: vec![[0.0, 30.0, 0.0]],
+        values: vec![[0.0, speed, 0.0]],
     });
     scene.mortar.contacts = vec![contact(9, 1, 0.0)];
-    let mut simulation = simulation(&scene);
-    let mut failed = None;
-    while failed.is_none() && simulation.time() < 0.1 {
-        failed = simulation.step(0.1).err();
+    scene
+}
+
+/// Steps are shortened so that no gap closes by more than half the critical one, and the disc is carried along.
+#[test]
+fn bodies_do_not_pass_through_each_other() {
+    let speed = 30.0;
+    let mut simulation = simulation(&plate(speed));
+    let mut shortened = 0;
+    let end = 0.014;
+    while simulation.time() < end {
+        // A stop that is far away, so that steps are as long as they may be.
+        let info = simulation.step(1.0).unwrap_or_else(|e| panic!("{e}"));
+        shortened += u32::from(info.bound == Bound::Closing);
+        let at = simulation.boundary_vertices(9).expect("is there")[0][1];
+        let lowest = simulation.boundary_vertices(1).expect("is there");
+        let lowest = lowest.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min);
+        assert!(lowest > at - GAP, "{lowest} {at}");
     }
-    let error = failed.expect("it is refused");
+    assert!(shortened > 0);
+    assert!(simulation.center(0).2[1] > 0.5 * speed);
+}
+
+/// Steps that are prescribed are refused instead.
+#[test]
+fn a_prescribed_step_in_which_a_gap_closes_too_far_is_refused() {
+    let failure = |speed: f64| {
+        let mut scene = plate(speed);
+        scene.time_step = TimeStep::Fixed {
+            dt: 1.0e-3,
+            allow_unstable: true,
+        };
+        let mut simulation = simulation(&scene);
+        loop {
+            if let Err(error) = simulation.step(0.1) {
+                break error;
+            }
+        }
+    };
+    let error = failure(30.0);
+    let StepErrorKind::ClosingTooFast {
+        bodies,
+        vertex: Some((_, at)),
+        approach,
+        allowed,
+    } = error.kind
+    else {
+        panic!("{error}");
+    };
+    assert_eq!(bodies, [9, 1]);
+    assert!((at[0] - 0.75).abs() < 0.1 && at[1] < 0.35, "{at:?}");
+    assert!(approach > allowed && allowed >= 0.5 * GAP);
+    let message = error.to_string();
+    assert!(message.contains("vertex") && message.starts_with(&format!("step {}", error.step)));
+    // So fast that it would pass from out of reach to the other side.
+    let error = failure(1000.0);
     assert!(
-        matches!(error.kind, StepErrorKind::Tunnelling { bodies: [9, 1], .. }),
+        matches!(
+            error.kind,
+            StepErrorKind::ClosingTooFast { vertex: None, .. }
+        ) && error.step == 1,
         "{error}"
     );
 }

@@ -2,7 +2,8 @@
 
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{Enforcement, Scene, SceneError, Vertices, from_json};
+use proctor_kernel::plan::{Demands, Plan};
+use proctor_kernel::scene::{Enforcement, Scene, SceneError, Vertices, from_json, read};
 use std::path::Path;
 
 const FILE: &str = "../fixtures/scenes/rolling_disc_2d.json";
@@ -110,9 +111,24 @@ fn bad_input_is_named() {
             "a key of mortar contact",
         ),
         (
+            r#""boundary_segment": 0.05"#,
+            r#""boundary": [[-0.5, 0.51], [0, 0.01], [0.6, 0.51], [0, 1.01]]"#,
+            "vertex 2 of polyline 0 at (0.6, 0.51) m",
+        ),
+        (
             r#""transfer": "APIC""#,
-            r#""transfer": "APIC", "stress_scheme_update": "MUSL""#,
-            "built for USL",
+            r#""transfer": "APIC", "stress_scheme_update": "USF""#,
+            "USF with mortar contact",
+        ),
+        (
+            r#""normal_stiffness": 1e4"#,
+            r#""normal_stiffness": 0"#,
+            "normal_stiffness: found 0",
+        ),
+        (
+            r#""tangential_stiffness": 1e6"#,
+            r#""tangential_stiffness": 0"#,
+            "tangential_stiffness: found 0",
         ),
     ] {
         let found = message(from, to);
@@ -195,4 +211,41 @@ fn bad_triangles_are_named() {
         r#""rigid_surface": {"plane": {"id": 2, "stl_mesh": "../fixtures/surfaces/plane.stl"}}"#,
     );
     assert!(flat.contains("triangles in two dimensions"), "{flat}");
+}
+
+#[test]
+fn rigid_surfaces_beside_mortar_contact_are_refused() {
+    let mut scene = read(Path::new("../fixtures/scenes/sphere_on_terrain.json"))
+        .unwrap_or_else(|e| panic!("{e}"));
+    let mortar = changed("0.3", "0.3")
+        .unwrap_or_else(|e| panic!("{e}"))
+        .mortar;
+    scene.mortar = mortar;
+    let problems = scene.check().expect_err("is bad input").to_string();
+    assert!(
+        problems.contains("a rigid surface beside mortar contact"),
+        "{problems}"
+    );
+}
+
+/// A scene that may run is warned about with the reason, and one that is sound is not.
+#[test]
+fn coarse_and_stiff_contacts_are_warned_about() {
+    let warnings = |from: &str, to: &str| {
+        let scene = changed(from, to).unwrap_or_else(|e| panic!("{e}"));
+        Plan::new(&scene, Demands::default()).warnings
+    };
+    assert!(warnings("0.3", "0.3").is_empty());
+    let wide = warnings(r#""critical_gap": 0.04"#, r#""critical_gap": 0.11"#);
+    assert!(
+        wide.len() == 1 && wide[0].starts_with("contact.disc on plane: the critical gap of 0.11 m"),
+        "{wide:?}"
+    );
+    // 10 E/h = 2.5e7 Pa/m.
+    let stiff = warnings(r#""normal_stiffness": 1e4"#, r#""normal_stiffness": 2.6e7"#);
+    assert!(
+        stiff.len() == 1 && stiff[0].contains("oscillates") && stiff[0].contains("25000000 Pa/m"),
+        "{stiff:?}"
+    );
+    assert!(warnings(r#""normal_stiffness": 1e4"#, r#""normal_stiffness": 2.4e7"#).is_empty());
 }

@@ -18,17 +18,19 @@ use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    PlaneCondition, RigidLine, Scene, Shape, Transfer, TransferKind, Vertices,
+    PlaneCondition, RigidLine, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation, StepError};
+use proctor_kernel::simulation::{Options, Simulation};
 use std::f64::consts::PI;
 
-use super::{elastic, failed, table};
+use super::{elastic, failed, solve_own, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
 
 const RADIUS: f64 = 8.0;
 const LOAD: f64 = 10.0;
@@ -37,6 +39,8 @@ const POISSON: f64 = 0.3;
 const GAP: f64 = 0.05;
 /// Time at which averaging begins, and at which it ends \[s\].
 const AVERAGED: [f64; 2] = [11.0, 13.0];
+/// Share of PIC, with any transfer.
+const PIC: f64 = 0.1;
 /// The bottom of the disk within this distance of the middle has fine segments \[m\].
 const FINE: f64 = 1.6;
 
@@ -69,6 +73,19 @@ impl Hertz {
         }
     }
 
+    fn rungs_of(ladders: &[(&'static str, &[f64])]) -> Vec<Rung> {
+        ladders
+            .iter()
+            .flat_map(|&(variant, cells)| {
+                cells.iter().map(move |&cell| Rung {
+                    label: format!("{variant} h={cell}"),
+                    cell,
+                    variant,
+                })
+            })
+            .collect()
+    }
+
     fn kappa(variant: &str) -> f64 {
         if variant == "paper" { 1.5e3 } else { 1.5e4 }
     }
@@ -82,11 +99,11 @@ impl Hertz {
         thickness: f64,
         rung: &Rung,
         options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
         scene.check().map_err(|e| failed(case, rung, &e))?;
         let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
-        let mut found = run(&mut simulation, progress).map_err(|e| failed(case, rung, &e))?;
+        let mut found = run(&mut simulation, observer).map_err(|e| failed(case, rung, &e))?;
         found.force /= thickness;
         let exact = self.exact();
         let kappa = Self::kappa(rung.variant);
@@ -121,7 +138,7 @@ impl Hertz {
             norm(LAYER, layer.distance_from_hertz(&exact)),
         ];
         let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
-        Ok(Solved {
+        let solved = Solved {
             particles: simulation.particles(),
             steps: simulation.steps(),
             time: simulation.time(),
@@ -138,7 +155,8 @@ impl Hertz {
                     })
                     .collect(),
             }),
-        })
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -188,91 +206,14 @@ impl Case for Hertz {
     }
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
-        let ladders: &[(&'static str, &[f64])] = match size {
+        Self::rungs_of(match size {
             Size::Quick => &[("hertz", &[0.2])],
             Size::Full => &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
-        };
-        ladders
-            .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Rung {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
-            .collect()
+        })
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
-        let h = rung.cell;
-        let (left, right, below, above) = (-8.6, 8.6, -0.6, 8.6);
-        let cells = |length: f64| (length / h).round() as usize;
-        let top = GAP + RADIUS;
-        // Vertices of the plane every 0.1 m, none of them under the middle.
-        let plane = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
-        Scene {
-            name: rung.label.clone(),
-            transfer: Transfer {
-                kind: TransferKind::Apic,
-                pic_fraction: 0.1,
-            },
-            materials: elastic(1.0, YOUNG, POISSON),
-            bodies: vec![Body {
-                name: "half disk".into(),
-                id: 1,
-                material: 0,
-                shape: shape(),
-                particles_per_cell: [2, 2, 1],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
-            damping: Damping::Viscous { alpha: 0.01 },
-            box_loads: vec![BoxLoad {
-                p1: [left, top - h, 0.0],
-                p2: [right, top + h, 0.0],
-                force: [0.0, -LOAD, 0.0],
-            }],
-            mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Given(vec![boundary(h)]),
-                    follow: Follow::Spin,
-                }],
-                facets: vec![],
-                lines: vec![RigidLine {
-                    name: "plane".into(),
-                    id: 2,
-                    chains: vec![Chain {
-                        points: plane.collect(),
-                        side: Side::Open,
-                    }],
-                    motion: None,
-                }],
-                contacts: vec![MortarContact {
-                    name: "half disk on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
-                    friction: 0.0,
-                    critical_gap: GAP,
-                    normal_stiffness: Self::kappa(rung.variant),
-                    tangential_stiffness: 0.0,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
-                }],
-            },
-            ..Scene::new(
-                Dimension::Two,
-                Mesh {
-                    origin: [left, below, 0.0],
-                    cell: [h, h, 1.0],
-                    cells: [cells(right - left), cells(above - below), 1],
-                    planes: [[PlaneCondition::Free; 2]; 3],
-                },
-                AVERAGED[1],
-            )
-        }
+        self.scene_with(rung, &self.own_settings(rung))
     }
 
     fn solve(
@@ -281,7 +222,7 @@ impl Case for Hertz {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
-        self.solve_scene(self, &self.scene(rung), 1.0, rung, options, progress)
+        solve_own(self, rung, options, progress)
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
@@ -367,6 +308,122 @@ impl Case for Hertz {
     }
 }
 
+impl Study for Hertz {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        Self::rungs_of(match size {
+            Size::Quick => &[("hertz", &[0.8, 0.4])],
+            Size::Full => &[("hertz", &[0.4, 0.2, 0.1])],
+        })
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "pressure",
+                quantity: L2_LAYER,
+            },
+            Measure {
+                word: "peak",
+                quantity: PEAK,
+            },
+        ]
+    }
+
+    fn refined_axes(&self) -> usize {
+        2
+    }
+
+    fn own_settings(&self, _rung: &Rung) -> Settings {
+        Settings::new(Method {
+            transfer: TransferKind::Apic,
+            ..Method::DEFAULT
+        })
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let h = rung.cell;
+        let (left, right, below, above) = (-8.6, 8.6, -0.6, 8.6);
+        let cells = |length: f64| (length / h).round() as usize;
+        let top = GAP + RADIUS;
+        // Vertices of the plane every 0.1 m, none of them under the middle.
+        let plane = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+        let mut scene = Scene {
+            name: rung.label.clone(),
+            time_step: settings.multiplier(),
+            materials: elastic(1.0, YOUNG, POISSON),
+            bodies: vec![Body {
+                name: "half disk".into(),
+                id: 1,
+                material: 0,
+                shape: shape(),
+                particles_per_cell: [2, 2, 1],
+                velocity: [0.0; 3],
+                motion: None,
+            }],
+            damping: Damping::Viscous { alpha: 0.01 },
+            box_loads: vec![BoxLoad {
+                p1: [left, top - h, 0.0],
+                p2: [right, top + h, 0.0],
+                force: [0.0, -LOAD, 0.0],
+            }],
+            mortar: Mortar {
+                boundaries: vec![BodyBoundary {
+                    body: 1,
+                    vertices: Vertices::Given(vec![boundary(h)]),
+                    follow: Follow::Spin,
+                }],
+                facets: vec![],
+                lines: vec![RigidLine {
+                    name: "plane".into(),
+                    id: 2,
+                    chains: vec![Chain {
+                        points: plane.collect(),
+                        side: Side::Open,
+                    }],
+                    motion: None,
+                }],
+                contacts: vec![MortarContact {
+                    name: "half disk on plane".into(),
+                    id: 1,
+                    master: 2,
+                    slave: 1,
+                    friction: 0.0,
+                    critical_gap: GAP,
+                    normal_stiffness: Self::kappa(rung.variant),
+                    tangential_stiffness: 0.0,
+                    enforcement: Enforcement::Barrier,
+                    detection: Detection::Mortar,
+                }],
+            },
+            ..Scene::new(
+                Dimension::Two,
+                Mesh {
+                    origin: [left, below, 0.0],
+                    cell: [h, h, 1.0],
+                    cells: [cells(right - left), cells(above - below), 1],
+                    planes: [[PlaneCondition::Free; 2]; 3],
+                },
+                AVERAGED[1],
+            )
+        };
+        settings.apply(&mut scene);
+        scene.transfer.pic_fraction = PIC;
+        scene
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
+        self.solve_scene(self, &scene, 1.0, rung, options, observer)
+    }
+}
+
 /// Averages over the end of a run.
 struct Found {
     /// Force on the disk \[N/m\].
@@ -402,13 +459,17 @@ impl Found {
     }
 }
 
-fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Found, StepError> {
+fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Found, String> {
+    observer.phase(Phase::Stepping);
     let (mut force, mut weight) = (0.0, 0.0);
     let mut sums: Vec<[f64; 3]> = vec![];
     while simulation.time() < AVERAGED[1] {
-        let info = simulation.step(AVERAGED[1])?;
+        if observer.stop() {
+            return Err(STOPPED.to_owned());
+        }
+        let info = simulation.step(AVERAGED[1]).map_err(|e| e.to_string())?;
         if info.step % 100 == 0 {
-            progress((simulation.time() / AVERAGED[1]).min(1.0));
+            observer.progress((simulation.time() / AVERAGED[1]).min(1.0));
         }
         if simulation.time() <= AVERAGED[0] {
             continue;
@@ -423,6 +484,7 @@ fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Fou
             sum[2] += info.dt * v.measure;
         }
     }
+    observer.phase(Phase::Comparing);
     Ok(Found {
         force: force / weight,
         pressures: sums

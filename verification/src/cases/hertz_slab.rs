@@ -67,7 +67,11 @@ impl Case for HertzSlab {
         } else {
             (plane, 1.0)
         };
-        Hertz::GIVEN.solve_scene(self, &scene, thickness, rung, options, progress)
+        Hertz::GIVEN
+            .solve_scene(self, &scene, thickness, rung, options, &mut |share| {
+                progress(share)
+            })
+            .map(|studied| studied.solved)
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {

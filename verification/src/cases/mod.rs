@@ -72,6 +72,9 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
+    &Hertz::GIVEN,
+    &RollingDisk::SLIP,
+    &RollingDisk::GIVEN,
 ];
 
 /// The error of the stress, where a case has one.

@@ -16,17 +16,19 @@ use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    PlaneCondition, Results, RigidLine, Scene, Shape, StressScheme, TimeStep, Transfer,
-    TransferKind, Vertices, Weighting,
+    PlaneCondition, Results, RigidLine, Scene, Shape, TransferKind, Vertices,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 use std::f64::consts::TAU;
 
-use super::{elastic, failed, table};
+use super::incline::run;
+use super::{elastic, failed, solve_own, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::exact::rolling_disk::RollingDisk as Exact;
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
 
 const GRAVITY: f64 = 9.81;
 const RADIUS: f64 = 0.5;
@@ -39,6 +41,8 @@ const KAPPA_T: f64 = 1e6;
 const INCLINATION_DEGREES: f64 = 30.0;
 /// Each of the two stages \[s\].
 const STAGE: f64 = 2.0;
+/// Share of PIC, with any transfer.
+const PIC: f64 = 0.001;
 /// Local damping while the disk settles.
 const SETTLING: f64 = 0.1;
 
@@ -52,13 +56,34 @@ pub struct RollingDisk {
     /// Gravity of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
     /// notice.
     pub reference_gravity: f64,
+    /// The variant that is studied with other settings, `slip` or `stick`.
+    pub studied: &'static str,
 }
 
 impl RollingDisk {
     /// The case as it is meant.
     pub const GIVEN: Self = Self {
         reference_gravity: 1.0,
+        studied: "stick",
     };
+    /// The sliding disk alone, for studies.
+    pub const SLIP: Self = Self {
+        studied: "slip",
+        ..Self::GIVEN
+    };
+
+    fn rungs_of(ladders: &[(&'static str, &[f64])]) -> Vec<Rung> {
+        ladders
+            .iter()
+            .flat_map(|&(variant, cells)| {
+                cells.iter().map(move |&cell| Rung {
+                    label: format!("{variant} h={cell}"),
+                    cell,
+                    variant,
+                })
+            })
+            .collect()
+    }
 
     fn friction(variant: &str) -> f64 {
         if variant == "slip" { 0.1 } else { 0.3 }
@@ -81,11 +106,24 @@ impl RollingDisk {
         thickness: f64,
         rung: &Rung,
         options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
         scene.check().map_err(|e| failed(case, rung, &e))?;
         let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
-        run_to(&mut simulation, STAGE, progress).map_err(|e| failed(case, rung, &e))?;
+        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
+            run(
+                simulation,
+                stop,
+                2.0 * STAGE,
+                &mut *observer,
+                |simulation| {
+                    let dt = 2.0 * (simulation.time() - simulation.velocity_time());
+                    *turn += angular_velocity(simulation) * dt;
+                },
+            )
+            .map_err(|e| failed(case, rung, &e))
+        };
+        follow(&mut simulation, STAGE, &mut 0.0)?;
         let (sin, cos) = INCLINATION_DEGREES.to_radians().sin_cos();
         simulation
             .set_local_damping(None)
@@ -97,12 +135,7 @@ impl RollingDisk {
         for k in 1..=20 {
             let time = f64::from(k) / 20.0 * STAGE;
             // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
-            while simulation.time() < STAGE + time {
-                let info = simulation.step(STAGE + time);
-                let info = info.map_err(|e| failed(case, rung, &e))?;
-                turn += angular_velocity(&simulation) * info.dt;
-            }
-            progress((0.5 + 0.025 * f64::from(k)).min(1.0));
+            follow(&mut simulation, STAGE + time, &mut turn)?;
             points.push(CurvePoint {
                 at: time,
                 computed: simulation.center(0).1[0] - start[0],
@@ -129,7 +162,7 @@ impl RollingDisk {
                 unit: "1",
             },
         ];
-        Ok(Solved {
+        let solved = Solved {
             particles: simulation.particles(),
             steps: simulation.steps(),
             time: simulation.time(),
@@ -140,7 +173,8 @@ impl RollingDisk {
                 ordinate: "u_x in m",
                 points,
             }),
-        })
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -157,7 +191,11 @@ fn plane(h: f64, from: f64, to: f64) -> Chain {
 
 impl Case for RollingDisk {
     fn name(&self) -> &'static str {
-        "rolling-disk"
+        if self.studied == "slip" {
+            "rolling-disk-slip"
+        } else {
+            "rolling-disk"
+        }
     }
 
     fn question(&self) -> &'static str {
@@ -165,101 +203,18 @@ impl Case for RollingDisk {
     }
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
-        let ladders: &[(&'static str, &[f64])] = match size {
+        Self::rungs_of(match size {
             Size::Quick => &[("slip", &[0.1]), ("stick", &[0.1])],
             Size::Full => &[
                 ("slip", &[0.2, 0.1, 0.05]),
                 ("stick", &[0.2, 0.1, 0.05]),
                 ("stiff", &[0.1]),
             ],
-        };
-        ladders
-            .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Rung {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
-            .collect()
+        })
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
-        let h = rung.cell;
-        let young = if rung.variant == "stiff" {
-            100.0 * YOUNG
-        } else {
-            YOUNG
-        };
-        let (from, to, below, above) = (-1.2, 9.6, -0.4, 1.4);
-        let cells = |length: f64| (length / h).round() as usize;
-        let normal = GRAVITY * INCLINATION_DEGREES.to_radians().cos();
-        Scene {
-            name: rung.label.clone(),
-            time_step: TimeStep::Automatic,
-            gravity: [0.0, -normal, 0.0],
-            weighting: Weighting::UniformGimp,
-            scheme: StressScheme::Usl,
-            transfer: Transfer {
-                kind: TransferKind::Apic,
-                pic_fraction: 0.001,
-            },
-            materials: elastic(DENSITY, young, POISSON),
-            bodies: vec![Body {
-                name: "disk".into(),
-                id: 1,
-                material: 0,
-                shape: Shape::Sphere {
-                    center: [0.0, RADIUS + 0.5 * GAP, 0.0],
-                    radius: RADIUS,
-                },
-                particles_per_cell: [5, 5, 1],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
-            damping: Damping::Local { alpha: SETTLING },
-            mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Spacing(TAU * RADIUS / 64.0),
-                    follow: Follow::Spin,
-                }],
-                facets: vec![],
-                lines: vec![RigidLine {
-                    name: "plane".into(),
-                    id: 2,
-                    chains: vec![plane(0.1, from + 0.2, to - 0.2)],
-                    motion: None,
-                }],
-                contacts: vec![MortarContact {
-                    name: "disk on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
-                    friction: Self::friction(rung.variant),
-                    critical_gap: GAP,
-                    normal_stiffness: KAPPA,
-                    tangential_stiffness: KAPPA_T,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
-                }],
-            },
-            results: Results {
-                print: 0,
-                ..Results::default()
-            },
-            ..Scene::new(
-                Dimension::Two,
-                Mesh {
-                    origin: [from, below, 0.0],
-                    cell: [h, h, 1.0],
-                    cells: [cells(to - from), cells(above - below), 1],
-                    planes: [[PlaneCondition::Free; 2]; 3],
-                },
-                2.0 * STAGE,
-            )
-        }
+        self.scene_with(rung, &self.own_settings(rung))
     }
 
     fn solve(
@@ -268,7 +223,7 @@ impl Case for RollingDisk {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
-        self.solve_scene(self, &self.scene(rung), 1.0, rung, options, progress)
+        solve_own(self, rung, options, progress)
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
@@ -349,18 +304,127 @@ impl Case for RollingDisk {
     }
 }
 
-fn run_to(
-    simulation: &mut Simulation,
-    time: f64,
-    progress: &mut dyn FnMut(f64),
-) -> Result<(), proctor_kernel::simulation::StepError> {
-    while simulation.time() < time {
-        let info = simulation.step(time)?;
-        if info.step % 200 == 0 {
-            progress((simulation.time() / (2.0 * STAGE)).min(1.0));
+impl Study for RollingDisk {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        let cells: &[f64] = match size {
+            Size::Quick => &[0.2, 0.1],
+            Size::Full => &[0.2, 0.1, 0.05, 0.025],
+        };
+        Self::rungs_of(&[(self.studied, cells)])
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "displacement",
+                quantity: WAY,
+            },
+            Measure {
+                word: "turn",
+                quantity: RATIO,
+            },
+        ]
+    }
+
+    fn refined_axes(&self) -> usize {
+        2
+    }
+
+    fn own_settings(&self, _rung: &Rung) -> Settings {
+        Settings {
+            particles_per_cell: 5,
+            ..Settings::new(Method {
+                transfer: TransferKind::Apic,
+                ..Method::DEFAULT
+            })
         }
     }
-    Ok(())
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let h = rung.cell;
+        let young = if rung.variant == "stiff" {
+            100.0 * YOUNG
+        } else {
+            YOUNG
+        };
+        let (from, to, below, above) = (-1.2, 9.6, -0.4, 1.4);
+        let cells = |length: f64| (length / h).round() as usize;
+        let normal = GRAVITY * INCLINATION_DEGREES.to_radians().cos();
+        let mut scene = Scene {
+            name: rung.label.clone(),
+            time_step: settings.multiplier(),
+            gravity: [0.0, -normal, 0.0],
+            materials: elastic(DENSITY, young, POISSON),
+            bodies: vec![Body {
+                name: "disk".into(),
+                id: 1,
+                material: 0,
+                shape: Shape::Sphere {
+                    center: [0.0, RADIUS + 0.5 * GAP, 0.0],
+                    radius: RADIUS,
+                },
+                particles_per_cell: [5, 5, 1],
+                velocity: [0.0; 3],
+                motion: None,
+            }],
+            damping: Damping::Local { alpha: SETTLING },
+            mortar: Mortar {
+                boundaries: vec![BodyBoundary {
+                    body: 1,
+                    vertices: Vertices::Spacing(TAU * RADIUS / 64.0),
+                    follow: Follow::Spin,
+                }],
+                facets: vec![],
+                lines: vec![RigidLine {
+                    name: "plane".into(),
+                    id: 2,
+                    chains: vec![plane(0.1, from + 0.2, to - 0.2)],
+                    motion: None,
+                }],
+                contacts: vec![MortarContact {
+                    name: "disk on plane".into(),
+                    id: 1,
+                    master: 2,
+                    slave: 1,
+                    friction: Self::friction(rung.variant),
+                    critical_gap: GAP,
+                    normal_stiffness: KAPPA,
+                    tangential_stiffness: KAPPA_T,
+                    enforcement: Enforcement::Barrier,
+                    detection: Detection::Mortar,
+                }],
+            },
+            results: Results {
+                print: 0,
+                ..Results::default()
+            },
+            ..Scene::new(
+                Dimension::Two,
+                Mesh {
+                    origin: [from, below, 0.0],
+                    cell: [h, h, 1.0],
+                    cells: [cells(to - from), cells(above - below), 1],
+                    planes: [[PlaneCondition::Free; 2]; 3],
+                },
+                2.0 * STAGE,
+            )
+        };
+        settings.apply(&mut scene);
+        scene.transfer.pic_fraction = PIC;
+        scene
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
+        self.solve_scene(self, &scene, 1.0, rung, options, observer)
+    }
 }
 
 /// Sum of the particles' volumes \[m²\].

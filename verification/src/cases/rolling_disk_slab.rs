@@ -84,7 +84,11 @@ impl Case for RollingDiskSlab {
             scene = slab::slab(&scene).map_err(|e| failed(self, rung, &e))?;
         }
         let thickness = if is_slab { rung.cell } else { 1.0 };
-        RollingDisk::GIVEN.solve_scene(self, &scene, thickness, &plane, options, progress)
+        RollingDisk::GIVEN
+            .solve_scene(self, &scene, thickness, &plane, options, &mut |share| {
+                progress(share)
+            })
+            .map(|studied| studied.solved)
     }
 
     fn judge(&self, _size: Size, solved: &[(Rung, Solved)]) -> Verdict {

@@ -13,6 +13,7 @@ fn gates_hold() {
 fn a_wrong_reference_breaks_the_gates_on_the_way() {
     let wrong = RollingDisk {
         reference_gravity: 1.05,
+        ..RollingDisk::GIVEN
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     let failing = failing(&verdict);

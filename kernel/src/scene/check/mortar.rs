@@ -3,6 +3,7 @@
 
 use super::collector::Collector;
 use crate::mortar::boundary::{Boundary, Chain};
+use crate::mortar::outline::distance_to_outline;
 use crate::mortar::space::facets::Facets;
 use crate::scene::{
     BodyBoundary, Damping, Dimension, MortarContact, Scene, StressScheme, Vertices,
@@ -79,11 +80,11 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
 
 /// What mortar contact is not built for.
 fn check_company(scene: &Scene, problems: &mut Collector) {
-    if scene.scheme != StressScheme::Usl {
+    if scene.scheme == StressScheme::Usf {
         problems.add(
             "stress_scheme_update",
-            "USF or MUSL with mortar contact, which is built for USL",
-            "\"USL\", or `method` \"grid\"",
+            "USF with mortar contact, with which a collision of two discs did not stay stable",
+            "\"USL\" or \"MUSL\", or `method` \"grid\"",
         );
     }
     if scene.base_motion.is_some() {
@@ -170,6 +171,7 @@ fn check_boundary(scene: &Scene, boundary: &BodyBoundary, problems: &mut Collect
                 );
             }
             check_chains(chains, &path, problems);
+            check_places(scene, i, chains, &path, problems);
         }
         Vertices::Surface(surface) => {
             let path = format!("bodies[{i}].boundary_stl_mesh");
@@ -186,6 +188,35 @@ fn check_boundary(scene: &Scene, boundary: &BodyBoundary, problems: &mut Collect
             }
         }
     }
+}
+
+/// Vertices lie on the body: no further from the outline of its shape than half a cell, so that they find its nodes and
+/// bound its particles.
+fn check_places(scene: &Scene, i: usize, chains: &[Chain], path: &str, problems: &mut Collector) {
+    let most = 0.5 * smallest_cell(scene);
+    let vertices = chains
+        .iter()
+        .enumerate()
+        .flat_map(|(c, chain)| chain.points.iter().enumerate().map(move |(k, x)| (c, k, x)));
+    for (chain, k, x) in vertices {
+        let distance = distance_to_outline(&scene.bodies[i].shape, x);
+        if let Some(distance) = distance.filter(|d| *d > most) {
+            problems.add(
+                path,
+                format!(
+                    "vertex {k} of polyline {chain} at ({}, {}) m, {distance} m from the outline of the body",
+                    x.x, x.y
+                ),
+                format!("vertices within half a cell of it, {most} m"),
+            );
+            return;
+        }
+    }
+}
+
+fn smallest_cell(scene: &Scene) -> f64 {
+    let cell = scene.mesh.cell;
+    cell[0].min(cell[1])
 }
 
 fn check_law(contact: &MortarContact, path: &str, problems: &mut Collector) {

@@ -184,8 +184,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         Ok(())
     }
 
-    /// Stops where a pair approached by more than half the critical gap in the last step, is deeper in each other than
-    /// the critical gap, or meets at edges.
+    /// Stops where the boundaries of a pair may have passed each other in the last step, or one came into the other by
+    /// more than half the critical gap, or is deeper in it than the critical gap, or where edges meet.
     fn judge(&self, p: usize, origin: &Vector) -> Result<(), StepErrorKind> {
         let pair = &self.pairs[p];
         let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
@@ -204,10 +204,13 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         if approach > allowed {
             return missed(None, approach, allowed);
         }
+        // Bodies speed up within a step. What is still apart has not been missed.
+        let allowed = 0.5 * pair.critical_gap;
         for (k, vertex) in pair.forces.vertices.iter().enumerate() {
-            let Some(v) = vertex else { continue };
-            let allowed = allowed_approach(v.gap + v.approach, pair.critical_gap);
-            if v.approach > allowed {
+            if let Some(v) = vertex
+                && v.gap < 0.0
+                && v.approach > allowed
+            {
                 return missed(Some(k), v.approach, allowed);
             }
         }

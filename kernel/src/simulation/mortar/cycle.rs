@@ -22,12 +22,8 @@ impl Simulation {
             .set(&bodies, &self.sets, &self.field, self.stencil);
     }
 
-    /// The first part of a step with mortar contact: mapping, weights, gaps and forces, and the time step that they
-    /// allow.
-    pub(in crate::simulation) fn meet_boundaries(&mut self) -> Result<(), StepError> {
-        if !self.mortar.acts() {
-            return Ok(());
-        }
+    /// The first part of a step with boundaries: mapping to the nodes, each body to its layer.
+    pub(in crate::simulation) fn map_to_boundaries(&mut self) {
         let acting = self.acting(self.clock.dt_before);
         let mapping = bodies_onto(
             &self.plan,
@@ -64,6 +60,10 @@ impl Simulation {
                     groups
                 });
         self.mortar.groups = groups.into_iter().sum();
+    }
+
+    /// The second part: weights of the vertices, gaps and forces, and the time step that they allow.
+    pub(in crate::simulation) fn meet_boundaries(&mut self) -> Result<(), StepError> {
         let time = self.clock.time;
         let mut state = std::mem::take(&mut self.mortar);
         let met = state.meet(&self.hosts(), time);
@@ -91,7 +91,7 @@ impl Simulation {
         found.map_or(Ok(()), |kind| Err(self.error(kind)))
     }
 
-    /// The second part: forces of the contacts to the nodes, equation of motion; the number of vertices under pressure.
+    /// The third part: forces of the contacts to the nodes, equation of motion; the number of vertices under pressure.
     pub(in crate::simulation) fn solve_with_mortar(
         &mut self,
         acting: &Acting,

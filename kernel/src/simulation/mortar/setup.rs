@@ -147,6 +147,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 ),
             ));
         }
+        if let Some(found) = slave.boundary.lies_in(&self.surfaces[pair.master].boundary) {
+            return Err(refused(
+                name,
+                &format!("{found}; accepted: surfaces that are apart"),
+            ));
+        }
         if let Some((at, distance)) = self.edges_that_meet(p) {
             let at = in_scene(&at, &scene.mesh.origin);
             return Err(refused(
