@@ -378,12 +378,14 @@ impl Case for HertzSphere {
             bound,
             reason,
         };
-        let coarse = "2.4 cells over the contact radius";
         let gates = match size {
             Size::Quick => vec![
                 gate(FORCE, 0.01, "the load must arrive"),
-                gate(PEAK, 0.1, coarse),
-                gate(WIDTH, 0.1, coarse),
+                gate(
+                    WIDTH,
+                    0.1,
+                    "2.4 cells over the contact radius; the pressure oscillates there, so its peak is judged in full only",
+                ),
             ],
             Size::Full => vec![
                 gate(FORCE, 0.01, "the load must arrive"),
