@@ -5,7 +5,7 @@
 mod warnings;
 
 use crate::mortar::motion::Follow;
-use crate::mortar::segments::Detection;
+use crate::mortar::points::Detection;
 use crate::particles::{Layout, Optional};
 use crate::scene::{
     Body, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, Field, Law, PlaneCondition,
@@ -103,8 +103,11 @@ impl Plan {
             _ => None,
         };
         let kinetic_damping = scene.damping == Damping::Kinetic;
+        // In three dimensions spins are summed from the velocity gradients of the particles near the boundary.
+        let in_plane = scene.dimension == Dimension::Two;
         let spin = scene.mortar.boundaries.iter().any(|boundary| {
-            boundary.follow == Follow::Spin
+            in_plane
+                && boundary.follow == Follow::Spin
                 && scene
                     .bodies
                     .iter()
@@ -411,9 +414,6 @@ fn contact_words(scene: &Scene, list: &mut Words) {
                     "its vertices follow the velocities of the nodes, those without mass too"
                 }
                 Follow::Velocity => "its vertices follow the velocities of the nodes",
-                Follow::Unaugmented => {
-                    "its vertices follow the velocities of the nodes, nodes without mass among them"
-                }
                 Follow::Spin => "its vertices follow velocities and spins of the nodes",
                 Follow::Gradient => {
                     "its vertices follow velocities and velocity gradients of the nodes"
@@ -436,9 +436,11 @@ fn contact_words(scene: &Scene, list: &mut Words) {
                     Enforcement::Barrier => "barrier",
                     Enforcement::Penalty => "penalty",
                 },
-                match contact.detection {
-                    Detection::Mortar => "mortar segments",
-                    Detection::NodeToSegment => "node to segment",
+                match (contact.detection, scene.dimension) {
+                    (Detection::Mortar, Dimension::Two) => "mortar segments",
+                    (Detection::Mortar, Dimension::Three) => "mortar triangles",
+                    (Detection::NodeToSegment, Dimension::Two) => "node to segment",
+                    (Detection::NodeToSegment, Dimension::Three) => "node to triangle",
                 },
             ),
         );

@@ -19,6 +19,10 @@ mod colliding_blocks;
 mod grains;
 #[path = "cases/hertz.rs"]
 mod hertz;
+#[path = "cases/hertz_slab.rs"]
+mod hertz_slab;
+#[path = "cases/hertz_sphere.rs"]
+mod hertz_sphere;
 #[path = "cases/inclined_block.rs"]
 mod inclined_block;
 #[path = "cases/inclined_two_blocks.rs"]
@@ -29,6 +33,8 @@ mod ironing;
 mod rings;
 #[path = "cases/rolling_disk.rs"]
 mod rolling_disk;
+#[path = "cases/rolling_disk_slab.rs"]
+mod rolling_disk_slab;
 #[path = "cases/rotation.rs"]
 mod rotation;
 #[path = "cases/self_weight.rs"]

@@ -22,6 +22,8 @@ mod fe;
 mod hertz;
 #[path = "exact/hertz_layer.rs"]
 mod hertz_layer;
+#[path = "exact/hertz_sphere.rs"]
+mod hertz_sphere;
 #[path = "exact/ring_impact.rs"]
 mod ring_impact;
 #[path = "exact/rolling_disk.rs"]

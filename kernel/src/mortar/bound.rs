@@ -27,17 +27,17 @@ impl NodalStiffness {
 
     /// Adds a vertex: the nodes of its patch, its augmented weights on them, their masses \[kg\] and the stiffness of the
     /// contact at it \[N/m\].
-    pub fn add(
+    pub fn add<const N: usize>(
         &mut self,
-        nodes: &[usize; 9],
-        weights: &[f64; 9],
-        masses: &[f64; 9],
+        nodes: &[usize; N],
+        weights: &[f64; N],
+        masses: &[f64; N],
         stiffness: f64,
     ) {
         if stiffness == 0.0 {
             return;
         }
-        for k in 0..9 {
+        for k in 0..N {
             if masses[k] > 0.0 {
                 let node = nodes[k];
                 if node >= self.sums.len() {
@@ -93,8 +93,8 @@ impl Closing {
     /// `reach` \[m\] must not come in one step from there to where it would be too deep. `speeds` are the largest of the
     /// vertices of slave and master \[m/s\].
     #[must_use]
-    pub fn of(
-        vertices: &[Option<VertexContact>],
+    pub fn of<const D: usize, const T: usize>(
+        vertices: &[Option<VertexContact<D, T>>],
         critical_gap: f64,
         reach: f64,
         speeds: [f64; 2],

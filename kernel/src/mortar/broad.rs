@@ -1,60 +1,60 @@
-//! Broad phase: which bodies, and which of their segments, are close enough to be looked at.
+//! Broad phase: which bodies, and which of their elements, are close enough to be looked at.
 
-use super::Point;
-use super::boundary::Boundary;
+use super::PointIn;
+use super::elements::Elements;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct Bounds<const D: usize> {
     /// Lower corner \[m\].
-    pub lower: Point,
+    pub lower: PointIn<D>,
     /// Upper corner \[m\].
-    pub upper: Point,
+    pub upper: PointIn<D>,
 }
 
-impl Bounds {
+impl<const D: usize> Bounds<D> {
     /// The box around some points, `margin` \[m\] larger on all sides (eq. 57 takes half the critical gap, which finds
     /// every pair in contact; a deeper search for penetration needs more). Vertices bound a body, particles do not: they
     /// lie inside. Without points the box is empty and overlaps nothing.
     #[must_use]
-    pub fn around<'a>(points: impl IntoIterator<Item = &'a Point>, margin: f64) -> Self {
+    pub fn around<'a>(points: impl IntoIterator<Item = &'a PointIn<D>>, margin: f64) -> Self {
         let mut bounds = Self {
-            lower: Point::repeat(f64::INFINITY),
-            upper: Point::repeat(f64::NEG_INFINITY),
+            lower: PointIn::repeat(f64::INFINITY),
+            upper: PointIn::repeat(f64::NEG_INFINITY),
         };
         for p in points {
             bounds.lower = bounds.lower.inf(p);
             bounds.upper = bounds.upper.sup(p);
         }
-        bounds.lower -= Point::repeat(margin);
-        bounds.upper += Point::repeat(margin);
+        bounds.lower -= PointIn::repeat(margin);
+        bounds.upper += PointIn::repeat(margin);
         bounds
     }
 
     /// Whether two boxes share a point.
     #[must_use]
     pub fn overlaps(&self, other: &Self) -> bool {
-        (0..2).all(|axis| {
+        (0..D).all(|axis| {
             self.lower[axis] <= other.upper[axis] && other.lower[axis] <= self.upper[axis]
         })
     }
 }
 
-/// Pairs of segments that are close enough to be looked at. Kept from step to step for its memory alone.
+/// Pairs of elements that are close enough to be looked at. Kept from step to step for its memory alone.
 #[derive(Clone, Debug, Default)]
-pub struct Near {
-    /// Segment of the slave and segment of the master, ascending.
+pub struct Near<const D: usize> {
+    /// Element of the slave and element of the master, ascending.
     pub pairs: Vec<[usize; 2]>,
-    slaves: Vec<(usize, Bounds)>,
-    masters: Vec<(usize, Bounds)>,
+    slaves: Vec<(usize, Bounds<D>)>,
+    masters: Vec<(usize, Bounds<D>)>,
 }
 
-impl Near {
-    /// Finds the segments of the slave and those of the master that come within `reach` \[m\] of their box.
-    pub fn find(&mut self, slave: &Boundary, master: &Boundary, reach: f64) {
+impl<const D: usize> Near<D> {
+    /// Finds the elements of the slave and those of the master that come within `reach` \[m\] of their box.
+    pub fn find<B: Elements<D, T>, const T: usize>(&mut self, slave: &B, master: &B, reach: f64) {
         self.pairs.clear();
-        let all = Bounds::around(&master.points, reach);
-        let mut region = Bounds::around([], 0.0);
+        let all = Bounds::around(master.points(), reach);
+        let mut region = Bounds::<D>::around([], 0.0);
         self.slaves.clear();
         for (s, bounds) in boxes(slave, 0.0) {
             if bounds.overlaps(&all) {
@@ -69,9 +69,16 @@ impl Near {
         }
         self.masters
             .extend(boxes(master, reach).filter(|(_, bounds)| bounds.overlaps(&region)));
-        // Sorted along the axis in which the region is longer: along the other one all boxes may overlap.
+        // Sorted along the axis in which the region is longest: along another one all boxes may overlap.
         let extent = region.upper - region.lower;
-        let axis = usize::from(extent.y > extent.x);
+        let longer = |best, axis| {
+            if extent[axis] > extent[best] {
+                axis
+            } else {
+                best
+            }
+        };
+        let axis = (1..D).fold(0, longer);
         self.masters.sort_unstable_by(|a, b| {
             a.1.lower[axis]
                 .total_cmp(&b.1.lower[axis])
@@ -98,25 +105,29 @@ impl Near {
         }
     }
 
-    /// The pairs of each segment of the slave that has any.
+    /// The pairs of each element of the slave that has any.
     pub fn by_slave(&self) -> impl Iterator<Item = &[[usize; 2]]> {
         self.pairs.chunk_by(|a, b| a[0] == b[0])
     }
 }
 
-/// The boxes of the segments, `margin` \[m\] larger on all sides.
-fn boxes(boundary: &Boundary, margin: f64) -> impl Iterator<Item = (usize, Bounds)> {
-    let margin = Point::repeat(margin);
+/// The boxes of the elements, `margin` \[m\] larger on all sides.
+fn boxes<const D: usize, const T: usize>(
+    boundary: &impl Elements<D, T>,
+    margin: f64,
+) -> impl Iterator<Item = (usize, Bounds<D>)> {
+    let points = boundary.points();
+    let margin = PointIn::repeat(margin);
     boundary
-        .segments()
+        .elements()
         .iter()
         .enumerate()
-        .map(move |(s, ends)| {
-            let [a, b] = ends.map(|k| &boundary.points[k]);
+        .map(move |(element, vertices)| {
+            let of = |k: usize| points[vertices[k]];
             let bounds = Bounds {
-                lower: a.inf(b) - margin,
-                upper: a.sup(b) + margin,
+                lower: (1..D).fold(of(0), |low, k| low.inf(&of(k))) - margin,
+                upper: (1..D).fold(of(0), |high, k| high.sup(&of(k))) + margin,
             };
-            (s, bounds)
+            (element, bounds)
         })
 }

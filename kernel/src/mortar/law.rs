@@ -136,16 +136,18 @@ pub struct Friction {
 impl Friction {
     /// Tangential traction \[Pa\] for an elastic slip \[m\] under a normal pressure \[Pa\], and the elastic slip that
     /// remains: kappa_t u, mapped back to the cone |lambda_t| <= mu lambda_n. Without the mapping the spring would go
-    /// on to stretch while the surfaces slide, and would have to be unloaded by as much when they turn back.
+    /// on to stretch while the surfaces slide, and would have to be unloaded by as much when they turn back. Both have a
+    /// component for each tangent of the surface.
     #[must_use]
-    pub fn traction(&self, slip: f64, pressure: f64) -> (f64, f64) {
+    pub fn traction<const T: usize>(&self, slip: [f64; T], pressure: f64) -> ([f64; T], [f64; T]) {
         let most = self.coefficient * pressure;
-        let trial = self.stiffness * slip;
-        if trial.abs() <= most {
+        let trial = slip.map(|u| self.stiffness * u);
+        let size = trial.iter().map(|t| t * t).sum::<f64>().sqrt();
+        if size <= most {
             (trial, slip)
         } else {
-            let traction = most.copysign(trial);
-            (traction, traction / self.stiffness)
+            let traction = trial.map(|t| most * (t / size));
+            (traction, traction.map(|t| t / self.stiffness))
         }
     }
 }

@@ -1,13 +1,15 @@
-//! Mortar segment-to-segment contact between polylines of boundary vertices, in two dimensions (Liang, Fang, Yin
-//! and Zhao 2024).
+//! Mortar segment-to-segment contact between boundaries of vertices (Liang, Fang, Yin and Zhao 2024): polylines in two
+//! dimensions, triangles in three.
 //!
 //! The parts, in the order in which a step uses them:
 //! - [`boundary`]: the polylines, checked; [`outline`]: polylines of the shapes of bodies; [`overlap`]: polylines that
-//!   lie in each other at the start;
+//!   lie in each other at the start; [`space`]: the same made of
+//!   triangles, and what projection and clipping are there;
 //! - [`weights`]: augmented weights of a vertex, which give no share to nodes without mass; [`motion`]: how vertices
 //!   follow the body;
-//! - [`broad`]: pairs of segments that can meet;
-//! - [`segments`]: projection, mortar segments and their Gauss points;
+//! - [`elements`]: what a boundary of either dimension is to the rest; [`broad`]: pairs of elements that can meet;
+//! - [`points`]: the points at which integrals over a contact are evaluated; [`segments`]: how they are found in the
+//!   plane, by projection and mortar segments;
 //! - [`law`]: pressure against gap; [`pair`]: weighted gaps, friction and forces of a pair of boundaries;
 //! - [`bound`]: the time step that the stiffness of the contact allows.
 //!
@@ -21,16 +23,22 @@
 pub mod bound;
 pub mod boundary;
 pub mod broad;
+pub mod elements;
 pub mod law;
 pub mod motion;
 pub mod outline;
 pub mod overlap;
 pub mod pair;
+pub mod points;
 pub mod segments;
+pub mod space;
 pub mod weights;
 
 /// A point or vector of the plane \[m\].
 pub type Point = nalgebra::Vector2<f64>;
+
+/// A point or vector in D dimensions \[m\].
+pub type PointIn<const D: usize> = nalgebra::SVector<f64, D>;
 
 /// z component of the product a x b.
 #[inline]

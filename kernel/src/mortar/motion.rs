@@ -1,8 +1,8 @@
 //! How vertices follow the body (eq. 28-30).
 
-use super::Point;
+use super::PointIn;
 use super::weights::VertexWeights;
-use nalgebra::Matrix2;
+use nalgebra::SMatrix;
 
 /// What of the motion around a node is carried to a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,9 +21,9 @@ pub enum Follow {
 impl Follow {
     /// The part of the velocity gradient of a node \[1/s\] that the vertices use.
     #[must_use]
-    pub fn part(self, gradient: &Matrix2<f64>) -> Matrix2<f64> {
+    pub fn part<const D: usize>(self, gradient: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
         match self {
-            Self::Unaugmented | Self::Velocity => Matrix2::zeros(),
+            Self::Unaugmented | Self::Velocity => SMatrix::zeros(),
             Self::Spin => 0.5 * (gradient - gradient.transpose()),
             Self::Gradient => *gradient,
         }
@@ -35,15 +35,15 @@ impl Follow {
 /// `velocities` and `gradients` belong to the nodes of the patch. The velocities are those at the end of the step:
 /// with those at its beginning, as eq. 29 prints, a rolling disk blows up. `cell` is the size of a cell per axis \[m\].
 #[must_use]
-pub fn vertex_velocity(
-    weights: &VertexWeights,
-    velocities: &[Point; 9],
-    gradients: &[Matrix2<f64>; 9],
+pub fn vertex_velocity<const D: usize, const N: usize>(
+    weights: &VertexWeights<D, N>,
+    velocities: &[PointIn<D>; N],
+    gradients: &[SMatrix<f64, D, D>; N],
     follow: Follow,
-    cell: &Point,
-) -> Point {
-    let mut v = Point::zeros();
-    for k in 0..9 {
+    cell: &PointIn<D>,
+) -> PointIn<D> {
+    let mut v = PointIn::zeros();
+    for k in 0..N {
         let w = weights.weights[k];
         if w == 0.0 {
             continue;
@@ -56,26 +56,35 @@ pub fn vertex_velocity(
 
 /// Velocity gradient of a node, sum_p S_Ip m_p L_p / m_I (eq. 28 for the whole gradient), added up particle by
 /// particle.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct NodalGradient {
-    sum: Matrix2<f64>,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodalGradient<const D: usize> {
+    sum: SMatrix<f64, D, D>,
     mass: f64,
 }
 
-impl NodalGradient {
+impl<const D: usize> Default for NodalGradient<D> {
+    fn default() -> Self {
+        Self {
+            sum: SMatrix::zeros(),
+            mass: 0.0,
+        }
+    }
+}
+
+impl<const D: usize> NodalGradient<D> {
     /// Adds a particle: its weight at the node, mass \[kg\] and velocity gradient \[1/s\].
-    pub fn add(&mut self, weight: f64, mass: f64, gradient: &Matrix2<f64>) {
+    pub fn add(&mut self, weight: f64, mass: f64, gradient: &SMatrix<f64, D, D>) {
         self.sum += gradient * (weight * mass);
         self.mass += weight * mass;
     }
 
     /// The mean \[1/s\]; zero where no particle was added.
     #[must_use]
-    pub fn mean(&self) -> Matrix2<f64> {
+    pub fn mean(&self) -> SMatrix<f64, D, D> {
         if self.mass > 0.0 {
             self.sum / self.mass
         } else {
-            Matrix2::zeros()
+            SMatrix::zeros()
         }
     }
 }

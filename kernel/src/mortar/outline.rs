@@ -11,7 +11,7 @@ use std::fmt;
 pub enum OutlineError {
     /// The length of a segment is not a positive number \[m\].
     Segment(f64),
-    /// The shape has no boundary of its own in the plane: particles one by one, or a shape of three dimensions.
+    /// The shape has no boundary of its own: particles one by one, or a shape of another number of dimensions.
     Shape,
 }
 
@@ -23,7 +23,8 @@ impl fmt::Display for OutlineError {
             }
             Self::Shape => write!(
                 f,
-                "a shape without an outline of its own: only rectangles, discs, rings and polygons have one"
+                "a shape without a boundary of its own: rectangles, discs, rings and polygons have one in two dimensions, \
+                 cuboids, spheres, cylinders and extruded polygons in three"
             ),
         }
     }
@@ -114,7 +115,7 @@ pub fn distance_to_outline(shape: &Shape, x: &Point) -> Option<f64> {
 
 /// Number of equal parts of a length that are no longer than `segment`. A length that is a multiple but for round-off
 /// gets no part more.
-fn parts(length: f64, segment: f64) -> usize {
+pub(super) fn parts(length: f64, segment: f64) -> usize {
     ((length / segment) * (1.0 - 4.0 * f64::EPSILON))
         .ceil()
         .max(1.0) as usize
@@ -132,7 +133,7 @@ fn circle(center: &[f64; 3], radius: f64, segment: f64) -> Vec<Point> {
 }
 
 /// Corners of a closed polygon with vertices between them.
-fn along(corners: &[Point], segment: f64) -> Vec<Point> {
+pub(super) fn along(corners: &[Point], segment: f64) -> Vec<Point> {
     let mut points = vec![];
     for (k, a) in corners.iter().enumerate() {
         let edge = corners[(k + 1) % corners.len()] - a;
@@ -142,7 +143,7 @@ fn along(corners: &[Point], segment: f64) -> Vec<Point> {
     points
 }
 
-fn signed_area(corners: &[Point]) -> f64 {
+pub(super) fn signed_area(corners: &[Point]) -> f64 {
     let Some(origin) = corners.first() else {
         return 0.0;
     };

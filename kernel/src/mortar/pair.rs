@@ -1,9 +1,10 @@
 //! Contact of one pair of boundaries: weighted gaps, pressures, friction, and the forces on the vertices of both.
 
-use super::boundary::Boundary;
+use super::elements::Elements;
 use super::law::{Friction, NormalLaw};
-use super::segments::{Detection, MortarPoints, Search};
-use super::{Point, cross};
+use super::points::{Detection, MortarPoints, Search};
+use super::{Point, PointIn, cross};
+use std::array;
 
 /// How a pair behaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,53 +19,53 @@ pub struct PairLaw {
     pub search: Search,
 }
 
-/// Elastic slip of each vertex of the slave \[m\], kept from step to step.
+/// Elastic slip of each vertex of the slave along its T tangents \[m\], kept from step to step.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Slip(pub Vec<f64>);
+pub struct Slip<const T: usize>(pub Vec<[f64; T]>);
 
 /// Contact at a vertex of the slave that faces the master.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VertexContact {
+pub struct VertexContact<const D: usize, const T: usize> {
     /// Weighted gap (eq. 46) \[m\].
     pub gap: f64,
     /// Outward normal of the slave.
-    pub normal: Point,
+    pub normal: PointIn<D>,
     /// Contact pressure lambda_n \[Pa\].
     pub pressure: f64,
-    /// Tangential traction lambda_tau \[Pa\], along the normal turned by +90 degrees; positive where the slave slips in
-    /// that direction, and then it is pushed back.
-    pub traction: f64,
-    /// Length of the slave that belongs to the vertex, the row sum of D \[m\].
-    pub length: f64,
+    /// Tangential traction lambda_tau \[Pa\] along the tangents of the vertex, in the plane the normal turned by
+    /// +90 degrees; positive where the slave slips in that direction, and then it is pushed back.
+    pub traction: [f64; T],
+    /// Length, in space area, of the slave that belongs to the vertex: the row sum of D \[m, in space m²\].
+    pub measure: f64,
     /// By how much slave and master came closer in the last step \[m\].
     pub approach: f64,
     /// Speed at which they come closer now \[m/s\].
     pub closing: f64,
 }
 
-/// What contact does to a pair in one step. Forces are per unit of thickness.
+/// What contact does to a pair in one step. In the plane all is per metre of thickness: forces in N/m, and so on.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct PairForces {
-    /// Force on each vertex of the slave \[N/m\].
-    pub slave: Vec<Point>,
-    /// Force on each vertex of the master \[N/m\].
-    pub master: Vec<Point>,
-    /// Stiffness of the contact at each vertex of the slave, sum w N slope \[N/m²\], for the time step.
+pub struct PairForces<const D: usize, const T: usize> {
+    /// Force on each vertex of the slave \[N\].
+    pub slave: Vec<PointIn<D>>,
+    /// Force on each vertex of the master \[N\].
+    pub master: Vec<PointIn<D>>,
+    /// Stiffness of the contact at each vertex of the slave, sum w N slope \[N/m\], for the time step.
     pub slave_stiffness: Vec<f64>,
     /// The same for the master.
     pub master_stiffness: Vec<f64>,
     /// Contact at each vertex of the slave, where it faces the master.
-    pub vertices: Vec<Option<VertexContact>>,
-    /// Energy stored in the normal law \[J/m\].
+    pub vertices: Vec<Option<VertexContact<D, T>>>,
+    /// Energy stored in the normal law \[J\].
     pub energy: f64,
 }
 
-impl PairForces {
+impl<const D: usize, const T: usize> PairForces<D, T> {
     /// Nothing acts, on so many vertices of slave and master.
     pub fn clear(&mut self, slave: usize, master: usize) {
-        let zero = |forces: &mut Vec<Point>, stiffness: &mut Vec<f64>, count: usize| {
+        let zero = |forces: &mut Vec<PointIn<D>>, stiffness: &mut Vec<f64>, count: usize| {
             forces.clear();
-            forces.resize(count, Point::zeros());
+            forces.resize(count, PointIn::zeros());
             stiffness.clear();
             stiffness.resize(count, 0.0);
         };
@@ -87,47 +88,74 @@ impl PairForces {
 }
 
 /// The two boundaries, how their vertices moved in the last step \[m\] and move now \[m/s\].
-#[derive(Clone, Copy, Debug)]
-pub struct Surfaces<'a> {
+#[derive(Debug)]
+pub struct Surfaces<'a, B, const D: usize> {
     /// Slave: normals, gaps and pressures are its own.
-    pub slave: &'a Boundary,
+    pub slave: &'a B,
     /// Master.
-    pub master: &'a Boundary,
+    pub master: &'a B,
     /// Displacement of the slave's vertices.
-    pub slave_moved: &'a [Point],
+    pub slave_moved: &'a [PointIn<D>],
     /// Displacement of the master's vertices.
-    pub master_moved: &'a [Point],
+    pub master_moved: &'a [PointIn<D>],
     /// Velocity of the slave's vertices.
-    pub slave_velocity: &'a [Point],
+    pub slave_velocity: &'a [PointIn<D>],
     /// Velocity of the master's vertices.
-    pub master_velocity: &'a [Point],
+    pub master_velocity: &'a [PointIn<D>],
 }
 
+// By hand, since a boundary need not be.
+impl<B, const D: usize> Clone for Surfaces<'_, B, D> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B, const D: usize> Copy for Surfaces<'_, B, D> {}
+
 /// Sums over the points of one vertex of the slave.
-#[derive(Clone, Copy, Debug, Default)]
-struct Row {
-    /// Row sum of D \[m\].
-    length: f64,
+#[derive(Clone, Copy, Debug)]
+struct Row<const D: usize> {
+    /// Row sum of D \[m, in space m²\].
+    measure: f64,
     /// Differences that the rows of D and M give: place, displacement and velocity.
-    apart: Point,
-    moved: Point,
-    speed: Point,
+    apart: PointIn<D>,
+    moved: PointIn<D>,
+    speed: PointIn<D>,
     /// Traction on the slave with the sign turned \[Pa\], and slope of the law \[Pa/m\].
-    lambda: Point,
+    lambda: PointIn<D>,
     slope: f64,
+}
+
+impl<const D: usize> Row<D> {
+    fn empty() -> Self {
+        let zero = PointIn::zeros();
+        Self {
+            measure: 0.0,
+            apart: zero,
+            moved: zero,
+            speed: zero,
+            lambda: zero,
+            slope: 0.0,
+        }
+    }
 }
 
 /// What is needed to find the forces of a pair; kept from step to step for its memory alone.
 #[derive(Clone, Debug, Default)]
-pub struct Workspace {
-    found: MortarPoints,
-    normals: Vec<Point>,
-    rows: Vec<Row>,
+pub struct Workspace<const D: usize> {
+    found: MortarPoints<D>,
+    normals: Vec<PointIn<D>>,
+    rows: Vec<Row<D>>,
 }
 
 /// [`contact_forces_to`] with memory of its own.
 #[must_use]
-pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) -> PairForces {
+pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
+    surfaces: Surfaces<'_, B, D>,
+    law: &PairLaw,
+    slip: &mut Slip<T>,
+) -> PairForces<D, T> {
     let mut forces = PairForces::default();
     contact_forces_to(&mut forces, surfaces, law, slip, &mut Workspace::default());
     forces
@@ -137,16 +165,16 @@ pub fn contact_forces(surfaces: Surfaces<'_>, law: &PairLaw, slip: &mut Slip) ->
 /// f_m = M^T lambda (eq. 54, 55).
 ///
 /// The slip of a vertex is forgotten where there is no pressure.
-pub fn contact_forces_to(
-    forces: &mut PairForces,
-    surfaces: Surfaces<'_>,
+pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
+    forces: &mut PairForces<D, T>,
+    surfaces: Surfaces<'_, B, D>,
     law: &PairLaw,
-    slip: &mut Slip,
-    work: &mut Workspace,
+    slip: &mut Slip<T>,
+    work: &mut Workspace<D>,
 ) {
     let Surfaces { slave, master, .. } = surfaces;
-    let count = slave.points.len();
-    slip.0.resize(count, 0.0);
+    let count = slave.points().len();
+    slip.0.resize(count, [0.0; T]);
     let Workspace {
         found,
         normals,
@@ -157,59 +185,62 @@ pub fn contact_forces_to(
     let points = &found.points;
 
     rows.clear();
-    rows.resize(count, Row::default());
+    rows.resize(count, Row::empty());
     for point in points {
-        let apart = point.on_master(&master.points) - point.on_slave(&slave.points);
+        let apart = point.on_master(master.points()) - point.on_slave(slave.points());
         let moved = point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
         let speed =
             point.on_slave(surfaces.slave_velocity) - point.on_master(surfaces.master_velocity);
         for (k, share) in point.slave {
             let (row, w) = (&mut rows[k], share * point.weight);
-            row.length += w;
+            row.measure += w;
             row.apart += w * apart;
             row.moved += w * moved;
             row.speed += w * speed;
         }
     }
 
-    forces.clear(count, master.points.len());
+    forces.clear(count, master.points().len());
     for (k, row) in rows.iter_mut().enumerate() {
-        let length = row.length;
-        if length <= 0.0 {
-            slip.0[k] = 0.0;
+        let measure = row.measure;
+        if measure <= 0.0 {
+            slip.0[k] = [0.0; T];
             continue;
         }
         let n = normals[k];
-        let tangent = Point::new(-n.y, n.x);
-        let gap = n.dot(&row.apart) / length;
-        let relative = row.moved / length;
+        let tangents = slave.tangents(k, &n);
+        let gap = n.dot(&row.apart) / measure;
+        let relative = row.moved / measure;
         let pressure = law.normal.pressure(gap);
         row.slope = law.normal.slope(gap);
-        let mut traction = 0.0;
+        let mut traction = [0.0; T];
         match &law.friction {
             Some(friction) if pressure > 0.0 => {
-                (traction, slip.0[k]) =
-                    friction.traction(slip.0[k] + tangent.dot(&relative), pressure);
+                let trial = array::from_fn(|t| slip.0[k][t] + tangents[t].dot(&relative));
+                (traction, slip.0[k]) = friction.traction(trial, pressure);
                 // Normal and tangential springs act at right angles, so the stiffer of them rules the time step.
                 row.slope = row.slope.max(friction.stiffness);
             }
-            _ => slip.0[k] = 0.0,
+            _ => slip.0[k] = [0.0; T],
         }
-        row.lambda = pressure * n + traction * tangent;
-        forces.energy += length * law.normal.energy(gap);
+        row.lambda = tangents
+            .iter()
+            .zip(traction)
+            .fold(pressure * n, |sum, (tangent, t)| sum + t * tangent);
+        forces.energy += measure * law.normal.energy(gap);
         forces.vertices[k] = Some(VertexContact {
             gap,
             normal: n,
             pressure,
             traction,
-            length,
+            measure,
             approach: n.dot(&relative),
-            closing: n.dot(&row.speed) / length,
+            closing: n.dot(&row.speed) / measure,
         });
     }
 
     for point in points {
-        let (mut traction, mut stiffness) = (Point::zeros(), 0.0);
+        let (mut traction, mut stiffness) = (PointIn::zeros(), 0.0);
         for (k, share) in point.slave {
             traction += point.weight * share * rows[k].lambda;
             stiffness += point.weight * share * rows[k].slope;

@@ -1,42 +1,15 @@
-//! Projection of a slave boundary onto a master boundary, and the points at which integrals over their contact are
-//! evaluated.
+//! Projection of a slave boundary onto a master boundary in the plane.
 //!
 //! Slave points are projected along the normal field of the slave, interpolated between its vertices. A slave segment
 //! is cut where master vertices project onto it; on each piece (mortar segment) one master segment is seen, and two
-//! Gauss points lie on it (algorithm 1). D and M are both sums over these points and no others, so that the forces on
-//! the two bodies cancel whatever part of a segment is covered.
+//! Gauss points lie on it (algorithm 1).
 
 use super::boundary::Boundary;
 use super::broad::Near;
+use super::elements::Elements;
+use super::overlap::overlap;
+use super::points::{FACING, MortarPoint, Search};
 use super::{Point, cross};
-
-/// How contact is found along the slave.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Detection {
-    /// Integrals over mortar segments.
-    #[default]
-    Mortar,
-    /// At the vertices of the slave, each with half the length of its segments.
-    NodeToSegment,
-}
-
-/// Where the master is looked for along the slave's normals.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Search {
-    /// Largest gap \[m\].
-    pub reach: f64,
-    /// Deepest penetration \[m\].
-    pub depth: f64,
-}
-
-impl Search {
-    fn contains(&self, gap: f64) -> bool {
-        (-self.depth..=self.reach).contains(&gap)
-    }
-}
-
-/// Cosine between the normals of facing surfaces, below which they can touch.
-const FACING: f64 = -0.2;
 
 /// Pieces of a segment shorter than this share of it are left out: they hold nothing but round-off.
 const SHORTEST: f64 = 1.0e-12;
@@ -44,67 +17,56 @@ const SHORTEST: f64 = 1.0e-12;
 /// Places of the two Gauss points in a piece, in shares of its length.
 const GAUSS: [f64; 2] = [0.211_324_865_405_187_13, 0.788_675_134_594_812_9];
 
-/// A point of the slave, the point of the master that it faces, and its share of the length of the contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MortarPoint {
-    /// The two vertices of the slave, and their shape functions N_i at the point.
-    pub slave: [(usize, f64); 2],
-    /// The same for the master.
-    pub master: [(usize, f64); 2],
-    /// Weight of the point in an integral over the slave, w_g J_l \[m\].
-    pub weight: f64,
-}
-
-impl MortarPoint {
-    /// Interpolates values of the slave's vertices to the point.
-    #[must_use]
-    pub fn on_slave(&self, values: &[Point]) -> Point {
-        interpolate(&self.slave, values)
+impl Elements<2, 1> for Boundary {
+    fn points(&self) -> &[Point] {
+        &self.points
     }
 
-    /// Interpolates values of the master's vertices to the facing point.
-    #[must_use]
-    pub fn on_master(&self, values: &[Point]) -> Point {
-        interpolate(&self.master, values)
+    fn points_mut(&mut self) -> &mut [Point] {
+        &mut self.points
     }
-}
 
-fn interpolate(on: &[(usize, f64); 2], values: &[Point]) -> Point {
-    on[0].1 * values[on[0].0] + on[1].1 * values[on[1].0]
-}
+    fn elements(&self) -> &[[usize; 2]] {
+        self.segments()
+    }
 
-/// The points of a pair of boundaries. Kept from step to step for its memory alone.
-#[derive(Clone, Debug, Default)]
-pub struct MortarPoints {
-    /// The points, in order along the slave.
-    pub points: Vec<MortarPoint>,
-    near: Near,
-    cuts: Vec<f64>,
-}
+    fn longest(&self) -> f64 {
+        self.longest_segment()
+    }
 
-impl MortarPoints {
-    /// Finds the points. `normals` are those of the slave's vertices.
-    pub fn find(
-        &mut self,
-        slave: &Boundary,
+    fn normals_to(&self, normals: &mut Vec<Point>) {
+        Self::normals_to(self, normals);
+    }
+
+    fn lies_in(&self, master: &Self) -> Option<String> {
+        overlap(self, master).map(|found| found.to_string())
+    }
+
+    fn tangents(&self, _vertex: usize, normal: &Point) -> [Point; 1] {
+        [Point::new(-normal.y, normal.x)]
+    }
+
+    fn points_of_element(
+        &self,
         normals: &[Point],
-        master: &Boundary,
-        detection: Detection,
+        master: &Self,
+        pairs: &[[usize; 2]],
         search: Search,
+        cuts: &mut Vec<f64>,
+        points: &mut Vec<MortarPoint<2>>,
     ) {
-        self.points.clear();
-        let Self { points, near, cuts } = self;
-        near.find(slave, master, search.reach.max(search.depth));
-        match detection {
-            Detection::Mortar => {
-                for pairs in near.by_slave() {
-                    points_of_segment(slave, normals, master, pairs, search, cuts, points);
-                }
-            }
-            Detection::NodeToSegment => {
-                points_of_vertices(slave, normals, master, near, search, points);
-            }
-        }
+        points_of_segment(self, normals, master, pairs, search, cuts, points);
+    }
+
+    fn points_of_vertices(
+        &self,
+        normals: &[Point],
+        master: &Self,
+        near: &Near<2>,
+        search: Search,
+        points: &mut Vec<MortarPoint<2>>,
+    ) {
+        points_of_vertices(self, normals, master, near, search, points);
     }
 }
 
@@ -167,7 +129,7 @@ fn points_of_segment(
     pairs: &[[usize; 2]],
     search: Search,
     cuts: &mut Vec<f64>,
-    points: &mut Vec<MortarPoint>,
+    points: &mut Vec<MortarPoint<2>>,
 ) {
     let segment = pairs[0][0];
     let [a, b] = slave.segments()[segment];
@@ -236,9 +198,9 @@ fn points_of_vertices(
     slave: &Boundary,
     normals: &[Point],
     master: &Boundary,
-    near: &Near,
+    near: &Near<2>,
     search: Search,
-    points: &mut Vec<MortarPoint>,
+    points: &mut Vec<MortarPoint<2>>,
 ) {
     let lengths = slave.tributary_lengths();
     let mut seen = vec![vec![]; slave.points.len()];

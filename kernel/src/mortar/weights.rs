@@ -1,42 +1,50 @@
 //! Weights of a boundary vertex on the nodes around it.
 
-use super::Point;
+use super::PointIn;
 use crate::weights::{Family, axis_weights_at};
 use std::array;
 
 /// Nodes per axis that a vertex can reach.
 const NODES: usize = 3;
 
-/// Weights of a vertex on a patch of 3 x 3 nodes; node (i, j) of the patch has the place 3 i + j.
+/// Weights of a vertex on a patch of three nodes per axis, N = 3^D in all; node (i, j) of a patch of the plane has the
+/// place 3 i + j, node (i, j, k) in space 9 i + 3 j + k.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VertexWeights {
+pub struct VertexWeights<const D: usize, const N: usize> {
     /// Indices of the lowest node per axis, counted from the origin of the mesh.
-    pub base: [i64; 2],
+    pub base: [i64; D],
     /// Weights. They are those of a particle until [`VertexWeights::augmented`].
-    pub weights: [f64; 9],
+    pub weights: [f64; N],
     /// Position of the vertex minus that of the node, in cells.
-    pub offsets: [Point; 9],
+    pub offsets: [PointIn<D>; N],
+}
+
+/// Place of a node in its patch along each axis, 0 to 2; the last axis runs fastest.
+#[must_use]
+pub fn in_patch<const D: usize>(node: usize) -> [usize; D] {
+    array::from_fn(|axis| node / NODES.pow((D - 1 - axis) as u32) % NODES)
 }
 
 /// A vertex that no node with mass is near: nothing can move it or take its force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lost;
 
-impl VertexWeights {
+impl<const D: usize, const N: usize> VertexWeights<D, N> {
     /// Unmodified weights S_Iv at a position in cells of the mesh. `half_length` is that of the domain of the vertex in
     /// cells, at most 1/2; any value works, as it makes no difference that could be measured.
     #[must_use]
-    pub fn new(family: Family, xi: &Point, half_length: f64) -> Self {
-        let (base_x, w_x, _) = axis_weights_at::<NODES>(family, xi.x, half_length);
-        let (base_y, w_y, _) = axis_weights_at::<NODES>(family, xi.y, half_length);
+    pub fn new(family: Family, xi: &PointIn<D>, half_length: f64) -> Self {
+        let axes: [_; D] =
+            array::from_fn(|axis| axis_weights_at::<NODES>(family, xi[axis], half_length));
         Self {
-            base: [base_x as i64, base_y as i64],
-            weights: array::from_fn(|k| w_x[k / NODES] * w_y[k % NODES]),
+            base: array::from_fn(|axis| axes[axis].0 as i64),
+            weights: array::from_fn(|k| {
+                let at = in_patch::<D>(k);
+                (1..D).fold(axes[0].1[at[0]], |w, axis| w * axes[axis].1[at[axis]])
+            }),
             offsets: array::from_fn(|k| {
-                Point::new(
-                    xi.x - base_x - (k / NODES) as f64,
-                    xi.y - base_y - (k % NODES) as f64,
-                )
+                let at = in_patch::<D>(k);
+                PointIn::from_fn(|axis, _| xi[axis] - axes[axis].0 - at[axis] as f64)
             }),
         }
     }
@@ -46,8 +54,8 @@ impl VertexWeights {
     ///
     /// # Errors
     /// [`Lost`] where none of the nodes with a weight has mass.
-    pub fn augmented(&self, masses: &[f64; 9]) -> Result<Self, Lost> {
-        let weighted: [f64; 9] = array::from_fn(|k| self.weights[k] * masses[k]);
+    pub fn augmented(&self, masses: &[f64; N]) -> Result<Self, Lost> {
+        let weighted: [f64; N] = array::from_fn(|k| self.weights[k] * masses[k]);
         let sum: f64 = weighted.iter().sum();
         if sum.is_nan() || sum <= 0.0 {
             return Err(Lost);
@@ -61,7 +69,7 @@ impl VertexWeights {
     /// The weights of a particle on nodes with mass alone, for comparison: what empty nodes take is lost, and a vertex
     /// that has left all mass behind has none.
     #[must_use]
-    pub fn on_mass(&self, masses: &[f64; 9]) -> Self {
+    pub fn on_mass(&self, masses: &[f64; N]) -> Self {
         let kept = |k: usize| {
             if masses[k] > 0.0 {
                 self.weights[k]

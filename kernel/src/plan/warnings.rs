@@ -8,7 +8,8 @@ const STIFFEST: f64 = 10.0;
 
 /// Warnings about the contacts of a scene, each with its reason.
 pub(super) fn warnings(scene: &Scene) -> Vec<String> {
-    let cell = scene.mesh.cell[0].min(scene.mesh.cell[1]);
+    let axes = &scene.mesh.cell[..scene.dimension.axes()];
+    let cell = axes.iter().copied().fold(f64::INFINITY, f64::min);
     let mut all = vec![];
     for contact in &scene.mortar.contacts {
         let name = &contact.name;

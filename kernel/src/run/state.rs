@@ -1,11 +1,12 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
 use super::RunError;
-use crate::mortar::Point;
+use crate::mortar::PointIn;
+use crate::mortar::elements::Elements;
 use crate::output::{Checkpoint, CheckpointError};
 use crate::particles::Layout;
 use crate::scene::{Results, Scene};
-use crate::simulation::{Event, EventKind, ParticleAt, Simulation};
+use crate::simulation::{Boundaries, Event, EventKind, ParticleAt, Simulation};
 use crate::stage::g2p::Found;
 
 /// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
@@ -106,40 +107,57 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
 
 /// Vertices with their last displacement, and the slip of each pair: what mortar contact remembers.
 fn save_mortar(simulation: &Simulation, checkpoint: &mut Checkpoint) {
-    let flat = |points: &[Point]| points.iter().flat_map(|p| [p.x, p.y]).collect();
-    for (i, surface) in simulation.mortar.surfaces.iter().enumerate() {
-        checkpoint.push::<f64>(
-            format!("mortar/surface{i}/points"),
-            flat(&surface.boundary.points),
-        );
-        checkpoint.push::<f64>(format!("mortar/surface{i}/moved"), flat(&surface.moved));
+    save_boundaries(&simulation.mortar.plane, "mortar", checkpoint);
+    save_boundaries(&simulation.mortar.space, "mortar/space", checkpoint);
+}
+
+fn save_boundaries<B: Elements<D, T>, const D: usize, const N: usize, const T: usize>(
+    boundaries: &Boundaries<B, D, N, T>,
+    name: &str,
+    checkpoint: &mut Checkpoint,
+) {
+    let flat = |points: &[PointIn<D>]| points.iter().flatten().copied().collect();
+    for (i, surface) in boundaries.surfaces.iter().enumerate() {
+        let name = format!("{name}/surface{i}");
+        checkpoint.push::<f64>(format!("{name}/points"), flat(surface.boundary.points()));
+        checkpoint.push::<f64>(format!("{name}/moved"), flat(&surface.moved));
     }
-    for (i, pair) in simulation.mortar.pairs.iter().enumerate() {
-        checkpoint.push::<f64>(format!("mortar/pair{i}/slip"), pair.slip.0.clone());
+    for (i, pair) in boundaries.pairs.iter().enumerate() {
+        let slip = pair.slip.0.iter().flatten().copied().collect();
+        checkpoint.push::<f64>(format!("{name}/pair{i}/slip"), slip);
     }
 }
 
 fn restore_mortar(simulation: &mut Simulation, checkpoint: &Checkpoint) -> Result<(), RunError> {
-    let points = |name: &str, into: &mut [Point]| {
-        let values = checkpoint.array::<f64>(name, 2 * into.len())?;
-        for (point, value) in into.iter_mut().zip(values.as_chunks::<2>().0) {
-            *point = Point::from(*value);
+    restore_boundaries(&mut simulation.mortar.plane, "mortar", checkpoint)?;
+    restore_boundaries(&mut simulation.mortar.space, "mortar/space", checkpoint)?;
+    if simulation.mortar.acts() {
+        simulation.set_mortar_layers();
+    }
+    Ok(())
+}
+
+fn restore_boundaries<B: Elements<D, T>, const D: usize, const N: usize, const T: usize>(
+    boundaries: &mut Boundaries<B, D, N, T>,
+    name: &str,
+    checkpoint: &Checkpoint,
+) -> Result<(), RunError> {
+    let points = |name: &str, into: &mut [PointIn<D>]| {
+        let values = checkpoint.array::<f64>(name, D * into.len())?;
+        for (point, value) in into.iter_mut().zip(values.chunks_exact(D)) {
+            *point = PointIn::from_column_slice(value);
         }
         Ok::<(), RunError>(())
     };
-    for (i, surface) in simulation.mortar.surfaces.iter_mut().enumerate() {
-        points(
-            &format!("mortar/surface{i}/points"),
-            &mut surface.boundary.points,
-        )?;
-        points(&format!("mortar/surface{i}/moved"), &mut surface.moved)?;
+    for (i, surface) in boundaries.surfaces.iter_mut().enumerate() {
+        let name = format!("{name}/surface{i}");
+        points(&format!("{name}/points"), surface.boundary.points_mut())?;
+        points(&format!("{name}/moved"), &mut surface.moved)?;
     }
-    for (i, pair) in simulation.mortar.pairs.iter_mut().enumerate() {
-        let slip = checkpoint.array::<f64>(&format!("mortar/pair{i}/slip"), pair.slip.0.len())?;
-        pair.slip.0.copy_from_slice(slip);
-    }
-    if simulation.mortar.acts() {
-        simulation.set_mortar_layers();
+    for (i, pair) in boundaries.pairs.iter_mut().enumerate() {
+        let slip = &mut pair.slip.0;
+        let values = checkpoint.array::<f64>(&format!("{name}/pair{i}/slip"), T * slip.len())?;
+        slip.copy_from_slice(values.as_chunks().0);
     }
     Ok(())
 }

@@ -30,7 +30,9 @@ pub use mesh::{Mesh, PlaneCondition};
 pub use method::{
     Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
 };
-pub use mortar::{BodyBoundary, Enforcement, Mortar, MortarContact, RigidLine, Vertices};
+pub use mortar::{
+    BodyBoundary, Enforcement, Mortar, MortarContact, RigidFacets, RigidLine, Vertices,
+};
 #[cfg(feature = "json")]
 pub use raw::{from_json, listed, nearest, parse, place, read, schema, words_of};
 pub use results::{Field, NodalField, Outside, Probe, Results};

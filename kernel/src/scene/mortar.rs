@@ -1,23 +1,27 @@
-//! Mortar contact between boundaries of bodies and rigid lines (2D).
+//! Mortar contact between boundaries of bodies and rigid lines (2D) or surfaces (3D).
 
 use super::History;
 use crate::mortar::boundary::Chain;
 use crate::mortar::motion::Follow;
-use crate::mortar::segments::Detection;
+use crate::mortar::points::Detection;
+use crate::surface::Surface;
+use std::sync::Arc;
 
 /// Everything that mortar contact adds to a scene.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Mortar {
     /// Boundaries of bodies.
     pub boundaries: Vec<BodyBoundary>,
-    /// Rigid lines, which have no particles.
+    /// Rigid lines, which have no particles (2D).
     pub lines: Vec<RigidLine>,
+    /// Rigid surfaces, which have no particles (3D).
+    pub facets: Vec<RigidFacets>,
     /// Pairs.
     pub contacts: Vec<MortarContact>,
 }
 
 /// The boundary of a body: vertices without mass that follow it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct BodyBoundary {
     /// Identifier of the body.
     pub body: i64,
@@ -27,13 +31,16 @@ pub struct BodyBoundary {
     pub follow: Follow,
 }
 
-/// Vertices of a boundary.
-#[derive(Clone, Debug, PartialEq)]
+/// Vertices of a boundary. In three dimensions triangles that lie in planes of the mesh that are not free are left out:
+/// nothing can touch them.
+#[derive(Clone, Debug)]
 pub enum Vertices {
-    /// Along the shape of the body, no further apart than this length \[m\].
+    /// On the shape of the body, no further apart than this length \[m\].
     Spacing(f64),
-    /// Given, in the coordinates of the scene.
+    /// Polylines, in the coordinates of the scene (2D).
     Given(Vec<Chain>),
+    /// Triangles around the body, in the coordinates of the scene (3D).
+    Surface(Arc<Surface>),
 }
 
 /// A rigid polyline.
@@ -49,6 +56,19 @@ pub struct RigidLine {
     pub motion: Option<History>,
 }
 
+/// A rigid surface of triangles in mortar contact.
+#[derive(Clone, Debug)]
+pub struct RigidFacets {
+    /// Name of the entry, for messages.
+    pub name: String,
+    /// Identifier; no body may have it.
+    pub id: i64,
+    /// The triangles at the start, in the coordinates of the scene; bodies touch the side to which their normals point.
+    pub surface: Arc<Surface>,
+    /// Prescribed velocity, a translation; at rest without.
+    pub motion: Option<History>,
+}
+
 /// A pair in mortar contact (Liang et al. 2024).
 #[derive(Clone, Debug, PartialEq)]
 pub struct MortarContact {
@@ -56,9 +76,9 @@ pub struct MortarContact {
     pub name: String,
     /// Identifier given in the scene.
     pub id: i64,
-    /// Identifier of the master, a body or a rigid line.
+    /// Identifier of the master, a body, a rigid line or a rigid surface.
     pub master: i64,
-    /// Identifier of the slave, a body or a rigid line. Gaps and pressures belong to its vertices; take the smooth or
+    /// Identifier of the slave, a body, a rigid line or a rigid surface. Gaps and pressures belong to its vertices; take the smooth or
     /// the finer one.
     pub slave: i64,
     /// Coefficient of Coulomb friction, 0 or greater.

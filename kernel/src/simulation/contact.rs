@@ -285,11 +285,8 @@ impl Simulation {
             for planes in all(fields) {
                 planes.constrain_remapped(&second.still);
             }
-            // Mortar contact has acted in the equation of motion, and has no meetings on the grid.
-            let Some(meetings) = second.meetings.get(fields.slab) else {
-                return;
-            };
-            meetings.clone().act(fields, &second.bodies, On::Remapped);
+            let mut meetings = second.meetings[fields.slab].clone();
+            meetings.act(fields, &second.bodies, On::Remapped);
             for planes in all(fields) {
                 planes.constrain_remapped(&second.still);
             }

@@ -184,6 +184,15 @@ pub enum StepErrorKind {
         /// Weighted gap \[m\].
         gap: f64,
     },
+    /// Sharp edges of two boundaries meet, which mortar contact between faces does not see (3D).
+    EdgesMeet {
+        /// Identifiers of master and slave.
+        bodies: [i64; 2],
+        /// Where on the edge of the slave \[m\].
+        position: [f64; 3],
+        /// Distance of the edges, negative when past each other \[m\].
+        distance: f64,
+    },
     /// A vertex of a boundary has no node with mass near it.
     VertexLost {
         /// Identifier of the body.
@@ -305,6 +314,15 @@ impl fmt::Display for StepError {
                 f,
                 "bodies {master} and {slave} are in each other at vertex {vertex} of {slave}, ({x}, {y}, {z}) m: the gap is \
                  {gap} m; accepted: a stiffer contact, a larger critical gap or a smaller time step"
+            ),
+            StepErrorKind::EdgesMeet {
+                bodies: [master, slave],
+                position: [x, y, z],
+                distance,
+            } => write!(
+                f,
+                "a sharp edge of {slave} crosses one of {master} at ({x}, {y}, {z}) m, {distance} m apart; accepted: faces \
+                 that meet faces, since mortar contact does not see edges"
             ),
             StepErrorKind::VertexLost {
                 body,

@@ -81,6 +81,18 @@ impl Surface {
         self.vertices.len()
     }
 
+    /// The vertices after welding \[m\].
+    #[must_use]
+    pub fn vertices(&self) -> &[Point] {
+        &self.vertices
+    }
+
+    /// Vertices of each triangle, counter-clockwise from outside.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
     /// Corners of a triangle, counted from 0 \[m\].
     #[must_use]
     pub fn corners(&self, triangle: usize) -> [Point; 3] {

@@ -81,14 +81,15 @@ fn the_vertex_that_is_in_most_of_a_hurry_decides() {
             gap,
             normal: point(0.0, 1.0),
             pressure: 0.0,
-            traction: 0.0,
-            length: 1.0,
+            traction: [0.0],
+            measure: 1.0,
             approach: 0.0,
             closing,
         })
     };
     let (gc, reach) = (0.2, 1.1);
-    let of = |vertices: &[Option<VertexContact>]| Closing::of(vertices, gc, reach, [3.0, 2.0]);
+    let of =
+        |vertices: &[Option<VertexContact<2, 1>>]| Closing::of(vertices, gc, reach, [3.0, 2.0]);
     // Nothing faces anything: both at full speed towards each other, from just out of reach.
     let whole = of(&[None]);
     assert_eq!((whole.vertex, whole.time_step()), (None, 1.0 / 5.0));

@@ -62,7 +62,7 @@ proptest! {
         let law = Friction { coefficient: mu, stiffness: 1.0e5 };
         let mut elastic = 0.0;
         for du in slips {
-            let (traction, kept) = law.traction(elastic + du, pressure);
+            let ([traction], [kept]) = law.traction([elastic + du], pressure);
             prop_assert!(traction.abs() <= mu * pressure * (1.0 + 1e-15));
             // What is kept is what the spring carries, and never more than was there.
             prop_assert!((law.stiffness * kept - traction).abs() <= 1e-12 * traction.abs());
@@ -81,10 +81,10 @@ fn friction_turns_with_the_motion() {
         coefficient: 0.5,
         stiffness: 1.0e3,
     };
-    let (traction, kept) = law.traction(1.0, 10.0);
-    assert_eq!((traction, kept), (5.0, 0.005));
-    let (back, _) = law.traction(kept - 0.01, 10.0);
+    let (traction, kept) = law.traction([1.0], 10.0);
+    assert_eq!((traction, kept), ([5.0], [0.005]));
+    let ([back], _) = law.traction([kept[0] - 0.01], 10.0);
     assert!((back + 5.0).abs() < 1e-12);
-    let (none, kept) = law.traction(0.1, 0.0);
-    assert_eq!((none, kept), (0.0, 0.0));
+    let (none, kept) = law.traction([0.1], 0.0);
+    assert_eq!((none, kept), ([0.0], [0.0]));
 }

@@ -12,5 +12,6 @@ mod outline;
 mod overlap;
 mod pair;
 mod segments;
+mod space;
 mod support;
 mod weights;

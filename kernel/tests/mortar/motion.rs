@@ -70,7 +70,7 @@ fn without_augmentation_a_vertex_lags_behind_a_translation() {
     let v = point(2.0, -1.0);
     let velocities = LEFT.map(|mass| if mass > 0.0 { v } else { Point::zeros() });
     let still = [Matrix2::zeros(); 9];
-    let found = |w: &VertexWeights| {
+    let found = |w: &VertexWeights<2, 9>| {
         vertex_velocity(w, &velocities, &still, Follow::Spin, &Point::from(CELL))
     };
     let augmented = raw.augmented(&LEFT).expect("has mass");

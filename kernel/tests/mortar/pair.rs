@@ -9,7 +9,7 @@ use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::mortar::pair::{
     PairForces, PairLaw, Slip, Surfaces, contact_forces, resultant,
 };
-use proctor_kernel::mortar::segments::{Detection, Search};
+use proctor_kernel::mortar::points::{Detection, Search};
 use proctor_kernel::scene::Shape;
 use proptest::prelude::*;
 use std::ops::Range;
@@ -32,7 +32,12 @@ fn law(detection: Detection, mu: f64) -> PairLaw {
     }
 }
 
-fn forces(slave: &Boundary, master: &Boundary, law: &PairLaw, slip: &mut Slip) -> PairForces {
+fn forces(
+    slave: &Boundary,
+    master: &Boundary,
+    law: &PairLaw,
+    slip: &mut Slip<1>,
+) -> PairForces<2, 1> {
     contact_forces(
         Surfaces {
             slave,
@@ -169,10 +174,10 @@ proptest! {
         prop_assert!((moment_slave + moment_master).abs() <= 1.1 * searched * scale);
         for (k, v) in found.vertices.iter().enumerate() {
             if let Some(v) = v {
-                prop_assert!(v.pressure >= 0.0 && v.traction.abs() <= mu * v.pressure * (1.0 + 1e-14));
+                prop_assert!(v.pressure >= 0.0 && v.traction[0].abs() <= mu * v.pressure * (1.0 + 1e-14));
                 prop_assert!((v.normal.norm() - 1.0).abs() < 1e-14);
             } else {
-                prop_assert_eq!(slip.0[k], 0.0);
+                prop_assert_eq!(slip.0[k], [0.0]);
             }
         }
         // Pushing apart: the master gets no stiffness that the slave does not have.
@@ -190,7 +195,7 @@ proptest! {
         let slide = point(3.0e-5, -2.0e-5);
         let run = |slave: &Boundary, master: &Boundary, slide: Point| {
             let mut slip = Slip::default();
-            let steps: Vec<PairForces> = (0..3).map(|_| contact_forces(
+            let steps: Vec<PairForces<2, 1>> = (0..3).map(|_| contact_forces(
                 Surfaces { slave, master, slave_moved: &vec![slide; slave.points.len()],
                     master_moved: &at_rest(master), slave_velocity: &at_rest(slave),
                     master_velocity: &at_rest(master) }, &law, &mut slip)).collect();
@@ -255,7 +260,7 @@ fn friction_across_the_gap_is_a_couple() {
     let law = law(Detection::Mortar, mu);
     let slave = ceiling(&[0.0, 0.25, 0.5], gap);
     let master = floor(&[-1.0, 1.0], 0.0);
-    let mut slip = Slip(vec![1.0; 3]);
+    let mut slip = Slip(vec![[1.0]; 3]);
     let found = forces(&slave, &master, &law, &mut slip);
     let (force, on_slave) = resultant(&slave.points, &found.slave, &point(0.0, 0.0));
     let (_, on_master) = resultant(&master.points, &found.master, &point(0.0, 0.0));
@@ -271,11 +276,11 @@ fn friction_across_the_gap_is_a_couple() {
 fn slip_is_forgotten_without_pressure() {
     let law = law(Detection::Mortar, 0.3);
     let master = floor(&[-1.0, 1.0], 0.0);
-    let mut slip = Slip(vec![1.0e-4; 2]);
+    let mut slip = Slip(vec![[1.0e-4]; 2]);
     let _ = forces(&ceiling(&[0.0, 0.5], 0.5 * GC), &master, &law, &mut slip);
-    assert!(slip.0.iter().all(|u| *u == 1.0e-4));
+    assert!(slip.0.iter().all(|u| *u == [1.0e-4]));
     let _ = forces(&ceiling(&[0.0, 0.5], 1.5 * GC), &master, &law, &mut slip);
-    assert_eq!(slip.0, [0.0; 2]);
+    assert_eq!(slip.0, [[0.0]; 2]);
 }
 
 #[test]

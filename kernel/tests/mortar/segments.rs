@@ -4,9 +4,8 @@ use crate::common::cases;
 use crate::support::{ceiling, floor, open, point};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::segments::{
-    Detection, MortarPoint, MortarPoints, Search, feet, project,
-};
+use proctor_kernel::mortar::points::{Detection, MortarPoint, MortarPoints, Search};
+use proctor_kernel::mortar::segments::{feet, project};
 use proptest::prelude::*;
 
 const SEARCH: Search = Search {
@@ -14,13 +13,13 @@ const SEARCH: Search = Search {
     depth: 0.5,
 };
 
-fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<MortarPoint> {
+fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<MortarPoint<2>> {
     let mut found = MortarPoints::default();
     found.find(slave, &slave.normals(), master, detection, SEARCH);
     found.points
 }
 
-fn covered(points: &[MortarPoint]) -> f64 {
+fn covered(points: &[MortarPoint<2>]) -> f64 {
     points.iter().map(|p| p.weight).sum()
 }
 

@@ -11,5 +11,6 @@ mod driven;
 mod faults;
 mod loads;
 mod mortar;
+mod mortar_space;
 mod rotation;
 mod tunnelling;

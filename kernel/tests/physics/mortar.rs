@@ -7,7 +7,7 @@ use crate::common::{
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, RigidLine,
     Scene, Shape, StressScheme, TimeStep, Transfer, Vertices,

@@ -1,7 +1,7 @@
 //! Mortar contact in a scene file: its keys, and bad input by name.
 
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::plan::{Demands, Plan};
 use proctor_kernel::scene::{Enforcement, Scene, SceneError, Vertices, from_json, read};
 use std::path::Path;
@@ -76,7 +76,7 @@ fn bad_input_is_named() {
         (
             r#""slave_id": 1"#,
             r#""slave_id": 7"#,
-            "7, which no body and no rigid line has",
+            "7, which no body, rigid line or rigid surface has",
         ),
         (r#""slave_id": 1"#, r#""slave_id": 2"#, "the master itself"),
         (
@@ -103,7 +103,7 @@ fn bad_input_is_named() {
         (
             r#""id": 2, "points""#,
             r#""id": 1, "points""#,
-            "which another body or line has",
+            "which another body, line or surface has",
         ),
         (
             r#""method": "mortar""#,
@@ -135,6 +135,82 @@ fn bad_input_is_named() {
         assert!(found.contains(expected), "{expected}: {found}");
         assert!(found.contains("rolling.json:"), "{found}");
     }
+}
+
+const BALL: &str = "../fixtures/scenes/rolling_ball_3d.json";
+
+/// The same in three dimensions; files lie beside the fixture.
+fn changed_ball(from: &str, to: &str) -> Result<Scene, SceneError> {
+    let text = std::fs::read_to_string(BALL).expect("the fixture is there");
+    assert!(text.contains(from), "{from}");
+    let folder = Path::new(BALL).parent().expect("has a folder");
+    from_json(&text.replacen(from, to, 1), "ball.json", folder)
+}
+
+#[test]
+fn triangles_come_from_files() {
+    let scene = changed_ball(
+        r#""boundary_segment": 0.1"#,
+        r#""boundary_stl_mesh": "../surfaces/cube.stl""#,
+    )
+    .unwrap_or_else(|e| panic!("{e}"));
+    let vertices = &scene.mortar.boundaries[0].vertices;
+    assert!(matches!(vertices, Vertices::Surface(s) if s.triangle_count() == 12));
+    assert_eq!(scene.mortar.facets[0].name, "plane");
+    assert_eq!(scene.mortar.facets[0].surface.triangle_count(), 2);
+}
+
+#[test]
+fn bad_triangles_are_named() {
+    for (from, to, expected) in [
+        (
+            r#""boundary_segment": 0.1"#,
+            r#""boundary_segment": 0.1, "boundary_stl_mesh": "../surfaces/cube.stl""#,
+            "`boundary_segment` and `boundary_stl_mesh` together",
+        ),
+        (
+            r#""boundary_segment": 0.1"#,
+            r#""boundary_stl_mesh": "../surfaces/plane.stl""#,
+            "4 open edges",
+        ),
+        (
+            r#""boundary_segment": 0.1"#,
+            r#""boundary": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]"#,
+            "a polyline in three dimensions",
+        ),
+        (
+            r#""stl_mesh": "../surfaces/plane.stl""#,
+            r#""stl_mesh": "../surfaces/nowhere.stl""#,
+            "nowhere.stl",
+        ),
+        (
+            r#""id": 2, "stl_mesh": "../surfaces/plane.stl""#,
+            r#""id": 2"#,
+            "rigid_surface.plane.stl_mesh: found nothing",
+        ),
+        (
+            r#""id": 2, "stl_mesh""#,
+            r#""id": 1, "stl_mesh""#,
+            "which another body, line or surface has",
+        ),
+        (
+            r#""rigid_surface": {"plane": {"id": 2, "stl_mesh": "../surfaces/plane.stl"}}"#,
+            r#""rigid_line": {"plane": {"id": 2, "points": [[1, 0, 0], [0, 0, 0]]}}"#,
+            "a polyline in three dimensions",
+        ),
+        (r#""slave_id": 1"#, r#""slave_id": 7"#, "7, which no body"),
+    ] {
+        let found = changed_ball(from, to)
+            .expect_err("is bad input")
+            .to_string();
+        assert!(found.contains(expected), "{expected}: {found}");
+        assert!(found.contains("ball.json:"), "{found}");
+    }
+    let flat = message(
+        r#""rigid_line": {"plane": {"id": 2, "points": [[2.8, 0], [2, 0], [1, 0], [0, 0], [-0.8, 0]]}}"#,
+        r#""rigid_surface": {"plane": {"id": 2, "stl_mesh": "../fixtures/surfaces/plane.stl"}}"#,
+    );
+    assert!(flat.contains("triangles in two dimensions"), "{flat}");
 }
 
 #[test]

@@ -15,7 +15,7 @@
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
     PlaneCondition, RigidLine, Scene, Shape, TransferKind, Vertices,
@@ -44,10 +44,10 @@ const PIC: f64 = 0.1;
 /// The bottom of the disk within this distance of the middle has fine segments \[m\].
 const FINE: f64 = 1.6;
 
-const FORCE: &str = "contact force";
-const PEAK: &str = "peak pressure";
-const WIDTH: &str = "half-width";
-const L2_HERTZ: &str = "L2(p) against Hertz";
+pub(super) const FORCE: &str = "contact force";
+pub(super) const PEAK: &str = "peak pressure";
+pub(super) const WIDTH: &str = "half-width";
+pub(super) const L2_HERTZ: &str = "L2(p) against Hertz";
 const L2_LAYER: &str = "L2(p) against the barrier layer";
 const LAYER: &str = "the layer's own L2 distance from Hertz";
 
@@ -88,6 +88,75 @@ impl Hertz {
 
     fn kappa(variant: &str) -> f64 {
         if variant == "paper" { 1.5e3 } else { 1.5e4 }
+    }
+
+    /// Runs a scene of the case for `case`, in the plane or as a slab of a thickness \[m\], and compares it with the
+    /// references.
+    pub(super) fn solve_scene(
+        self,
+        case: &dyn Case,
+        scene: &Scene,
+        thickness: f64,
+        rung: &Rung,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        scene.check().map_err(|e| failed(case, rung, &e))?;
+        let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
+        let mut found = run(&mut simulation, observer).map_err(|e| failed(case, rung, &e))?;
+        found.force /= thickness;
+        let exact = self.exact();
+        let kappa = Self::kappa(rung.variant);
+        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
+            .map_err(|e| {
+                failed(
+                    case,
+                    rung,
+                    &format!("no reference: residual {} m", e.residual),
+                )
+            })?;
+        let of = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        };
+        let norm = |name, value: f64| Quantity {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value),
+            unit: "1",
+        };
+        let quantities = vec![
+            of(FORCE, found.force, exact.load, "N/m"),
+            of(PEAK, found.peak(), exact.peak(), "Pa"),
+            of(WIDTH, found.half_width(), exact.half_width(), "m"),
+            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
+            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
+            norm(LAYER, layer.distance_from_hertz(&exact)),
+        ];
+        let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
+        let solved = Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve: Some(Curve {
+                title: format!("{}: contact pressure", rung.label),
+                abscissa: "x in m",
+                ordinate: "p in Pa",
+                points: points
+                    .map(|p| CurvePoint {
+                        at: p[0],
+                        computed: p[1],
+                        exact: exact.pressure(p[0]),
+                    })
+                    .collect(),
+            }),
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -303,6 +372,7 @@ impl Study for Hertz {
                     vertices: Vertices::Given(vec![boundary(h)]),
                     follow: Follow::Spin,
                 }],
+                facets: vec![],
                 lines: vec![RigidLine {
                     name: "plane".into(),
                     id: 2,
@@ -350,62 +420,7 @@ impl Study for Hertz {
     ) -> Result<Studied, CaseError> {
         observer.phase(Phase::SetUp);
         let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let found = run(&mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
-        let exact = self.exact();
-        let kappa = Self::kappa(rung.variant);
-        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
-            .map_err(|e| {
-                failed(
-                    self,
-                    rung,
-                    &format!("no reference: residual {} m", e.residual),
-                )
-            })?;
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let norm = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value),
-            unit: "1",
-        };
-        let quantities = vec![
-            of(FORCE, found.force, exact.load, "N/m"),
-            of(PEAK, found.peak(), exact.peak(), "Pa"),
-            of(WIDTH, found.half_width(), exact.half_width(), "m"),
-            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
-            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
-            norm(LAYER, layer.distance_from_hertz(&exact)),
-        ];
-        let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            curve: Some(Curve {
-                title: format!("{}: contact pressure", rung.label),
-                abscissa: "x in m",
-                ordinate: "p in Pa",
-                points: points
-                    .map(|p| CurvePoint {
-                        at: p[0],
-                        computed: p[1],
-                        exact: exact.pressure(p[0]),
-                    })
-                    .collect(),
-            }),
-        };
-        Ok(Studied::new(solved, &simulation))
+        self.solve_scene(self, &scene, 1.0, rung, options, observer)
     }
 }
 
@@ -466,7 +481,7 @@ fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Found
         for (sum, v) in sums.iter_mut().zip(&vertices) {
             sum[0] += info.dt * v.position[0];
             sum[1] += info.dt * v.pressure;
-            sum[2] += info.dt * v.length;
+            sum[2] += info.dt * v.measure;
         }
     }
     observer.phase(Phase::Comparing);

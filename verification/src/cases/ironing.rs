@@ -20,7 +20,7 @@
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, Damping, Dimension, DomainUpdate, Enforcement, History, Mesh,
     MortarContact, PlaneCondition, RigidLine, Scene, Shape, StressScheme, TransferKind, Vertices,

@@ -10,14 +10,18 @@ mod colliding_blocks;
 mod dynamics;
 mod grains;
 mod hertz;
+mod hertz_slab;
+mod hertz_sphere;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
 mod ironing;
 mod rings;
 mod rolling_disk;
+mod rolling_disk_slab;
 mod rotation;
 mod self_weight;
+mod slab;
 mod sphere_on_terrain;
 mod statics;
 mod tilted_incline;
@@ -31,11 +35,14 @@ pub use cantilever::Cantilever;
 pub use colliding_blocks::CollidingBlocks;
 pub use grains::{Grains, outlines as grain_outlines};
 pub use hertz::Hertz;
+pub use hertz_slab::HertzSlab;
+pub use hertz_sphere::HertzSphere;
 pub use inclined_block::InclinedBlock;
 pub use inclined_two_blocks::InclinedTwoBlocks;
 pub use ironing::Ironing;
 pub use rings::Rings;
 pub use rolling_disk::RollingDisk;
+pub use rolling_disk_slab::RollingDiskSlab;
 pub use rotation::Rotation;
 pub use self_weight::SelfWeight;
 pub use sphere_on_terrain::SphereOnTerrain;
@@ -64,6 +71,9 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &SphereOnTerrain::GIVEN,
     &Hertz::GIVEN,
     &RollingDisk::GIVEN,
+    &HertzSlab,
+    &HertzSphere::GIVEN,
+    &RollingDiskSlab,
     &Cantilever::GIVEN,
     &Rings::GIVEN,
     &Ironing::GIVEN,

@@ -15,7 +15,7 @@
 use std::sync::OnceLock;
 
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, Dimension, DomainUpdate, Enforcement, Law, Material, Mesh, MortarContact,
     PlaneCondition, Scene, Shape, StressScheme, TransferKind, Vertices, Weighting,

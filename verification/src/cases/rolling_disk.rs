@@ -13,7 +13,7 @@
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::segments::Detection;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     Body, BodyBoundary, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
     PlaneCondition, Results, RigidLine, Scene, Shape, TransferKind, Vertices,
@@ -46,9 +46,9 @@ const PIC: f64 = 0.001;
 /// Local damping while the disk settles.
 const SETTLING: f64 = 0.1;
 
-const WAY: &str = "way along the plane after 2 s";
-const RATIO: &str = "turn times R over way, after 2 s";
-const AREA: &str = "growth of the area";
+pub(super) const WAY: &str = "way along the plane after 2 s";
+pub(super) const RATIO: &str = "turn times R over way, after 2 s";
+pub(super) const AREA: &str = "growth of the area";
 
 /// The disk on the inclined plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,6 +96,85 @@ impl RollingDisk {
             friction: Self::friction(rung.variant),
             radius: RADIUS,
         }
+    }
+
+    /// Runs a scene of the case for `case`, in the plane or as a slab of a thickness \[m\].
+    pub(super) fn solve_scene(
+        self,
+        case: &dyn Case,
+        scene: &Scene,
+        thickness: f64,
+        rung: &Rung,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        scene.check().map_err(|e| failed(case, rung, &e))?;
+        let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
+        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
+            run(
+                simulation,
+                stop,
+                2.0 * STAGE,
+                &mut *observer,
+                |simulation| {
+                    let dt = 2.0 * (simulation.time() - simulation.velocity_time());
+                    *turn += angular_velocity(simulation) * dt;
+                },
+            )
+            .map_err(|e| failed(case, rung, &e))
+        };
+        follow(&mut simulation, STAGE, &mut 0.0)?;
+        let (sin, cos) = INCLINATION_DEGREES.to_radians().sin_cos();
+        simulation
+            .set_local_damping(None)
+            .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
+            .map_err(|e| failed(case, rung, &e))?;
+        let (_, start, _) = simulation.center(0);
+        let exact = self.exact(rung);
+        let (mut points, mut turn) = (vec![], 0.0);
+        for k in 1..=20 {
+            let time = f64::from(k) / 20.0 * STAGE;
+            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
+            follow(&mut simulation, STAGE + time, &mut turn)?;
+            points.push(CurvePoint {
+                at: time,
+                computed: simulation.center(0).1[0] - start[0],
+                exact: exact.way_and_turn(time).0,
+            });
+        }
+        let way = points.last().map_or(f64::NAN, |p| p.computed);
+        let of = |name, value: f64, exact: f64| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit: if name == WAY { "m" } else { "1" },
+        };
+        let growth = area(&simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
+        let quantities = vec![
+            of(WAY, way, exact.way_and_turn(STAGE).0),
+            of(RATIO, turn * RADIUS / way, exact.rolling_ratio()),
+            Quantity {
+                name: AREA,
+                value: growth,
+                exact: None,
+                error: None,
+                unit: "1",
+            },
+        ];
+        let solved = Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve: Some(Curve {
+                title: format!("{}: way along the plane", rung.label),
+                abscissa: "t in s",
+                ordinate: "u_x in m",
+                points,
+            }),
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -295,6 +374,7 @@ impl Study for RollingDisk {
                     vertices: Vertices::Spacing(TAU * RADIUS / 64.0),
                     follow: Follow::Spin,
                 }],
+                facets: vec![],
                 lines: vec![RigidLine {
                     name: "plane".into(),
                     id: 2,
@@ -343,74 +423,7 @@ impl Study for RollingDisk {
     ) -> Result<Studied, CaseError> {
         observer.phase(Phase::SetUp);
         let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
-            run(
-                simulation,
-                stop,
-                2.0 * STAGE,
-                &mut *observer,
-                |simulation| {
-                    let dt = 2.0 * (simulation.time() - simulation.velocity_time());
-                    *turn += angular_velocity(simulation) * dt;
-                },
-            )
-            .map_err(|e| failed(self, rung, &e))
-        };
-        follow(&mut simulation, STAGE, &mut 0.0)?;
-        let (sin, cos) = INCLINATION_DEGREES.to_radians().sin_cos();
-        simulation
-            .set_local_damping(None)
-            .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
-            .map_err(|e| failed(self, rung, &e))?;
-        let (_, start, _) = simulation.center(0);
-        let exact = self.exact(rung);
-        let (mut points, mut turn) = (vec![], 0.0);
-        for k in 1..=20 {
-            let time = f64::from(k) / 20.0 * STAGE;
-            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
-            follow(&mut simulation, STAGE + time, &mut turn)?;
-            points.push(CurvePoint {
-                at: time,
-                computed: simulation.center(0).1[0] - start[0],
-                exact: exact.way_and_turn(time).0,
-            });
-        }
-        let way = points.last().map_or(f64::NAN, |p| p.computed);
-        let of = |name, value: f64, exact: f64| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit: if name == WAY { "m" } else { "1" },
-        };
-        let growth = area(&simulation) / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
-        let quantities = vec![
-            of(WAY, way, exact.way_and_turn(STAGE).0),
-            of(RATIO, turn * RADIUS / way, exact.rolling_ratio()),
-            Quantity {
-                name: AREA,
-                value: growth,
-                exact: None,
-                error: None,
-                unit: "1",
-            },
-        ];
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            curve: Some(Curve {
-                title: format!("{}: way along the plane", rung.label),
-                abscissa: "t in s",
-                ordinate: "u_x in m",
-                points,
-            }),
-        };
-        Ok(Studied::new(solved, &simulation))
+        self.solve_scene(self, &scene, 1.0, rung, options, observer)
     }
 }
 

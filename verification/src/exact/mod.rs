@@ -13,6 +13,7 @@ pub mod elastic_block;
 pub mod fe;
 pub mod hertz;
 pub mod hertz_layer;
+pub mod hertz_sphere;
 pub mod ring_impact;
 pub mod rolling_disk;
 pub mod rotation;

@@ -4,28 +4,48 @@
 use super::collector::Collector;
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::outline::distance_to_outline;
+use crate::mortar::space::facets::Facets;
 use crate::scene::{
     BodyBoundary, Damping, Dimension, MortarContact, Scene, StressScheme, Vertices,
 };
+use crate::surface::Surface;
 
 pub(super) fn check(scene: &Scene, problems: &mut Collector) {
     let mortar = &scene.mortar;
-    if mortar.contacts.is_empty() && mortar.boundaries.is_empty() && mortar.lines.is_empty() {
+    let nothing = mortar.contacts.is_empty()
+        && mortar.boundaries.is_empty()
+        && mortar.lines.is_empty()
+        && mortar.facets.is_empty();
+    if nothing {
         return;
     }
     check_company(scene, problems);
     for (i, line) in mortar.lines.iter().enumerate() {
         let path = format!("rigid_line[{i}]");
-        let taken = scene.bodies.iter().any(|b| b.id == line.id)
-            || mortar.lines[..i].iter().any(|l| l.id == line.id);
-        if taken {
+        if scene.dimension == Dimension::Three {
             problems.add(
-                format!("{path}.id"),
-                format!("{}, which another body or line has", line.id),
-                "an id of its own",
+                path.clone(),
+                "a polyline in three dimensions",
+                "a `rigid_surface`",
             );
         }
+        let taken = mortar.lines[..i].iter().any(|l| l.id == line.id);
+        check_id(scene, line.id, taken, &path, problems);
         check_chains(&line.chains, &format!("{path}.points"), problems);
+    }
+    for (i, rigid) in mortar.facets.iter().enumerate() {
+        let path = format!("rigid_surface[{i}]");
+        if scene.dimension == Dimension::Two {
+            problems.add(
+                path.clone(),
+                "triangles in two dimensions",
+                "a `rigid_line`",
+            );
+        }
+        let taken = mortar.lines.iter().any(|l| l.id == rigid.id)
+            || mortar.facets[..i].iter().any(|r| r.id == rigid.id);
+        check_id(scene, rigid.id, taken, &path, problems);
+        check_facets(&rigid.surface, &format!("{path}.stl_mesh"), problems);
     }
     for boundary in &mortar.boundaries {
         check_boundary(scene, boundary, problems);
@@ -60,13 +80,6 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
 
 /// What mortar contact is not built for.
 fn check_company(scene: &Scene, problems: &mut Collector) {
-    if scene.dimension != Dimension::Two {
-        problems.add(
-            "dimension",
-            "3 with mortar contact, which is built in two dimensions",
-            "2, or `method` \"grid\"",
-        );
-    }
     if scene.scheme == StressScheme::Usf {
         problems.add(
             "stress_scheme_update",
@@ -92,7 +105,7 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
         problems.add(
             "terrain_contact",
             "a rigid surface beside mortar contact, whose bodies have velocity fields that surfaces do not see",
-            "a `rigid_line`, or no mortar contact",
+            "a `rigid_line` or `rigid_surface`, or no mortar contact",
         );
     }
     if !scene.contacts.is_empty() {
@@ -100,6 +113,27 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
             "contact",
             "grid and mortar contacts in one scene",
             "one method for all contacts",
+        );
+    }
+}
+
+fn check_id(scene: &Scene, id: i64, taken: bool, path: &str, problems: &mut Collector) {
+    if taken || scene.bodies.iter().any(|b| b.id == id) {
+        problems.add(
+            format!("{path}.id"),
+            format!("{id}, which another body, line or surface has"),
+            "an id of its own",
+        );
+    }
+}
+
+/// A closed surface must have its outside out.
+fn check_facets(surface: &Surface, path: &str, problems: &mut Collector) {
+    if let Err(e) = Facets::new(surface) {
+        problems.add(
+            path,
+            e.to_string(),
+            "triangles whose normals point out of the body",
         );
     }
 }
@@ -129,8 +163,29 @@ fn check_boundary(scene: &Scene, boundary: &BodyBoundary, problems: &mut Collect
         }
         Vertices::Given(chains) => {
             let path = format!("bodies[{i}].boundary");
+            if scene.dimension == Dimension::Three {
+                problems.add(
+                    path.clone(),
+                    "a polyline in three dimensions",
+                    "`boundary_segment` or `boundary_stl_mesh`",
+                );
+            }
             check_chains(chains, &path, problems);
             check_places(scene, i, chains, &path, problems);
+        }
+        Vertices::Surface(surface) => {
+            let path = format!("bodies[{i}].boundary_stl_mesh");
+            if scene.dimension == Dimension::Two {
+                problems.add(
+                    path.clone(),
+                    "triangles in two dimensions",
+                    "`boundary_segment` or `boundary`",
+                );
+            }
+            match surface.require_closed() {
+                Ok(()) => check_facets(surface, &path, problems),
+                Err(error) => problems.add(path, error.kind.to_string(), error.kind.accepted()),
+            }
         }
     }
 }
@@ -191,21 +246,22 @@ fn check_ends(scene: &Scene, contact: &MortarContact, path: &str, problems: &mut
         );
     }
     for (key, id) in [("master_id", contact.master), ("slave_id", contact.slave)] {
-        let line = scene.mortar.lines.iter().any(|l| l.id == id);
+        let line = scene.mortar.lines.iter().any(|l| l.id == id)
+            || scene.mortar.facets.iter().any(|r| r.id == id);
         let body = scene.bodies.iter().any(|b| b.id == id);
         let bounded = scene.mortar.boundaries.iter().any(|b| b.body == id);
         let path = format!("{path}.{key}");
         if !line && !body {
             problems.add(
                 path,
-                format!("{id}, which no body and no rigid line has"),
-                "the id of a body with a boundary or of a rigid line",
+                format!("{id}, which no body, rigid line or rigid surface has"),
+                "the id of a body with a boundary, of a rigid line or of a rigid surface",
             );
         } else if body && !bounded {
             problems.add(
                 path,
                 format!("{id}, a body without a boundary"),
-                "a body with `boundary_segment` or `boundary`",
+                "a body with `boundary_segment`, `boundary` or `boundary_stl_mesh`",
             );
         }
     }

@@ -82,6 +82,8 @@ pub(super) struct RawScene {
     pub contact: Option<Contacts>,
     /// Rigid polylines without particles, for mortar contact in two dimensions.
     pub rigid_line: Option<Entries<RawRigidLine>>,
+    /// Rigid surfaces of triangles without particles, for mortar contact in three dimensions.
+    pub rigid_surface: Option<Entries<RawRigidSurface>>,
     /// Settings of all contacts.
     pub contact_manager: Option<RawContactManager>,
     /// Contact with a rigid surface, or a list of them (3D).
@@ -244,10 +246,14 @@ pub(super) struct RawBody {
     pub particles: Option<Vec<Vec<f64>>>,
     /// Particles from a text file with the columns x, y, z, volume; a path relative to the scene's folder.
     pub file: Option<String>,
-    /// Longest segment of the boundary made from the shape, for mortar contact in two dimensions [m].
+    /// Longest segment of the boundary made from the shape, for mortar contact; in three dimensions of the edges of its
+    /// triangles, but for diagonals [m].
     pub boundary_segment: Option<f64>,
     /// Vertices of the boundary, closed and counter-clockwise, instead of one made from the shape [m].
     pub boundary: Option<Vec<Vec<f64>>>,
+    /// STL file with the triangles of the boundary, closed and with its normals out of the body, instead of one made from
+    /// the shape (3D) [m].
+    pub boundary_stl_mesh: Option<String>,
     /// How the boundary follows the body. Default: spin.
     #[schemars(extend("enum" = ["unaugmented", "velocity", "spin", "gradient"]))]
     pub boundary_follows: Option<String>,
@@ -360,6 +366,21 @@ pub(super) struct RawRigidLine {
     pub points: Option<Vec<Vec<f64>>>,
     /// Whether the last vertex is joined to the first. Default: false.
     pub closed: Option<bool>,
+    /// Prescribed velocity: a vector, or rows of time and velocity [s, m/s]. Default: at rest.
+    pub prescribed_velocity: Option<VectorOrTable>,
+}
+
+/// A rigid surface of triangles.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of a rigid surface"
+)]
+pub(super) struct RawRigidSurface {
+    /// Identifier; no body may have it.
+    pub id: Option<i64>,
+    /// STL file with the triangles, touched from the side to which their normals point [m].
+    pub stl_mesh: Option<String>,
     /// Prescribed velocity: a vector, or rows of time and velocity [s, m/s]. Default: at rest.
     pub prescribed_velocity: Option<VectorOrTable>,
 }

@@ -1,4 +1,4 @@
-//! Mortar contact, boundaries and rigid lines from their keys.
+//! Mortar contact, boundaries, rigid lines and rigid surfaces from their keys.
 
 use super::build::{Build, join};
 use super::keys::{RawBody, RawContact, RawScene};
@@ -7,11 +7,13 @@ use super::words::{DETECTIONS, ENFORCEMENTS, FOLLOWS};
 use crate::mortar::Point;
 use crate::mortar::boundary::{Chain, Side};
 use crate::mortar::motion::Follow;
-use crate::mortar::segments::Detection;
-use crate::scene::{BodyBoundary, Enforcement, MortarContact, RigidLine, Scene, Vertices};
+use crate::mortar::points::Detection;
+use crate::scene::{
+    BodyBoundary, Enforcement, MortarContact, RigidFacets, RigidLine, Scene, Vertices,
+};
 
 impl Build<'_> {
-    /// Boundaries of the bodies, and rigid lines.
+    /// Boundaries of the bodies, rigid lines and rigid surfaces.
     pub(super) fn boundaries(&mut self, raw: &RawScene, scene: &mut Scene) {
         let bodies = [("body", &raw.body), ("bodies", &raw.bodies)]
             .into_iter()
@@ -55,32 +57,70 @@ impl Build<'_> {
                     .map(|given| self.motion(&join(&path, "prescribed_velocity"), given)),
             });
         }
+        self.rigid_surfaces(raw, scene);
+    }
+
+    fn rigid_surfaces(&mut self, raw: &RawScene, scene: &mut Scene) {
+        for (i, (name, rigid)) in raw.rigid_surface.iter().flat_map(|l| &l.0).enumerate() {
+            let path = entry_path("rigid_surface", i, name.as_deref());
+            let key = |key: &str| join(&path, key);
+            let Some(file) = &rigid.stl_mesh else {
+                self.missing(key("stl_mesh"), "the path of an STL file");
+                continue;
+            };
+            let motion = rigid
+                .prescribed_velocity
+                .as_ref()
+                .map(|given| self.motion(&key("prescribed_velocity"), given));
+            let Some(surface) = self.triangles(key("stl_mesh"), file) else {
+                continue;
+            };
+            self.spelt(
+                format!("rigid_surface[{}]", scene.mortar.facets.len()),
+                path.clone(),
+            );
+            scene.mortar.facets.push(RigidFacets {
+                name: name.clone().unwrap_or_else(|| path.clone()),
+                id: self.id(&path, rigid.id, i),
+                surface,
+                motion,
+            });
+        }
     }
 
     fn boundary(&mut self, path: &str, id: i64, raw: &RawBody) -> Option<BodyBoundary> {
-        let vertices = match (raw.boundary_segment, &raw.boundary) {
-            (None, None) => {
+        let given = [
+            ("boundary_segment", raw.boundary_segment.is_some()),
+            ("boundary", raw.boundary.is_some()),
+            ("boundary_stl_mesh", raw.boundary_stl_mesh.is_some()),
+        ];
+        let given: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
+        if let [_, second, ..] = given[..] {
+            self.add(
+                join(path, second),
+                format!("`{}` together", given.join("` and `")),
+                "one of them",
+            );
+            return None;
+        }
+        let vertices = match (raw.boundary_segment, &raw.boundary, &raw.boundary_stl_mesh) {
+            (Some(length), ..) => Vertices::Spacing(length),
+            (_, Some(points), _) => {
+                let path = join(path, "boundary");
+                Vertices::Given(vec![self.chain(&path, points, Side::Outer)?])
+            }
+            (_, _, Some(file)) => {
+                Vertices::Surface(self.triangles(join(path, "boundary_stl_mesh"), file)?)
+            }
+            _ => {
                 if raw.boundary_follows.is_some() {
                     self.add(
                         join(path, "boundary_follows"),
                         "how a boundary follows, without a boundary",
-                        "`boundary_segment` or `boundary` beside it",
+                        "`boundary_segment`, `boundary` or `boundary_stl_mesh` beside it",
                     );
                 }
                 return None;
-            }
-            (Some(_), Some(_)) => {
-                self.add(
-                    join(path, "boundary"),
-                    "`boundary` and `boundary_segment` together",
-                    "one of them",
-                );
-                return None;
-            }
-            (Some(length), None) => Vertices::Spacing(length),
-            (None, Some(points)) => {
-                let path = join(path, "boundary");
-                Vertices::Given(vec![self.chain(&path, points, Side::Outer)?])
             }
         };
         let follow = self.word_or(

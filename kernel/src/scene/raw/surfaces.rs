@@ -4,7 +4,7 @@ use super::build::Build;
 use super::keys::{RawScene, RawTerrainContact};
 use super::lists::Terrains;
 use crate::scene::{Mesh, RigidSurface};
-use crate::surface;
+use crate::surface::{self, Surface};
 use std::sync::Arc;
 
 impl Build<'_> {
@@ -66,22 +66,27 @@ impl Build<'_> {
             self.missing(key("stl_mesh"), "the path of an STL file");
             return None;
         };
+        Some(RigidSurface {
+            name: file.clone(),
+            surface: self.triangles(key("stl_mesh"), file)?,
+            friction: raw.friction.unwrap_or(0.0),
+            distance_threshold: raw.distance_threshold.unwrap_or(smallest),
+            penalty_stiffness: penalty,
+            motion,
+        })
+    }
+
+    /// The surface in an STL file named by a key.
+    pub(super) fn triangles(&mut self, path: String, file: &str) -> Option<Arc<Surface>> {
         match surface::read(&self.folder.join(file)) {
-            Ok(surface) => Some(RigidSurface {
-                name: file.clone(),
-                surface: Arc::new(surface),
-                friction: raw.friction.unwrap_or(0.0),
-                distance_threshold: raw.distance_threshold.unwrap_or(smallest),
-                penalty_stiffness: penalty,
-                motion,
-            }),
+            Ok(surface) => Some(Arc::new(surface)),
             Err(error) => {
                 let file = error
                     .file
                     .as_ref()
-                    .map_or_else(|| file.clone(), |path| path.display().to_string());
+                    .map_or_else(|| file.to_owned(), |path| path.display().to_string());
                 self.add(
-                    key("stl_mesh"),
+                    path,
                     format!("{file}: {}", error.kind),
                     error.kind.accepted(),
                 );

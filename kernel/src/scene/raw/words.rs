@@ -1,7 +1,7 @@
 //! Words of the scene language, and the nearest known one to a word that is not.
 
 use crate::mortar::motion::Follow;
-use crate::mortar::segments::Detection;
+use crate::mortar::points::Detection;
 use crate::scene::{
     ContactNormal, Dimension, DomainUpdate, Enforcement, Field, NodalField, ObjectiveRate, Outside,
     PlaneCondition, StressScheme, TransferKind,

@@ -1,32 +1,33 @@
 //! Velocity gradients at the nodes that vertices hang on (eq. 28).
 
-use super::surface::Patch;
+use super::surface::{Patch, velocity_at};
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
-use crate::mortar::Point;
+use crate::mortar::PointIn;
 use crate::mortar::motion::NodalGradient;
 use crate::particles::{Layout, ParticleSet};
 use crate::simulation::BodyRun;
 use crate::weights::{axis_weights_at, base_offset};
-use nalgebra::Matrix2;
+use nalgebra::SMatrix;
+use std::array;
 
 /// Velocity gradients at the nodes that the vertices need (eq. 28).
-pub(super) struct NodalGradients {
+pub(super) struct NodalGradients<const D: usize> {
     /// Place of each node of the grid in `sums`, plus one; zero for nodes that no vertex needs.
     slots: Vec<u32>,
-    sums: Vec<NodalGradient>,
+    sums: Vec<NodalGradient<D>>,
 }
 
-impl NodalGradients {
-    pub(super) fn at(&self, node: usize) -> Matrix2<f64> {
+impl<const D: usize> NodalGradients<D> {
+    pub(super) fn at(&self, node: usize) -> SMatrix<f64, D, D> {
         match self.slots.get(node) {
             Some(&slot) if slot > 0 => self.sums[slot as usize - 1].mean(),
-            _ => Matrix2::zeros(),
+            _ => SMatrix::zeros(),
         }
     }
 
     /// Sums over the particles that reach a node of a patch; they are found by their base, without their weights.
-    pub(super) fn new(
-        patches: &[Patch],
+    pub(super) fn new<const N: usize>(
+        patches: &[Patch<D, N>],
         set: &ParticleSet,
         body: &BodyRun,
         shape: &GridShape,
@@ -34,19 +35,26 @@ impl NodalGradients {
         stencil: usize,
     ) -> Self {
         let mut slots = vec![0_u32; lines.len()];
-        let mut sums = vec![];
+        let mut sums: Vec<NodalGradient<D>> = vec![];
         let bases = shape.bases();
-        let mut near = vec![false; bases[0] * bases[2]];
+        let place = |at: [usize; 3]| (at[0] * bases[1] + at[1]) * bases[2] + at[2];
+        let mut near = vec![false; bases.iter().product()];
         for patch in patches {
-            for k in 0..9 {
+            for k in 0..N {
                 let node = patch.nodes[k];
                 if patch.weights.weights[k] > 0.0 && slots[node] == 0 {
                     sums.push(NodalGradient::default());
                     slots[node] = sums.len() as u32;
-                    let [i, _, j] = shape.indices(node);
-                    for a in i.saturating_sub(stencil - 1)..=i.min(bases[0] - 1) {
-                        for b in j.saturating_sub(stencil - 1)..=j.min(bases[2] - 1) {
-                            near[a * bases[2] + b] = true;
+                    let at = shape.indices(node);
+                    let [i, j, k] = array::from_fn(|direction| {
+                        at[direction].saturating_sub(stencil - 1)
+                            ..=at[direction].min(bases[direction] - 1)
+                    });
+                    for i in i {
+                        for j in j.clone() {
+                            for k in k.clone() {
+                                near[place([i, j, k])] = true;
+                            }
                         }
                     }
                 }
@@ -54,14 +62,23 @@ impl NodalGradients {
         }
         let mapping = &body.mapping;
         let offset = base_offset(stencil);
+        // Storage indices of the nodes of a stencil from its base, the last axis fastest.
+        let reached: Vec<[usize; D]> = (0..stencil.pow(D as u32))
+            .map(|k| array::from_fn(|axis| k / stencil.pow((D - 1 - axis) as u32) % stencil))
+            .collect();
         for p in 0..set.len() {
-            let xi = [0, 1]
-                .map(|axis| set.columns[Layout::POSITION + axis][p] * mapping.inverse_cell[axis]);
-            let base = xi.map(|xi| ((xi - offset).floor() + GHOSTS_BELOW as f64) as usize);
-            if !near[base[0] * bases[2] + base[1]] {
+            let xi: [f64; D] = array::from_fn(|axis| {
+                set.columns[Layout::POSITION + axis][p] * mapping.inverse_cell[axis]
+            });
+            let mut base = [0; 3];
+            for axis in 0..D {
+                base[shape.direction(axis)] =
+                    ((xi[axis] - offset).floor() + GHOSTS_BELOW as f64) as usize;
+            }
+            if !near[place(base)] {
                 continue;
             }
-            let axes = [0, 1].map(|axis| {
+            let axes: [([f64; 4], [f64; 4]); D] = array::from_fn(|axis| {
                 let l = mapping
                     .half_length_column
                     .map_or(mapping.half_length[axis], |c| set.columns[c + axis][p]);
@@ -73,24 +90,37 @@ impl NodalGradients {
                     (w, g)
                 }
             });
-            let [(w_x, g_x), (w_y, g_y)] = axes;
-            let first = |a: usize| (base[0] + a) * shape.nodes[2] + base[1];
-            let mut gradient = Matrix2::zeros();
-            for a in 0..stencil {
-                for (b, line) in lines[first(a)..][..stencil].iter().enumerate() {
-                    let slope = Point::new(
-                        g_x[a] * w_y[b] * mapping.inverse_cell[0],
-                        w_x[a] * g_y[b] * mapping.inverse_cell[1],
-                    );
-                    gradient += Point::new(line[1], line[2]) * slope.transpose();
+            let node = |at: &[usize; D]| {
+                let mut storage = base;
+                for axis in 0..D {
+                    storage[shape.direction(axis)] += at[axis];
                 }
+                shape.index(storage)
+            };
+            let weight = |at: &[usize; D]| {
+                (1..D).fold(axes[0].0[at[0]], |w, axis| w * axes[axis].0[at[axis]])
+            };
+            let mut gradient = SMatrix::zeros();
+            for at in &reached {
+                let slope = PointIn::<D>::from_fn(|direction, _| {
+                    let of = |axis: usize| {
+                        let (w, g) = &axes[axis];
+                        if axis == direction {
+                            g[at[axis]]
+                        } else {
+                            w[at[axis]]
+                        }
+                    };
+                    (1..D).fold(of(0), |product, axis| product * of(axis))
+                        * mapping.inverse_cell[direction]
+                });
+                gradient += velocity_at(&lines[node(at)]) * slope.transpose();
             }
             let mass = set.columns[Layout::MASS][p];
-            for a in 0..stencil {
-                for (b, &slot) in slots[first(a)..][..stencil].iter().enumerate() {
-                    if slot > 0 {
-                        sums[slot as usize - 1].add(w_x[a] * w_y[b], mass, &gradient);
-                    }
+            for at in &reached {
+                let slot = slots[node(at)];
+                if slot > 0 {
+                    sums[slot as usize - 1].add(weight(at), mass, &gradient);
                 }
             }
         }

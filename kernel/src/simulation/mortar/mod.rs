@@ -4,32 +4,30 @@
 //! Each body with a boundary has a layer of the grid to itself. A step goes: mapping to the nodes, augmented weights of
 //! the vertices, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
 
+mod boundaries;
 mod cycle;
 mod gradients;
 mod pair;
+mod setup;
 mod surface;
 mod vertices;
 
+pub(crate) use boundaries::Boundaries;
 pub use vertices::{BoundaryVertex, VertexState};
 
-use super::BodyRun;
-use super::error::SetupError;
-use crate::mortar::Point;
-use crate::mortar::bound::{Closing, NodalStiffness};
-use crate::mortar::boundary::{Boundary, Chain};
-use crate::mortar::broad::Bounds;
-use crate::mortar::outline::outline;
-use crate::mortar::overlap::overlap;
-use crate::mortar::pair::{Surfaces, contact_forces_to};
-use crate::scene::{Scene, Vertices};
-use pair::{MortarPair, pair};
-use surface::{Carrier, Surface};
+use super::error::StepErrorKind;
+use crate::mortar::bound::NodalStiffness;
+use crate::mortar::boundary::Boundary;
+use crate::mortar::space::facets::Facets;
+use boundaries::Hosts;
 
-/// What mortar contact keeps from step to step.
+/// What mortar contact keeps from step to step. Of the two dimensions one is empty.
 #[derive(Clone, Debug)]
 pub(crate) struct MortarState {
-    pub(crate) surfaces: Vec<Surface>,
-    pub(crate) pairs: Vec<MortarPair>,
+    /// Polylines, in two dimensions.
+    pub(crate) plane: Boundaries<Boundary, 2, 9, 1>,
+    /// Triangles, in three.
+    pub(crate) space: Boundaries<Facets, 3, 27, 2>,
     /// Largest time step that the contact allows now \[s\].
     pub(super) time_step: f64,
     /// Largest time step in which no gap closes too far \[s\].
@@ -41,8 +39,8 @@ pub(crate) struct MortarState {
 impl Default for MortarState {
     fn default() -> Self {
         Self {
-            surfaces: vec![],
-            pairs: vec![],
+            plane: Boundaries::default(),
+            space: Boundaries::default(),
             time_step: f64::INFINITY,
             closing_step: f64::INFINITY,
             groups: 0,
@@ -52,154 +50,31 @@ impl Default for MortarState {
 }
 
 impl MortarState {
-    /// Boundaries and pairs of a scene.
-    pub(super) fn new(scene: &Scene, bodies: &[BodyRun]) -> Result<Self, SetupError> {
-        let mut surfaces = vec![];
-        let shift = Point::new(scene.mesh.origin[0], scene.mesh.origin[1]);
-        let mut add = |path: String, id: i64, chains: &[Chain], carrier: Carrier| {
-            let mut boundary = Boundary::new(chains).map_err(|e| SetupError::Mortar {
-                path,
-                reason: e.to_string(),
-            })?;
-            for p in &mut boundary.points {
-                *p -= shift;
-            }
-            let count = boundary.points.len();
-            surfaces.push(Surface {
-                id,
-                carrier,
-                start: boundary.points.clone(),
-                boundary,
-                moved: vec![Point::zeros(); count],
-                velocity: vec![Point::zeros(); count],
-                force: vec![Point::zeros(); count],
-                patches: vec![],
-            });
-            Ok::<(), SetupError>(())
-        };
-        for b in &scene.mortar.boundaries {
-            let path = format!("boundary of body {}", b.body);
-            let (Some(index), Some(body)) = (
-                bodies.iter().position(|run| run.id == b.body),
-                scene.bodies.iter().find(|body| body.id == b.body),
-            ) else {
-                continue;
-            };
-            let chains = match &b.vertices {
-                Vertices::Given(chains) => chains.clone(),
-                Vertices::Spacing(length) => {
-                    outline(&body.shape, *length).map_err(|e| SetupError::Mortar {
-                        path: path.clone(),
-                        reason: e.to_string(),
-                    })?
-                }
-            };
-            let carrier = match &bodies[index].motion {
-                Some(motion) => Carrier::Prescribed(Some(motion.clone())),
-                None => Carrier::Body {
-                    index,
-                    follow: b.follow,
-                },
-            };
-            add(path, b.body, &chains, carrier)?;
-        }
-        for line in &scene.mortar.lines {
-            let carrier = Carrier::Prescribed(line.motion.clone());
-            add(line.name.clone(), line.id, &line.chains, carrier)?;
-        }
-        let mut pairs: Vec<MortarPair> = scene
-            .mortar
-            .contacts
-            .iter()
-            .filter_map(|contact| pair(contact, &surfaces))
-            .collect();
-        pairs.sort_by_key(|pair| pair.id);
-        let mut state = Self {
-            surfaces,
-            pairs,
-            ..Self::default()
-        };
-        state.refuse_overlap(scene)?;
-        Ok(state)
-    }
-
-    /// Refuses pairs whose surfaces overlap at the start.
-    fn refuse_overlap(&mut self, scene: &Scene) -> Result<(), SetupError> {
-        for p in 0..self.pairs.len() {
-            self.meet(p);
-            let pair = &self.pairs[p];
-            let path = || {
-                let contact = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
-                contact.map_or_else(String::new, |c| c.name.clone())
-            };
-            if let Some((vertex, gap)) = pair.forces.smallest_gap()
-                && gap < 0.0
-            {
-                let at = self.surfaces[pair.slave].boundary.points[vertex];
-                return Err(SetupError::Mortar {
-                    path: path(),
-                    reason: format!(
-                        "the gap is {gap} m at vertex {vertex} of {}, ({}, {}) m; accepted: surfaces that are apart",
-                        self.surfaces[pair.slave].id,
-                        at.x + scene.mesh.origin[0],
-                        at.y + scene.mesh.origin[1],
-                    ),
-                });
-            }
-            let [slave, master] = [pair.slave, pair.master].map(|s| &self.surfaces[s].boundary);
-            if let Some(found) = overlap(slave, master) {
-                return Err(SetupError::Mortar {
-                    path: path(),
-                    reason: format!("{found}; accepted: surfaces that are apart"),
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// Gaps and forces of a pair.
-    fn meet(&mut self, p: usize) {
-        let pair = &mut self.pairs[p];
-        let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
-        let box_of = |s: &Surface, margin| Bounds::around(&s.boundary.points, margin);
-        let margin = pair.law.search.reach.max(pair.law.search.depth);
-        if box_of(slave, margin).overlaps(&box_of(master, 0.0)) {
-            contact_forces_to(
-                &mut pair.forces,
-                Surfaces {
-                    slave: &slave.boundary,
-                    master: &master.boundary,
-                    slave_moved: &slave.moved,
-                    master_moved: &master.moved,
-                    slave_velocity: &slave.velocity,
-                    master_velocity: &master.velocity,
-                },
-                &pair.law,
-                &mut pair.slip,
-                &mut pair.work,
-            );
-        } else {
-            pair.forces.clear(0, 0);
-            pair.slip.0.fill(0.0);
-        }
-        pair.closing = Closing::of(
-            &pair.forces.vertices,
-            pair.critical_gap,
-            pair.law.search.reach,
-            [slave.fastest(), master.fastest()],
-        );
-    }
-
     /// Whether anything has a boundary. Vertices follow their body also where nothing is in contact with it.
     pub(crate) fn acts(&self) -> bool {
-        !self.surfaces.is_empty()
+        !(self.plane.surfaces.is_empty() && self.space.surfaces.is_empty())
     }
 
     /// Bodies with a layer.
     pub(super) fn bodies(&self) -> impl Iterator<Item = usize> {
-        self.surfaces.iter().filter_map(|s| match s.carrier {
-            Carrier::Body { index, .. } => Some(index),
-            Carrier::Prescribed(_) => None,
-        })
+        let plane = self.plane.surfaces.iter().filter_map(|s| s.body());
+        plane.chain(self.space.surfaces.iter().filter_map(|s| s.body()))
+    }
+
+    /// Weights of the vertices, gaps and forces of the pairs, and the time steps that they allow.
+    fn meet(&mut self, hosts: &Hosts<'_>, time: f64) -> Result<(), StepErrorKind> {
+        self.plane.weigh(hosts, time)?;
+        self.space.weigh(hosts, time)?;
+        self.plane.meet_all(&hosts.origin)?;
+        self.space.meet_all(&hosts.origin)?;
+        let nodes = &mut self.stiffness;
+        let plane = self.plane.time_step(nodes);
+        self.time_step = plane.min(self.space.time_step(nodes));
+        self.closing_step = self.plane.closing_step().min(self.space.closing_step());
+        Ok(())
+    }
+
+    fn vertices_under_pressure(&self) -> usize {
+        self.plane.under_pressure() + self.space.under_pressure()
     }
 }

@@ -2,34 +2,40 @@
 
 use super::surface::{Carrier, Surface};
 use crate::mortar::bound::Closing;
+use crate::mortar::elements::Elements;
 use crate::mortar::law::{FLOOR, Friction, NormalLaw};
 use crate::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
-use crate::mortar::segments::Search;
+use crate::mortar::points::Search;
 use crate::scene::{Enforcement, MortarContact};
 
 /// A pair of surfaces.
 #[derive(Clone, Debug)]
-pub(crate) struct MortarPair {
+pub(crate) struct MortarPair<const D: usize, const T: usize> {
     pub(super) id: i64,
     pub(super) slave: usize,
     pub(super) master: usize,
     pub(super) law: PairLaw,
     pub(super) critical_gap: f64,
-    pub(crate) slip: Slip,
-    pub(super) forces: PairForces,
+    pub(crate) slip: Slip<T>,
+    pub(super) forces: PairForces<D, T>,
+    /// How fast the pair closes.
     pub(super) closing: Closing,
-    pub(super) work: Workspace,
+    pub(super) work: Workspace<D>,
 }
 
 /// The pair of an entry; none where both ends are rigid.
-pub(super) fn pair(contact: &MortarContact, surfaces: &[Surface]) -> Option<MortarPair> {
+pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: usize>(
+    contact: &MortarContact,
+    surfaces: &[Surface<B, D, N>],
+) -> Option<MortarPair<D, T>> {
     let index = |id: i64| surfaces.iter().position(|s| s.id == id);
     let (slave, master) = (index(contact.slave)?, index(contact.master)?);
     let rigid = |s: usize| matches!(surfaces[s].carrier, Carrier::Prescribed(_));
     if rigid(slave) && rigid(master) {
         return None;
     }
-    let longest = surfaces[slave].boundary.longest_segment();
+    let boundary = &surfaces[slave].boundary;
+    let longest = boundary.longest();
     let normal = match contact.enforcement {
         Enforcement::Barrier => NormalLaw::Barrier {
             stiffness: contact.normal_stiffness,
@@ -58,7 +64,7 @@ pub(super) fn pair(contact: &MortarContact, surfaces: &[Surface]) -> Option<Mort
             },
         },
         critical_gap: contact.critical_gap,
-        slip: Slip(vec![0.0; surfaces[slave].boundary.points.len()]),
+        slip: Slip(vec![[0.0; T]; boundary.points().len()]),
         forces: PairForces::default(),
         closing: Closing::NONE,
         work: Workspace::default(),

@@ -1,11 +1,10 @@
 //! A boundary in motion, and the nodes that its vertices hang on.
 
 use crate::grid::{ActiveRows, GridShape, Line};
-use crate::mortar::Point;
-use crate::mortar::boundary::Boundary;
+use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
-use crate::mortar::weights::VertexWeights;
-use crate::scene::History;
+use crate::mortar::weights::{VertexWeights, in_patch};
+use crate::scene::{History, Vector};
 use crate::simulation::history_value;
 
 /// What moves the vertices of a surface.
@@ -23,36 +22,44 @@ pub(super) enum Carrier {
 
 /// A boundary in motion; positions relative to the origin of the mesh.
 #[derive(Clone, Debug)]
-pub(crate) struct Surface {
+pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(crate) id: i64,
     pub(super) carrier: Carrier,
-    pub(crate) boundary: Boundary,
+    pub(crate) boundary: B,
     /// Positions of the vertices at the start.
-    pub(super) start: Vec<Point>,
+    pub(super) start: Vec<PointIn<D>>,
     /// Displacement of the vertices in the last step \[m\].
-    pub(crate) moved: Vec<Point>,
+    pub(crate) moved: Vec<PointIn<D>>,
     /// Velocity of the vertices at the beginning of this step \[m/s\].
-    pub(super) velocity: Vec<Point>,
+    pub(super) velocity: Vec<PointIn<D>>,
     /// Contact force on the vertices in this step \[N\].
-    pub(super) force: Vec<Point>,
+    pub(super) force: Vec<PointIn<D>>,
     /// Augmented weights and masses of the patches, for surfaces of bodies.
-    pub(super) patches: Vec<Patch>,
+    pub(super) patches: Vec<Patch<D, N>>,
 }
 
 /// The nodes that a vertex hangs on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Patch {
+pub(super) struct Patch<const D: usize, const N: usize> {
     /// Augmented weights.
-    pub(super) weights: VertexWeights,
+    pub(super) weights: VertexWeights<D, N>,
     /// Masses of the nodes \[kg\].
-    pub(super) masses: [f64; 9],
+    pub(super) masses: [f64; N],
     /// Their indices.
-    pub(super) nodes: [usize; 9],
-    /// Their spins \[1/s\] (eq. 28).
-    pub(super) spins: [f64; 9],
+    pub(super) nodes: [usize; N],
+    /// Their spins \[1/s\] (eq. 28), where the mapping carries them: in the plane.
+    pub(super) spins: [f64; N],
 }
 
-impl Surface {
+impl<B, const D: usize, const N: usize> Surface<B, D, N> {
+    /// Index of the body that carries the surface.
+    pub(super) fn body(&self) -> Option<usize> {
+        match self.carrier {
+            Carrier::Body { index, .. } => Some(index),
+            Carrier::Prescribed(_) => None,
+        }
+    }
+
     /// Largest speed of a vertex \[m/s\].
     pub(super) fn fastest(&self) -> f64 {
         largest(&self.velocity)
@@ -64,20 +71,30 @@ impl Surface {
     }
 }
 
-fn largest(vectors: &[Point]) -> f64 {
+fn largest<const D: usize>(vectors: &[PointIn<D>]) -> f64 {
     vectors
         .iter()
-        .map(Point::norm_squared)
+        .map(PointIn::norm_squared)
         .fold(0.0, f64::max)
         .sqrt()
 }
 
 /// Indices of the nodes of a patch; none outside the mesh, also for ghosts, which repeat what lies inside.
-pub(super) fn nodes_of_patch(base: [i64; 2], shape: &GridShape) -> [Option<usize>; 9] {
+pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
+    base: [i64; D],
+    shape: &GridShape,
+) -> [Option<usize>; N] {
     std::array::from_fn(|k| {
-        let at = [base[0] + (k / 3) as i64, base[1] + (k % 3) as i64];
-        let inside = (0..2).all(|axis| at[axis] >= 0 && at[axis] <= shape.cells[axis] as i64);
-        inside.then(|| shape.index(shape.mesh_node([at[0] as usize, at[1] as usize, 0])))
+        let place = in_patch::<D>(k);
+        let mut at = [0; 3];
+        for axis in 0..D {
+            let node = base[axis] + place[axis] as i64;
+            if !(0..=shape.cells[axis] as i64).contains(&node) {
+                return None;
+            }
+            at[axis] = node as usize;
+        }
+        Some(shape.index(shape.mesh_node(at)))
     })
 }
 
@@ -91,8 +108,34 @@ pub(super) fn mass_of(node: usize, shape: &GridShape, rows: &ActiveRows, lines: 
     }
 }
 
+/// Velocity of a node \[m/s\].
+pub(super) fn velocity_at<const D: usize>(line: &Line) -> PointIn<D> {
+    PointIn::from_fn(|axis, _| line[1 + axis])
+}
+
 /// Prescribed velocity at a time; zero without one \[m/s\].
-pub(super) fn velocity_of(motion: Option<&History>, time: f64) -> Point {
-    let [x, y, _] = motion.map_or([0.0; 3], |m| history_value(m, time));
-    Point::new(x, y)
+pub(super) fn velocity_of<const D: usize>(motion: Option<&History>, time: f64) -> PointIn<D> {
+    from_vector(&motion.map_or([0.0; 3], |m| history_value(m, time)))
+}
+
+/// The components of a vector that there are in D dimensions.
+pub(super) fn from_vector<const D: usize>(v: &Vector) -> PointIn<D> {
+    PointIn::from_fn(|axis, _| v[axis])
+}
+
+/// A vector with three components, the third zero in the plane.
+pub(super) fn to_vector<const D: usize>(x: &PointIn<D>) -> Vector {
+    std::array::from_fn(|axis| x.get(axis).copied().unwrap_or(0.0))
+}
+
+/// A point relative to the origin of the mesh in the coordinates of the scene \[m\].
+pub(super) fn in_scene<const D: usize>(x: &PointIn<D>, origin: &Vector) -> Vector {
+    let x = to_vector(x);
+    std::array::from_fn(|axis| {
+        if axis < D {
+            x[axis] + origin[axis]
+        } else {
+            0.0
+        }
+    })
 }

@@ -1,6 +1,9 @@
 //! What mortar contact tells of itself.
 
-use crate::mortar::Point;
+use super::boundaries::Boundaries;
+use super::surface::{in_scene, to_vector};
+use crate::mortar::PointIn;
+use crate::mortar::elements::Elements;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 
@@ -15,16 +18,17 @@ pub struct VertexState {
     pub gap: f64,
     /// Contact pressure \[Pa\].
     pub pressure: f64,
-    /// Tangential traction \[Pa\].
+    /// Tangential traction \[Pa\]: in two dimensions with its sign along the normal turned by +90 degrees, in three its
+    /// size.
     pub traction: f64,
-    /// Length that belongs to the vertex \[m\].
-    pub length: f64,
+    /// Length, in three dimensions area, that belongs to the vertex \[m, m²\].
+    pub measure: f64,
 }
 
-/// A vertex of a boundary or rigid line, for output.
+/// A vertex of a boundary, or of a rigid line or surface, for output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundaryVertex {
-    /// Identifier of the body or line.
+    /// Identifier of the body, line or surface.
     pub id: i64,
     /// Number of the vertex in its boundary, from 0.
     pub vertex: i64,
@@ -38,93 +42,153 @@ pub struct BoundaryVertex {
     pub gap: f64,
     /// Contact traction on the vertex, normal and tangential \[Pa\]; zero where it is no slave.
     pub traction: Vector,
-    /// Contact force on the vertex, per thickness \[N/m\].
+    /// Contact force on the vertex \[N\]; in two dimensions per thickness \[N/m\].
     pub force: Vector,
 }
 
 impl Simulation {
-    /// The vertices of all boundaries and rigid lines, one after the other, and the segments between them. Contact is as
-    /// of the last detection.
+    /// The vertices of all boundaries, rigid lines and rigid surfaces, one after the other, and the segments or edges of
+    /// triangles between them, each once. Contact is as of the last detection.
     #[must_use]
     pub fn boundaries(&self) -> (Vec<BoundaryVertex>, Vec<[usize; 2]>) {
-        let (mut vertices, mut segments) = (vec![], vec![]);
-        for (s, surface) in self.mortar.surfaces.iter().enumerate() {
-            let first = vertices.len();
-            let ends = surface.boundary.segments().iter();
-            segments.extend(ends.map(|ends| ends.map(|k| first + k)));
-            for (k, x) in surface.boundary.points.iter().enumerate() {
-                let seen = self
-                    .mortar
-                    .pairs
-                    .iter()
-                    .filter(|pair| pair.slave == s)
-                    .filter_map(|pair| pair.forces.vertices.get(k)?.as_ref());
-                let (mut pressure, mut gap, mut traction) = (0.0, f64::NAN, Point::zeros());
-                for v in seen {
-                    pressure += v.pressure;
-                    gap = v.gap.min(gap);
-                    let tangent = Point::new(-v.normal.y, v.normal.x);
-                    traction -= v.pressure * v.normal + v.traction * tangent;
-                }
-                let flat = |v: Point| [v.x, v.y, 0.0];
-                vertices.push(BoundaryVertex {
-                    id: surface.id,
-                    vertex: k as i64,
-                    position: self.in_scene(x),
-                    displacement: flat(x - surface.start[k]),
-                    pressure,
-                    gap,
-                    traction: flat(traction),
-                    force: flat(surface.force[k]),
-                });
-            }
-        }
-        (vertices, segments)
+        let origin = self.origin();
+        let (mut vertices, mut edges) = (vec![], vec![]);
+        let plane = &self.mortar.plane;
+        plane.shown(&origin, &mut vertices, &mut edges);
+        let space = &self.mortar.space;
+        space.shown(&origin, &mut vertices, &mut edges);
+        (vertices, edges)
     }
 
-    /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline.
+    /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline or surface.
     #[must_use]
     pub fn mortar_vertices(&self, contact: i64) -> Option<Vec<VertexState>> {
-        let pair = self.mortar.pairs.iter().find(|p| p.id == contact)?;
-        let points = &self.mortar.surfaces[pair.slave].boundary.points;
-        let states = points.iter().enumerate().map(|(k, x)| {
-            let seen = pair.forces.vertices.get(k).copied().flatten();
-            VertexState {
-                position: self.in_scene(x),
-                normal: seen.map_or([0.0; 3], |v| [v.normal.x, v.normal.y, 0.0]),
-                gap: seen.map_or(f64::INFINITY, |v| v.gap),
-                pressure: seen.map_or(0.0, |v| v.pressure),
-                traction: seen.map_or(0.0, |v| v.traction),
-                length: seen.map_or(0.0, |v| v.length),
-            }
-        });
-        Some(states.collect())
+        let origin = self.origin();
+        self.mortar
+            .plane
+            .vertices(contact, &origin, |[t]| t)
+            .or_else(|| {
+                let of = |[s, t]: [f64; 2]| s.hypot(t);
+                self.mortar.space.vertices(contact, &origin, of)
+            })
     }
 
-    /// Vertices of the boundary of a body or of a rigid line, in the coordinates of the scene \[m\].
+    /// Vertices of the boundary of a body, or of a rigid line or surface, in the coordinates of the scene \[m\].
     #[must_use]
     pub fn boundary_vertices(&self, id: i64) -> Option<Vec<Vector>> {
-        let surface = self.mortar.surfaces.iter().find(|s| s.id == id)?;
-        let points = surface.boundary.points.iter();
-        Some(points.map(|x| self.in_scene(x)).collect())
+        let origin = self.origin();
+        let state = &self.mortar;
+        let in_space = || state.space.positions(id, &origin);
+        state.plane.positions(id, &origin).or_else(in_space)
     }
 
-    /// Mortar contact force on the vertices of a body or rigid line in the last step \[N\].
+    /// Mortar contact force on the vertices of a body, or of a rigid line or surface, in the last step \[N\].
     #[must_use]
     pub fn mortar_force(&self, id: i64) -> Option<Vector> {
-        let surface = self.mortar.surfaces.iter().find(|s| s.id == id)?;
-        let sum: Point = surface.force.iter().sum();
-        Some([sum.x, sum.y, 0.0])
+        let state = &self.mortar;
+        state
+            .plane
+            .force_on(id)
+            .or_else(|| state.space.force_on(id))
     }
 
     /// Energy stored in the normal laws of mortar contact as of the last detection \[J\].
     #[must_use]
     pub fn mortar_energy(&self) -> f64 {
-        self.mortar.pairs.iter().map(|p| p.forces.energy).sum()
+        self.mortar.plane.energy() + self.mortar.space.energy()
+    }
+}
+
+impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
+    fn vertices(
+        &self,
+        contact: i64,
+        origin: &Vector,
+        traction: impl Fn([f64; T]) -> f64,
+    ) -> Option<Vec<VertexState>> {
+        let pair = self.pairs.iter().find(|p| p.id == contact)?;
+        let points = self.surfaces[pair.slave].boundary.points();
+        let states = points.iter().enumerate().map(|(k, x)| {
+            let seen = pair.forces.vertices.get(k).copied().flatten();
+            VertexState {
+                position: in_scene(x, origin),
+                normal: seen.map_or([0.0; 3], |v| to_vector(&v.normal)),
+                gap: seen.map_or(f64::INFINITY, |v| v.gap),
+                pressure: seen.map_or(0.0, |v| v.pressure),
+                traction: seen.map_or(0.0, |v| traction(v.traction)),
+                measure: seen.map_or(0.0, |v| v.measure),
+            }
+        });
+        Some(states.collect())
     }
 
-    pub(super) fn in_scene(&self, x: &Point) -> Vector {
-        let origin = self.origin();
-        [x.x + origin[0], x.y + origin[1], 0.0]
+    fn shown(
+        &self,
+        origin: &Vector,
+        vertices: &mut Vec<BoundaryVertex>,
+        edges: &mut Vec<[usize; 2]>,
+    ) {
+        for (s, surface) in self.surfaces.iter().enumerate() {
+            let first = vertices.len();
+            let boundary = &surface.boundary;
+            let mut own: Vec<[usize; 2]> = boundary
+                .elements()
+                .iter()
+                .flat_map(|element| {
+                    // A segment has one edge, a triangle three.
+                    (0..if D == 2 { 1 } else { D }).map(|k| [element[k], element[(k + 1) % D]])
+                })
+                .collect();
+            if D == 3 {
+                for edge in &mut own {
+                    edge.sort_unstable();
+                }
+                own.sort_unstable();
+                own.dedup();
+            }
+            edges.extend(own.iter().map(|edge| edge.map(|k| first + k)));
+            for (k, x) in boundary.points().iter().enumerate() {
+                let seen = self
+                    .pairs
+                    .iter()
+                    .filter(|pair| pair.slave == s)
+                    .filter_map(|pair| pair.forces.vertices.get(k)?.as_ref());
+                let (mut pressure, mut gap) = (0.0, f64::NAN);
+                let mut traction = PointIn::<D>::zeros();
+                for v in seen {
+                    pressure += v.pressure;
+                    gap = v.gap.min(gap);
+                    traction -= v.pressure * v.normal;
+                    for (tangent, t) in boundary.tangents(k, &v.normal).iter().zip(v.traction) {
+                        traction -= t * tangent;
+                    }
+                }
+                vertices.push(BoundaryVertex {
+                    id: surface.id,
+                    vertex: k as i64,
+                    position: in_scene(x, origin),
+                    displacement: to_vector(&(x - surface.start[k])),
+                    pressure,
+                    gap,
+                    traction: to_vector(&traction),
+                    force: to_vector(&surface.force[k]),
+                });
+            }
+        }
+    }
+
+    fn positions(&self, id: i64, origin: &Vector) -> Option<Vec<Vector>> {
+        let surface = self.surfaces.iter().find(|s| s.id == id)?;
+        let points = surface.boundary.points().iter();
+        Some(points.map(|x| in_scene(x, origin)).collect())
+    }
+
+    fn force_on(&self, id: i64) -> Option<Vector> {
+        let surface = self.surfaces.iter().find(|s| s.id == id)?;
+        Some(to_vector(&surface.force.iter().sum()))
+    }
+
+    fn energy(&self) -> f64 {
+        self.pairs.iter().map(|p| p.forces.energy).sum()
     }
 }

@@ -1,0 +1,110 @@
+//! The points at which integrals over a contact are evaluated.
+//!
+//! D and M are both sums over these points and no others, so that the forces on the two bodies cancel whatever part
+//! of an element is covered.
+
+use super::PointIn;
+use super::broad::Near;
+use super::elements::Elements;
+
+/// How contact is found along the slave.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detection {
+    /// Integrals over the parts of elements that face each other.
+    #[default]
+    Mortar,
+    /// At the vertices of the slave, each with its share of the elements around it.
+    NodeToSegment,
+}
+
+/// Where the master is looked for along the slave's normals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Search {
+    /// Largest gap \[m\].
+    pub reach: f64,
+    /// Deepest penetration \[m\].
+    pub depth: f64,
+}
+
+impl Search {
+    /// Whether a gap lies within the search.
+    #[must_use]
+    pub fn contains(&self, gap: f64) -> bool {
+        (-self.depth..=self.reach).contains(&gap)
+    }
+
+    /// How far from the slave a master can be seen \[m\].
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        self.reach.max(self.depth)
+    }
+}
+
+/// Cosine between the normals of facing elements, below which they can touch.
+pub const FACING: f64 = -0.2;
+
+/// A point of the slave, the point of the master that it faces, and its share of the contact. An element has D
+/// vertices: two on a segment of the plane, three on a triangle in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MortarPoint<const D: usize> {
+    /// The vertices of the slave's element, and their shape functions N_i at the point.
+    pub slave: [(usize, f64); D],
+    /// The same for the master.
+    pub master: [(usize, f64); D],
+    /// Weight of the point in an integral over the slave, w_g J_l \[m, in space m²\].
+    pub weight: f64,
+}
+
+impl<const D: usize> MortarPoint<D> {
+    /// Interpolates values of the slave's vertices to the point.
+    #[must_use]
+    pub fn on_slave(&self, values: &[PointIn<D>]) -> PointIn<D> {
+        interpolate(&self.slave, values)
+    }
+
+    /// Interpolates values of the master's vertices to the facing point.
+    #[must_use]
+    pub fn on_master(&self, values: &[PointIn<D>]) -> PointIn<D> {
+        interpolate(&self.master, values)
+    }
+}
+
+fn interpolate<const D: usize>(on: &[(usize, f64); D], values: &[PointIn<D>]) -> PointIn<D> {
+    let of = |(k, share): (usize, f64)| share * values[k];
+    on[1..].iter().fold(of(on[0]), |sum, k| sum + of(*k))
+}
+
+/// The points of a pair of boundaries. Kept from step to step for its memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct MortarPoints<const D: usize> {
+    /// The points, in order along the slave.
+    pub points: Vec<MortarPoint<D>>,
+    near: Near<D>,
+    cuts: Vec<f64>,
+}
+
+impl<const D: usize> MortarPoints<D> {
+    /// Finds the points. `normals` are those of the slave's vertices.
+    pub fn find<B: Elements<D, T>, const T: usize>(
+        &mut self,
+        slave: &B,
+        normals: &[PointIn<D>],
+        master: &B,
+        detection: Detection,
+        search: Search,
+    ) {
+        let Self { points, near, cuts } = self;
+        points.clear();
+        near.find(slave, master, search.margin());
+        match detection {
+            Detection::Mortar => {
+                for pairs in near.by_slave() {
+                    slave.points_of_element(normals, master, pairs, search, cuts, points);
+                }
+            }
+            Detection::NodeToSegment => {
+                slave.points_of_vertices(normals, master, near, search, points);
+            }
+        }
+    }
+}

@@ -1,0 +1,390 @@
+//! All boundaries and pairs of one dimension, and what a step does with them.
+
+use super::gradients::NodalGradients;
+use super::pair::MortarPair;
+use super::surface::{
+    Carrier, Patch, Surface, from_vector, in_scene, mass_of, nodes_of_patch, velocity_at,
+    velocity_of,
+};
+use crate::contact::layers::Layers;
+use crate::grid::GridShape;
+use crate::mortar::PointIn;
+use crate::mortar::bound::{Closing, NodalStiffness, allowed_approach};
+use crate::mortar::broad::Bounds;
+use crate::mortar::elements::Elements;
+use crate::mortar::motion::{Follow, vertex_velocity};
+use crate::mortar::pair::{Surfaces, contact_forces_to};
+use crate::mortar::weights::VertexWeights;
+use crate::particles::ParticleSet;
+use crate::scene::Vector;
+use crate::simulation::BodyRun;
+use crate::simulation::error::StepErrorKind;
+use nalgebra::SMatrix;
+
+/// The bodies and their layers of the grid.
+pub(super) struct Hosts<'a> {
+    pub(super) shape: &'a GridShape,
+    pub(super) layers: &'a Layers,
+    pub(super) sets: &'a [ParticleSet],
+    pub(super) bodies: &'a [BodyRun],
+    pub(super) stencil: usize,
+    /// Origin of the mesh in the coordinates of the scene \[m\].
+    pub(super) origin: Vector,
+}
+
+/// Boundaries of elements with D vertices whose patches have N nodes and whose vertices T tangents, and their pairs.
+#[derive(Clone, Debug)]
+pub(crate) struct Boundaries<B, const D: usize, const N: usize, const T: usize> {
+    pub(crate) surfaces: Vec<Surface<B, D, N>>,
+    pub(crate) pairs: Vec<MortarPair<D, T>>,
+}
+
+impl<B, const D: usize, const N: usize, const T: usize> Default for Boundaries<B, D, N, T> {
+    fn default() -> Self {
+        Self {
+            surfaces: vec![],
+            pairs: vec![],
+        }
+    }
+}
+
+impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
+    /// Adds a boundary in the coordinates of the scene; `origin` is that of the mesh \[m\].
+    pub(super) fn add(&mut self, id: i64, mut boundary: B, carrier: Carrier, origin: &Vector) {
+        let shift = from_vector(origin);
+        for p in boundary.points_mut() {
+            *p -= shift;
+        }
+        let zeros = vec![PointIn::zeros(); boundary.points().len()];
+        self.surfaces.push(Surface {
+            id,
+            carrier,
+            start: boundary.points().to_vec(),
+            boundary,
+            moved: zeros.clone(),
+            velocity: zeros.clone(),
+            force: zeros,
+            patches: vec![],
+        });
+    }
+
+    /// Gaps and forces of a pair.
+    pub(super) fn meet(&mut self, p: usize) {
+        let pair = &mut self.pairs[p];
+        let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
+        let box_of = |s: &Surface<B, D, N>, margin| Bounds::around(s.boundary.points(), margin);
+        let margin = pair.law.search.margin();
+        if box_of(slave, margin).overlaps(&box_of(master, 0.0)) {
+            contact_forces_to(
+                &mut pair.forces,
+                Surfaces {
+                    slave: &slave.boundary,
+                    master: &master.boundary,
+                    slave_moved: &slave.moved,
+                    master_moved: &master.moved,
+                    slave_velocity: &slave.velocity,
+                    master_velocity: &master.velocity,
+                },
+                &pair.law,
+                &mut pair.slip,
+                &mut pair.work,
+            );
+        } else {
+            pair.forces.clear(0, 0);
+            pair.slip.0.fill([0.0; T]);
+        }
+        pair.closing = Closing::of(
+            &pair.forces.vertices,
+            pair.critical_gap,
+            pair.law.search.reach,
+            [slave.fastest(), master.fastest()],
+        );
+    }
+
+    /// Gaps and forces of all pairs, and the forces on the vertices of all surfaces.
+    ///
+    /// # Errors
+    /// The first pair that closed too far, is too deep in each other, or meets at edges.
+    pub(super) fn meet_all(&mut self, origin: &Vector) -> Result<(), StepErrorKind> {
+        for surface in &mut self.surfaces {
+            surface.force.fill(PointIn::zeros());
+        }
+        for p in 0..self.pairs.len() {
+            self.meet(p);
+            self.judge(p, origin)?;
+            let pair = &self.pairs[p];
+            for (surface, forces) in [
+                (pair.slave, &pair.forces.slave),
+                (pair.master, &pair.forces.master),
+            ] {
+                let own = &mut self.surfaces[surface].force;
+                for (sum, f) in own.iter_mut().zip(forces) {
+                    *sum += f;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Augmented weights of the vertices of all bodies; velocities of all vertices.
+    ///
+    /// # Errors
+    /// The first vertex without a node with mass near it.
+    pub(super) fn weigh(&mut self, hosts: &Hosts<'_>, time: f64) -> Result<(), StepErrorKind> {
+        let shape = hosts.shape;
+        for surface in &mut self.surfaces {
+            let (index, follow) = match &surface.carrier {
+                Carrier::Body { index, follow } => (*index, *follow),
+                Carrier::Prescribed(motion) => {
+                    let v = velocity_of(motion.as_ref(), time);
+                    surface.velocity.fill(v);
+                    continue;
+                }
+            };
+            let Some(layer) = hosts.layers.list.iter().find(|l| l.body == index) else {
+                continue;
+            };
+            let lines = layer.nodes.lines();
+            let mapping = &hosts.bodies[index].mapping;
+            let half_length = mapping.half_length[..D].iter().copied().fold(0.5, f64::min);
+            surface.patches.clear();
+            for (vertex, x) in surface.boundary.points().iter().enumerate() {
+                let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
+                let raw = VertexWeights::<D, N>::new(mapping.family, &xi, half_length);
+                let nodes = nodes_of_patch::<D, N>(raw.base, shape);
+                let masses = std::array::from_fn(|k| {
+                    nodes[k].map_or(0.0, |n| mass_of(n, shape, &layer.rows, lines))
+                });
+                let weights = if follow == Follow::Unaugmented {
+                    Ok(raw.on_mass(&masses))
+                } else {
+                    raw.augmented(&masses)
+                };
+                let Ok(weights) = weights else {
+                    return Err(StepErrorKind::VertexLost {
+                        body: surface.id,
+                        vertex,
+                        position: in_scene(x, &hosts.origin),
+                    });
+                };
+                let mut patch = Patch {
+                    weights,
+                    masses,
+                    nodes: nodes.map(Option::unwrap_or_default),
+                    spins: [0.0; N],
+                };
+                let mut v = PointIn::zeros();
+                for k in 0..N {
+                    let w = patch.weights.weights[k];
+                    if w > 0.0 {
+                        let line = &lines[patch.nodes[k]];
+                        v += w * velocity_at(line);
+                        patch.spins[k] = line[7] / line[0];
+                    }
+                }
+                surface.velocity[vertex] = surface.boundary.held(vertex, v);
+                surface.patches.push(patch);
+            }
+        }
+        Ok(())
+    }
+
+    /// Stops where the boundaries of a pair may have passed each other in the last step, or one came into the other by
+    /// more than half the critical gap, or is deeper in it than the critical gap, or where edges meet.
+    fn judge(&self, p: usize, origin: &Vector) -> Result<(), StepErrorKind> {
+        let pair = &self.pairs[p];
+        let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
+        let bodies = [master.id, slave.id];
+        let place = |v: usize| in_scene(&slave.boundary.points()[v], origin);
+        let missed = |vertex: Option<usize>, approach: f64, allowed: f64| {
+            Err(StepErrorKind::ClosingTooFast {
+                bodies,
+                vertex: vertex.map(|v| (v, place(v))),
+                approach,
+                allowed,
+            })
+        };
+        let allowed = allowed_approach(pair.law.search.reach, pair.critical_gap);
+        let approach = slave.farthest() + master.farthest();
+        if approach > allowed {
+            return missed(None, approach, allowed);
+        }
+        // Bodies speed up within a step. What is still apart has not been missed.
+        let allowed = 0.5 * pair.critical_gap;
+        for (k, vertex) in pair.forces.vertices.iter().enumerate() {
+            if let Some(v) = vertex
+                && v.gap < 0.0
+                && v.approach > allowed
+            {
+                return missed(Some(k), v.approach, allowed);
+            }
+        }
+        if let Some((vertex, gap)) = pair.forces.smallest_gap()
+            && gap < -pair.critical_gap
+        {
+            return Err(StepErrorKind::Penetration {
+                bodies,
+                vertex,
+                position: place(vertex),
+                gap,
+            });
+        }
+        if let Some((at, distance)) = self.edges_that_meet(p) {
+            return Err(StepErrorKind::EdgesMeet {
+                bodies,
+                position: in_scene(&at, origin),
+                distance,
+            });
+        }
+        Ok(())
+    }
+
+    /// Where edges of a pair meet within the critical gap, and their distance \[m\].
+    pub(super) fn edges_that_meet(&self, p: usize) -> Option<(PointIn<D>, f64)> {
+        let pair = &self.pairs[p];
+        let [slave, master] = [pair.slave, pair.master].map(|s| &self.surfaces[s].boundary);
+        slave.edges_that_meet(master, pair.critical_gap, pair.critical_gap)
+    }
+
+    /// The first pair that would close too far in a step at the speed that it closes with now.
+    pub(super) fn closing_too_fast(&self, dt: f64, origin: &Vector) -> Option<StepErrorKind> {
+        self.pairs.iter().find_map(|pair| {
+            let Closing {
+                vertex,
+                speed,
+                allowed,
+            } = pair.closing;
+            // Round-off must not refuse a step that was chosen to be exactly this long.
+            (speed * dt > allowed * (1.0 + 1e-9)).then(|| {
+                let [slave, master] = [pair.slave, pair.master].map(|s| &self.surfaces[s]);
+                let at = |v: usize| (v, in_scene(&slave.boundary.points()[v], origin));
+                StepErrorKind::ClosingTooFast {
+                    bodies: [master.id, slave.id],
+                    vertex: vertex.map(at),
+                    approach: speed * dt,
+                    allowed,
+                }
+            })
+        })
+    }
+
+    /// Time step in which no gap closes too far \[s\].
+    pub(super) fn closing_step(&self) -> f64 {
+        let pairs = self.pairs.iter();
+        pairs
+            .map(|pair| pair.closing.time_step())
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Time step that the stiffness of all contacts allows \[s\]; `nodes` is memory.
+    pub(super) fn time_step(&self, nodes: &mut NodalStiffness) -> f64 {
+        let mut most = f64::INFINITY;
+        for (s, surface) in self.surfaces.iter().enumerate() {
+            nodes.clear();
+            for pair in &self.pairs {
+                for (of, stiffness) in [
+                    (pair.slave, &pair.forces.slave_stiffness),
+                    (pair.master, &pair.forces.master_stiffness),
+                ] {
+                    if of != s {
+                        continue;
+                    }
+                    for (patch, k) in surface.patches.iter().zip(stiffness) {
+                        nodes.add(&patch.nodes, &patch.weights.weights, &patch.masses, *k);
+                    }
+                }
+            }
+            most = most.min(nodes.time_step());
+        }
+        most
+    }
+
+    /// Number of vertices under pressure.
+    pub(super) fn under_pressure(&self) -> usize {
+        let vertices = self.pairs.iter().flat_map(|p| &p.forces.vertices);
+        vertices.flatten().filter(|v| v.pressure > 0.0).count()
+    }
+
+    /// Adds the contact forces to the nodes (eq. 56).
+    pub(super) fn load_nodes(&self, layers: &mut Layers) {
+        for surface in &self.surfaces {
+            let Some(index) = surface.body() else {
+                continue;
+            };
+            let Some(layer) = layers.list.iter_mut().find(|l| l.body == index) else {
+                continue;
+            };
+            let lines = layer.nodes.lines_mut();
+            for (patch, force) in surface.patches.iter().zip(&surface.force) {
+                if force.iter().all(|f| *f == 0.0) {
+                    continue;
+                }
+                for k in 0..N {
+                    let w = patch.weights.weights[k];
+                    if w > 0.0 {
+                        let line = &mut lines[patch.nodes[k]];
+                        for axis in 0..D {
+                            line[4 + axis] += w * force[axis];
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
+    pub(super) fn advance(&mut self, hosts: &Hosts<'_>, drift: f64, half_step: f64) {
+        let shape = hosts.shape;
+        let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
+        for surface in &mut self.surfaces {
+            match &surface.carrier {
+                Carrier::Prescribed(motion) => {
+                    let v: PointIn<D> = velocity_of(motion.as_ref(), half_step);
+                    surface.moved.fill(v * drift);
+                }
+                Carrier::Body { index, follow } => {
+                    let Some(lines) = hosts.layers.nodes_of(*index) else {
+                        continue;
+                    };
+                    // In space a line of a node has no room for a spin, so that it is taken from the gradients.
+                    let summed = match follow {
+                        Follow::Unaugmented | Follow::Velocity => false,
+                        Follow::Spin => D == 3,
+                        Follow::Gradient => true,
+                    };
+                    let gradients = summed.then(|| {
+                        NodalGradients::new(
+                            &surface.patches,
+                            &hosts.sets[*index],
+                            &hosts.bodies[*index],
+                            shape,
+                            lines,
+                            hosts.stencil,
+                        )
+                    });
+                    for (vertex, patch) in surface.patches.iter().enumerate() {
+                        let velocities = patch.nodes.map(|n| velocity_at(&lines[n]));
+                        let around = std::array::from_fn(|k| match &gradients {
+                            Some(gradients) => gradients.at(patch.nodes[k]),
+                            None => turn(patch.spins[k]),
+                        });
+                        let v =
+                            vertex_velocity(&patch.weights, &velocities, &around, *follow, &cell);
+                        surface.moved[vertex] = surface.boundary.held(vertex, v) * drift;
+                    }
+                }
+            }
+            for (x, moved) in surface.boundary.points_mut().iter_mut().zip(&surface.moved) {
+                *x += moved;
+            }
+        }
+    }
+}
+
+/// Velocity gradient of a turn in the plane of the first two axes \[1/s\].
+fn turn<const D: usize>(spin: f64) -> SMatrix<f64, D, D> {
+    let mut gradient = SMatrix::zeros();
+    gradient[(1, 0)] = spin;
+    gradient[(0, 1)] = -spin;
+    gradient
+}

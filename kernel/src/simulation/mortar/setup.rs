@@ -1,0 +1,177 @@
+//! Boundaries and pairs from a scene.
+
+use super::MortarState;
+use super::boundaries::Boundaries;
+use super::pair::pair;
+use super::surface::{Carrier, in_scene};
+use crate::mortar::boundary::{Boundary, Chain};
+use crate::mortar::elements::Elements;
+use crate::mortar::outline::outline;
+use crate::mortar::space::facets::Facets;
+use crate::mortar::space::skin::skin;
+use crate::scene::{Body, BodyBoundary, Dimension, PlaneCondition, Scene, Vertices};
+use crate::simulation::BodyRun;
+use crate::simulation::error::SetupError;
+use std::fmt::Display;
+
+impl MortarState {
+    /// Boundaries and pairs of a scene.
+    pub(in crate::simulation) fn new(
+        scene: &Scene,
+        bodies: &[BodyRun],
+    ) -> Result<Self, SetupError> {
+        let mut state = Self::default();
+        for given in &scene.mortar.boundaries {
+            let (Some(index), Some(body)) = (
+                bodies.iter().position(|run| run.id == given.body),
+                scene.bodies.iter().find(|body| body.id == given.body),
+            ) else {
+                continue;
+            };
+            let carrier = match &bodies[index].motion {
+                Some(motion) => Carrier::Prescribed(Some(motion.clone())),
+                None => Carrier::Body {
+                    index,
+                    follow: given.follow,
+                },
+            };
+            state.add_body(scene, given, body, carrier)?;
+        }
+        let origin = &scene.mesh.origin;
+        for line in &scene.mortar.lines {
+            let carrier = Carrier::Prescribed(line.motion.clone());
+            let boundary = Boundary::new(&line.chains).map_err(|e| refused(&line.name, &e))?;
+            state.plane.add(line.id, boundary, carrier, origin);
+        }
+        for rigid in &scene.mortar.facets {
+            let carrier = Carrier::Prescribed(rigid.motion.clone());
+            let boundary = Facets::new(&rigid.surface).map_err(|e| refused(&rigid.name, &e))?;
+            state.space.add(rigid.id, boundary, carrier, origin);
+        }
+        state.plane.join(scene)?;
+        state.space.join(scene)?;
+        Ok(state)
+    }
+
+    fn add_body(
+        &mut self,
+        scene: &Scene,
+        given: &BodyBoundary,
+        body: &Body,
+        carrier: Carrier,
+    ) -> Result<(), SetupError> {
+        let path = format!("boundary of body {}", given.body);
+        let origin = &scene.mesh.origin;
+        let polyline = |chains: &[Chain]| Boundary::new(chains).map_err(|e| refused(&path, &e));
+        match (&given.vertices, scene.dimension) {
+            (Vertices::Given(chains), _) => {
+                self.plane
+                    .add(given.body, polyline(chains)?, carrier, origin);
+            }
+            (Vertices::Spacing(length), Dimension::Two) => {
+                let chains = outline(&body.shape, *length).map_err(|e| refused(&path, &e))?;
+                self.plane
+                    .add(given.body, polyline(&chains)?, carrier, origin);
+            }
+            (Vertices::Spacing(length), Dimension::Three) => {
+                let corners = skin(&body.shape, *length).map_err(|e| refused(&path, &e))?;
+                let facets = Facets::from_corners(&corners).map_err(|e| refused(&path, &e))?;
+                let facets = facets
+                    .without_planes(&walls(scene))
+                    .map_err(|e| refused(&path, &e))?;
+                self.space.add(given.body, facets, carrier, origin);
+            }
+            (Vertices::Surface(surface), _) => {
+                let facets = Facets::new(surface).map_err(|e| refused(&path, &e))?;
+                let facets = facets
+                    .without_planes(&walls(scene))
+                    .map_err(|e| refused(&path, &e))?;
+                self.space.add(given.body, facets, carrier, origin);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn refused(path: &str, reason: &impl Display) -> SetupError {
+    SetupError::Mortar {
+        path: path.to_owned(),
+        reason: reason.to_string(),
+    }
+}
+
+/// Planes of the mesh that hold what lies in them: axis and coordinate \[m\].
+fn walls(scene: &Scene) -> Vec<(usize, f64)> {
+    let mesh = &scene.mesh;
+    let mut walls = vec![];
+    for axis in 0..scene.dimension.axes() {
+        let low = mesh.origin[axis];
+        let ends = [low, low + mesh.cells[axis] as f64 * mesh.cell[axis]];
+        for (at, condition) in ends.into_iter().zip(mesh.planes[axis]) {
+            if condition != PlaneCondition::Free {
+                walls.push((axis, at));
+            }
+        }
+    }
+    walls
+}
+
+impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
+    /// Pairs of the scene between the boundaries that are there.
+    fn join(&mut self, scene: &Scene) -> Result<(), SetupError> {
+        let contacts = scene.mortar.contacts.iter();
+        self.pairs = contacts
+            .filter_map(|contact| pair(contact, &self.surfaces))
+            .collect();
+        self.pairs.sort_by_key(|pair| pair.id);
+        (0..self.pairs.len()).try_for_each(|p| self.refuse_overlap(p, scene))
+    }
+
+    /// Refuses a pair whose surfaces overlap, or whose edges meet, at the start.
+    fn refuse_overlap(&mut self, p: usize, scene: &Scene) -> Result<(), SetupError> {
+        self.meet(p);
+        let pair = &self.pairs[p];
+        let name = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
+        let name = name.map_or("", |c| &c.name);
+        let slave = &self.surfaces[pair.slave];
+        if let Some((vertex, gap)) = pair.forces.smallest_gap()
+            && gap < 0.0
+        {
+            let at = in_scene(&slave.boundary.points()[vertex], &scene.mesh.origin);
+            return Err(refused(
+                name,
+                &format!(
+                    "the gap is {gap} m at vertex {vertex} of {}, {} m; accepted: surfaces that are apart",
+                    slave.id,
+                    place(&at[..D]),
+                ),
+            ));
+        }
+        if let Some(found) = slave.boundary.lies_in(&self.surfaces[pair.master].boundary) {
+            return Err(refused(
+                name,
+                &format!("{found}; accepted: surfaces that are apart"),
+            ));
+        }
+        if let Some((at, distance)) = self.edges_that_meet(p) {
+            let at = in_scene(&at, &scene.mesh.origin);
+            return Err(refused(
+                name,
+                &format!(
+                    "a sharp edge of {} crosses one of {} at {} m, {distance} m apart; accepted: faces that meet faces, \
+                     since mortar contact does not see edges",
+                    slave.id,
+                    self.surfaces[pair.master].id,
+                    place(&at[..D]),
+                ),
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// Coordinates in brackets.
+fn place(x: &[f64]) -> String {
+    let x: Vec<String> = x.iter().map(f64::to_string).collect();
+    format!("({})", x.join(", "))
+}

@@ -1,0 +1,12 @@
+//! The same in three dimensions; the modules mirror `src/mortar/space`.
+
+mod clip;
+mod facets;
+mod nodes;
+mod pair;
+mod projection;
+mod refine;
+mod ridges;
+mod skin;
+mod slab;
+mod support;

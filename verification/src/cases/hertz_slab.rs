@@ -1,0 +1,116 @@
+//! Does the half disk on a rigid plane give the same as a slab of one layer of cells in three dimensions?
+//!
+//! Set-up: that of `hertz` with kappa = 1.5e4 Pa/m, once in the plane and once as a slab as thick as a cell, whose
+//! boundaries are triangles. The reference of the slab is the run in the plane; both are compared with Hertz as `hertz` is,
+//! which is shown.
+//!
+//! Expected: force, peak, half-width and the pressure of every vertex the same within the error that either has against
+//! Hertz divided by ten. What differs is the projection: along interpolated normals in the plane, along the normals of
+//! triangles in space. `proctor verify hertz-slab`.
+
+use proctor_kernel::scene::Scene;
+use proctor_kernel::simulation::Options;
+
+use super::hertz::{FORCE, Hertz, L2_HERTZ, PEAK, WIDTH};
+use super::{failed, slab, table};
+use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
+
+const SAME: &str = "one layer of cells is the plane, but for how surfaces are projected";
+
+/// The half disk as a slab.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HertzSlab;
+
+impl HertzSlab {
+    fn plane(rung: &Rung) -> Scene {
+        Hertz::GIVEN.scene(&Rung {
+            variant: "hertz",
+            ..rung.clone()
+        })
+    }
+}
+
+impl Case for HertzSlab {
+    fn name(&self) -> &'static str {
+        "hertz-slab"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does a slab in three dimensions give the Hertz contact of the plane?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        slab::rungs(match size {
+            Size::Quick => &[0.4],
+            Size::Full => &[0.4, 0.2],
+        })
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let plane = Self::plane(rung);
+        if rung.variant == "slab" {
+            // The scene is known and has a slab; what has none is reported by `solve`.
+            slab::slab(&plane).unwrap_or(plane)
+        } else {
+            plane
+        }
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let plane = Self::plane(rung);
+        let (scene, thickness) = if rung.variant == "slab" {
+            let slab = slab::slab(&plane).map_err(|e| failed(self, rung, &e))?;
+            (slab, rung.cell)
+        } else {
+            (plane, 1.0)
+        };
+        Hertz::GIVEN
+            .solve_scene(self, &scene, thickness, rung, options, &mut |share| {
+                progress(share)
+            })
+            .map(|studied| studied.solved)
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let value = |label: &str, name| {
+            let run = solved.iter().find(|(rung, _)| rung.label == label);
+            run.map_or(f64::NAN, |(_, s)| s.value(name))
+        };
+        let cell = self.rungs(size).last().map_or(f64::NAN, |rung| rung.cell);
+        let (plane, slab) = (format!("plane h={cell}"), format!("slab h={cell}"));
+        let (shape, why) = match size {
+            Size::Quick => (
+                0.03,
+                "with 3.4 cells over the width the pressure oscillates, and each projection gives its own waves",
+            ),
+            Size::Full => (0.01, SAME),
+        };
+        let gates = [(FORCE, 0.01, SAME), (PEAK, shape, why), (WIDTH, shape, why)]
+            .into_iter()
+            .map(|(name, bound, reason)| Gate {
+                name: format!("{slab}: {name} against the plane"),
+                value: (value(&slab, name) / value(&plane, name) - 1.0).abs(),
+                relation: Relation::AtMost,
+                bound,
+                reason,
+            })
+            .collect();
+        Verdict {
+            tables: slab::VARIANTS
+                .iter()
+                .map(|v| {
+                    let names = [FORCE, PEAK, WIDTH, L2_HERTZ];
+                    ((*v).to_owned(), table(solved, v, &names))
+                })
+                .collect(),
+            gates,
+            for_the_record: vec![],
+            curves: vec![],
+        }
+    }
+}

@@ -1,0 +1,476 @@
+//! Is the pressure between an elastic ball and a rigid plane that of Hertz?
+//!
+//! Source: Hertz 1881 (Johnson, Contact Mechanics, section 4.2b) for the answer; the numbers are those of the half disk of
+//! Liang et al. 2024, section 4.2, R = 8 m, E = 200 Pa, nu = 0.3, critical gap 0.05 m, with the load of a contact of radius
+//! a = 1.2 m. A quarter of the lower part of the ball is run, a round block of 6 m (5 a) between two planes of symmetry with
+//! a spherical bottom and the load on its flat top; the plane is two rigid triangles. Pressures are averaged over the end.
+//!
+//! Expected: contact radius and peak pressure within 5 %. Of this the barrier layer takes about 1 % (it gives way by 5 % of
+//! the approach of the bodies), and the block's size 8/3 (a/L)^3, 2 %, at most. `proctor verify hertz-sphere`.
+
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::points::Detection;
+use proctor_kernel::mortar::space::refine::fill;
+use proctor_kernel::scene::{
+    Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
+    ParticleSeed, PlaneCondition, RigidFacets, Scene, Shape, Transfer, TransferKind, Vertices,
+};
+use proctor_kernel::simulation::{Options, Simulation, StepError};
+use proctor_kernel::surface::{Surface, SurfaceError};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use super::{elastic, failed, table};
+use crate::case::{
+    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
+};
+use crate::exact::hertz::contact_modulus;
+use crate::exact::hertz_sphere::HertzSphere as Exact;
+
+const RADIUS: f64 = 8.0;
+/// Contact radius that the load is chosen for \[m\].
+const CONTACT: f64 = 1.2;
+const YOUNG: f64 = 200.0;
+const POISSON: f64 = 0.3;
+const DENSITY: f64 = 1.0;
+/// Rate of viscous damping, with which the bounce of the block on its contact (1 rad/s) is damped critically \[1/s\].
+const DAMPING: f64 = 2.0;
+const GAP: f64 = 0.05;
+const KAPPA: f64 = 5.0e3;
+/// Radius and height of the block \[m\].
+const BLOCK: f64 = 6.0;
+/// The bottom within this length from the pole has fine triangles \[m\].
+const FINE: f64 = 1.8;
+/// Time at which averaging begins, and at which it ends \[s\].
+const AVERAGED: [f64; 2] = [8.0, 10.0];
+/// The mean over this share of the contact radius gives the peak pressure.
+const MIDDLE: f64 = 0.25;
+
+const FORCE: &str = "contact force";
+const PEAK: &str = "peak pressure";
+const WIDTH: &str = "contact radius";
+const L2: &str = "L2(p) against Hertz";
+
+/// The ball on a rigid plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HertzSphere {
+    /// Load of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
+    /// notice.
+    pub reference_load: f64,
+}
+
+impl HertzSphere {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_load: 1.0,
+    };
+
+    fn exact(self) -> Exact {
+        Exact {
+            load: load() * self.reference_load,
+            ..of_load(1.0)
+        }
+    }
+}
+
+fn of_load(load: f64) -> Exact {
+    Exact {
+        radius: RADIUS,
+        load,
+        modulus: contact_modulus([YOUNG, f64::INFINITY], [POISSON, 0.0]),
+    }
+}
+
+/// Force with which Hertz gives the contact radius \[N\].
+fn load() -> f64 {
+    4.0 * of_load(1.0).modulus * CONTACT.powi(3) / (3.0 * RADIUS)
+}
+
+/// Height of the ball's bottom at a distance from its axis \[m\].
+fn bottom(r: f64) -> f64 {
+    GAP + RADIUS - (RADIUS * RADIUS - r * r).sqrt()
+}
+
+/// Particles of the quarter of the block, about two per cell and axis: columns that reach from the ball's surface to the
+/// top, so that no step of a lattice lies in the contact, with volumes that add up to that of the block.
+fn particles(h: f64) -> Vec<ParticleSeed> {
+    let step = 0.5 * h;
+    let count = (BLOCK / step).ceil() as usize;
+    let at = |k: usize| (k as f64 + 0.5) * step;
+    let mut seeds = vec![];
+    for i in 0..count {
+        for j in 0..count {
+            let (x, y) = (at(i), at(j));
+            let r = x.hypot(y);
+            if r >= BLOCK {
+                continue;
+            }
+            let height = GAP + BLOCK - bottom(r);
+            let layers = (height / step).round();
+            for k in 0..layers as usize {
+                let z = bottom(r) + height * (k as f64 + 0.5) / layers;
+                seeds.push(ParticleSeed {
+                    position: [x, y, z],
+                    volume: step * step * height / layers,
+                });
+            }
+        }
+    }
+    // The block without what is below the ball: pi L² H less the volume under its cap.
+    let sag = bottom(BLOCK) - GAP;
+    let cap = PI * sag * sag * (RADIUS - sag / 3.0);
+    let below = PI * BLOCK * BLOCK * sag - cap;
+    let volume = 0.25 * (PI * BLOCK.powi(3) - below);
+    let scale = volume / seeds.iter().map(|seed| seed.volume).sum::<f64>();
+    for seed in &mut seeds {
+        seed.volume *= scale;
+    }
+    seeds
+}
+
+/// Distance from the axis and height along the outline of the block from the pole to the top's middle.
+fn profile(h: f64) -> Vec<[f64; 2]> {
+    let mut outline = vec![];
+    let (mut s, end) = (0.0, RADIUS * (BLOCK / RADIUS).asin());
+    while s < end - h {
+        let r = RADIUS * (s / RADIUS).sin();
+        outline.push([r, bottom(r)]);
+        s += if s < FINE { 0.4 * h } else { 2.0 * h };
+    }
+    let top = GAP + BLOCK;
+    outline.extend([[BLOCK, bottom(BLOCK)], [BLOCK, top], [0.0, top]]);
+    outline
+}
+
+/// Triangles around the quarter of the block.
+fn boundary(h: f64) -> Result<Surface, SurfaceError> {
+    let profile = profile(h);
+    let ring = |k: usize| -> Vec<[f64; 3]> {
+        let [r, z] = profile[k];
+        if r == 0.0 {
+            return vec![[0.0, 0.0, z]];
+        }
+        let spacing = if r < FINE { 0.4 * h } else { 2.0 * h };
+        let count = (FRAC_PI_2 * r / spacing).ceil() as usize;
+        (0..=count)
+            .map(|i| {
+                let (sin, cos) = (FRAC_PI_2 * i as f64 / count as f64).sin_cos();
+                let on = |x: f64, end: usize| if i == end { 0.0 } else { r * x };
+                [on(cos, count), on(sin, 0), z]
+            })
+            .collect()
+    };
+    let mut corners: Vec<[[f64; 3]; 3]> = vec![];
+    for k in 1..profile.len() {
+        let (lower, upper) = (ring(k - 1), ring(k));
+        let (n, m) = (lower.len() - 1, upper.len() - 1);
+        let (mut i, mut j) = (0, 0);
+        while i < n || j < m {
+            if j == m || (i < n && (i + 1) * m <= (j + 1) * n) {
+                corners.push([lower[i], lower[i + 1], upper[j]]);
+                i += 1;
+            } else {
+                corners.push([lower[i], upper[j + 1], upper[j]]);
+                j += 1;
+            }
+        }
+    }
+    // The two planes of symmetry.
+    let outline: Vec<_> = profile.iter().map(|p| (*p).into()).collect();
+    let (points, triangles) = fill(&outline, f64::INFINITY);
+    for [a, b, c] in triangles {
+        corners.push([a, b, c].map(|v| [points[v].x, 0.0, points[v].y]));
+        corners.push([a, c, b].map(|v| [0.0, points[v].x, points[v].y]));
+    }
+    Surface::new(&corners)
+}
+
+/// The rigid plane.
+fn plane() -> Result<Surface, SurfaceError> {
+    let (low, high) = (-1.0, BLOCK + 2.0);
+    let at = |x: f64, y: f64| [x, y, 0.0];
+    let [a, b, c, d] = [at(low, low), at(high, low), at(high, high), at(low, high)];
+    Surface::new(&[[a, b, c], [a, c, d]])
+}
+
+impl HertzSphere {
+    fn build(h: f64, name: &str) -> Result<Scene, SurfaceError> {
+        let margin = 2.0 * h;
+        let cells = |length: f64| (length / h).ceil() as usize;
+        let top = GAP + BLOCK;
+        Ok(Scene {
+            name: name.into(),
+            transfer: Transfer {
+                kind: TransferKind::Apic,
+                pic_fraction: 0.1,
+            },
+            materials: elastic(DENSITY, YOUNG, POISSON),
+            bodies: vec![Body {
+                name: "ball".into(),
+                id: 1,
+                material: 0,
+                shape: Shape::Particles(Arc::new(particles(h))),
+                particles_per_cell: [2, 2, 2],
+                velocity: [0.0; 3],
+                motion: None,
+            }],
+            damping: Damping::Viscous {
+                alpha: DAMPING * h / (YOUNG / DENSITY).sqrt(),
+            },
+            box_loads: vec![BoxLoad {
+                p1: [0.0, 0.0, top - h],
+                p2: [BLOCK, BLOCK, top + h],
+                force: [0.0, 0.0, -0.25 * load()],
+            }],
+            mortar: Mortar {
+                boundaries: vec![BodyBoundary {
+                    body: 1,
+                    vertices: Vertices::Surface(Arc::new(boundary(h)?)),
+                    follow: Follow::Spin,
+                }],
+                lines: vec![],
+                facets: vec![RigidFacets {
+                    name: "plane".into(),
+                    id: 2,
+                    surface: Arc::new(plane()?),
+                    motion: None,
+                }],
+                contacts: vec![MortarContact {
+                    name: "ball on plane".into(),
+                    id: 1,
+                    master: 2,
+                    slave: 1,
+                    friction: 0.0,
+                    critical_gap: GAP,
+                    normal_stiffness: KAPPA,
+                    tangential_stiffness: 0.0,
+                    enforcement: Enforcement::Barrier,
+                    detection: Detection::Mortar,
+                }],
+            },
+            ..Scene::new(
+                Dimension::Three,
+                Mesh {
+                    origin: [0.0, 0.0, -margin],
+                    cell: [h; 3],
+                    cells: [
+                        cells(BLOCK + margin),
+                        cells(BLOCK + margin),
+                        cells(top + 2.0 * margin),
+                    ],
+                    planes: [
+                        [PlaneCondition::Sliding, PlaneCondition::Free],
+                        [PlaneCondition::Sliding, PlaneCondition::Free],
+                        [PlaneCondition::Free; 2],
+                    ],
+                },
+                AVERAGED[1],
+            )
+        })
+    }
+}
+
+impl Case for HertzSphere {
+    fn name(&self) -> &'static str {
+        "hertz-sphere"
+    }
+
+    fn question(&self) -> &'static str {
+        "Is the pressure between an elastic ball and a rigid plane that of Hertz?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let cells: &[f64] = match size {
+            Size::Quick => &[0.5],
+            Size::Full => &[0.5, 0.375, 0.25],
+        };
+        cells
+            .iter()
+            .map(|&cell| Rung {
+                label: format!("h={cell}"),
+                cell,
+                variant: "sphere",
+            })
+            .collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        // The surfaces are sound at every cell size; one that is not is reported by `solve`.
+        Self::build(rung.cell, &rung.label).unwrap_or_else(|_| {
+            let mesh = Mesh {
+                origin: [0.0; 3],
+                cell: [1.0; 3],
+                cells: [1; 3],
+                planes: [[PlaneCondition::Free; 2]; 3],
+            };
+            Scene::new(Dimension::Three, mesh, 0.0)
+        })
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let scene = Self::build(rung.cell, &rung.label).map_err(|e| failed(self, rung, &e))?;
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let mut simulation =
+            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        let found = run(&mut simulation, progress).map_err(|e| failed(self, rung, &e))?;
+        let exact = self.exact();
+        let of = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        };
+        let distance = found.distance(|r| exact.pressure(r));
+        let quantities = vec![
+            of(FORCE, found.force, exact.load, "N"),
+            of(PEAK, found.peak(&exact), exact.peak(), "Pa"),
+            of(WIDTH, found.radius(), exact.contact_radius(), "m"),
+            Quantity {
+                name: L2,
+                value: distance,
+                exact: Some(0.0),
+                error: Some(distance),
+                unit: "1",
+            },
+        ];
+        let mut points: Vec<CurvePoint> = found
+            .pressures
+            .iter()
+            .filter(|p| p[0] < FINE)
+            .map(|p| CurvePoint {
+                at: p[0],
+                computed: p[1],
+                exact: exact.pressure(p[0]),
+            })
+            .collect();
+        points.sort_by(|a, b| a.at.total_cmp(&b.at));
+        Ok(Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities,
+            curve: Some(Curve {
+                title: format!("{}: contact pressure", rung.label),
+                abscissa: "r in m",
+                ordinate: "p in Pa",
+                points,
+            }),
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let finest = self.rungs(size).last().map(|rung| rung.label.clone());
+        let run = solved
+            .iter()
+            .find(|(rung, _)| Some(&rung.label) == finest.as_ref());
+        let error = |name| run.map_or(f64::NAN, |(_, s)| s.error(name));
+        let label = finest.clone().unwrap_or_default();
+        let gate = |name, bound, reason| Gate {
+            name: format!("{label}: {name}"),
+            value: error(name),
+            relation: Relation::AtMost,
+            bound,
+            reason,
+        };
+        let gates = match size {
+            Size::Quick => vec![
+                gate(FORCE, 0.01, "the load must arrive"),
+                gate(
+                    WIDTH,
+                    0.1,
+                    "2.4 cells over the contact radius; the pressure oscillates there, so its peak is judged in full only",
+                ),
+            ],
+            Size::Full => vec![
+                gate(FORCE, 0.01, "the load must arrive"),
+                gate(PEAK, 0.05, "4.8 cells over the contact radius"),
+                gate(WIDTH, 0.05, "4.8 cells over the contact radius"),
+            ],
+        };
+        Verdict {
+            tables: vec![(
+                "sphere".to_owned(),
+                table(solved, "sphere", &[FORCE, PEAK, WIDTH, L2]),
+            )],
+            gates,
+            for_the_record: vec![],
+            curves: vec![],
+        }
+    }
+}
+
+/// Averages over the end of a run.
+struct Found {
+    /// Force on the whole ball \[N\].
+    force: f64,
+    /// Distance from the axis, pressure and area of each vertex at the bottom.
+    pressures: Vec<[f64; 3]>,
+}
+
+impl Found {
+    /// Peak pressure with the mean over the middle, as Hertz has it.
+    fn peak(&self, exact: &Exact) -> f64 {
+        let within = MIDDLE * exact.contact_radius();
+        let inner = self.pressures.iter().filter(|p| p[0] <= within);
+        let (force, area) = inner.fold((0.0, 0.0), |(f, a), [_, p, w]| (f + p * w, a + w));
+        force / area * exact.peak() / exact.mean_within(within)
+    }
+
+    /// Radius of the Hertz pressure with the same second moment, sqrt(5/2 m_2/m_0).
+    fn radius(&self) -> f64 {
+        let moment = |power| {
+            self.pressures
+                .iter()
+                .map(|[r, p, w]| w * p * r.powi(power))
+                .sum::<f64>()
+        };
+        (2.5 * moment(2) / moment(0)).sqrt()
+    }
+
+    /// L2 norm of the difference to a pressure, over that of the pressure.
+    fn distance(&self, exact: impl Fn(f64) -> f64) -> f64 {
+        let (mut off, mut all) = (0.0, 0.0);
+        for [r, p, w] in &self.pressures {
+            off += w * (p - exact(*r)).powi(2);
+            all += w * exact(*r).powi(2);
+        }
+        (off / all).sqrt()
+    }
+}
+
+fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Found, StepError> {
+    let (mut force, mut weight) = (0.0, 0.0);
+    let mut sums: Vec<[f64; 3]> = vec![];
+    while simulation.time() < AVERAGED[1] {
+        let info = simulation.step(AVERAGED[1])?;
+        if info.step % 20 == 0 {
+            progress((simulation.time() / AVERAGED[1]).min(1.0));
+        }
+        if simulation.time() <= AVERAGED[0] {
+            continue;
+        }
+        weight += info.dt;
+        force += info.dt * 4.0 * simulation.mortar_force(1).map_or(0.0, |f| f[2]);
+        let vertices = simulation.mortar_vertices(1).unwrap_or_default();
+        sums.resize(vertices.len(), [0.0; 3]);
+        for (sum, v) in sums.iter_mut().zip(&vertices) {
+            sum[0] += info.dt * v.position[0].hypot(v.position[1]);
+            sum[1] += info.dt * v.pressure;
+            sum[2] += info.dt * v.measure;
+        }
+    }
+    Ok(Found {
+        force: force / weight,
+        pressures: sums
+            .into_iter()
+            .map(|sum| sum.map(|s| s / weight))
+            .filter(|[r, _, area]| *r < FINE && *area > 0.0)
+            .collect(),
+    })
+}
