@@ -1,8 +1,6 @@
 //! Studies: own settings are what `verify` runs, other settings reach the scene, and observers see every phase.
 
-use proctor_kernel::scene::{
-    DomainUpdate, Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
-};
+use proctor_kernel::scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::Size;
 use proctor_verification::settings::{Method, Settings};

@@ -71,7 +71,7 @@ impl Case for HertzSlab {
         };
         Hertz::GIVEN
             .solve_scene(self, &scene, thickness, rung, options, &mut |share| {
-                progress(share)
+                progress(share);
             })
             .map(|studied| studied.solved)
     }

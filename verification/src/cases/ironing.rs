@@ -367,10 +367,13 @@ impl Case for Ironing {
             for_the_record: solved
                 .iter()
                 .map(|(rung, s)| {
+                    let pressed = format!("{}: {:.4e} N at 60 s", rung.label, s.value(PRESSED));
+                    // A short run ends before the plateau.
+                    if s.value(MEAN).is_nan() {
+                        return pressed;
+                    }
                     format!(
-                        "{}: {:.4e} N at 60 s; from 120 to 180 s {:.4e} N down and {:.3e} N along, ripple {:.2} %",
-                        rung.label,
-                        s.value(PRESSED),
+                        "{pressed}; from 120 to 180 s {:.4e} N down and {:.3e} N along, ripple {:.2} %",
                         s.value(MEAN),
                         s.value(ACROSS),
                         100.0 * s.value(RIPPLE),

@@ -86,7 +86,7 @@ impl Case for RollingDiskSlab {
         let thickness = if is_slab { rung.cell } else { 1.0 };
         RollingDisk::GIVEN
             .solve_scene(self, &scene, thickness, &plane, options, &mut |share| {
-                progress(share)
+                progress(share);
             })
             .map(|studied| studied.solved)
     }

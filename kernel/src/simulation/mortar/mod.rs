@@ -57,8 +57,17 @@ impl MortarState {
 
     /// Bodies with a layer.
     pub(super) fn bodies(&self) -> impl Iterator<Item = usize> {
-        let plane = self.plane.surfaces.iter().filter_map(|s| s.body());
-        plane.chain(self.space.surfaces.iter().filter_map(|s| s.body()))
+        let plane = self
+            .plane
+            .surfaces
+            .iter()
+            .filter_map(surface::Surface::body);
+        plane.chain(
+            self.space
+                .surfaces
+                .iter()
+                .filter_map(surface::Surface::body),
+        )
     }
 
     /// Weights of the vertices, gaps and forces of the pairs, and the time steps that they allow.
