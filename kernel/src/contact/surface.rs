@@ -129,7 +129,7 @@ impl Probe {
     }
 }
 
-/// The planes in which [`probe`] looks.
+/// The planes in which a probe looks.
 pub struct Search<'a> {
     /// Shape of the grid.
     pub shape: &'a GridShape,
