@@ -134,14 +134,14 @@ pub fn curve(curve: &Curve) -> Chart {
         strength: Strength::Plain,
         open: false,
     };
-    // Without anything exact the computed points are the line.
+    // Without anything exact the computed points are joined.
     let looks: &[_] = if curve.has_exact() {
         &[
             ("exact", Colour::Ink, Mark::None, Stroke::Solid),
             ("computed", Colour::Hue(1), Mark::Dot, Stroke::None),
         ]
     } else {
-        &[("computed", Colour::Hue(1), Mark::None, Stroke::Solid)]
+        &[("computed", Colour::Hue(1), Mark::Dot, Stroke::Solid)]
     };
     // A point that is not a number parts two lines.
     let lines = curve.points.split(|p| !p.computed.is_finite());
