@@ -30,6 +30,23 @@ pub struct Rung {
     pub variant: &'static str,
 }
 
+impl Rung {
+    /// The rungs of several ladders, each a variant with its cell sizes \[m\].
+    #[must_use]
+    pub fn ladders(ladders: &[(&'static str, &[f64])]) -> Vec<Self> {
+        ladders
+            .iter()
+            .flat_map(|&(variant, cells)| {
+                cells.iter().map(move |&cell| Self {
+                    label: format!("{variant} h={cell}"),
+                    cell,
+                    variant,
+                })
+            })
+            .collect()
+    }
+}
+
 /// A number that a run gave, with what it should have been.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {

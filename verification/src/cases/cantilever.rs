@@ -367,16 +367,7 @@ impl Case for Cantilever {
                 (NO_AUGMENTATION, &[0.25]),
             ],
         };
-        ladders
-            .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Rung {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
-            .collect()
+        Rung::ladders(ladders)
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
@@ -492,12 +483,7 @@ impl Study for Cantilever {
             Size::Quick => &CELLS[..2],
             Size::Full => &CELLS[..3],
         };
-        let rung = |&cell| Rung {
-            label: format!("{BARE} h={cell}"),
-            cell,
-            variant: BARE,
-        };
-        cells.iter().map(rung).collect()
+        Rung::ladders(&[(BARE, cells)])
     }
 
     fn measures(&self) -> &'static [Measure] {

@@ -73,19 +73,6 @@ impl Hertz {
         }
     }
 
-    fn rungs_of(ladders: &[(&'static str, &[f64])]) -> Vec<Rung> {
-        ladders
-            .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Rung {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
-            .collect()
-    }
-
     fn kappa(variant: &str) -> f64 {
         if variant == "paper" { 1.5e3 } else { 1.5e4 }
     }
@@ -206,7 +193,7 @@ impl Case for Hertz {
     }
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
+        Rung::ladders(match size {
             Size::Quick => &[("hertz", &[0.2])],
             Size::Full => &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
         })
@@ -310,7 +297,7 @@ impl Case for Hertz {
 
 impl Study for Hertz {
     fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
+        Rung::ladders(match size {
             Size::Quick => &[("hertz", &[0.8, 0.4])],
             Size::Full => &[("hertz", &[0.4, 0.2, 0.1])],
         })

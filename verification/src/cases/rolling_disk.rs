@@ -72,19 +72,6 @@ impl RollingDisk {
         ..Self::GIVEN
     };
 
-    fn rungs_of(ladders: &[(&'static str, &[f64])]) -> Vec<Rung> {
-        ladders
-            .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Rung {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
-            .collect()
-    }
-
     fn friction(variant: &str) -> f64 {
         if variant == "slip" { 0.1 } else { 0.3 }
     }
@@ -203,7 +190,7 @@ impl Case for RollingDisk {
     }
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
+        Rung::ladders(match size {
             Size::Quick => &[("slip", &[0.1]), ("stick", &[0.1])],
             Size::Full => &[
                 ("slip", &[0.2, 0.1, 0.05]),
@@ -310,7 +297,7 @@ impl Study for RollingDisk {
             Size::Quick => &[0.2, 0.1],
             Size::Full => &[0.2, 0.1, 0.05, 0.025],
         };
-        Self::rungs_of(&[(self.studied, cells)])
+        Rung::ladders(&[(self.studied, cells)])
     }
 
     fn measures(&self) -> &'static [Measure] {

@@ -6,6 +6,7 @@
 //! approach d follows from the load. Solved by collocation with a constant pressure in each of equal cells and Newton's
 //! method; the pressure is smooth, so the error falls as the square of the cell.
 
+use super::fe::Barrier;
 use super::hertz::Hertz;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
@@ -17,14 +18,13 @@ pub type Layer<'a> = &'a dyn Fn(f64) -> (f64, f64);
 /// gap, and its slope.
 #[must_use]
 pub fn barrier(kappa: f64, critical_gap: f64, gap: f64) -> (f64, f64) {
-    if gap >= critical_gap {
-        return (0.0, 0.0);
-    }
-    let s = gap / critical_gap;
-    let bracket = 2.0 * s.ln() - 1.0 / s + 1.0;
-    let pressure = kappa * critical_gap * (s - 1.0) * bracket;
-    let slope = kappa * (bracket + (s - 1.0) * (2.0 / s + 1.0 / (s * s)));
-    (pressure, slope)
+    let barrier = Barrier {
+        stiffness: kappa,
+        critical_gap,
+        floor: 0.0,
+    };
+    let (_, pressure, stiffness) = barrier.at(gap);
+    (pressure, -stiffness)
 }
 
 /// Pressure on cells of equal width, symmetric about 0.
