@@ -104,25 +104,42 @@ pub fn axis_weights_at<const N: usize>(
     xi: f64,
     l: f64,
 ) -> (f64, [f64; N], [f64; N]) {
-    struct One<const N: usize>(Family, f64, f64);
-    impl<const N: usize> crate::lanes::Kernel for One<N> {
-        type Output = ([f64; N], [f64; N]);
+    let ([base], [w], [g]) = weights_at::<N, 1>(family, [xi], l);
+    (base, w, g)
+}
+
+/// Weights of one point along `D` axes at once, each as [`axis_weights_at`] has them, in the lanes of one line (D <= 8).
+#[must_use]
+pub fn weights_at<const N: usize, const D: usize>(
+    family: Family,
+    xi: [f64; D],
+    l: f64,
+) -> ([f64; D], [[f64; N]; D], [[f64; N]; D]) {
+    struct Axes<const N: usize, const D: usize>(Family, [f64; 8], f64);
+    impl<const N: usize, const D: usize> crate::lanes::Kernel for Axes<N, D> {
+        type Output = ([[f64; N]; D], [[f64; N]; D]);
         #[inline(always)]
         fn run<B: crate::lanes::Backend>(self) -> Self::Output {
             let (w, g) =
-                axis_weights::<B::Line, N>(self.0, B::Line::splat(self.1), B::Line::splat(self.2));
-            let (mut w_out, mut g_out) = ([0.0; N], [0.0; N]);
+                axis_weights::<B::Line, N>(self.0, B::Line::load(&self.1), B::Line::splat(self.2));
+            let (mut w_out, mut g_out) = ([[0.0; N]; D], [[0.0; N]; D]);
             for n in 0..N {
-                let mut all = [0.0; 8];
-                w[n].store(&mut all);
-                w_out[n] = all[0];
-                g[n].store(&mut all);
-                g_out[n] = all[0];
+                let (mut all_w, mut all_g) = ([0.0; 8], [0.0; 8]);
+                w[n].store(&mut all_w);
+                g[n].store(&mut all_g);
+                for axis in 0..D {
+                    w_out[axis][n] = all_w[axis];
+                    g_out[axis][n] = all_g[axis];
+                }
             }
             (w_out, g_out)
         }
     }
-    let base = (xi - base_offset(N)).floor();
-    let (w, g) = crate::lanes::Selected::any().run(One::<N>(family, xi - base, l));
+    let base = xi.map(|xi| (xi - base_offset(N)).floor());
+    let mut within = [0.0; 8];
+    for axis in 0..D {
+        within[axis] = xi[axis] - base[axis];
+    }
+    let (w, g) = crate::lanes::Selected::any().run(Axes::<N, D>(family, within, l));
     (base, w, g)
 }

@@ -48,7 +48,7 @@ pub fn vertex_velocity<const D: usize, const N: usize>(
         if w == 0.0 {
             continue;
         }
-        let distance = weights.offsets[k].component_mul(cell);
+        let distance = weights.offset(k).component_mul(cell);
         v += w * (velocities[k] + follow.part(&gradients[k]) * distance);
     }
     v

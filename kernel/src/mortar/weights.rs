@@ -1,11 +1,11 @@
 //! Weights of a boundary vertex on the nodes around it.
 
 use super::PointIn;
-use crate::weights::{Family, axis_weights_at};
+use crate::weights::{Family, weights_at};
 use std::array;
 
 /// Nodes per axis that a vertex can reach.
-const NODES: usize = 3;
+pub(crate) const NODES: usize = 3;
 
 /// Weights of a vertex on a patch of three nodes per axis, N = 3^D in all; node (i, j) of a patch of the plane has the
 /// place 3 i + j, node (i, j, k) in space 9 i + 3 j + k.
@@ -15,8 +15,8 @@ pub struct VertexWeights<const D: usize, const N: usize> {
     pub base: [i64; D],
     /// Weights. They are those of a particle until [`VertexWeights::augmented`].
     pub weights: [f64; N],
-    /// Position of the vertex minus that of the node, in cells.
-    pub offsets: [PointIn<D>; N],
+    /// Position of the vertex minus that of the lowest node, in cells.
+    pub from_base: PointIn<D>,
 }
 
 /// Place of a node in its patch along each axis, 0 to 2; the last axis runs fastest.
@@ -34,23 +34,44 @@ impl<const D: usize, const N: usize> VertexWeights<D, N> {
     /// cells, at most 1/2; any value works, as it makes no difference that could be measured.
     #[must_use]
     pub fn new(family: Family, xi: &PointIn<D>, half_length: f64) -> Self {
-        let axes: [_; D] =
-            array::from_fn(|axis| axis_weights_at::<NODES>(family, xi[axis], half_length));
+        let at = array::from_fn(|axis| xi[axis]);
+        let (base, w, _) = weights_at::<NODES, D>(family, at, half_length);
         Self {
-            base: array::from_fn(|axis| axes[axis].0 as i64),
+            base: base.map(|b| b as i64),
             weights: array::from_fn(|k| {
                 let at = in_patch::<D>(k);
-                (1..D).fold(axes[0].1[at[0]], |w, axis| w * axes[axis].1[at[axis]])
+                (1..D).fold(w[0][at[0]], |product, axis| product * w[axis][at[axis]])
             }),
-            offsets: array::from_fn(|k| {
-                let at = in_patch::<D>(k);
-                PointIn::from_fn(|axis, _| xi[axis] - axes[axis].0 - at[axis] as f64)
-            }),
+            from_base: PointIn::from_fn(|axis, _| xi[axis] - base[axis]),
         }
     }
 
+    /// Position of the vertex minus that of a node of the patch, in cells.
+    #[must_use]
+    pub fn offset(&self, node: usize) -> PointIn<D> {
+        let place = in_patch::<D>(node);
+        PointIn::from_fn(|axis, _| self.from_base[axis] - place[axis] as f64)
+    }
+
+    /// Gives the shares of the first (0) or last (2) nodes along an axis to their mirror images on the other side of the
+    /// node between, which lies on a plane of symmetry. Exact for a vertex on the plane; that of another one, which must
+    /// be nearer to the plane than its half-length, takes its share of the normal velocity with the wrong sign.
+    #[must_use]
+    pub fn folded(mut self, axis: usize, outside: usize) -> Self {
+        let stride = NODES.pow((D - 1 - axis) as u32);
+        for k in 0..N {
+            if in_patch::<D>(k)[axis] == outside {
+                let mirror = k + stride * (NODES - 1 - outside) - stride * outside;
+                self.weights[mirror] += self.weights[k];
+                self.weights[k] = 0.0;
+            }
+        }
+        self
+    }
+
     /// Augmented weights (eq. 27), S_Iv m_I / sum_J S_Jv m_J: no share for nodes without mass, and still a partition
-    /// of unity. `masses` are those of the nodes of the patch in this body's layer of the grid \[kg\].
+    /// of unity. `masses` are those of the nodes of the patch in this body's layer of the grid \[kg\], with that of its
+    /// image where a plane mirrors the body.
     ///
     /// # Errors
     /// [`Lost`] where none of the nodes with a weight has mass.

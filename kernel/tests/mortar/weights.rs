@@ -24,11 +24,11 @@ proptest! {
         prop_assert!((w.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
         for k in 0..9 {
             let node = point((w.base[0] + k / 3) as f64, (w.base[1] + k % 3) as f64);
-            prop_assert!((node + w.offsets[k as usize] - point(x, y)).norm() < 1e-13);
+            prop_assert!((node + w.offset(k as usize) - point(x, y)).norm() < 1e-13);
         }
         // Linear fields are reproduced where all nodes have the same mass.
         let even = w.augmented(&[2.5; 9]).unwrap();
-        let off = (0..9).fold(point(0.0, 0.0), |s, k| s + even.weights[k] * even.offsets[k]);
+        let off = (0..9).fold(point(0.0, 0.0), |s, k| s + even.weights[k] * even.offset(k));
         prop_assert!(off.norm() < 1e-14);
     }
 

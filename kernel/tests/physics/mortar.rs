@@ -1,16 +1,16 @@
 //! Mortar contact in the cycle: balance, bits, vertices that follow their body, and what is refused.
 
 use crate::common::{
-    APIC, FLIP, IDENTITY, body, elastic, empty, material, momentum_scale, options, run_towards,
-    simulation,
+    APIC, FLIP, IDENTITY, body, cuboid, elastic, empty, material, momentum_scale, options,
+    run_towards, simulation,
 };
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, RigidLine,
-    Scene, Shape, StressScheme, TimeStep, Transfer, Vertices,
+    BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, PlaneCondition,
+    RigidLine, Scene, Shape, StressScheme, TimeStep, Transfer, Vertices,
 };
 use proctor_kernel::simulation::{
     Bound, InitialState, Options, SetupError, Simulation, StepErrorKind,
@@ -222,6 +222,66 @@ fn vertices_follow_a_turning_body() {
     assert!(spin < 0.02, "{velocity} {spin} {gradient}");
     assert!(gradient < 0.02, "{velocity} {spin} {gradient}");
     assert!(velocity > 3.0 * spin, "{velocity} {spin} {gradient}");
+}
+
+/// A block whose middle hangs behind its ends, or its right half beside a plane of symmetry: the way of the vertices on
+/// the right half in the first steps, with the places that they had \[m\].
+fn sagging(half: bool) -> Vec<([f64; 2], f64)> {
+    let middle = 1.2;
+    let mut scene = empty(Dimension::Two, [24, 14, 1], 0.1);
+    let mut left = 0.7;
+    if half {
+        scene.mesh.origin[0] = middle;
+        scene.mesh.cells[0] = 12;
+        scene.mesh.planes[0][0] = PlaneCondition::Sliding;
+        left = middle;
+    }
+    scene.transfer = APIC;
+    scene.materials = vec![material(elastic(1.0e6, 0.3))];
+    let shape = cuboid([left, 0.45, 0.0], [1.7, 0.95, 0.0]);
+    scene.bodies = vec![body(1, shape)];
+    scene.mortar.boundaries = vec![boundary(1, Follow::Velocity)];
+    let options = Options {
+        initial: Some(Arc::new(move |x| {
+            let k = TAU / 1.0;
+            let (sin, cos) = (k * (x[0] - middle)).sin_cos();
+            InitialState {
+                velocity: [0.0, -cos, 0.0],
+                velocity_gradient: [[0.0; 3], [k * sin, 0.0, 0.0], [0.0; 3]],
+                stress: [0.0; 6],
+                deformation: IDENTITY,
+            }
+        })),
+        ..options()
+    };
+    let mut simulation = Simulation::new(&scene, &options).expect("sound");
+    let before = simulation.boundary_vertices(1).expect("has one");
+    run_towards(&mut simulation, 5, 1.0);
+    let after = simulation.boundary_vertices(1).expect("has one");
+    let ways = before
+        .iter()
+        .zip(&after)
+        .map(|(a, b)| ([a[0], a[1]], b[1] - a[1]));
+    // The side that lies in the plane is no part of the whole block.
+    ways.filter(|([x, y], _)| *x > middle - 1e-9 && (*y - 0.7).abs() > 0.2)
+        .collect()
+}
+
+/// Nodes on a plane of symmetry have half of the mass that they have in the whole body, and the same share in a vertex.
+#[test]
+fn half_a_body_beside_a_plane_of_symmetry_moves_as_the_whole_does() {
+    let (whole, half) = (sagging(false), sagging(true));
+    assert!(half.len() > 20);
+    let most = whole.iter().map(|(_, way)| way.abs()).fold(0.0, f64::max);
+    assert!(most > 1e-3);
+    for (at, way) in &half {
+        let near = |(x, _): &&([f64; 2], f64)| (x[0] - at[0]).hypot(x[1] - at[1]) < 1e-9;
+        let (_, expected) = whole.iter().find(near).expect("the same vertices");
+        assert!(
+            (way - expected).abs() < 1e-7 * most,
+            "{at:?}: {way} {expected}"
+        );
+    }
 }
 
 /// Nodes without mass take their share of contact forces with them.

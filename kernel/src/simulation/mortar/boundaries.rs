@@ -3,7 +3,7 @@
 use super::gradients::NodalGradients;
 use super::pair::MortarPair;
 use super::surface::{
-    Carrier, Patch, Surface, from_vector, in_scene, mass_of, nodes_of_patch, velocity_at,
+    Carrier, Mirrors, Patch, Surface, from_vector, in_scene, nodes_of_patch, velocity_at,
     velocity_of,
 };
 use crate::contact::layers::Layers;
@@ -28,6 +28,7 @@ pub(super) struct Hosts<'a> {
     pub(super) sets: &'a [ParticleSet],
     pub(super) bodies: &'a [BodyRun],
     pub(super) stencil: usize,
+    pub(super) mirrors: Mirrors,
     /// Origin of the mesh in the coordinates of the scene \[m\].
     pub(super) origin: Vector,
 }
@@ -151,14 +152,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             for (vertex, x) in surface.boundary.points().iter().enumerate() {
                 let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
                 let raw = VertexWeights::<D, N>::new(mapping.family, &xi, half_length);
-                let nodes = nodes_of_patch::<D, N>(raw.base, shape);
-                let masses = std::array::from_fn(|k| {
-                    nodes[k].map_or(0.0, |n| mass_of(n, shape, &layer.rows, lines))
-                });
+                let raw = hosts.mirrors.fold(raw);
+                let (nodes, masses) = nodes_of_patch::<D, N>(raw.base, shape, &layer.rows, lines);
                 let weights = if follow == Follow::Unaugmented {
                     Ok(raw.on_mass(&masses))
                 } else {
-                    raw.augmented(&masses)
+                    raw.augmented(&hosts.mirrors.with_images(raw.base, masses))
                 };
                 let Ok(weights) = weights else {
                     return Err(StepErrorKind::VertexLost {
@@ -170,7 +169,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 let mut patch = Patch {
                     weights,
                     masses,
-                    nodes: nodes.map(Option::unwrap_or_default),
+                    nodes,
                     spins: [0.0; N],
                 };
                 let mut v = PointIn::zeros();

@@ -1,6 +1,8 @@
 //! The parts of a step that mortar contact adds.
 
 use super::boundaries::Hosts;
+use super::surface::Mirrors;
+use crate::scene::PlaneCondition;
 use crate::simulation::Simulation;
 use crate::simulation::acting::Acting;
 use crate::simulation::contact::{all, number_of, shared_loads};
@@ -74,12 +76,19 @@ impl Simulation {
 
     /// What boundaries need to know of the bodies that carry them.
     fn hosts(&self) -> Hosts<'_> {
+        let mesh = &self.scene.mesh;
         Hosts {
             shape: &self.field.shape,
             layers: &self.contact.layers,
             sets: &self.sets,
             bodies: &self.bodies,
             stencil: self.stencil,
+            mirrors: Mirrors {
+                planes: mesh
+                    .planes
+                    .map(|sides| sides.map(|condition| condition != PlaneCondition::Free)),
+                cells: mesh.cells,
+            },
             origin: self.origin(),
         }
     }

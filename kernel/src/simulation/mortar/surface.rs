@@ -3,7 +3,7 @@
 use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
-use crate::mortar::weights::{VertexWeights, in_patch};
+use crate::mortar::weights::{NODES, VertexWeights, in_patch};
 use crate::scene::{History, Vector};
 use crate::simulation::history_value;
 
@@ -79,32 +79,94 @@ fn largest<const D: usize>(vectors: &[PointIn<D>]) -> f64 {
         .sqrt()
 }
 
-/// Indices of the nodes of a patch; none outside the mesh, also for ghosts, which repeat what lies inside.
+/// Indices and masses of the nodes of a patch. A node outside the mesh has none, also a ghost, which repeats what lies
+/// inside, nor has one outside the active rows, which still holds what it had when a particle was near.
 pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
     base: [i64; D],
     shape: &GridShape,
-) -> [Option<usize>; N] {
-    std::array::from_fn(|k| {
+    rows: &ActiveRows,
+    lines: &[Line],
+) -> ([usize; N], [f64; N]) {
+    let (mut nodes, mut masses) = ([0; N], [0.0; N]);
+    for k in 0..N {
         let place = in_patch::<D>(k);
         let mut at = [0; 3];
+        let mut outside = false;
         for axis in 0..D {
             let node = base[axis] + place[axis] as i64;
-            if !(0..=shape.cells[axis] as i64).contains(&node) {
-                return None;
-            }
-            at[axis] = node as usize;
+            outside |= !(0..=shape.cells[axis] as i64).contains(&node);
+            at[axis] = node.max(0) as usize;
         }
-        Some(shape.index(shape.mesh_node(at)))
-    })
+        if outside {
+            continue;
+        }
+        let [plane, row, fast] = shape.mesh_node(at);
+        nodes[k] = shape.index([plane, row, fast]);
+        if rows.span(plane, row).contains(&fast) {
+            masses[k] = lines[nodes[k]][0];
+        }
+    }
+    (nodes, masses)
 }
 
-/// Mass of a node in use; a node outside the active rows still holds what it had when a particle was near.
-pub(super) fn mass_of(node: usize, shape: &GridShape, rows: &ActiveRows, lines: &[Line]) -> f64 {
-    let [plane, row, k] = shape.indices(node);
-    if rows.span(plane, row).contains(&k) {
-        lines[node][0]
-    } else {
-        0.0
+/// The planes of the mesh that mirror bodies: those that are sliding or fixed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mirrors {
+    /// Whether the lower and the upper plane along each axis do.
+    pub(super) planes: [[bool; 2]; 3],
+    /// Cells of the mesh.
+    pub(super) cells: [usize; 3],
+}
+
+impl Mirrors {
+    /// Whether a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
+    fn at(&self, axis: usize, lower: i64, upper: i64) -> [bool; 2] {
+        let [below, above] = self.planes[axis];
+        [
+            below && lower == 0,
+            above && upper == self.cells[axis] as i64,
+        ]
+    }
+
+    /// Weights of a vertex in the body and its images, on nodes of the mesh alone.
+    pub(super) fn fold<const D: usize, const N: usize>(
+        &self,
+        mut raw: VertexWeights<D, N>,
+    ) -> VertexWeights<D, N> {
+        let last = NODES as i64 - 1;
+        for axis in 0..D {
+            let base = raw.base[axis];
+            let [below, above] = self.at(axis, base + 1, base + last - 1);
+            if below {
+                raw = raw.folded(axis, 0);
+            }
+            if above {
+                raw = raw.folded(axis, NODES - 1);
+            }
+        }
+        raw
+    }
+
+    /// Masses \[kg\] of the body and its images from those of the body on the nodes of a patch: twice on a plane.
+    pub(super) fn with_images<const D: usize, const N: usize>(
+        &self,
+        base: [i64; D],
+        masses: [f64; N],
+    ) -> [f64; N] {
+        let along: [[f64; NODES]; D] = std::array::from_fn(|axis| {
+            std::array::from_fn(|place| {
+                let node = base[axis] + place as i64;
+                if self.at(axis, node, node).contains(&true) {
+                    2.0
+                } else {
+                    1.0
+                }
+            })
+        });
+        std::array::from_fn(|k| {
+            let place = in_patch::<D>(k);
+            (0..D).fold(masses[k], |mass, axis| mass * along[axis][place[axis]])
+        })
     }
 }
 

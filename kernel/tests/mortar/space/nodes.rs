@@ -28,10 +28,10 @@ proptest! {
         let w = Weights::new(if hat { Family::Hat } else { Family::Gimp }, &x, l);
         prop_assert!((w.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
         for k in 0..27 {
-            prop_assert!((node(&w, k) + w.offsets[k] - x).norm() < 1e-13);
+            prop_assert!((node(&w, k) + w.offset(k) - x).norm() < 1e-13);
         }
         let even = w.augmented(&[2.5; 27]).unwrap();
-        let off = (0..27).fold(Point::zeros(), |s, k| s + even.weights[k] * even.offsets[k]);
+        let off = (0..27).fold(Point::zeros(), |s, k| s + even.weights[k] * even.offset(k));
         prop_assert!(off.norm() < 1e-14);
     }
 
