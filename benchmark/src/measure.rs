@@ -1,6 +1,6 @@
 //! Time by the clock and time on the processors.
 
-use cpu_time::ProcessTime;
+use cpu_time::{ProcessTime, ThreadTime};
 use std::time::{Duration, Instant};
 
 /// Time spent in what was measured.
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 pub struct Spent {
     /// By the clock.
     pub wall: Duration,
-    /// On the processors, summed over the threads of this process.
+    /// On the processors, summed over the threads of the work.
     pub cpu: Duration,
 }
 
@@ -31,6 +31,15 @@ impl Stopwatch {
     /// Does `work` and adds its time. Threads that are still busy elsewhere in this process count as well.
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> T {
         let (wall, cpu) = (Instant::now(), ProcessTime::now());
+        let result = work();
+        self.spent.cpu += cpu.elapsed();
+        self.spent.wall += wall.elapsed();
+        result
+    }
+
+    /// The same for work that keeps to the calling thread; other threads do not count.
+    pub fn time_thread<T>(&mut self, work: impl FnOnce() -> T) -> T {
+        let (wall, cpu) = (Instant::now(), ThreadTime::now());
         let result = work();
         self.spent.cpu += cpu.elapsed();
         self.spent.wall += wall.elapsed();

@@ -1,10 +1,20 @@
 //! A progress bar on a terminal, and nothing in a pipe.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
+use std::sync::LazyLock;
 
 /// Parts into which a bar divides the work.
 const PARTS: u64 = 1000;
+
+/// All bars, so that work that runs side by side has one below the other.
+static BARS: LazyLock<MultiProgress> = LazyLock::new(|| {
+    MultiProgress::with_draw_target(if std::io::stderr().is_terminal() {
+        ProgressDrawTarget::stderr()
+    } else {
+        ProgressDrawTarget::hidden()
+    })
+});
 
 /// How far some work has come, shown on standard error.
 pub struct Progress {
@@ -15,12 +25,7 @@ pub struct Progress {
 impl Progress {
     /// A bar for work with this name.
     pub fn new(name: &str) -> Self {
-        let target = if std::io::stderr().is_terminal() {
-            ProgressDrawTarget::stderr()
-        } else {
-            ProgressDrawTarget::hidden()
-        };
-        let bar = ProgressBar::with_draw_target(Some(PARTS), target);
+        let bar = BARS.add(ProgressBar::new(PARTS));
         if let Ok(style) =
             ProgressStyle::with_template("{prefix} {bar:30} {percent:>3} %  {eta} left")
         {

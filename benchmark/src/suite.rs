@@ -4,6 +4,14 @@ use crate::measure::{Spent, Stopwatch};
 use crate::progress::Progress;
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, CaseError, Rung, Size, Solved, Verdict};
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
+/// A run that takes longer by the clock is steady enough to be timed once.
+const LONG: Duration = Duration::from_secs(1);
 
 /// A case that was run.
 pub struct Ran {
@@ -21,8 +29,17 @@ pub struct RanRung {
     pub rung: Rung,
     /// What it gave.
     pub solved: Result<Solved, CaseError>,
-    /// Time for all of it: set-up, steps, comparison.
-    pub spent: Spent,
+    /// Time for all of it, once per repetition: set-up, steps, comparison. Never empty.
+    pub samples: Vec<Spent>,
+}
+
+impl RanRung {
+    /// Time of the fastest repetition: whatever else goes on in a machine only adds time.
+    #[must_use]
+    pub fn spent(&self) -> Spent {
+        let fastest = self.samples.iter().min_by_key(|spent| spent.wall);
+        fastest.copied().unwrap_or_default()
+    }
 }
 
 impl Ran {
@@ -33,16 +50,72 @@ impl Ran {
     }
 }
 
-/// Runs a case. A run that fails does not end it: the verdict is about all of them.
-pub fn run(case: &'static dyn Case, size: Size, options: &Options) -> Ran {
-    run_while(case, size, options, &|| true)
+/// Runs cases side by side, `workers` at a time and each on one thread, as long as `go` says so before each run, and
+/// hands them to `each` in their order as soon as all before them are there, until one fails.
+///
+/// Small scenes gain little from a second thread; two cases on two threads gain all of it.
+///
+/// # Errors
+/// The first error of `each`.
+pub fn run_side_by_side<E>(
+    cases: &[&'static dyn Case],
+    size: Size,
+    options: &Options,
+    workers: usize,
+    go: &(dyn Fn() -> bool + Sync),
+    mut each: impl FnMut(Ran) -> Result<(), E>,
+) -> Result<(), E> {
+    let options = Options {
+        threads: Some(1),
+        ..options.clone()
+    };
+    let next = AtomicUsize::new(0);
+    let failed = AtomicBool::new(false);
+    let go = || go() && !failed.load(Ordering::Relaxed);
+    thread::scope(|scope| {
+        let (send, receive) = mpsc::channel();
+        for _ in 0..workers.clamp(1, cases.len().max(1)) {
+            let send = send.clone();
+            let (next, go, options) = (&next, &go, &options);
+            scope.spawn(move || {
+                loop {
+                    let k = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(&case) = cases.get(k).filter(|_| go()) else {
+                        break;
+                    };
+                    // Nobody listens any more once `each` has failed.
+                    if send
+                        .send((k, run_while(case, size, options, 1, go)))
+                        .is_err()
+                    {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(send);
+        let mut waiting: BTreeMap<usize, Ran> = BTreeMap::new();
+        let mut due = 0;
+        for (k, ran) in receive {
+            waiting.insert(k, ran);
+            while let Some(ran) = waiting.remove(&due) {
+                due += 1;
+                each(ran).inspect_err(|_| failed.store(true, Ordering::Relaxed))?;
+            }
+        }
+        Ok(())
+    })
 }
 
-/// Runs a case as long as `go` says so before each run; the verdict is about those that were made.
+/// Runs a case as long as `go` says so before each run; the verdict is about those that were made. A run that fails does
+/// not end it.
+///
+/// What takes less than a second is run `repetitions` times, for its time: the answers are the same.
 pub fn run_while(
     case: &'static dyn Case,
     size: Size,
     options: &Options,
+    repetitions: usize,
     go: &dyn Fn() -> bool,
 ) -> Ran {
     let rungs: Vec<RanRung> = case
@@ -51,13 +124,26 @@ pub fn run_while(
         .take_while(|_| go())
         .map(|rung| {
             let mut progress = Progress::new(&format!("{} {}", case.name(), rung.label));
-            let mut stopwatch = Stopwatch::default();
-            let solved =
-                stopwatch.time(|| case.solve(&rung, options, &mut |share| progress.at(share)));
+            let mut solve = || {
+                let mut stopwatch = Stopwatch::default();
+                let work = || case.solve(&rung, options, &mut |share| progress.at(share));
+                // With one thread a simulation stays in that of its caller.
+                let solved = if options.threads == Some(1) {
+                    stopwatch.time_thread(work)
+                } else {
+                    stopwatch.time(work)
+                };
+                (solved, stopwatch.spent)
+            };
+            let (solved, first) = solve();
+            let mut samples = vec![first];
+            while samples.len() < repetitions && first.wall < LONG && solved.is_ok() && go() {
+                samples.push(solve().1);
+            }
             RanRung {
                 rung,
                 solved,
-                spent: stopwatch.spent,
+                samples,
             }
         })
         .collect();

@@ -1,26 +1,35 @@
 //! Rows of verification cases.
 
 use super::{LADDER, Record, Row, key};
+use crate::measure::Spent;
 use crate::suite::{Ran, RanRung};
 
 impl Record {
-    /// Adds a row per run of a case, and one for its verdict where anything was run.
+    /// Adds a row per run of a case and repetition, and one for its verdict where anything was run.
     pub fn push_case(&mut self, ran: &Ran, threads: usize) {
         if ran.rungs.is_empty() {
             return;
         }
         for rung in &ran.rungs {
-            self.push(run_row(ran.case.name(), rung, threads));
+            for (repetition, spent) in rung.samples.iter().enumerate() {
+                self.push(run_row(
+                    ran.case.name(),
+                    rung,
+                    repetition as u64,
+                    *spent,
+                    threads,
+                ));
+            }
         }
         self.push(verdict_row(ran, threads));
         self.details.push_case(ran);
     }
 }
 
-/// Times and counters of one run.
-fn run_row(case: &str, ran: &RanRung, threads: usize) -> Row {
+/// Time of a repetition of a run, and the counters of the run.
+fn run_row(case: &str, ran: &RanRung, repetition: u64, spent: Spent, threads: usize) -> Row {
     let name = format!("{case}/{}", ran.rung.label);
-    let mut row = Row::sample(name, 0, threads).timed(ran.spent);
+    let mut row = Row::sample(name, repetition, threads).timed(spent);
     row.count("cell_size", ran.rung.cell);
     row.label(LADDER, format!("{case}/{}", ran.rung.variant));
     match &ran.solved {
@@ -29,7 +38,7 @@ fn run_row(case: &str, ran: &RanRung, threads: usize) -> Row {
             row.count("steps", solved.steps as f64);
             row.count("time", solved.time);
             let particle_steps = solved.particles as f64 * solved.steps as f64;
-            let rate = particle_steps / ran.spent.wall.as_secs_f64();
+            let rate = particle_steps / spent.wall.as_secs_f64();
             row.count("particle_steps_per_second", rate);
             for q in &solved.quantities {
                 let key = key(q.name);

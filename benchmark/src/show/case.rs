@@ -129,8 +129,8 @@ fn table(variant: &[RanRung]) -> Table {
             line.push("failed".to_owned());
             line.extend((0..=errors.len()).map(|_| String::new()));
         }
-        line.push(seconds(ran.spent.wall.as_secs_f64()));
-        line.push(seconds(ran.spent.cpu.as_secs_f64()));
+        line.push(seconds(ran.spent().wall.as_secs_f64()));
+        line.push(seconds(ran.spent().cpu.as_secs_f64()));
         table.push(line);
     }
     table

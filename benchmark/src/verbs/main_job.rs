@@ -69,32 +69,40 @@ pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
     })
 }
 
-/// Short ladders of all cases, with the plans of their scenes.
+/// Short ladders of all cases, as many at a time as there are processors, with the plans of their scenes.
 fn verify(
     options: &Options,
     record: &mut Record,
     stop: &Interrupt,
     out: &mut dyn Write,
 ) -> Result<Vec<Ran>, Failure> {
+    let workers = processors();
+    writeln!(
+        out,
+        "Cases with exact answers: {workers} at a time, each on one thread. What comes after them runs alone.\n"
+    )?;
     let mut all: Vec<Ran> = vec![];
-    for &case in case::all() {
+    let go = || !stop.raised();
+    let mut each = |ran: Ran| -> Result<(), Failure> {
+        record.push_case(&ran, 1);
+        // Of a case that was interrupted the verdict is about a part.
         if stop.raised() {
-            break;
+            return Ok(());
         }
-        let ran = suite::run(case, Size::Quick, options);
         show::runs(&ran, out)?;
         show::gates(&ran, false, out)?;
         out.flush()?;
-        record.push_case(&ran, options.threads.unwrap_or_else(processors));
         if let Some(rung) = ran.rungs.last() {
-            let scene = case.scene(&rung.rung);
+            let scene = ran.case.scene(&rung.rung);
             let plan = Plan::new(&scene, Demands::default());
             record
                 .details
-                .push_plan(&format!("{}, {}", case.name(), rung.rung.label), &plan);
+                .push_plan(&format!("{}, {}", ran.case.name(), rung.rung.label), &plan);
         }
         all.push(ran);
-    }
+        Ok(())
+    };
+    suite::run_side_by_side(case::all(), Size::Quick, options, workers, &go, &mut each)?;
     Ok(all)
 }
 

@@ -14,8 +14,8 @@ use proctor_verification::case::{self, Size};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Repetitions of a pass, as `scripts/compare-commits` has them.
-const REPETITIONS: u64 = 3;
+/// Repetitions of short runs in a pass, as `scripts/compare-commits` has them.
+const REPETITIONS: usize = 3;
 /// The two sides that are the same program.
 const SIDES: usize = 2;
 
@@ -96,22 +96,21 @@ impl Noise {
 fn measured(options: &Options, passes: u64, interrupt: &Interrupt) -> Vec<Record> {
     let threads = options.threads.unwrap_or_else(processors);
     let mut sides = vec![Record::new(options); SIDES];
+    let go = || !interrupt.raised();
     for pass in 0..passes {
-        let mut rows: Vec<Vec<Row>> = vec![vec![]; SIDES];
-        for _ in 0..REPETITIONS {
-            for rows in &mut rows {
-                let mut one = Record::new(options);
-                for &case in case::all() {
-                    let go = || !interrupt.raised();
-                    one.push_case(&suite::run_while(case, Size::Quick, options, &go), threads);
-                }
-                if interrupt.raised() {
-                    return sides;
-                }
-                rows.extend(one.rows);
+        let mut measured = vec![];
+        for _ in &sides {
+            let mut one = Record::new(options);
+            for &case in case::all() {
+                let ran = suite::run_while(case, Size::Quick, options, REPETITIONS, &go);
+                one.push_case(&ran, threads);
             }
+            if interrupt.raised() {
+                return sides;
+            }
+            measured.push(one.rows);
         }
-        for (side, rows) in sides.iter_mut().zip(rows) {
+        for (side, rows) in sides.iter_mut().zip(measured) {
             for mut row in rows {
                 row.set_pass(pass);
                 side.push(row);

@@ -29,6 +29,9 @@ pub struct Verify {
     /// Write a record of all runs (Google Benchmark JSON); Ctrl-C finishes the run and marks the record incomplete
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Take the time of runs shorter than a second N times, for `compare`
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    repetitions: u16,
     #[command(flatten)]
     settings: Settings,
 }
@@ -50,7 +53,8 @@ impl Verify {
         }
         let mut all: Vec<Ran> = vec![];
         for case in cases {
-            let ran = suite::run_while(case, size, &options, &|| !interrupt.raised());
+            let go = || !interrupt.raised();
+            let ran = suite::run_while(case, size, &options, self.repetitions.into(), &go);
             record.push_case(&ran, threads);
             if interrupt.raised() {
                 return self.interrupted(&record);

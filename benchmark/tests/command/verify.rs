@@ -57,3 +57,24 @@ fn a_quick_ladder_passes_and_leaves_a_record() {
             .is_some_and(|row| row.keys().any(|k| k.starts_with("error_")))
     );
 }
+
+#[test]
+fn short_runs_are_timed_as_often_as_asked() {
+    let desk = Desk::new();
+    let record = desk.name("record.json");
+    let options = ["--quick", "--repetitions", "3", "--json", &record];
+    let output = proctor(&[&["verify", "rotation"], &options[..]].concat());
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    let text = std::fs::read_to_string(record).expect("a record");
+    let record: Value = serde_json::from_str(&text).expect("JSON");
+    let rows = record["benchmarks"].as_array().expect("rows");
+    let first: Vec<_> = rows
+        .iter()
+        .filter(|row| row["name"] == rows[0]["name"])
+        .collect();
+    assert_eq!(first.len(), 3);
+    for (repetition, row) in first.iter().enumerate() {
+        assert_eq!(row["repetition_index"], repetition);
+        assert_eq!(row["steps"], first[0]["steps"]);
+    }
+}
