@@ -1,9 +1,11 @@
 //! Mortar contact in a scene file: its keys, and bad input by name.
 
+use proctor_kernel::mortar::boundary::Side;
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::plan::{Demands, Plan};
 use proctor_kernel::scene::{Enforcement, Scene, SceneError, Vertices, from_json, read};
+use proctor_kernel::simulation::{Options, Simulation};
 use std::path::Path;
 
 const FILE: &str = "../fixtures/scenes/rolling_disc_2d.json";
@@ -42,6 +44,19 @@ fn every_key_is_understood() {
     assert_eq!(contact.critical_gap, 0.04);
     assert_eq!(scene.mortar.lines[0].chains[0].points.len(), 5);
     assert!(scene.contacts.is_empty());
+}
+
+#[test]
+fn a_boundary_may_be_open() {
+    let open = r#""boundary_closed": false, "boundary": [[-0.5, 0.5], [0, 0.01], [0.5, 0.5]]"#;
+    let scene = changed(r#""boundary_segment": 0.05"#, open).unwrap_or_else(|e| panic!("{e}"));
+    let Vertices::Given(chains) = &scene.mortar.boundaries[0].vertices else {
+        panic!("{:?}", scene.mortar.boundaries);
+    };
+    assert_eq!(chains[0].side, Side::Open);
+    // It runs: what has no vertices touches nothing.
+    let mut simulation = Simulation::new(&scene, &Options::default()).expect("sound");
+    simulation.step(1.0).expect("runs");
 }
 
 #[test]
@@ -89,6 +104,11 @@ fn bad_input_is_named() {
             r#""boundary_segment": 0.05"#,
             r#""boundary_segment": 0"#,
             "boundary_segment",
+        ),
+        (
+            r#""boundary_segment": 0.05"#,
+            r#""boundary_segment": 0.05, "boundary_closed": false"#,
+            "boundary_closed: found whether a list of vertices is closed, without one",
         ),
         (
             r#""boundary_segment": 0.05"#,

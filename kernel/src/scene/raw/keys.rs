@@ -249,8 +249,11 @@ pub(super) struct RawBody {
     /// Longest segment of the boundary made from the shape, for mortar contact; in three dimensions of the edges of its
     /// triangles, but for diagonals [m].
     pub boundary_segment: Option<f64>,
-    /// Vertices of the boundary, closed and counter-clockwise, instead of one made from the shape [m].
+    /// Vertices of the boundary, the body on their left, instead of one made from the shape [m].
     pub boundary: Option<Vec<Vec<f64>>>,
+    /// Whether the last of these vertices is joined to the first; one that is open covers a part of the body alone.
+    /// Default: true.
+    pub boundary_closed: Option<bool>,
     /// STL file with the triangles of the boundary, closed and with its normals out of the body, instead of one made from
     /// the shape (3D) [m].
     pub boundary_stl_mesh: Option<String>,

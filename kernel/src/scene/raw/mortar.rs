@@ -103,11 +103,23 @@ impl Build<'_> {
             );
             return None;
         }
+        if raw.boundary_closed.is_some() && raw.boundary.is_none() {
+            self.add(
+                join(path, "boundary_closed"),
+                "whether a list of vertices is closed, without one",
+                "`boundary` beside it",
+            );
+        }
         let vertices = match (raw.boundary_segment, &raw.boundary, &raw.boundary_stl_mesh) {
             (Some(length), ..) => Vertices::Spacing(length),
             (_, Some(points), _) => {
                 let path = join(path, "boundary");
-                Vertices::Given(vec![self.chain(&path, points, Side::Outer)?])
+                let side = if raw.boundary_closed == Some(false) {
+                    Side::Open
+                } else {
+                    Side::Outer
+                };
+                Vertices::Given(vec![self.chain(&path, points, side)?])
             }
             (_, _, Some(file)) => {
                 Vertices::Surface(self.triangles(join(path, "boundary_stl_mesh"), file)?)
