@@ -5,7 +5,7 @@ use proctor_benchmark::show::chart::{
     Axis, Chart, Colour, Entry, Format, Mark, Point, Scale, Series, Strength, Stroke,
 };
 use proctor_benchmark::show::figures;
-use proctor_verification::case::{Curve, CurvePoint};
+use proctor_verification::case::{Curve, CurvePoint, Drawing};
 use proctor_verification::convergence::{ConvergenceTable, Row};
 use quick_xml::Reader;
 use quick_xml::events::Event;
@@ -146,6 +146,7 @@ fn logarithmic(series: Vec<Series>) -> Chart {
         format,
     };
     Chart {
+        equal: false,
         title: "errors < 1 & more of a title that is too long for one line of the chart".to_owned(),
         description: "what can be seen".to_owned(),
         x: axis(Format::Seconds),
@@ -336,6 +337,37 @@ fn a_curve_without_anything_exact_is_a_line_alone() {
     let all = sound("curve alone", &figures::curve(&curve));
     assert!(!texts(&all).contains(&"exact"));
     assert!(texts(&all).contains(&"computed"));
+}
+
+#[test]
+fn a_drawing_keeps_the_shape_of_bodies() {
+    for [width, height] in [[10.0, 13.0], [40.0, 3.0]] {
+        let square = vec![[1.0, 1.0], [2.5, 1.0], [2.5, 2.5], [1.0, 2.5]];
+        let drawing = Drawing {
+            title: "a block on the floor".to_owned(),
+            bodies: vec![square],
+            lines: vec![
+                vec![[width, 0.0], [0.0, 0.0]],
+                vec![[0.0, 0.0], [0.0, height]],
+            ],
+        };
+        let all = sound("drawing", &figures::drawing(&drawing));
+        let lines = all.iter().filter(|e| e.name == "path");
+        let mut lines = lines.filter(|e| e.attributes["class"].ends_with(" line"));
+        let outline = &lines.next().expect("the block").attributes["d"];
+        let numbers: Vec<f64> = outline
+            .split(['M', 'L', ' '])
+            .filter_map(|n| n.parse().ok())
+            .collect();
+        let range = |from: usize| {
+            let along = || numbers.iter().skip(from).step_by(2);
+            along().fold(f64::MIN, |m, x| m.max(*x)) - along().fold(f64::MAX, |m, x| m.min(*x))
+        };
+        assert_eq!(numbers.len(), 10, "closed");
+        assert!((range(0) - range(1)).abs() < 0.25, "{outline}");
+        let rigid = lines.filter(|e| e.attributes["d"].contains('L'));
+        assert_eq!(rigid.count(), 2, "those of the legend have no corner");
+    }
 }
 
 #[test]

@@ -103,6 +103,17 @@ impl CurvePoint {
     }
 }
 
+/// Where bodies are at one time of a run in the plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// What is shown, and when.
+    pub title: String,
+    /// Outlines of the bodies, closed \[m\].
+    pub bodies: Vec<Vec<[f64; 2]>>,
+    /// Rigid lines, open \[m\].
+    pub lines: Vec<Vec<[f64; 2]>>,
+}
+
 /// What a run of one rung gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
@@ -114,6 +125,8 @@ pub struct Solved {
     pub time: f64,
     /// Numbers, each named once.
     pub quantities: Vec<Quantity>,
+    /// Pictures of the bodies, where the case has them.
+    pub drawings: Vec<Drawing>,
     /// Picture, where the case has one.
     pub curve: Option<Curve>,
 }

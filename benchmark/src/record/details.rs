@@ -107,6 +107,7 @@ impl Details {
     /// Adds a case that was run. Of each variant the curve of the finest run is kept.
     pub fn push_case(&mut self, ran: &Ran) {
         let mut curves: Vec<Figure> = vec![];
+        let mut drawings: Vec<Figure> = vec![];
         let mut variant = None;
         let mut quantities: Vec<[String; 2]> = vec![];
         for run in &ran.rungs {
@@ -117,6 +118,10 @@ impl Details {
                     quantities.push(entry);
                 }
             }
+            drawings.extend(solved.drawings.iter().map(|drawing| Figure {
+                caption: format!("{}.", drawing.title),
+                chart: figures::drawing(drawing),
+            }));
             let Some(curve) = &solved.curve else { continue };
             if variant == Some(run.rung.variant) {
                 curves.pop();
@@ -153,7 +158,11 @@ impl Details {
             question: ran.case.question().to_owned(),
             quantities,
             gates: ran.verdict.gates.iter().map(gate).collect(),
-            figures: curves.into_iter().chain(convergence).collect(),
+            figures: curves
+                .into_iter()
+                .chain(drawings)
+                .chain(convergence)
+                .collect(),
             for_the_record: ran.verdict.for_the_record.clone(),
         });
     }

@@ -361,6 +361,7 @@ impl Study for AxisAligned {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve: None,
         };
         Ok(Studied::new(solved, &simulation))

@@ -253,6 +253,7 @@ impl Study for Bar {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve,
         };
         Ok(Studied::new(solved, &simulation))

@@ -261,6 +261,7 @@ impl Study for BaseAcceleration {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve,
         };
         Ok(Studied::new(solved, &simulation))

@@ -284,6 +284,7 @@ impl Case for BlockOnTwoBlocks {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: self.quantities(&simulation, &window, before),
+            drawings: vec![],
             curve: None,
         })
     }

@@ -256,6 +256,7 @@ impl Study for Boussinesq {
                     unit: "1",
                 },
             ],
+            drawings: vec![],
             curve: Some(comparison.curve(format!("settlement on the axis, {}", rung.label))),
         };
         Ok(Studied::new(solved, &simulation))

@@ -257,6 +257,7 @@ impl Cantilever {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve,
         };
         Ok(Studied::new(solved, &simulation))

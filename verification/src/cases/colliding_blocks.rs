@@ -204,6 +204,7 @@ impl Case for CollidingBlocks {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: self.quantities(&Self::variant(rung), &simulation, &seen),
+            drawings: vec![],
             curve: None,
         })
     }

@@ -130,6 +130,7 @@ impl Hertz {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve: Some(Curve {
                 title: format!("{}: contact pressure", rung.label),
                 abscissa: "x in m",

@@ -355,6 +355,7 @@ impl Case for HertzSphere {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve: Some(Curve {
                 title: format!("{}: contact pressure", rung.label),
                 abscissa: "r in m",

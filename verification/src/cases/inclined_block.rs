@@ -455,6 +455,7 @@ impl Study for InclinedBlock {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: Self::quantities(&tracks[0], moved, &problem, incline.height),
+            drawings: vec![],
             curve: Some(sliding_curve(
                 &tracks[0],
                 &Self::exact(&problem),

@@ -239,6 +239,7 @@ impl Case for InclinedTwoBlocks {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: Self::quantities(&tracks, Self::variant(rung).2),
+            drawings: vec![],
             curve: None,
         })
     }

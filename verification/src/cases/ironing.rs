@@ -327,6 +327,7 @@ impl Case for Ironing {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: quantities(&forces, expected),
+            drawings: vec![],
             curve: Some(Curve {
                 title: format!("{}: vertical and horizontal (lower) force", rung.label),
                 abscissa: "t in s",

@@ -458,6 +458,7 @@ impl Study for Rings {
                 steps: simulation.steps(),
                 time: simulation.time(),
                 quantities,
+                drawings: vec![],
                 curve: Some(history.curve(&rung.label, reference)),
             };
             Ok(Studied::new(solved, &simulation))

@@ -154,6 +154,7 @@ impl RollingDisk {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve: Some(Curve {
                 title: format!("{}: way along the plane", rung.label),
                 abscissa: "t in s",

@@ -244,6 +244,7 @@ impl Study for Rotation {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve: None,
         };
         Ok(Studied::new(solved, &simulation))

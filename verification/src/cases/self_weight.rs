@@ -242,6 +242,7 @@ impl Study for SelfWeight {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities,
+            drawings: vec![],
             curve,
         };
         Ok(Studied::new(solved, &simulation))

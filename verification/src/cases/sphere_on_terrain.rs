@@ -368,6 +368,7 @@ impl Case for SphereOnTerrain {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: Self::quantities(&simulation, &seen, &start, touch),
+            drawings: vec![],
             curve: None,
         })
     }

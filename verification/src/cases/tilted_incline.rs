@@ -505,6 +505,7 @@ impl Study for TiltedIncline {
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: Self::quantities(&tracks[0], deepest, &problem),
+            drawings: vec![],
             curve: Some(sliding_curve(&tracks[0], &exact, &rung.label)),
         };
         Ok(Studied::new(solved, &simulation))

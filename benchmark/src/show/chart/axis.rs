@@ -241,6 +241,11 @@ impl Ranged {
         share.is_finite().then_some(share)
     }
 
+    /// Length of the range, in values of a linear axis.
+    pub fn span(&self) -> f64 {
+        self.high - self.low
+    }
+
     /// Whether the axis carries names.
     pub fn is_named(&self) -> bool {
         matches!(self.scale, Scale::Names(_))

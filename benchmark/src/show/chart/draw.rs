@@ -11,6 +11,8 @@ use std::fmt::Write;
 const WIDTH: f64 = 560.0;
 /// Height of the plot; bars take what their number needs.
 const PLOT: f64 = 330.0;
+/// Largest height of the plot of a drawing, in which both axes have the same scale.
+const DRAWING: f64 = 460.0;
 /// Height of a bar with its gap.
 const BAR: f64 = 34.0;
 /// Length of the horizontal axis over the longest bar.
@@ -79,14 +81,20 @@ pub fn svg(chart: &Chart) -> String {
     let y_label = if y.label.is_empty() { 0.0 } else { 1.4 * TEXT };
     let head = EDGE + 1.3 * TITLE * title.len() as f64 + y_label + GAP;
     let top = head + if strip { STRIP + 4.0 } else { 0.0 };
+    let mut right = WIDTH - EDGE - last_tick.max(6.0);
     let plot = if named {
         BAR * y.ticks.len() as f64 + 10.0
+    } else if chart.equal {
+        let tall = (right - left) * y.span() / x.span();
+        let plot = tall.min(DRAWING);
+        right = left + (right - left) * plot / tall;
+        plot
     } else {
         PLOT
     };
     let layout = Layout {
         left,
-        right: WIDTH - EDGE - last_tick.max(6.0),
+        right,
         top,
         bottom: top + plot,
         strip: strip.then_some(head + 0.5 * STRIP),

@@ -32,6 +32,14 @@ pub struct Chart {
     pub guides: Vec<Guide>,
     /// What the colours, marks and strokes mean.
     pub legend: Vec<Entry>,
+    /// Whether a length is the same along both axes, as in a drawing of bodies.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub equal: bool,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)] // The form that serde asks for.
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// Points with one look.

@@ -10,7 +10,7 @@ use super::chart::{
 };
 use super::number;
 use crate::precision::findings::LineFindings;
-use proctor_verification::case::{Curve, CurvePoint};
+use proctor_verification::case::{Curve, CurvePoint, Drawing};
 use proctor_verification::convergence::ConvergenceTable;
 use slopes::slopes;
 
@@ -80,6 +80,7 @@ fn convergence_of(title: &str, lines: &[(String, &ConvergenceTable, usize)]) -> 
         });
     }
     Chart {
+        equal: false,
         title: title.to_owned(),
         description: format!("Relative errors over cell size, both logarithmic. {}", {
             let orders: Vec<String> = lines
@@ -151,6 +152,7 @@ pub fn curve(curve: &Curve) -> Chart {
         .map(|p| (p.computed - p.exact).abs())
         .fold(0.0, f64::max);
     Chart {
+        equal: false,
         title: curve.title.clone(),
         description: if curve.has_exact() {
             format!(
@@ -197,6 +199,86 @@ pub fn curve(curve: &Curve) -> Chart {
     }
 }
 
+/// Bodies and rigid lines in the plane.
+#[must_use]
+pub fn drawing(drawing: &Drawing) -> Chart {
+    let axis = |label: &str| Axis {
+        label: label.to_owned(),
+        scale: Scale::Linear,
+        format: Format::Number,
+    };
+    let series = |line: &Vec<[f64; 2]>, close: bool, colour| Series {
+        colour,
+        mark: Mark::None,
+        stroke: Stroke::Solid,
+        strength: Strength::Plain,
+        points: line
+            .iter()
+            .chain(line.first().filter(|_| close))
+            .map(|&[x, y]| Point {
+                x,
+                y: Some(y),
+                title: String::new(),
+            })
+            .collect(),
+    };
+    let looks = [("bodies", Colour::Hue(1)), ("rigid", Colour::Ink)];
+    let bodies = drawing.bodies.iter();
+    let lines = drawing.lines.iter();
+    // What can be pointed at: one point per body.
+    let middles = drawing.bodies.iter().enumerate().map(|(i, outline)| {
+        let mean = |axis: usize| {
+            outline.iter().map(|x| x[axis]).sum::<f64>() / outline.len().max(1) as f64
+        };
+        let [x, y] = [mean(0), mean(1)];
+        Point {
+            x,
+            y: Some(y),
+            title: format!(
+                "body {}: middle of its outline at {}, {}",
+                i + 1,
+                number(x),
+                number(y)
+            ),
+        }
+    });
+    let middles = Series {
+        colour: looks[0].1,
+        mark: Mark::Dot,
+        stroke: Stroke::None,
+        strength: Strength::Plain,
+        points: middles.collect(),
+    };
+    Chart {
+        equal: true,
+        title: drawing.title.clone(),
+        description: format!(
+            "Outlines of {} bodies and {} rigid lines.",
+            drawing.bodies.len(),
+            drawing.lines.len()
+        ),
+        x: axis("x in m"),
+        y: axis("y in m"),
+        series: bodies
+            .map(|outline| series(outline, true, looks[0].1))
+            .chain(lines.map(|line| series(line, false, looks[1].1)))
+            .chain([middles])
+            .collect(),
+        guides: vec![],
+        legend: looks
+            .iter()
+            .map(|&(label, colour)| Entry {
+                label: label.to_owned(),
+                colour,
+                mark: Mark::None,
+                stroke: Stroke::Solid,
+                strength: Strength::Plain,
+                open: false,
+            })
+            .collect(),
+    }
+}
+
 /// Bars of one value per name, such as the speed of each number of threads.
 #[must_use]
 pub fn bars(title: &str, quantity: &str, values: &[(String, f64)]) -> Chart {
@@ -206,6 +288,7 @@ pub fn bars(title: &str, quantity: &str, values: &[(String, f64)]) -> Chart {
         title: format!("{name}: {}", number(*value)),
     });
     Chart {
+        equal: false,
         title: title.to_owned(),
         description: values
             .iter()

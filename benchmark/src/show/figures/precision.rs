@@ -65,6 +65,7 @@ pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
     }
     series.retain(|series| !series.points.is_empty());
     Chart {
+        equal: false,
         title: format!(
             "{}: error of the {word} against run time",
             studied.study.name()
