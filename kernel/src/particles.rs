@@ -232,23 +232,12 @@ impl ParticleSet {
 
     /// Base cell of each particle as one number, slow axis first.
     fn base_keys(&self, shape: &GridShape, stencil: usize) -> Vec<u32> {
+        let numbering = Numbering::new(shape, stencil);
         (0..self.len())
             .into_par_iter()
             .with_min_len(1 << 14)
-            .map(|p| self.base_key(p, shape, stencil))
+            .map(|p| numbering.key(self, p))
             .collect()
-    }
-
-    #[inline]
-    fn base_key(&self, p: usize, shape: &GridShape, stencil: usize) -> u32 {
-        let bases = shape.bases();
-        let offset = base_offset(stencil);
-        let mut at = [0; 3];
-        for axis in 0..self.layout.axes {
-            let xi = self.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
-            at[shape.direction(axis)] = ((xi - offset).floor() + 1.0) as usize;
-        }
-        ((at[0] * bases[1] + at[1]) * bases[2] + at[2]) as u32
     }
 
     /// Reorders all columns: particle `order[i]` becomes particle `i`.
@@ -290,6 +279,38 @@ impl ParticleSet {
             }
         }
         parts
+    }
+}
+
+/// How base cells are numbered: what is the same for all particles.
+struct Numbering {
+    /// Cells per metre along each axis.
+    per_metre: [f64; 3],
+    /// What one cell along each axis adds to the number.
+    strides: [usize; 3],
+    offset: f64,
+}
+
+impl Numbering {
+    fn new(shape: &GridShape, stencil: usize) -> Self {
+        let bases = shape.bases();
+        let of_direction = [bases[1] * bases[2], bases[2], 1];
+        Self {
+            per_metre: std::array::from_fn(|axis| 1.0 / shape.cell[axis]),
+            strides: std::array::from_fn(|axis| of_direction[shape.direction(axis)]),
+            offset: base_offset(stencil),
+        }
+    }
+
+    /// Base cell of a particle as one number, slow axis first.
+    #[inline]
+    fn key(&self, set: &ParticleSet, p: usize) -> u32 {
+        let mut key = 0;
+        for axis in 0..set.layout.axes {
+            let xi = set.columns[Layout::POSITION + axis][p] * self.per_metre[axis];
+            key += ((xi - self.offset).floor() + 1.0) as usize * self.strides[axis];
+        }
+        key as u32
     }
 }
 
@@ -362,7 +383,8 @@ pub fn rows_of_some(
 ) -> ActiveRows {
     let bases = shape.bases();
     let mut occupied = vec![None; bases[0] * bases[1]];
-    let keys: Vec<u32> = particles.map(|p| set.base_key(p, shape, stencil)).collect();
+    let numbering = Numbering::new(shape, stencil);
+    let keys: Vec<u32> = particles.map(|p| numbering.key(set, p)).collect();
     occupy(&keys, bases[2], &mut occupied);
     ActiveRows::new(shape, &occupied, stencil)
 }

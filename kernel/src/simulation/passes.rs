@@ -131,10 +131,7 @@ impl Simulation {
         self.field.visit(self.pool.as_ref(), |mut planes| {
             planes.clear_upper();
             mapping.run(&mut planes);
-            planes.fold_remapped(&still);
-            planes.remapped_velocities();
-            planes.drive_remapped(&acting.driven);
-            planes.constrain_remapped(&still);
+            settle_remapped(&mut planes, &still, &acting.driven);
         });
     }
 
@@ -269,6 +266,14 @@ pub(super) fn equation_of_motion(
         planes.add_sums(forces, measure, &mut sums);
     }
     Ok(sums)
+}
+
+/// From sums mapped a second time to velocities that keep to driven bodies and to the walls.
+pub(super) fn settle_remapped(planes: &mut Planes<'_>, still: &[Wall], driven: &[DrivenNode]) {
+    planes.fold_remapped(still);
+    planes.remapped_velocities();
+    planes.drive_remapped(driven);
+    planes.constrain_remapped(still);
 }
 
 /// Walls for a mapping of the velocities after the kick: both half-steps are the later one.

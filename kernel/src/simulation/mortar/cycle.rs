@@ -7,7 +7,9 @@ use crate::simulation::Simulation;
 use crate::simulation::acting::Acting;
 use crate::simulation::contact::{all, number_of, shared_loads};
 use crate::simulation::error::StepError;
-use crate::simulation::passes::{Sums, at_half_step_after, bodies_onto, total, trial};
+use crate::simulation::passes::{
+    Sums, at_half_step_after, bodies_onto, settle_remapped, total, trial,
+};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, Forces, PlaneSums};
 
@@ -169,16 +171,9 @@ impl Simulation {
                 for layer in &mut fields.layers {
                     mapping.map(layer.body, &mut layer.planes);
                 }
-                for planes in all(&mut fields) {
-                    planes.fold_remapped(&still);
-                    planes.remapped_velocities();
-                }
-                fields.common.drive_remapped(&acting.driven);
+                settle_remapped(&mut fields.common, &still, &acting.driven);
                 for layer in &mut fields.layers {
-                    layer.planes.drive_remapped(&acting.held);
-                }
-                for planes in all(&mut fields) {
-                    planes.constrain_remapped(&still);
+                    settle_remapped(&mut layer.planes, &still, &acting.held);
                 }
             });
     }
