@@ -12,6 +12,9 @@ use std::time::Duration;
 
 /// A run that takes longer by the clock is steady enough to be timed once.
 const LONG: Duration = Duration::from_secs(1);
+/// What is measured of runs that are measured again, of [`MOST`] runs at most.
+const ENOUGH: Duration = Duration::from_millis(500);
+const MOST: usize = 30;
 
 /// A case that was run.
 pub struct Ran {
@@ -110,7 +113,9 @@ pub fn run_side_by_side<E>(
 /// Runs a case as long as `go` says so before each run; the verdict is about those that were made. A run that fails does
 /// not end it.
 ///
-/// What takes less than a second is run `repetitions` times, for its time: the answers are the same.
+/// What takes less than a second is run `repetitions` times, for its time: the answers are the same. If that is more than
+/// once, what is very short is run until half a second is measured, because a busy machine is slow for tenths of a second
+/// at a time.
 pub fn run_while(
     case: &'static dyn Case,
     size: Size,
@@ -118,6 +123,10 @@ pub fn run_while(
     repetitions: usize,
     go: &dyn Fn() -> bool,
 ) -> Ran {
+    // Whether a run is measured once more.
+    let wanted = |samples: usize, measured: Duration, repetitions: usize| {
+        samples < repetitions || (1 < repetitions && samples < MOST && measured < ENOUGH)
+    };
     let rungs: Vec<RanRung> = case
         .rungs(size)
         .into_iter()
@@ -137,8 +146,15 @@ pub fn run_while(
             };
             let (solved, first) = solve();
             let mut samples = vec![first];
-            while samples.len() < repetitions && first.wall < LONG && solved.is_ok() && go() {
-                samples.push(solve().1);
+            let mut measured = first.wall;
+            while wanted(samples.len(), measured, repetitions)
+                && first.wall < LONG
+                && solved.is_ok()
+                && go()
+            {
+                let again = solve().1;
+                measured += again.wall;
+                samples.push(again);
             }
             RanRung {
                 rung,

@@ -29,7 +29,7 @@ pub struct Verify {
     /// Write a record of all runs (Google Benchmark JSON); Ctrl-C finishes the run and marks the record incomplete
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Take the time of runs shorter than a second N times, for `compare`
+    /// Take the time of runs shorter than a second N times, of very short ones for half a second, for `compare`
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
     #[command(flatten)]
