@@ -24,6 +24,8 @@ mod hertz;
 mod hertz_layer;
 #[path = "exact/hertz_sphere.rs"]
 mod hertz_sphere;
+#[path = "exact/indented_block.rs"]
+mod indented_block;
 #[path = "exact/ring_impact.rs"]
 mod ring_impact;
 #[path = "exact/rolling_disk.rs"]

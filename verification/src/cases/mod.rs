@@ -96,6 +96,7 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &RollingDisk::GIVEN,
     &Cantilever::GIVEN,
     &Rings::GIVEN,
+    &Ironing::GIVEN,
 ];
 
 /// The error of the stress, where a case has one.

@@ -14,6 +14,7 @@ pub mod fe;
 pub mod hertz;
 pub mod hertz_layer;
 pub mod hertz_sphere;
+pub mod indented_block;
 pub mod ring_impact;
 pub mod rolling_disk;
 pub mod rotation;

@@ -2,17 +2,19 @@
 //!
 //! Four-node quadrilaterals with 2 x 2 Gauss points, total Lagrangian, so that nothing is carried along with the mesh
 //! and nothing can drift: forces follow from the stored energy of the present positions alone. Lumped mass, central
-//! differences. It is as small as the cantilever and the ring need, and shares nothing with the kernel.
+//! differences. It is as small as the cantilever, the ring and the indenter need, and shares nothing with the kernel.
 //!
-//! What it leaves out: damping, contact other than with a mirror plane, locking (bending and nearly incompressible
+//! What it leaves out: contact other than with a mirror plane or a circle, locking (bending and nearly incompressible
 //! materials need fine meshes, or extrapolation over two).
 
 mod barrier;
+mod indenter;
 mod material;
 mod mesh;
 mod model;
 
 pub use barrier::Barrier;
+pub use indenter::Indenter;
 pub use material::NeoHookean;
 pub use mesh::Mesh;
 pub use model::{Failure, Model};

@@ -1,6 +1,7 @@
 //! A body of finite elements in motion.
 
 use super::barrier::Barrier;
+use super::indenter::Indenter;
 use super::material::NeoHookean;
 use super::mesh::Mesh;
 use std::fmt;
@@ -9,7 +10,7 @@ use std::fmt;
 /// when it is chosen; the rest is for what they may shrink before it is chosen again.
 const SAFETY: f64 = 0.6;
 /// Abscissa of the Gauss points on (-1, 1), 1/sqrt 3.
-const GAUSS: f64 = 0.577_350_269_189_625_8;
+pub(super) const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// Gradients of the shape functions at a Gauss point in the initial configuration, and its initial volume per thickness.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +40,8 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// A body, of 1 m thickness, with the loads of the two problems that it serves: gravity, and a barrier against its own
-/// mirror image behind the plane x = 0.
+/// A body, of 1 m thickness, with the loads of the problems that it serves: gravity, viscous damping, and a barrier against
+/// its own mirror image behind the plane x = 0 or against an indenter.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// The mesh as it was.
@@ -58,6 +59,10 @@ pub struct Model {
     /// Barrier against the mirror image, which lies at positive x, from the outer edges; the gap is twice the distance
     /// from the plane.
     pub mirror: Option<Barrier>,
+    /// What presses on the outer edges.
+    pub indenter: Option<Indenter>,
+    /// Rate of viscous damping, a force of -rate m v \[1/s\].
+    pub damping: f64,
     material: NeoHookean,
     points: Vec<[GaussPoint; 4]>,
     forces: Vec<[f64; 2]>,
@@ -67,6 +72,7 @@ pub struct Model {
     strain_energy: f64,
     barrier_energy: f64,
     barrier_force: f64,
+    indenter_force: [f64; 2],
 }
 
 impl Model {
@@ -95,6 +101,8 @@ impl Model {
             held: vec![[false; 2]; count],
             gravity: [0.0; 2],
             mirror: None,
+            indenter: None,
+            damping: 0.0,
             material,
             points,
             forces: vec![[0.0; 2]; count],
@@ -103,6 +111,7 @@ impl Model {
             strain_energy: 0.0,
             barrier_energy: 0.0,
             barrier_force: 0.0,
+            indenter_force: [0.0; 2],
             mesh,
         };
         model.compute_forces()?;
@@ -133,13 +142,19 @@ impl Model {
         self.barrier_force
     }
 
-    /// Forces on the nodes from stress, gravity and barrier at the present positions \[N\].
+    /// Force of the body on the indenter \[N\].
+    #[must_use]
+    pub fn indenter_force(&self) -> [f64; 2] {
+        self.indenter_force
+    }
+
+    /// Forces on the nodes from stress, gravity and contact at the present positions \[N\].
     #[must_use]
     pub fn forces(&self) -> &[[f64; 2]] {
         &self.forces
     }
 
-    /// Kinetic energy at the time of the positions \[J\].
+    /// Kinetic energy at the time of the positions \[J\], of a body without damping.
     #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
         let half = 0.5 * self.before;
@@ -183,11 +198,15 @@ impl Model {
         let dt = left / steps;
         for _ in 0..steps as u64 {
             let kick = 0.5 * (self.before + dt);
+            // The velocity that damping acts on is the mean of those half a step before and after.
+            let lost = 0.5 * kick * self.damping;
             for n in 0..self.masses.len() {
                 let inverse = kick / self.masses[n];
                 for axis in 0..2 {
                     if !self.held[n][axis] {
-                        self.velocities[n][axis] += inverse * self.forces[n][axis];
+                        let pushed = inverse * self.forces[n][axis];
+                        let velocity = &mut self.velocities[n][axis];
+                        *velocity = (*velocity * (1.0 - lost) + pushed) / (1.0 + lost);
                         self.positions[n][axis] += dt * self.velocities[n][axis];
                     }
                 }
@@ -217,9 +236,11 @@ impl Model {
         }
         // A square element with lumped mass has omega = 2 sqrt(2) c/h at most.
         let mut dt = std::f64::consts::FRAC_1_SQRT_2 * smallest / self.material.wave_speed();
-        if let Some(barrier) = &self.mirror {
-            // The floor bounds the slope; the gap closes twice as fast as the body moves.
-            let slope = 2.0 * barrier.at(0.0).2;
+        // The floor bounds the slope; the gap to the mirror image closes twice as fast as the body moves.
+        let mirror = self.mirror.map_or(0.0, |barrier| 2.0 * barrier.at(0.0).2);
+        let indenter = self.indenter.map_or(0.0, |i| i.barrier.at(0.0).2);
+        let slope = mirror.max(indenter);
+        if slope > 0.0 {
             for [a, b] in &self.mesh.outer {
                 let (p, q) = (at(*a), at(*b));
                 let length = (q[0] - p[0]).hypot(q[1] - p[1]);
@@ -268,7 +289,24 @@ impl Model {
             }
         }
         self.push_from_mirror();
+        self.push_from_indenter();
         Ok(())
+    }
+
+    fn push_from_indenter(&mut self) {
+        self.indenter_force = [0.0; 2];
+        let Some(indenter) = self.indenter else {
+            return;
+        };
+        for &ends in &self.mesh.outer {
+            let forces = indenter.push(self.time, ends.map(|n| self.positions[n]));
+            for (n, force) in ends.iter().zip(forces) {
+                for axis in 0..2 {
+                    self.forces[*n][axis] += force[axis];
+                    self.indenter_force[axis] -= force[axis];
+                }
+            }
+        }
     }
 
     /// Adds the barrier: its energy is half the integral of B(-2 x) dy over the outer edges, the other half being the
