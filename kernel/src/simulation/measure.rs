@@ -14,10 +14,11 @@ pub struct Energy {
     pub kinetic: f64,
     /// Strain energy.
     pub strain: f64,
-    /// Work of gravity, loads and moving planes since the start.
+    /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
     pub external_work: f64,
-    /// What is missing: initial energy plus external work less the present energy. Damping, the dissipation of
-    /// the scheme, and what removed particles took with them.
+    /// What is missing: initial energy plus external work less the present energy, in which that of the normal laws of
+    /// mortar contact is counted ([`Simulation::mortar_energy`]). Damping, friction, the dissipation of the scheme, and
+    /// what removed particles took with them.
     pub dissipated: f64,
 }
 
@@ -26,11 +27,11 @@ pub struct Energy {
 pub struct Ledger {
     /// Sums of the last step.
     pub sums: PlaneSums,
-    /// Work of nodal loads and moving planes so far \[J\].
+    /// Work of nodal loads and of what has a prescribed velocity so far \[J\].
     pub external_work: f64,
     /// Sum of force times position over particles with dead loads at the start, less those removed \[J\].
     pub dead_load_origin: f64,
-    /// Kinetic and strain energy at the start \[J\].
+    /// Kinetic and strain energy at the start, and from the first step on that of mortar contact \[J\].
     pub initial_energy: f64,
 }
 
@@ -112,7 +113,8 @@ impl Simulation {
         let (kinetic, strain) = (self.kinetic_energy(), self.strain_energy());
         let external_work =
             self.ledger.external_work + self.dead_load_potential() - self.ledger.dead_load_origin;
-        let dissipated = self.ledger.initial_energy + external_work - kinetic - strain;
+        let present = kinetic + strain + self.mortar_energy();
+        let dissipated = self.ledger.initial_energy + external_work - present;
         Energy {
             kinetic,
             strain,

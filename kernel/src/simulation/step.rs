@@ -188,6 +188,10 @@ impl Simulation {
     /// Advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to zero.
     pub(super) fn finish(&mut self, info: &StepInfo, reset: bool) {
         self.ledger.external_work += self.ledger.sums.power * info.dt;
+        if self.clock.step == 0 {
+            // Gaps are first measured in the first step, at the positions of the start.
+            self.ledger.initial_energy += self.mortar_energy();
+        }
         if let Some(base) = &self.base
             && self.clock.time < base.end()
             && info.time >= base.end()

@@ -410,6 +410,26 @@ fn plate(speed: f64) -> Scene {
     scene
 }
 
+/// A plate at constant speed does the work of its speed times the impulse, and the disc has it when it flies off.
+#[test]
+fn the_work_of_a_plate_is_the_energy_of_what_it_hits() {
+    let speed = 2.0;
+    let mut scene = plate(speed);
+    scene.transfer = FLIP;
+    scene.scheme = StressScheme::Musl;
+    let mut simulation = simulation(&scene);
+    run_until(&mut simulation, 0.12);
+    assert_eq!(simulation.mortar_energy(), 0.0, "they have parted");
+    let energy = simulation.energy();
+    let work = speed * simulation.momentum()[1];
+    assert!(work > 0.0);
+    assert!(
+        (energy.external_work / work - 1.0).abs() < 0.01,
+        "{energy:?} {work}"
+    );
+    assert!(energy.dissipated.abs() < 0.05 * work, "{energy:?}");
+}
+
 /// Steps are shortened so that no gap closes by more than half the critical one, and the disc is carried along.
 #[test]
 fn bodies_do_not_pass_through_each_other() {

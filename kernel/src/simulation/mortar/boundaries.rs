@@ -331,6 +331,19 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         }
     }
 
+    /// Power of the contact forces that prescribed boundaries exert, with their velocities at a time \[W\].
+    pub(super) fn power_of_prescribed(&self, half_step: f64) -> f64 {
+        let mut power = 0.0;
+        for surface in &self.surfaces {
+            if let Carrier::Prescribed(motion @ Some(_)) = &surface.carrier {
+                let v: PointIn<D> = velocity_of(motion.as_ref(), half_step);
+                let sum: PointIn<D> = surface.force.iter().sum();
+                power -= sum.dot(&v);
+            }
+        }
+        power
+    }
+
     /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
     pub(super) fn advance(&mut self, hosts: &Hosts<'_>, drift: f64, half_step: f64) {
         let shape = hosts.shape;

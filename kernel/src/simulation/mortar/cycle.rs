@@ -146,6 +146,9 @@ impl Simulation {
             sums.push(result.map_err(|EmptyNode(node)| self.load_on_empty_node(node))?);
         }
         self.ledger.sums = total(sums).total;
+        let half_step = acting.half_steps[1];
+        self.ledger.sums.power += self.mortar.plane.power_of_prescribed(half_step)
+            + self.mortar.space.power_of_prescribed(half_step);
         self.groups.count(self.mortar.groups);
         Ok(self.mortar.vertices_under_pressure())
     }
