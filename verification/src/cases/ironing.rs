@@ -375,7 +375,7 @@ impl Study for Ironing {
         Self::rungs_of(
             pressed::VARIANT,
             match size {
-                Size::Quick => &[4.0 * CELL, 2.0 * CELL],
+                Size::Quick => &[2.0 * CELL, CELL],
                 Size::Full => &[2.0 * CELL, CELL, 0.5 * CELL],
             },
         )
