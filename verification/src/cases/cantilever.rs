@@ -29,7 +29,7 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{Options, Simulation};
 
 use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
-use super::dynamics::ratio;
+use super::dynamics::{at_intervals, ratio};
 use super::{NO_RESULTS, failed, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
@@ -37,7 +37,7 @@ use crate::case::{
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
 
 const LENGTH: f64 = 4.0;
 const HEIGHT: f64 = 1.0;
@@ -209,23 +209,13 @@ impl Cantilever {
         let starts = simulation.boundary_vertices(1);
         let mut history = vec![];
         let mut hanging = None;
-        let count = (scene.time / INTERVAL).round() as usize;
-        for k in 1..=count {
-            observer.phase(Phase::Stepping);
-            let time = k as f64 * INTERVAL;
-            while simulation.time() < time {
-                if observer.stop() {
-                    return Err(STOPPED.to_owned());
-                }
-                simulation.step(time).map_err(|e| e.to_string())?;
-            }
-            observer.phase(Phase::Comparing);
-            observer.progress(k as f64 / count as f64);
-            history.push(displacement(&simulation, tip)?[1]);
+        at_intervals(&mut simulation, INTERVAL, observer, |simulation, k| {
+            history.push(displacement(simulation, tip)?[1]);
             if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
-                hanging = Some(Hanging::new(&simulation, starts)?);
+                hanging = Some(Hanging::new(simulation, starts)?);
             }
-        }
+            Ok(())
+        })?;
         let reference = self.reference(rung.variant)?;
         let mut quantities = vec![];
         let mut curve = None;

@@ -39,6 +39,34 @@ pub fn advance(
     Ok(())
 }
 
+/// Runs to the end of the scene and looks at it at the end of each interval \[s\]; `look` also gets the number of the
+/// interval, from 1.
+///
+/// # Errors
+/// Why a step failed or what `look` says, in words.
+pub fn at_intervals(
+    simulation: &mut Simulation,
+    interval: f64,
+    observer: &mut dyn Observer,
+    mut look: impl FnMut(&Simulation, usize) -> Result<(), String>,
+) -> Result<(), String> {
+    let count = (simulation.scene().time / interval).round() as usize;
+    for k in 1..=count {
+        observer.phase(Phase::Stepping);
+        let time = k as f64 * interval;
+        while simulation.time() < time {
+            if observer.stop() {
+                return Err(STOPPED.to_owned());
+            }
+            simulation.step(time).map_err(|e| e.to_string())?;
+        }
+        observer.phase(Phase::Comparing);
+        observer.progress(k as f64 / count as f64);
+        look(simulation, k)?;
+    }
+    Ok(())
+}
+
 /// A quantity that is itself a relative error; NaN, which no gate passes, where there is none.
 pub fn ratio(name: &'static str, error: Option<f64>) -> Quantity {
     let error = error.unwrap_or(f64::NAN);

@@ -23,7 +23,7 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{Options, Simulation};
 use std::f64::consts::PI;
 
-use super::{elastic, failed, solve_own, table};
+use super::{elastic, failed, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
@@ -200,18 +200,7 @@ impl Case for Hertz {
         })
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        self.scene_with(rung, &self.own_settings(rung))
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        solve_own(self, rung, options, progress)
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let error = |label: &str, name| {

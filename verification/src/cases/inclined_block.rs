@@ -29,7 +29,7 @@ use super::incline::{
     Block, COURANT, DENSITY, GRAVITY, Incline, POISSON, Track, YOUNG, fitted_slope, follow,
     shear_wave_speed, sliding_curve,
 };
-use super::{failed, solve_own};
+use super::failed;
 use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
@@ -366,18 +366,7 @@ impl Case for InclinedBlock {
             .collect()
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        self.scene_with(rung, &self.own_settings(rung))
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        solve_own(self, rung, options, progress)
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         judge::verdict(&Self::ladder(size), solved)

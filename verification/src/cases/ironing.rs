@@ -35,12 +35,13 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{Options, Simulation};
 use std::f64::consts::PI;
 
-use super::{NO_RESULTS, PARTED, elastic, failed, solve_own, table};
+use super::dynamics::at_intervals;
+use super::{NO_RESULTS, PARTED, elastic, failed, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
 
 const BLOCK: [f64; 2] = [12.0, 4.0];
 const YOUNG: f64 = 600.0;
@@ -157,22 +158,12 @@ fn forces(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
 ) -> Result<Vec<[f64; 2]>, String> {
-    let count = (simulation.scene().time / INTERVAL).round() as usize;
-    let mut forces = Vec::with_capacity(count);
-    for k in 1..=count {
-        observer.phase(Phase::Stepping);
-        let time = k as f64 * INTERVAL;
-        while simulation.time() < time {
-            if observer.stop() {
-                return Err(STOPPED.to_owned());
-            }
-            simulation.step(time).map_err(|e| e.to_string())?;
-        }
-        observer.phase(Phase::Comparing);
-        observer.progress(k as f64 / count as f64);
+    let mut forces = vec![];
+    at_intervals(simulation, INTERVAL, observer, |simulation, _| {
         let force = simulation.mortar_force(2).unwrap_or([f64::NAN; 3]);
         forces.push([force[0], force[1]]);
-    }
+        Ok(())
+    })?;
     Ok(forces)
 }
 
@@ -300,18 +291,7 @@ impl Case for Ironing {
             .collect()
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        self.scene_with(rung, &self.own_settings(rung))
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        solve_own(self, rung, options, progress)
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut gates = pressed::gates(&self.rungs(size), solved);

@@ -1,5 +1,23 @@
 //! The cases: one small file each.
 
+/// [`Case::scene`] and [`Case::solve`] of a case that is a [`Study`]: with the settings that are its own.
+macro_rules! with_own_settings {
+    () => {
+        fn scene(&self, rung: &Rung) -> Scene {
+            self.scene_with(rung, &self.own_settings(rung))
+        }
+
+        fn solve(
+            &self,
+            rung: &Rung,
+            options: &Options,
+            progress: &mut dyn FnMut(f64),
+        ) -> Result<Solved, CaseError> {
+            $crate::cases::solve_own(self, rung, options, progress)
+        }
+    };
+}
+
 mod axis_aligned;
 mod bar;
 mod base_acceleration;

@@ -22,7 +22,7 @@ use proctor_kernel::scene::{
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::{NO_RESULTS, PARTED, failed, solve_own, table};
+use super::{NO_RESULTS, PARTED, failed, table};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
@@ -245,18 +245,7 @@ impl Case for Rings {
         }
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        self.scene_with(rung, &self.own_settings(rung))
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        solve_own(self, rung, options, progress)
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let rungs = self.rungs(size);

@@ -111,18 +111,7 @@ impl Case for Rotation {
         })
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        self.scene_with(rung, &self.own_settings(rung))
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        super::solve_own(self, rung, options, progress)
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let reason = "one percent of the path of half a turn";

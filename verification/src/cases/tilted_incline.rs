@@ -29,7 +29,7 @@ use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use proctor_kernel::surface::{Surface, parse};
 
 use super::incline::{COURANT, Track, dot, fitted_slope, follow_along, run, sliding_curve};
-use super::{AT_REST, NO_RESULTS, elastic, failed, solve_own};
+use super::{AT_REST, NO_RESULTS, elastic, failed};
 use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
@@ -344,18 +344,7 @@ impl Case for TiltedIncline {
         ladder.map(|(rung, _)| rung).collect()
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        self.scene_with(rung, &self.own_settings(rung))
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        solve_own(self, rung, options, progress)
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
