@@ -32,6 +32,9 @@ pub struct Verify {
     /// Take the time of runs shorter than a second N times, of very short ones for half a second, for `compare`
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
+    /// Print the names of the cases and run none
+    #[arg(long)]
+    list: bool,
     #[command(flatten)]
     settings: Settings,
 }
@@ -39,6 +42,12 @@ pub struct Verify {
 impl Verify {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let cases = names::chosen(&self.cases, case::all(), "case", Case::name)?;
+        if self.list {
+            for case in cases {
+                writeln!(out, "{}", case.name())?;
+            }
+            return Ok(Outcome::Fine);
+        }
         let options = self.settings.options();
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let size = if self.quick { Size::Quick } else { Size::Full };

@@ -25,11 +25,11 @@ mod judge;
 use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep};
 use proctor_kernel::simulation::Options;
 
+use super::failed;
 use super::incline::{
     Block, COURANT, DENSITY, GRAVITY, Incline, POISSON, Track, YOUNG, fitted_slope, follow,
     shear_wave_speed, sliding_curve,
 };
-use super::failed;
 use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
