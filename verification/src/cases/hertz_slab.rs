@@ -42,7 +42,7 @@ impl Case for HertzSlab {
     fn rungs(&self, size: Size) -> Vec<Rung> {
         slab::rungs(match size {
             Size::Quick => &[0.4],
-            Size::Full => &[0.4, 0.2],
+            Size::Full => &[0.4, 0.2, 0.1],
         })
     }
 
