@@ -124,7 +124,7 @@ pub fn run_while(
     go: &dyn Fn() -> bool,
 ) -> Ran {
     // Whether a run is measured once more.
-    let wanted = |samples: usize, measured: Duration, repetitions: usize| {
+    let wanted = |samples: usize, measured: Duration| {
         samples < repetitions || (1 < repetitions && samples < MOST && measured < ENOUGH)
     };
     let rungs: Vec<RanRung> = case
@@ -147,11 +147,7 @@ pub fn run_while(
             let (solved, first) = solve();
             let mut samples = vec![first];
             let mut measured = first.wall;
-            while wanted(samples.len(), measured, repetitions)
-                && first.wall < LONG
-                && solved.is_ok()
-                && go()
-            {
+            while wanted(samples.len(), measured) && first.wall < LONG && solved.is_ok() && go() {
                 let again = solve().1;
                 measured += again.wall;
                 samples.push(again);

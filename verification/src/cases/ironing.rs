@@ -141,16 +141,6 @@ impl Ironing {
             PLATEAU[1]
         }
     }
-
-    /// Runs of a reading \[m\].
-    fn rungs_of(variant: &'static str, cells: &[f64]) -> Vec<Rung> {
-        let rung = |&cell: &f64| Rung {
-            label: format!("{variant} h={cell}"),
-            cell,
-            variant,
-        };
-        cells.iter().map(rung).collect()
-    }
 }
 
 /// Forces on the indenter at the end of each interval \[N\].
@@ -284,11 +274,10 @@ impl Case for Ironing {
             Size::Quick => (&READINGS[..2], 2.0 * CELL, &[CELL]),
             Size::Full => (&READINGS, CELL, &[2.0 * CELL, CELL, 0.5 * CELL]),
         };
-        let rungs = readings.iter();
-        let rungs = rungs.flat_map(|reading| Self::rungs_of(reading.variant, &[cell]));
-        rungs
-            .chain(Self::rungs_of(pressed::VARIANT, pressed))
-            .collect()
+        let cells = [cell];
+        let mut ladders: Vec<_> = readings.iter().map(|r| (r.variant, &cells[..])).collect();
+        ladders.push((pressed::VARIANT, pressed));
+        Rung::ladders(&ladders)
     }
 
     with_own_settings!();
@@ -352,13 +341,10 @@ impl Case for Ironing {
 
 impl Study for Ironing {
     fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(
-            pressed::VARIANT,
-            match size {
-                Size::Quick => &[2.0 * CELL, CELL],
-                Size::Full => &[2.0 * CELL, CELL, 0.5 * CELL],
-            },
-        )
+        Rung::ladders(match size {
+            Size::Quick => &[(pressed::VARIANT, &[2.0 * CELL, CELL])],
+            Size::Full => &[(pressed::VARIANT, &[2.0 * CELL, CELL, 0.5 * CELL])],
+        })
     }
 
     fn measures(&self) -> &'static [Measure] {
