@@ -21,4 +21,5 @@ pub mod scene;
 pub mod simulation;
 pub mod stage;
 pub mod surface;
+pub mod team;
 pub mod weights;

@@ -1,8 +1,8 @@
 //! Particle state: one set per body, in columns, in order of base cell.
 
 use crate::grid::{ActiveRows, GridShape};
+use crate::team::Team;
 use crate::weights::base_offset;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Which columns a particle set has, and where. A column that the scene does not need does not exist.
@@ -191,13 +191,19 @@ impl ParticleSet {
 
     /// Sorts by base cell for a stencil of `stencil` nodes, keeping the order within a cell, and widens
     /// `occupied` (see [`ActiveRows::new`]) by the cells in use.
-    pub fn sort(&mut self, shape: &GridShape, stencil: usize, occupied: &mut [Option<(u32, u32)>]) {
+    pub fn sort(
+        &mut self,
+        shape: &GridShape,
+        stencil: usize,
+        occupied: &mut [Option<(u32, u32)>],
+        team: &Team,
+    ) {
         let bases = shape.bases();
-        let keys = self.base_keys(shape, stencil);
+        let keys = self.base_keys(shape, stencil, team);
         occupy(&keys, bases[2], occupied);
         if !keys.is_sorted() {
-            let order = stable_order(&keys, bases.iter().product());
-            self.permute(&order);
+            let order = stable_order(&keys, bases.iter().product(), team);
+            self.permute(&order, team);
         }
         // Keys in sorted order are needed for the layers only; a layer is all keys below a bound.
         let per_layer = bases[1] * bases[2];
@@ -213,10 +219,10 @@ impl ParticleSet {
 
     /// Puts the particles in an order that depends on their positions alone, not on the order in which they
     /// were given.
-    pub fn sort_by_position(&mut self) {
+    pub fn sort_by_position(&mut self, team: &Team) {
         let axes = self.layout.axes;
         let mut order: Vec<u32> = (0..self.len() as u32).collect();
-        order.par_sort_by(|&a, &b| {
+        team.sort_by(&mut order, |&a, &b| {
             (0..axes)
                 .map(|axis| {
                     let x = &self.columns[Layout::POSITION + axis];
@@ -226,35 +232,32 @@ impl ParticleSet {
                 .unwrap_or(std::cmp::Ordering::Equal)
         });
         if !order.is_sorted() {
-            self.permute(&order);
+            self.permute(&order, team);
         }
     }
 
     /// Base cell of each particle as one number, slow axis first.
-    fn base_keys(&self, shape: &GridShape, stencil: usize) -> Vec<u32> {
+    fn base_keys(&self, shape: &GridShape, stencil: usize, team: &Team) -> Vec<u32> {
         let numbering = Numbering::new(shape, stencil);
-        (0..self.len())
-            .into_par_iter()
-            .with_min_len(1 << 14)
-            .map(|p| numbering.key(self, p))
-            .collect()
+        team.collect(0..self.len(), |p| numbering.key(self, p))
     }
 
     /// Reorders all columns: particle `order[i]` becomes particle `i`.
-    fn permute(&mut self, order: &[u32]) {
-        self.columns.par_iter_mut().for_each(|column| {
-            *column = order.iter().map(|&p| column[p as usize]).collect();
+    fn permute(&mut self, order: &[u32], team: &Team) {
+        let columns = std::mem::take(&mut self.columns);
+        self.columns = team.map(columns, |column| {
+            order.iter().map(|&p| column[p as usize]).collect()
         });
         self.id = order.iter().map(|&p| self.id[p as usize]).collect();
     }
 
     /// Removes the particles at the given increasing indices.
-    pub fn remove(&mut self, gone: &[usize]) {
+    pub fn remove(&mut self, gone: &[usize], team: &Team) {
         let keep: Vec<u32> = (0..self.len())
             .filter(|p| gone.binary_search(p).is_err())
             .map(|p| p as u32)
             .collect();
-        self.permute(&keep);
+        self.permute(&keep, team);
         // Each layer begins earlier by the number of particles that were removed before it.
         for start in &mut self.layers {
             *start -= gone.partition_point(|p| *p < *start);
@@ -328,11 +331,11 @@ fn occupy(keys: &[u32], bases_per_row: usize, occupied: &mut [Option<(u32, u32)>
 }
 
 /// Indices in stable order of their keys (counting sort), keys below `bound`.
-fn stable_order(keys: &[u32], bound: usize) -> Vec<u32> {
+fn stable_order(keys: &[u32], bound: usize, team: &Team) -> Vec<u32> {
     // Counting is linear while the cells are not far more than the particles; an empty giant mesh is not.
     if bound > 8 * keys.len() + 1024 {
         let mut order: Vec<u32> = (0..keys.len() as u32).collect();
-        order.par_sort_by_key(|&p| keys[p as usize]);
+        team.sort_by(&mut order, |&a, &b| keys[a as usize].cmp(&keys[b as usize]));
         return order;
     }
     let mut next = vec![0_u32; bound + 1];
@@ -352,11 +355,16 @@ fn stable_order(keys: &[u32], bound: usize) -> Vec<u32> {
 }
 
 /// Sorts all sets and returns the active rows.
-pub fn sort_sets(sets: &mut [ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
+pub fn sort_sets(
+    sets: &mut [ParticleSet],
+    shape: &GridShape,
+    stencil: usize,
+    team: &Team,
+) -> ActiveRows {
     let bases = shape.bases();
     let mut occupied = vec![None; bases[0] * bases[1]];
     for set in sets {
-        set.sort(shape, stencil, &mut occupied);
+        set.sort(shape, stencil, &mut occupied, team);
     }
     ActiveRows::new(shape, &occupied, stencil)
 }
@@ -364,11 +372,12 @@ pub fn sort_sets(sets: &mut [ParticleSet], shape: &GridShape, stencil: usize) ->
 /// The active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than
 /// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
 #[must_use]
-pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
+pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize, team: &Team) -> ActiveRows {
     let bases = shape.bases();
     let mut occupied = vec![None; bases[0] * bases[1]];
     for set in sets {
-        occupy(&set.base_keys(shape, stencil), bases[2], &mut occupied);
+        let keys = set.base_keys(shape, stencil, team);
+        occupy(&keys, bases[2], &mut occupied);
     }
     ActiveRows::new(shape, &occupied, stencil)
 }

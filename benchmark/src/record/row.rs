@@ -30,7 +30,7 @@ pub struct Row {
     pub name: String,
     /// Sample or aggregate.
     pub kind: Kind,
-    /// Threads of the run.
+    /// Threads that the run was given, of which a small scene uses fewer.
     pub threads: u64,
     /// Runs that were timed together; 1 but for records of other programs.
     pub iterations: u64,

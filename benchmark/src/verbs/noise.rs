@@ -1,16 +1,18 @@
 //! `proctor noise`: A against A.
 
+use super::names;
 use super::settings::{Settings, processors};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::judge::noise;
+use crate::progress::Progress;
 use crate::record::{Record, Row};
 use crate::show::Table;
 use crate::suite;
 use clap::Args;
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::simulation::Options;
-use proctor_verification::case::{self, Size};
+use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -21,12 +23,14 @@ const SIDES: usize = 2;
 
 /// Measure the noise of each case: the same program against itself.
 ///
-/// Without RECORDS the short ladders are run on two sides that do not differ, interleaved, pass by pass. With RECORDS (two
-/// or more of the same program, or folders of records) nothing is run. The band of a case is the largest change
-/// of time between passes; `proctor compare --noise FILE` judges by twice of it where that is more than 3 %.
+/// Without RECORDS the short ladders are run on two sides that do not differ, pass by pass and case by case in turn: some
+/// five minutes a pass. With RECORDS (two or more of the same program, or folders of records) nothing is run. The band of
+/// a case is the largest change of time between passes; `proctor compare --noise FILE` judges by twice of it where that is
+/// more than 3 %.
 #[derive(Args)]
 #[command(after_help = "Example: proctor noise --json noise.json, then\n  \
     proctor compare base.json head.json --noise noise.json\n\
+    Of two cases alone, in a minute: proctor noise --cases \"bar rotation\"\n\
     From the records of scripts/compare-commits HEAD~1, which runs the base twice:\n  \
     proctor noise target/compare/records/base target/compare/records/again --json noise.json")]
 pub struct Noise {
@@ -36,6 +40,14 @@ pub struct Noise {
     /// Write the bands as a record
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Cases to run, joined by spaces [default: all]
+    #[arg(
+        long,
+        value_name = "CASE ...",
+        value_delimiter = ' ',
+        conflicts_with = "records"
+    )]
+    cases: Vec<String>,
     /// Interleaved passes to run
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(3..))]
     passes: u64,
@@ -48,11 +60,12 @@ impl Noise {
         let options = self.settings.options();
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let (records, interrupted) = if self.records.is_empty() {
+            let cases = names::chosen(&self.cases, case::all(), "case", Case::name)?;
             let interrupt = Interrupt::listen()?;
             let mut empty = Record::new(&options);
             empty.set_incomplete(true);
             self.write(&empty)?;
-            let records = measured(&options, self.passes, &interrupt);
+            let records = measured(&cases, &options, self.passes, &interrupt);
             (records, interrupt.raised())
         } else {
             let records = self.records.iter().map(|path| Record::read_joined(path));
@@ -92,26 +105,35 @@ impl Noise {
     }
 }
 
-/// The short ladders on both sides, interleaved; whole passes only.
-fn measured(options: &Options, passes: u64, interrupt: &Interrupt) -> Vec<Record> {
+/// The short ladders on both sides, case by case in turn: the shorter the time between two runs that are compared, the less
+/// the machine has changed. Whole passes only.
+fn measured(
+    cases: &[&'static dyn Case],
+    options: &Options,
+    passes: u64,
+    interrupt: &Interrupt,
+) -> Vec<Record> {
     let threads = options.threads.unwrap_or_else(processors);
     let mut sides = vec![Record::new(options); SIDES];
     let go = || !interrupt.raised();
+    let mut progress = Progress::new("noise");
+    let runs = passes as usize * cases.len() * SIDES;
+    let mut done = 0;
     for pass in 0..passes {
-        let mut measured = vec![];
-        for _ in &sides {
-            let mut one = Record::new(options);
-            for &case in case::all() {
+        let mut measured = vec![Record::new(options); SIDES];
+        for &case in cases {
+            for one in &mut measured {
                 let ran = suite::run_while(case, Size::Quick, options, REPETITIONS, &go);
                 one.push_case(&ran, threads);
+                if interrupt.raised() {
+                    return sides;
+                }
+                done += 1;
+                progress.at(f64::from(done) / runs as f64);
             }
-            if interrupt.raised() {
-                return sides;
-            }
-            measured.push(one.rows);
         }
-        for (side, rows) in sides.iter_mut().zip(measured) {
-            for mut row in rows {
+        for (side, one) in sides.iter_mut().zip(measured) {
+            for mut row in one.rows {
                 row.set_pass(pass);
                 side.push(row);
             }

@@ -27,7 +27,8 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor precision bar axis-aligned --svg charts --csv precision.csv\n\
-    The usual combinations on coarse meshes, in seconds: proctor precision --quick"
+    The usual combinations on coarse meshes, in seconds: proctor precision --quick",
+    mut_arg("threads", |arg| arg.help("Number of threads [default: 1]"))
 )]
 pub struct Precision {
     /// Cases to study [default: all]

@@ -8,7 +8,8 @@ use std::num::NonZeroUsize;
 /// How the cycle is run. Neither changes a bit of the result.
 #[derive(Args)]
 pub struct Settings {
-    /// Number of threads [default: what the scene says, else all of the machine]
+    /// Number of threads [default: what the scene says, else one for 8192 particles, at most all
+    /// of the machine]
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
     /// Vector lanes of the inner loops; auto takes the widest that the machine has

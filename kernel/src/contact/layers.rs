@@ -7,11 +7,9 @@
 use super::Pair;
 use super::interface::Interface;
 use crate::grid::{ActiveRows, Line, Nodes};
-use crate::particles::{ParticleSet, rows_of};
+use crate::particles::ParticleSet;
 use crate::simulation::field::{Field, split};
 use crate::stage::solve::Planes;
-use rayon::ThreadPool;
-use rayon::prelude::*;
 
 /// The velocity field of one body.
 #[derive(Clone, Debug)]
@@ -103,7 +101,7 @@ impl Layers {
         let count = field.shape.nodes.iter().product();
         let mut old = std::mem::take(&mut self.list);
         for &body in bodies {
-            let rows = rows_of(std::slice::from_ref(&sets[body]), &field.shape, stencil);
+            let rows = field.rows_of(&sets[body..=body], stencil);
             let interface = Interface::new(body, pairs, near, sets, &field.shape, stencil);
             let layer = match old.iter().position(|layer| layer.body == body) {
                 Some(at) => Layer {
@@ -123,12 +121,10 @@ impl Layers {
         }
     }
 
-    /// Calls `act` for every slab with all its fields, in parallel where there is a pool, and returns the results in
-    /// order.
+    /// Calls `act` for every slab with all its fields, shared out among the team, and returns the results in order.
     pub fn visit<R: Send>(
         &mut self,
         field: &mut Field,
-        pool: Option<&ThreadPool>,
         act: impl Fn(SlabFields<'_>) -> R + Send + Sync,
     ) -> Vec<R> {
         let Field {
@@ -136,6 +132,7 @@ impl Layers {
             nodes,
             rows,
             slabs,
+            team,
         } = field;
         let (shape, rows, slabs) = (&*shape, &*rows, &*slabs);
         let per_plane = shape.plane_nodes();
@@ -166,9 +163,6 @@ impl Layers {
                 });
             }
         }
-        match pool {
-            Some(pool) => pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect()),
-            None => parts.into_iter().map(act).collect(),
-        }
+        team.map(parts, act)
     }
 }

@@ -269,7 +269,7 @@ pub(super) fn restore(
     simulation.events = restore_events(checkpoint)?;
     simulation
         .field
-        .resume(&simulation.sets, simulation.stencil, simulation.threads);
+        .resume(&simulation.sets, simulation.stencil);
     let pairs = simulation.contact.pairs.len();
     if pairs > 0 {
         let near = checkpoint.array::<u64>("contact/near", pairs)?;

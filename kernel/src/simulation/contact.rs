@@ -184,67 +184,65 @@ impl Simulation {
             acting,
             self.stencil,
         );
-        let results = contact
-            .layers
-            .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
-                let mut groups = clear_and_map(&mut fields, &mapping, |body| {
-                    if driven[body] { &only_mass } else { &mapping }
-                });
-                for planes in all(&mut fields) {
-                    planes.fold(&acting.walls, true, true);
-                    planes.velocities();
-                }
-                groups += map_gradients(&mut fields, &gradient, &acting.walls);
-                let loads = shared_loads(&fields, forces.loads, &driven)?;
-                let mut sums = vec![PlaneSums::default(); fields.common.range.len()];
-                for (number, own) in loads.iter().enumerate() {
-                    let forces = Forces {
-                        loads: own,
-                        ..forces
-                    };
-                    match number.checked_sub(1).map(|i| &mut fields.layers[i]) {
-                        None => trial(
-                            &mut fields.common,
-                            acting,
-                            &acting.driven,
-                            &forces,
-                            &mut sums,
-                        )?,
-                        Some(layer) if driven[layer.body] => {
-                            prescribe(layer, &prescribed[layer.body], &acting.walls);
-                        }
-                        Some(layer) => trial(&mut layer.planes, acting, &[], &forces, &mut sums)?,
-                    }
-                }
-                let mut meetings = Meetings::find(&mut fields, &bodies);
-                let kick = acting.kick;
-                let damping = plan.local_damping;
-                let done = meetings.act(&mut fields, &bodies, On::Trial { kick, dt, damping });
-                if damping.is_some() {
-                    // Contact does not know what the planes hold, and damps it too.
-                    for planes in all(&mut fields) {
-                        planes.constrain(&acting.walls, true);
-                    }
-                }
-                for (sums, power) in sums.iter_mut().zip(&done.power) {
-                    sums.power += power;
-                }
-                for planes in all(&mut fields) {
-                    planes.unfold(&acting.walls, true);
-                }
-                // Surfaces still change the velocities, and take the sums after it.
-                if alone {
-                    add_sums(
-                        &mut fields,
-                        &loads,
-                        &forces,
-                        &driven,
-                        plan.measure,
-                        &mut sums,
-                    );
-                }
-                Ok((Sums { sums, groups }, meetings, done))
+        let results = contact.layers.visit(&mut self.field, |mut fields| {
+            let mut groups = clear_and_map(&mut fields, &mapping, |body| {
+                if driven[body] { &only_mass } else { &mapping }
             });
+            for planes in all(&mut fields) {
+                planes.fold(&acting.walls, true, true);
+                planes.velocities();
+            }
+            groups += map_gradients(&mut fields, &gradient, &acting.walls);
+            let loads = shared_loads(&fields, forces.loads, &driven)?;
+            let mut sums = vec![PlaneSums::default(); fields.common.range.len()];
+            for (number, own) in loads.iter().enumerate() {
+                let forces = Forces {
+                    loads: own,
+                    ..forces
+                };
+                match number.checked_sub(1).map(|i| &mut fields.layers[i]) {
+                    None => trial(
+                        &mut fields.common,
+                        acting,
+                        &acting.driven,
+                        &forces,
+                        &mut sums,
+                    )?,
+                    Some(layer) if driven[layer.body] => {
+                        prescribe(layer, &prescribed[layer.body], &acting.walls);
+                    }
+                    Some(layer) => trial(&mut layer.planes, acting, &[], &forces, &mut sums)?,
+                }
+            }
+            let mut meetings = Meetings::find(&mut fields, &bodies);
+            let kick = acting.kick;
+            let damping = plan.local_damping;
+            let done = meetings.act(&mut fields, &bodies, On::Trial { kick, dt, damping });
+            if damping.is_some() {
+                // Contact does not know what the planes hold, and damps it too.
+                for planes in all(&mut fields) {
+                    planes.constrain(&acting.walls, true);
+                }
+            }
+            for (sums, power) in sums.iter_mut().zip(&done.power) {
+                sums.power += power;
+            }
+            for planes in all(&mut fields) {
+                planes.unfold(&acting.walls, true);
+            }
+            // Surfaces still change the velocities, and take the sums after it.
+            if alone {
+                add_sums(
+                    &mut fields,
+                    &loads,
+                    &forces,
+                    &driven,
+                    plan.measure,
+                    &mut sums,
+                );
+            }
+            Ok((Sums { sums, groups }, meetings, done))
+        });
         let (mut sums, mut meetings, mut done) = (vec![], vec![], vec![]);
         for result in results {
             let (of_slab, met, did) =
@@ -354,11 +352,9 @@ impl Simulation {
             still: at_half_step_after(&acting.walls),
             meetings: &contact.meetings,
         };
-        contact
-            .layers
-            .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
-                act(&mut fields, &second);
-            });
+        contact.layers.visit(&mut self.field, |mut fields| {
+            act(&mut fields, &second);
+        });
     }
 
     /// Adds up the forces of all slabs in order of their planes, and stops where bodies would pass through each other.

@@ -57,7 +57,7 @@ impl Simulation {
                 kind: EventKind::Removed(at),
             });
         }
-        self.sets[set].remove(&gone);
+        self.sets[set].remove(&gone, &self.field.team);
         Ok(())
     }
 

@@ -1,13 +1,11 @@
 //! The grid as the cycle uses it: nodes, active rows, and slabs of planes that threads own.
 
 use crate::grid::{ActiveRows, GridShape, Line, Nodes};
-#[cfg(feature = "frames")]
-use crate::particles::rows_of;
-use crate::particles::{ParticleSet, sort_sets};
+use crate::particles::{ParticleSet, rows_of, sort_sets};
 use crate::stage::solve::Planes;
-use rayon::ThreadPool;
-use rayon::prelude::*;
+use crate::team::Team;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Fewest planes of a slab: a slab repeats the weights of the layers at its ends.
 const THINNEST_SLAB: usize = 8;
@@ -25,12 +23,14 @@ pub struct Field {
     pub rows: ActiveRows,
     /// Planes of each slab; together all planes.
     pub slabs: Vec<Range<usize>>,
+    /// Who shares the slabs.
+    pub team: Arc<Team>,
 }
 
 impl Field {
     /// A grid without particles.
     #[must_use]
-    pub fn new(shape: GridShape) -> Self {
+    pub fn new(shape: GridShape, team: Team) -> Self {
         let nodes = Nodes::new(shape.nodes.iter().product());
         let slabs = std::iter::once(0..shape.nodes[0]).collect();
         Self {
@@ -38,24 +38,32 @@ impl Field {
             rows: ActiveRows::default(),
             slabs,
             shape,
+            team: Arc::new(team),
         }
     }
 
     /// Sorts the particles and cuts the planes into slabs of about equal numbers of particles.
-    pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize, threads: usize) {
-        self.rows = sort_sets(sets, &self.shape, stencil);
-        self.cut(sets, threads);
+    pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize) {
+        self.rows = sort_sets(sets, &self.shape, stencil, &self.team);
+        self.cut(sets);
     }
 
     /// Takes up sets in the order in which they are, after a restart.
     #[cfg(feature = "frames")]
-    pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize, threads: usize) {
-        self.rows = rows_of(sets, &self.shape, stencil);
-        self.cut(sets, threads);
+    pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
+        self.rows = self.rows_of(sets, stencil);
+        self.cut(sets);
+    }
+
+    /// Rows in use of particles that are not to be sorted now.
+    #[must_use]
+    pub fn rows_of(&self, sets: &[ParticleSet], stencil: usize) -> ActiveRows {
+        rows_of(sets, &self.shape, stencil, &self.team)
     }
 
     /// Cuts the planes into slabs of about equal numbers of particles.
-    fn cut(&mut self, sets: &[ParticleSet], threads: usize) {
+    fn cut(&mut self, sets: &[ParticleSet]) {
+        let threads = self.team.count();
         let planes = self.shape.nodes[0];
         let most = (threads * SLABS_PER_THREAD)
             .min(planes / THINNEST_SLAB)
@@ -85,12 +93,8 @@ impl Field {
         self.slabs.push(start..planes);
     }
 
-    /// Calls `act` for every slab, in parallel where there is a pool, and returns the results in order.
-    pub fn visit<R: Send>(
-        &mut self,
-        pool: Option<&ThreadPool>,
-        act: impl Fn(Planes<'_>) -> R + Send + Sync,
-    ) -> Vec<R> {
+    /// Calls `act` for every slab, shared out among the team, and returns the results in order.
+    pub fn visit<R: Send>(&mut self, act: impl Fn(Planes<'_>) -> R + Send + Sync) -> Vec<R> {
         let per_plane = self.shape.plane_nodes();
         let (shape, rows) = (&self.shape, &self.rows);
         let parts: Vec<Planes<'_>> = split(&mut self.nodes, &self.slabs, per_plane)
@@ -103,10 +107,7 @@ impl Field {
                 nodes,
             })
             .collect();
-        match pool {
-            Some(pool) => pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect()),
-            None => parts.into_iter().map(act).collect(),
-        }
+        self.team.map(parts, act)
     }
 }
 

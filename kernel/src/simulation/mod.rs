@@ -42,7 +42,6 @@ use crate::stage::g2p::Found;
 use crate::stage::solve::{DrivenNode, NodeForce};
 use clock::Clock;
 use field::Field;
-use rayon::ThreadPool;
 use std::fmt;
 use std::sync::Arc;
 
@@ -71,7 +70,7 @@ pub struct InitialState {
 /// How a scene is run, and what a library user adds to it.
 #[derive(Clone, Default)]
 pub struct Options {
-    /// Number of threads; else what the scene says, else all that the machine has.
+    /// Number of threads; else what the scene says, else one for every 8192 particles, at most all of the machine.
     pub threads: Option<usize>,
     /// Lanes.
     pub lanes: LaneChoice,
@@ -124,8 +123,6 @@ pub struct Simulation {
     pub(crate) scene: Scene,
     pub(crate) plan: Plan,
     pub(crate) lanes: Selected,
-    pub(crate) threads: usize,
-    pub(crate) pool: Option<ThreadPool>,
     pub(crate) sets: Vec<ParticleSet>,
     pub(crate) bodies: Vec<BodyRun>,
     pub(crate) field: Field,
@@ -203,7 +200,7 @@ impl Simulation {
     /// Number of threads in use.
     #[must_use]
     pub fn threads(&self) -> usize {
-        self.threads
+        self.field.team.count()
     }
 
     /// Lanes in use.

@@ -11,7 +11,6 @@ use crate::scene::Scene;
 use crate::stage::g2p::{self, Affine, Found, G2p, Task};
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{DrivenNode, EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.
@@ -45,11 +44,7 @@ impl Simulation {
         let superfluous = self.groups.superfluous as f64;
         if self.travel > SORT_AFTER || superfluous > SORT_AFTER_GROUPS * self.particles() as f64 {
             let (field, sets) = (&mut self.field, &mut self.sets);
-            let (stencil, threads) = (self.stencil, self.threads);
-            match &self.pool {
-                Some(pool) => pool.install(|| field.sort(sets, stencil, threads)),
-                None => field.sort(sets, stencil, threads),
-            }
+            field.sort(sets, self.stencil);
             self.travel = 0.0;
             self.groups = Groups::default();
             if !self.contact.pairs.is_empty() {
@@ -88,7 +83,7 @@ impl Simulation {
         let measure = self.plan.measure;
         // Contact with surfaces still changes the velocities, and takes the sums after it.
         let measured = self.surfaces.is_none().then_some(measure);
-        let results = self.field.visit(self.pool.as_ref(), |mut planes| {
+        let results = self.field.visit(|mut planes| {
             planes.clear();
             let groups = mapping.run(&mut planes);
             let sums = equation_of_motion(&mut planes, acting, &forces, measured)?;
@@ -128,7 +123,7 @@ impl Simulation {
             Carry::Remap,
         );
         let still = at_half_step_after(&acting.walls);
-        self.field.visit(self.pool.as_ref(), |mut planes| {
+        self.field.visit(|mut planes| {
             planes.clear_upper();
             mapping.run(&mut planes);
             settle_remapped(&mut planes, &still, &acting.driven);
@@ -149,7 +144,7 @@ impl Simulation {
             Carry::Momentum,
         );
         let still = at_half_step_after(&acting.walls);
-        self.field.visit(self.pool.as_ref(), |mut planes| {
+        self.field.visit(|mut planes| {
             planes.clear();
             mapping.run(&mut planes);
             planes.fold(&still, true, false);
@@ -198,12 +193,7 @@ impl Simulation {
                 )
             };
             let parts = set.split_mut(&ranges);
-            let found: Vec<Found> = match &self.pool {
-                Some(pool) => {
-                    pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect())
-                }
-                None => parts.into_iter().map(act).collect(),
-            };
+            let found: Vec<Found> = self.field.team.map(parts, act);
             let mut all = Found::default();
             for (part, range) in found.into_iter().zip(&ranges) {
                 let fault = part.fault.map(|(p, kind)| (range.start + p, kind));

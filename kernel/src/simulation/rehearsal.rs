@@ -13,7 +13,6 @@ use crate::particles::ParticleSet;
 use crate::stage::g2p::Task;
 use crate::stage::p2g::Carry;
 use crate::stage::weigh;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// A part of a step that can be done alone. Bodies that have a layer of the grid of their own, because they are near a
@@ -150,27 +149,28 @@ impl Rehearsal<'_> {
     /// # Errors
     /// As a step.
     pub fn play(&mut self) -> Result<(), StepError> {
-        let simulation = &mut *self.simulation;
-        match self.part {
-            Part::Weights => {
-                std::hint::black_box(simulation.weigh());
+        let (part, dt, acting) = (self.part, Some(self.info.dt), &self.acting);
+        self.simulation.led(|simulation| {
+            match part {
+                Part::Weights => {
+                    std::hint::black_box(simulation.weigh());
+                }
+                Part::Sort => {
+                    simulation.travel = f64::INFINITY;
+                    simulation.sort_if_stale();
+                }
+                Part::NodesFromParticles => simulation.map_alone(),
+                Part::Solve => simulation.solve_alone(acting),
+                Part::Remap => simulation.remap(acting),
+                Part::ParticlesFromNodes => {
+                    simulation.interpolate(Task {
+                        kick: true,
+                        ..simulation.task(dt, dt)
+                    })?;
+                }
             }
-            Part::Sort => {
-                simulation.travel = f64::INFINITY;
-                simulation.sort_if_stale();
-            }
-            Part::NodesFromParticles => simulation.map_alone(),
-            Part::Solve => simulation.solve_alone(&self.acting),
-            Part::Remap => simulation.remap(&self.acting),
-            Part::ParticlesFromNodes => {
-                let dt = Some(self.info.dt);
-                simulation.interpolate(Task {
-                    kick: true,
-                    ..simulation.task(dt, dt)
-                })?;
-            }
-        }
-        Ok(())
+            Ok(())
+        })
     }
 }
 
@@ -211,7 +211,7 @@ impl Simulation {
             self.stencil,
             Carry::All,
         );
-        self.field.visit(self.pool.as_ref(), |mut planes| {
+        self.field.visit(|mut planes| {
             planes.clear();
             mapping.run(&mut planes);
         });
@@ -222,25 +222,24 @@ impl Simulation {
     fn solve_alone(&mut self, acting: &Acting) {
         let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
         let measured = Some(self.plan.measure);
-        self.field.visit(self.pool.as_ref(), |mut planes| {
-            equation_of_motion(&mut planes, acting, &forces, measured).is_ok()
-        });
+        self.field
+            .visit(|mut planes| equation_of_motion(&mut planes, acting, &forces, measured).is_ok());
     }
 
     /// Weights of all particles, slab by slab.
     fn weigh(&self) -> f64 {
         let (lanes, axes, stencil) = (self.lanes, self.plan.axes, self.stencil);
-        let one = |set: &ParticleSet, body: &BodyRun, slab: &Range<usize>| {
-            let range = set.in_layers(slab.clone());
-            weigh::weights(lanes, axes, stencil, set, &body.mapping, range)
-        };
+        let (slabs, team) = (&self.field.slabs, &self.field.team);
         let mut sum = 0.0;
         for (set, body) in self.sets.iter().zip(&self.bodies) {
-            let slabs = &self.field.slabs;
-            sum += match &self.pool {
-                Some(pool) => pool.install(|| slabs.par_iter().map(|s| one(set, body, s)).sum()),
-                None => slabs.iter().map(|slab| one(set, body, slab)).sum::<f64>(),
+            let of_slab = |slab: &Range<usize>| {
+                let range = set.in_layers(slab.clone());
+                weigh::weights(lanes, axes, stencil, set, &body.mapping, range)
             };
+            sum += team
+                .map(slabs.iter().collect(), of_slab)
+                .iter()
+                .sum::<f64>();
         }
         sum
     }

@@ -18,7 +18,11 @@ use crate::plan::{Demands, Plan};
 use crate::scene::{Body, BoxLoad, DomainUpdate, Scene, Weighting};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use crate::team::Team;
+
+/// Fewest particles that are worth a thread where none are asked for: with fewer its share of a step takes no longer than
+/// the threads wait for each other.
+const PARTICLES_PER_THREAD: usize = 8192;
 
 impl Simulation {
     /// Fills the bodies with particles and makes everything that the plan keeps.
@@ -42,7 +46,6 @@ impl Simulation {
                 what: format!("the mesh has {bases} cells; accepted: at most {}", u32::MAX),
             });
         }
-        let (threads, pool) = threads(scene, options)?;
         let loads = loads::nodal(scene, &shape)?;
         let held = loads::held(scene, &shape);
         let (mut sets, mut bodies) = (vec![], vec![]);
@@ -75,6 +78,7 @@ impl Simulation {
                 reason,
             })?;
         }
+        let team = team(scene, options, next_id as usize)?;
         let widest = bodies
             .iter()
             .map(|b| b.found.half_length)
@@ -90,11 +94,9 @@ impl Simulation {
             scene: scene.clone(),
             plan,
             lanes,
-            threads,
-            pool,
             sets,
             bodies,
-            field: Field::new(shape),
+            field: Field::new(shape, team),
             contact,
             mortar,
             travel: f64::INFINITY,
@@ -110,7 +112,7 @@ impl Simulation {
             surfaces: Surfaces::new(scene),
         };
         for set in &mut simulation.sets {
-            set.sort_by_position();
+            set.sort_by_position(&simulation.field.team);
         }
         simulation.sort_if_stale();
         simulation.refuse_overlap()?;
@@ -121,23 +123,21 @@ impl Simulation {
     }
 }
 
-/// Number of threads, and a pool where there is more than one.
-fn threads(scene: &Scene, options: &Options) -> Result<(usize, Option<ThreadPool>), SetupError> {
-    let machine = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let threads = options.threads.or(scene.threads).unwrap_or(machine);
-    if threads == 0 {
-        return Err(SetupError::Threads(
-            "0 threads; accepted: at least 1".into(),
-        ));
-    }
-    if threads == 1 {
-        return Ok((1, None));
-    }
-    ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map(|pool| (threads, Some(pool)))
-        .map_err(|e| SetupError::Threads(e.to_string()))
+/// The threads that were asked for, else as many of the machine as there is work for.
+fn team(scene: &Scene, options: &Options, particles: usize) -> Result<Team, SetupError> {
+    let count = match options.threads.or(scene.threads) {
+        Some(0) => {
+            return Err(SetupError::Threads(
+                "0 threads; accepted: at least 1".into(),
+            ));
+        }
+        Some(count) => count,
+        None => std::thread::available_parallelism()
+            .map_or(1, std::num::NonZero::get)
+            .min(particles / PARTICLES_PER_THREAD)
+            .max(1),
+    };
+    Team::new(count).map_err(|e| SetupError::Threads(e.to_string()))
 }
 
 /// Particles of one body and what the cycle knows of it.

@@ -8,7 +8,7 @@ use crate::constitutive::Configuration;
 use crate::particles::Layout;
 use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};
-use rayon::prelude::*;
+use std::sync::Arc;
 
 impl Simulation {
     /// One step of the cycle, at most to the time `stop` (a constant time step may pass it by less than half a
@@ -30,7 +30,24 @@ impl Simulation {
     pub fn step_watched(
         &mut self,
         stop: f64,
-        ended: &mut dyn FnMut(Phase),
+        ended: &mut (dyn FnMut(Phase) + Send),
+    ) -> Result<StepInfo, StepError> {
+        self.led(|simulation| simulation.cycle(stop, ended))
+    }
+
+    /// Has a thread of the team do `work`; the caller does it where there is one slab, and so nothing to share.
+    pub(super) fn led<R: Send>(&mut self, work: impl FnOnce(&mut Self) -> R + Send) -> R {
+        if self.field.slabs.len() == 1 {
+            return work(self);
+        }
+        let team = Arc::clone(&self.field.team);
+        team.lead(|| work(self))
+    }
+
+    fn cycle(
+        &mut self,
+        stop: f64,
+        ended: &mut (dyn FnMut(Phase) + Send),
     ) -> Result<StepInfo, StepError> {
         if self.mortar.acts() {
             self.sort_if_stale();
@@ -158,12 +175,7 @@ impl Simulation {
                     time,
                 )
             };
-            let values: Vec<[f64; 3]> = match &self.pool {
-                Some(pool) => {
-                    pool.install(|| (0..set.len()).into_par_iter().map(evaluate).collect())
-                }
-                None => (0..set.len()).map(evaluate).collect(),
-            };
+            let values: Vec<[f64; 3]> = self.field.team.collect(0..set.len(), evaluate);
             for axis in 0..axes {
                 let masses = set.columns[Layout::MASS].clone();
                 for ((out, value), m) in set.columns[force + axis]

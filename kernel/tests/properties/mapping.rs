@@ -7,6 +7,7 @@ use proctor_kernel::particles::{Layout, Optional, ParticleSet};
 use proctor_kernel::scene::{Dimension, Weighting};
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
+use proctor_kernel::team::Team;
 use proctor_kernel::weights::Family;
 use proptest::prelude::*;
 
@@ -87,7 +88,7 @@ fn check(
     let stencil = if own.is_some() && wide { 4 } else { 3 };
     let mut set = particles_of(axes, draws, full, own);
     let mut occupied = vec![None; shape.bases()[0] * shape.bases()[1]];
-    set.sort(&shape, stencil, &mut occupied);
+    set.sort(&shape, stencil, &mut occupied, &Team::ALONE);
     let mapping = Mapping::new(&shape, family, [half_length; 3], set.layout.half_length);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
     let layers = shape.bases()[0];

@@ -14,7 +14,7 @@ impl Simulation {
         let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
         let (driven, measure) = (driven(&self.bodies), self.plan.measure);
         let layers = &mut self.contact.layers;
-        let per_slab = layers.visit(&mut self.field, self.pool.as_ref(), |mut fields| {
+        let per_slab = layers.visit(&mut self.field, |mut fields| {
             for planes in all(&mut fields) {
                 planes.unfold(&acting.walls, true);
             }

@@ -43,27 +43,24 @@ impl Simulation {
             },
         );
         let spin = self.plan.spin;
-        let groups =
-            self.contact
-                .layers
-                .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
-                    let mut groups = 0;
-                    for planes in all(&mut fields) {
-                        planes.clear();
-                    }
-                    groups += mapping.run(&mut fields.common);
-                    for layer in &mut fields.layers {
-                        groups += mapping.map(layer.body, &mut layer.planes);
-                    }
-                    for planes in all(&mut fields) {
-                        planes.fold(&acting.walls, true, true);
-                        if spin {
-                            planes.fold_spins(&acting.walls);
-                        }
-                        planes.velocities();
-                    }
-                    groups
-                });
+        let groups = self.contact.layers.visit(&mut self.field, |mut fields| {
+            let mut groups = 0;
+            for planes in all(&mut fields) {
+                planes.clear();
+            }
+            groups += mapping.run(&mut fields.common);
+            for layer in &mut fields.layers {
+                groups += mapping.map(layer.body, &mut layer.planes);
+            }
+            for planes in all(&mut fields) {
+                planes.fold(&acting.walls, true, true);
+                if spin {
+                    planes.fold_spins(&acting.walls);
+                }
+                planes.velocities();
+            }
+            groups
+        });
         self.mortar.groups = groups.into_iter().sum();
     }
 
@@ -118,29 +115,26 @@ impl Simulation {
         };
         let measure = self.plan.measure;
         let driven = vec![false; self.bodies.len()];
-        let results =
-            self.contact
-                .layers
-                .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
-                    let loads = shared_loads(&fields, forces.loads, &driven)?;
-                    let mut sums = vec![PlaneSums::default(); fields.common.range.len()];
-                    for (number, own) in loads.iter().enumerate() {
-                        let forces = Forces {
-                            loads: own,
-                            ..forces
-                        };
-                        let nodes_driven = if number == 0 {
-                            &acting.driven
-                        } else {
-                            &acting.held
-                        };
-                        let planes = number_of(&mut fields, number);
-                        trial(planes, acting, nodes_driven, &forces, &mut sums)?;
-                        planes.unfold(&acting.walls, true);
-                        planes.add_sums(&forces, measure, &mut sums);
-                    }
-                    Ok(Sums { sums, groups: 0 })
-                });
+        let results = self.contact.layers.visit(&mut self.field, |mut fields| {
+            let loads = shared_loads(&fields, forces.loads, &driven)?;
+            let mut sums = vec![PlaneSums::default(); fields.common.range.len()];
+            for (number, own) in loads.iter().enumerate() {
+                let forces = Forces {
+                    loads: own,
+                    ..forces
+                };
+                let nodes_driven = if number == 0 {
+                    &acting.driven
+                } else {
+                    &acting.held
+                };
+                let planes = number_of(&mut fields, number);
+                trial(planes, acting, nodes_driven, &forces, &mut sums)?;
+                planes.unfold(&acting.walls, true);
+                planes.add_sums(&forces, measure, &mut sums);
+            }
+            Ok(Sums { sums, groups: 0 })
+        });
         let mut sums = vec![];
         for result in results {
             sums.push(result.map_err(|EmptyNode(node)| self.load_on_empty_node(node))?);
@@ -164,21 +158,19 @@ impl Simulation {
             Carry::Remap,
         );
         let still = at_half_step_after(&acting.walls);
-        self.contact
-            .layers
-            .visit(&mut self.field, self.pool.as_ref(), |mut fields| {
-                for planes in all(&mut fields) {
-                    planes.clear_upper();
-                }
-                mapping.run(&mut fields.common);
-                for layer in &mut fields.layers {
-                    mapping.map(layer.body, &mut layer.planes);
-                }
-                settle_remapped(&mut fields.common, &still, &acting.driven);
-                for layer in &mut fields.layers {
-                    settle_remapped(&mut layer.planes, &still, &acting.held);
-                }
-            });
+        self.contact.layers.visit(&mut self.field, |mut fields| {
+            for planes in all(&mut fields) {
+                planes.clear_upper();
+            }
+            mapping.run(&mut fields.common);
+            for layer in &mut fields.layers {
+                mapping.map(layer.body, &mut layer.planes);
+            }
+            settle_remapped(&mut fields.common, &still, &acting.driven);
+            for layer in &mut fields.layers {
+                settle_remapped(&mut layer.planes, &still, &acting.held);
+            }
+        });
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).

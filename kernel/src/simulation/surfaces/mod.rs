@@ -164,7 +164,7 @@ impl Simulation {
         let planes = if self.contact.layers.is_empty() {
             let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
             let measure = self.plan.measure;
-            let per_slab = self.field.visit(self.pool.as_ref(), |mut planes| {
+            let per_slab = self.field.visit(|mut planes| {
                 planes.unfold(&acting.walls, true);
                 let mut sums = vec![PlaneSums::default(); planes.range.len()];
                 planes.add_sums(&forces, measure, &mut sums);
@@ -233,7 +233,7 @@ impl Simulation {
             }
         };
         let layers = &mut self.contact.layers;
-        layers.visit(&mut self.field, self.pool.as_ref(), |mut fields| {
+        layers.visit(&mut self.field, |mut fields| {
             keep(&mut fields.common);
             for layer in &mut fields.layers {
                 keep(&mut layer.planes);

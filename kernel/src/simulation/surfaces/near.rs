@@ -3,7 +3,6 @@
 use super::gap::{half_lengths, length, velocity};
 use crate::scene::Vector;
 use crate::simulation::Simulation;
-use rayon::prelude::*;
 
 /// Particles that may touch a surface until they have moved by half the margin.
 #[derive(Debug)]
@@ -88,22 +87,15 @@ impl Simulation {
             &self.bodies[set],
         );
         let origin = self.origin();
-        let is_near = |p: &usize| {
-            let x = particles.position(*p);
+        let is_near = |p: usize| {
+            let x = particles.position(p);
             let local = std::array::from_fn(|axis| x[axis] + origin[axis] - shift[axis]);
-            let reach = length(&half_lengths(particles, body, *p));
+            let reach = length(&half_lengths(particles, body, p));
             let within = rigid.distance_threshold + reach + margin;
             rigid.surface.nearest(&local, within).is_some()
         };
-        let mut found: Vec<usize> = match &self.pool {
-            Some(pool) => pool.install(|| {
-                (0..particles.len())
-                    .into_par_iter()
-                    .filter(is_near)
-                    .collect()
-            }),
-            None => (0..particles.len()).filter(is_near).collect(),
-        };
+        let near = self.field.team.collect(0..particles.len(), is_near);
+        let mut found: Vec<usize> = (0..near.len()).filter(|&p| near[p]).collect();
         found.sort_unstable_by_key(|&p| particles.id[p]);
         found
             .into_iter()
