@@ -37,7 +37,11 @@ fn a_sort_keeps_the_order_of_equals_for_any_number_of_threads() {
 /// Threads on which a team does all it can do.
 fn workers(team: &Team) -> HashSet<ThreadId> {
     let seen = Mutex::new(HashSet::new());
-    let note = || seen.lock().expect("no panic").insert(thread::current().id());
+    let note = || {
+        seen.lock()
+            .expect("no panic")
+            .insert(thread::current().id())
+    };
     team.lead(note);
     team.map(vec![(); 100], |()| note());
     team.collect(0..MANY, |_| note());
