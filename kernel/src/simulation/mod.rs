@@ -26,6 +26,7 @@ pub use error::{
 };
 pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
+#[cfg(feature = "frames")]
 pub(crate) use mortar::Boundaries;
 pub use mortar::{BoundaryVertex, VertexState};
 pub use nodes::NodeValues;
