@@ -144,6 +144,7 @@ pub fn run_while(
                 };
                 (solved, stopwatch.spent)
             };
+            case.prepare(&rung);
             let (solved, first) = solve();
             let mut samples = vec![first];
             let mut measured = first.wall;

@@ -242,6 +242,10 @@ pub trait Case: Sync {
     /// The scene of a rung. [`Case::solve`] runs this scene and no other.
     fn scene(&self, rung: &Rung) -> Scene;
 
+    /// Computes what the exact solution of a rung needs and keeps it, so that the time of no run holds it. What fails here
+    /// fails again in [`Case::solve`], and is reported there.
+    fn prepare(&self, _rung: &Rung) {}
+
     /// Runs a rung and compares it with the exact solution.
     ///
     /// `options` gives threads and lanes; what the case needs beyond them (displacements, measurements) it switches

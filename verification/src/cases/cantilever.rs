@@ -365,6 +365,10 @@ impl Case for Cantilever {
         Self::build(rung, &self.own_settings(rung))
     }
 
+    fn prepare(&self, rung: &Rung) {
+        let _ = self.reference(rung.variant);
+    }
+
     fn solve(
         &self,
         rung: &Rung,

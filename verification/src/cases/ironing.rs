@@ -282,6 +282,12 @@ impl Case for Ironing {
 
     with_own_settings!();
 
+    fn prepare(&self, rung: &Rung) {
+        if rung.variant == pressed::VARIANT {
+            let _ = pressed::reference(self.reference_force);
+        }
+    }
+
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut gates = pressed::gates(&self.rungs(size), solved);
         for rung in self.rungs(size) {
