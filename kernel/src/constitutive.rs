@@ -262,6 +262,9 @@ fn add_elastic<L: Lanes, const D: usize>(law: &Parameters, g: &Matrix<L>, s: &[L
     out
 }
 
+/// Axes of the components of a symmetric tensor in space, in the order of storage.
+const VOIGT: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+
 /// R s R^T with the rotation R = (1 - W/2)^-1 (1 + W/2) of the spin increment W = skew(g).
 #[inline(always)]
 fn rotate<L: Lanes, const D: usize>(g: &Matrix<L>, s: &[L; 6]) -> [L; 6] {
@@ -309,16 +312,9 @@ fn rotate<L: Lanes, const D: usize>(g: &Matrix<L>, s: &[L; 6]) -> [L; 6] {
         ];
         let m = [[s[0], s[5], s[4]], [s[5], s[1], s[3]], [s[4], s[3], s[2]]];
         let rm = product::<L, 3>(&r, &m);
-        let entry =
-            |i: usize, j: usize| rm[i][0] * r[j][0] + rm[i][1] * r[j][1] + rm[i][2] * r[j][2];
-        out = [
-            entry(0, 0),
-            entry(1, 1),
-            entry(2, 2),
-            entry(1, 2),
-            entry(0, 2),
-            entry(0, 1),
-        ];
+        for (slot, (i, j)) in VOIGT.into_iter().enumerate() {
+            out[slot] = rm[i][0] * r[j][0] + rm[i][1] * r[j][1] + rm[i][2] * r[j][2];
+        }
     }
     out
 }
@@ -341,19 +337,18 @@ fn jaumann_forward<L: Lanes, const D: usize>(
         out[3] = out[3] + w * (s[1] - s[0]);
     } else {
         let m = [[s[0], s[5], s[4]], [s[5], s[1], s[3]], [s[4], s[3], s[2]]];
-        let w = |i: usize, j: usize| half * (g[i][j] - g[j][i]);
-        let turned = |i: usize, j: usize| {
-            let mut sum = w(i, 0) * m[0][j] + w(j, 0) * m[0][i];
-            for k in 1..3 {
-                sum = sum + w(i, k) * m[k][j] + w(j, k) * m[k][i];
+        let mut w = *g;
+        for i in 0..3 {
+            for j in 0..3 {
+                w[i][j] = half * (g[i][j] - g[j][i]);
             }
-            sum
-        };
-        for (slot, (i, j)) in [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]
-            .into_iter()
-            .enumerate()
-        {
-            out[slot] = out[slot] + turned(i, j);
+        }
+        for (slot, (i, j)) in VOIGT.into_iter().enumerate() {
+            let mut turned = w[i][0] * m[0][j] + w[j][0] * m[0][i];
+            for k in 1..3 {
+                turned = turned + w[i][k] * m[k][j] + w[j][k] * m[k][i];
+            }
+            out[slot] = out[slot] + turned;
         }
     }
     out
@@ -367,25 +362,28 @@ pub fn neo_hookean<L: Lanes, const D: usize>(law: &Parameters, f: &Matrix<L>, j:
     let r = L::splat(1.0) / j;
     let mu = L::splat(law.shear) * r;
     let volumetric = L::splat(law.lambda) * j.map(f64::ln) * r - mu;
-    let row = |a: usize, b: usize| {
-        let mut sum = f[a][0] * f[b][0];
-        for k in 1..D {
-            sum = f[a][k].mul_add(f[b][k], sum);
-        }
-        sum
-    };
-    out[0] = mu.mul_add(row(0, 0), volumetric);
-    out[1] = mu.mul_add(row(1, 1), volumetric);
+    out[0] = mu.mul_add(inner::<L, D>(&f[0], &f[0]), volumetric);
+    out[1] = mu.mul_add(inner::<L, D>(&f[1], &f[1]), volumetric);
     if D == 2 {
         out[2] = mu + volumetric;
-        out[3] = mu * row(0, 1);
+        out[3] = mu * inner::<L, D>(&f[0], &f[1]);
     } else {
-        out[2] = mu.mul_add(row(2, 2), volumetric);
-        out[3] = mu * row(1, 2);
-        out[4] = mu * row(0, 2);
-        out[5] = mu * row(0, 1);
+        out[2] = mu.mul_add(inner::<L, D>(&f[2], &f[2]), volumetric);
+        out[3] = mu * inner::<L, D>(&f[1], &f[2]);
+        out[4] = mu * inner::<L, D>(&f[0], &f[2]);
+        out[5] = mu * inner::<L, D>(&f[0], &f[1]);
     }
     out
+}
+
+/// Inner product of the first D entries.
+#[inline(always)]
+fn inner<L: Lanes, const D: usize>(a: &[L; 3], b: &[L; 3]) -> L {
+    let mut sum = a[0] * b[0];
+    for k in 1..D {
+        sum = a[k].mul_add(b[k], sum);
+    }
+    sum
 }
 
 /// Squared wave speed of the neo-Hookean law, bounded from above for every direction:
@@ -402,10 +400,7 @@ pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(
     let mut trace_of_square = L::splat(0.0);
     for a in 0..D {
         for b in 0..D {
-            let mut entry = f[a][0] * f[b][0];
-            for k in 1..D {
-                entry = f[a][k].mul_add(f[b][k], entry);
-            }
+            let entry = inner::<L, D>(&f[a], &f[b]);
             if a == b {
                 trace = trace + entry;
             }

@@ -253,12 +253,6 @@ fn interpolate<
     }
     let fast = D - 1;
     let rows = if D == 3 { N } else { 1 };
-    let mut sums = Sums {
-        velocity: [zero; 3],
-        increment: [zero; 3],
-        gradient: [[zero; 3]; 3],
-        affine: [[zero; 3]; 3],
-    };
     let start = [
         (base[0] + GHOSTS_BELOW as f64) as usize,
         if D == 3 {
@@ -268,67 +262,118 @@ fn interpolate<
         },
         (base[fast] + GHOSTS_BELOW as f64) as usize,
     ];
-    let source = if UPPER { 4 } else { 1 };
+    // What the components share: products over slow and middle axis, and where the rows are.
+    let mut over = [[Over::<L>::zero(); N]; N];
+    let mut row_starts = [[0; N]; N];
     for i in 0..N {
         for j in 0..rows {
-            let row_start =
+            row_starts[i][j] =
                 ((start[0] + i) * mapping.nodes[1] + start[1] + j) * mapping.nodes[2] + start[2];
-            let row = &nodes[row_start..][..N];
-            // Sums along the row.
-            let mut v = [zero; 3];
-            let mut dv = [zero; 3];
-            let mut s = [zero; 3];
-            let mut vg = [zero; 3];
-            let mut vq = [zero; 3];
-            for k in 0..N {
-                for c in 0..D {
+            let over = &mut over[i][j];
+            if D == 3 {
+                over.ww = w[0][i] * w[1][j];
+                over.gw = g[0][i] * w[1][j];
+                over.wg = w[0][i] * g[1][j];
+                if APIC {
+                    over.qw = q[0][i] * w[1][j];
+                    over.wq = w[0][i] * q[1][j];
+                }
+            } else {
+                (over.ww, over.gw, over.qw) = (w[0][i], g[0][i], q[0][i]);
+            }
+        }
+    }
+    let mut sums = Sums {
+        velocity: [zero; 3],
+        increment: [zero; 3],
+        gradient: [[zero; 3]; 3],
+        affine: [[zero; 3]; 3],
+    };
+    let source = if UPPER { 4 } else { 1 };
+    // One component after the other: its sums and the weights of a row fit the registers.
+    for c in 0..D {
+        let (mut velocity, mut increment) = (zero, zero);
+        let (mut gradient, mut affine) = ([zero; 3], [zero; 3]);
+        for i in 0..N {
+            for j in 0..rows {
+                let row = &nodes[row_starts[i][j]..][..N];
+                let over = &over[i][j];
+                // Sums along the row.
+                let (mut v, mut dv, mut s, mut vg, mut vq) = (zero, zero, zero, zero, zero);
+                for k in 0..N {
                     let v_i = L::splat(row[k][1 + c]);
-                    v[c] = w[fast][k].mul_add(v_i, v[c]);
+                    v = w[fast][k].mul_add(v_i, v);
                     if KICK {
-                        dv[c] = w[fast][k].mul_add(L::splat(row[k][4 + c]), dv[c]);
+                        dv = w[fast][k].mul_add(L::splat(row[k][4 + c]), dv);
                     }
                     if GRADIENT {
                         let s_i = L::splat(row[k][source + c]);
                         if UPPER {
-                            s[c] = w[fast][k].mul_add(s_i, s[c]);
+                            s = w[fast][k].mul_add(s_i, s);
                         }
-                        vg[c] = g[fast][k].mul_add(s_i, vg[c]);
+                        vg = g[fast][k].mul_add(s_i, vg);
                     }
                     if APIC {
-                        vq[c] = q[fast][k].mul_add(v_i, vq[c]);
+                        vq = q[fast][k].mul_add(v_i, vq);
                     }
                 }
-            }
-            if GRADIENT && !UPPER {
-                s = v;
-            }
-            let ww = if D == 3 { w[0][i] * w[1][j] } else { w[0][i] };
-            let gw = if D == 3 { g[0][i] * w[1][j] } else { g[0][i] };
-            let qw = if D == 3 { q[0][i] * w[1][j] } else { q[0][i] };
-            for c in 0..D {
-                sums.velocity[c] = ww.mul_add(v[c], sums.velocity[c]);
+                if GRADIENT && !UPPER {
+                    s = v;
+                }
+                velocity = over.ww.mul_add(v, velocity);
                 if KICK {
-                    sums.increment[c] = ww.mul_add(dv[c], sums.increment[c]);
+                    increment = over.ww.mul_add(dv, increment);
                 }
                 if GRADIENT {
-                    sums.gradient[c][0] = gw.mul_add(s[c], sums.gradient[c][0]);
-                    sums.gradient[c][fast] = ww.mul_add(vg[c], sums.gradient[c][fast]);
+                    gradient[0] = over.gw.mul_add(s, gradient[0]);
+                    gradient[fast] = over.ww.mul_add(vg, gradient[fast]);
                     if D == 3 {
-                        sums.gradient[c][1] =
-                            (w[0][i] * g[1][j]).mul_add(s[c], sums.gradient[c][1]);
+                        gradient[1] = over.wg.mul_add(s, gradient[1]);
                     }
                 }
                 if APIC {
-                    sums.affine[c][0] = qw.mul_add(v[c], sums.affine[c][0]);
-                    sums.affine[c][fast] = ww.mul_add(vq[c], sums.affine[c][fast]);
+                    affine[0] = over.qw.mul_add(v, affine[0]);
+                    affine[fast] = over.ww.mul_add(vq, affine[fast]);
                     if D == 3 {
-                        sums.affine[c][1] = (w[0][i] * q[1][j]).mul_add(v[c], sums.affine[c][1]);
+                        affine[1] = over.wq.mul_add(v, affine[1]);
                     }
                 }
             }
         }
+        sums.velocity[c] = velocity;
+        sums.increment[c] = increment;
+        sums.gradient[c] = gradient;
+        sums.affine[c] = affine;
     }
     sums
+}
+
+/// Products of the factors of slow and middle axis for one row of nodes.
+#[derive(Clone, Copy)]
+struct Over<L> {
+    /// Weight and weight.
+    ww: L,
+    /// Derivative along the slow axis.
+    gw: L,
+    /// Derivative along the middle axis.
+    wg: L,
+    /// As `gw` and `wg` with the factors of APIC.
+    qw: L,
+    wq: L,
+}
+
+impl<L: Lanes> Over<L> {
+    #[inline(always)]
+    fn zero() -> Self {
+        let zero = L::splat(0.0);
+        Self {
+            ww: zero,
+            gw: zero,
+            wg: zero,
+            qw: zero,
+            wq: zero,
+        }
+    }
 }
 
 /// Factors of APIC along an axis: S_I (x_I - x_p)/D_p with D_p = sum S_I (x_I - x_p)² of that axis. The cross
