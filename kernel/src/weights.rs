@@ -38,16 +38,37 @@ pub const fn base_offset(nodes: usize) -> f64 {
 /// Weights and derivatives d/dxi at the `N` nodes of one axis.
 ///
 /// `f` is the coordinate from the base node in cells, in [1/2, 3/2) for `N` = 3 and [1, 2) for `N` = 4; `l` is
-/// the half-length of the particle domain in cells, 0 < l <= 1/2 or 1 (unused for hats).
+/// the half-length of the particle domain in cells, 0 < l <= 1/2 or 1 (unused for hats, which have `N` = 3).
 #[inline(always)]
 pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L; N], [L; N]) {
-    let zero = L::splat(0.0);
-    let one = L::splat(1.0);
-    let two = L::splat(2.0);
-    let mut w = [zero; N];
-    let mut g = [zero; N];
+    if family == Family::Hat && N == 3 {
+        hat_weights::<L, N>(f)
+    } else {
+        gimp_weights::<L, N>(f, l)
+    }
+}
+
+/// [`axis_weights`] of the linear hat, `N` = 3.
+#[inline(always)]
+pub fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let before = f.lt(one);
+    closed::<L, N>(
+        (one - f).max(zero),
+        (f - one).max(zero),
+        L::select(before, -one, zero),
+        L::select(before, zero, one),
+    )
+}
+
+/// [`axis_weights`] of GIMP.
+#[inline(always)]
+pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L) -> ([L; N], [L; N]) {
+    let (zero, one, two) = (L::splat(0.0), L::splat(1.0), L::splat(2.0));
+    let quarter = one / (L::splat(4.0) * l);
     if N == 4 {
-        let quarter = one / (L::splat(4.0) * l);
+        let mut w = [zero; N];
+        let mut g = [zero; N];
         // As below: 1 - f and f - 2 are exact, l comes last.
         let lower = (l + (one - f)).max(zero);
         let upper = (l + (f - two)).max(zero);
@@ -59,39 +80,33 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
         g[3] = two * upper * quarter;
         g[1] = -one - two * g[0] + g[3];
         g[2] = one + g[0] - two * g[3];
-    } else {
-        let (w_0, g_0);
-        let (w_2, g_2);
-        match family {
-            Family::Hat => {
-                w_0 = (one - f).max(zero);
-                w_2 = (f - one).max(zero);
-                g_0 = L::select(f.lt(one), -one, zero);
-                g_2 = L::select(f.lt(one), zero, one);
-            }
-            Family::Gimp => {
-                let quarter = one / (L::splat(4.0) * l);
-                // f - 1 is exact; adding l last keeps the small sums exact to their own round-off, so that
-                // derivatives, which divide them by l, are good for small l too.
-                let below = one - f;
-                let above = f - one;
-                let lower = (l + below).max(zero);
-                let upper = (l + above).max(zero);
-                let inside_lower = l.lt(below);
-                let inside_upper = l.lt(above);
-                w_0 = L::select(inside_lower, below, lower * lower * quarter);
-                w_2 = L::select(inside_upper, above, upper * upper * quarter);
-                g_0 = L::select(inside_lower, -one, -(two * lower * quarter));
-                g_2 = L::select(inside_upper, one, two * upper * quarter);
-            }
-        }
-        w[0] = w_0;
-        w[2] = w_2;
-        w[1] = one - w_0 - w_2;
-        g[0] = g_0;
-        g[2] = g_2;
-        g[1] = -(g_0 + g_2);
+        return (w, g);
     }
+    // f - 1 is exact; adding l last keeps the small sums exact to their own round-off, so that
+    // derivatives, which divide them by l, are good for small l too.
+    let below = one - f;
+    let above = f - one;
+    let lower = (l + below).max(zero);
+    let upper = (l + above).max(zero);
+    let inside_lower = l.lt(below);
+    let inside_upper = l.lt(above);
+    closed::<L, N>(
+        L::select(inside_lower, below, lower * lower * quarter),
+        L::select(inside_upper, above, upper * upper * quarter),
+        L::select(inside_lower, -one, -(two * lower * quarter)),
+        L::select(inside_upper, one, two * upper * quarter),
+    )
+}
+
+/// Three weights and derivatives from the outer ones: they sum to one and to zero.
+#[inline(always)]
+fn closed<L: Lanes, const N: usize>(w_0: L, w_2: L, g_0: L, g_2: L) -> ([L; N], [L; N]) {
+    let mut w = [w_0; N];
+    let mut g = [g_0; N];
+    w[2] = w_2;
+    w[1] = L::splat(1.0) - w_0 - w_2;
+    g[2] = g_2;
+    g[1] = -(g_0 + g_2);
     (w, g)
 }
 

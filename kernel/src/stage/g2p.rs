@@ -3,13 +3,13 @@
 //! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
 //! (technical manual, algorithm 2, lines 12, 15, 19, 20), then the stress update of the law.
 
-use super::{Mapping, group_at, load, store, weights_of};
+use super::{Group, Mapping, group_at, layer_of, load, store, weights_of};
 use crate::constitutive::{
     Configuration, Kind, Matrix, Parameters, determinant, hypoelastic, left_stretch_diagonal,
     neo_hookean, neo_hookean_speed_squared, product, relative_deformation, stretch_diagonal,
     volume_ratio,
 };
-use crate::grid::{GHOSTS_BELOW, Line};
+use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::particles::Layout;
 use crate::scene::DomainUpdate;
@@ -185,20 +185,13 @@ impl<
         let mut fault = None;
         let mut at = 0;
         while at < end {
-            let group = group_at::<B::Native, _, D, N>(
-                call.columns,
-                call.mapping,
-                at,
-                end,
-                B::Native::WIDTH,
-            );
+            let group = group_at::<B::Native, _, D, N>(call.columns, call.mapping, at, end);
             let sums = interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
                 call.columns,
                 call.mapping,
                 call.nodes,
-                &group.base,
+                &group,
                 at,
-                group.count,
             );
             let bad = update::<B::Native, D, N>(&mut call, &sums, &mut maxima, at, group.count);
             if bad != 0 && fault.is_none() {
@@ -210,7 +203,7 @@ impl<
     }
 }
 
-/// Interpolated values of one group.
+/// Interpolated values of one group, component by component.
 struct Sums<L> {
     /// sum S v.
     velocity: [L; 3],
@@ -235,12 +228,11 @@ fn interpolate<
     columns: &[&mut [f64]],
     mapping: &Mapping,
     nodes: &[Line],
-    base: &[f64; 3],
+    group: &Group<L>,
     at: usize,
-    count: usize,
 ) -> Sums<L> {
     let zero = L::splat(0.0);
-    let (f, w, mut g) = weights_of::<L, _, D, N>(columns, mapping, base, at, count);
+    let (w, mut g) = weights_of::<L, _, D, N>(columns, mapping, group, at);
     let mut q = [[zero; N]; 3];
     for axis in 0..D {
         let scale = L::splat(mapping.inverse_cell[axis]);
@@ -248,131 +240,169 @@ fn interpolate<
             g[axis][n] = g[axis][n] * scale;
         }
         if APIC {
-            q[axis] = affine_weights::<L, N>(mapping, axis, f[axis], &w[axis], &g[axis]);
+            q[axis] = affine_weights::<L, N>(mapping, axis, group.f[axis], &w[axis], &g[axis]);
         }
     }
-    let fast = D - 1;
-    let rows = if D == 3 { N } else { 1 };
-    let start = [
-        (base[0] + GHOSTS_BELOW as f64) as usize,
-        if D == 3 {
-            (base[1] + GHOSTS_BELOW as f64) as usize
-        } else {
-            0
-        },
-        (base[fast] + GHOSTS_BELOW as f64) as usize,
-    ];
-    // What the components share: products over slow and middle axis, and where the rows are.
-    let mut over = [[Over::<L>::zero(); N]; N];
-    let mut row_starts = [[0; N]; N];
-    for i in 0..N {
-        for j in 0..rows {
-            row_starts[i][j] =
-                ((start[0] + i) * mapping.nodes[1] + start[1] + j) * mapping.nodes[2] + start[2];
-            let over = &mut over[i][j];
-            if D == 3 {
-                over.ww = w[0][i] * w[1][j];
-                over.gw = g[0][i] * w[1][j];
-                over.wg = w[0][i] * g[1][j];
-                if APIC {
-                    over.qw = q[0][i] * w[1][j];
-                    over.wq = w[0][i] * q[1][j];
+    let stencil = Stencil::<L, D, N>::new(mapping, group, w, g, q, APIC);
+    // One component after the other: its sums and the weights along a row fit the registers.
+    let x = stencil.component::<KICK, GRADIENT, APIC, UPPER>(nodes, 0);
+    let y = stencil.component::<KICK, GRADIENT, APIC, UPPER>(nodes, 1);
+    let z = if D == 3 {
+        stencil.component::<KICK, GRADIENT, APIC, UPPER>(nodes, 2)
+    } else {
+        Component {
+            velocity: zero,
+            increment: zero,
+            gradient: [zero; 3],
+            affine: [zero; 3],
+        }
+    };
+    Sums {
+        velocity: [x.velocity, y.velocity, z.velocity],
+        increment: [x.increment, y.increment, z.increment],
+        gradient: [x.gradient, y.gradient, z.gradient],
+        affine: [x.affine, y.affine, z.affine],
+    }
+}
+
+/// One component of the interpolated values.
+struct Component<L> {
+    velocity: L,
+    increment: L,
+    gradient: [L; 3],
+    affine: [L; 3],
+}
+
+/// What the components share: factors along a row, products over slow and middle axis for each row, and where the
+/// rows are.
+struct Stencil<L, const D: usize, const N: usize> {
+    /// Weight, derivative and factor of APIC along the row.
+    w: [L; N],
+    g: [L; N],
+    q: [L; N],
+    /// Weight times weight.
+    ww: [[L; N]; N],
+    /// Derivative along the slow axis, and along the middle one.
+    gw: [[L; N]; N],
+    wg: [[L; N]; N],
+    /// As `gw` and `wg` with the factors of APIC.
+    qw: [[L; N]; N],
+    wq: [[L; N]; N],
+    /// First node of each row.
+    rows: [[usize; N]; N],
+}
+
+impl<L: Lanes, const D: usize, const N: usize> Stencil<L, D, N> {
+    /// Rows of a plane.
+    const ROWS: usize = if D == 3 { N } else { 1 };
+
+    #[inline(always)]
+    fn new(
+        mapping: &Mapping,
+        group: &Group<L>,
+        w: [[L; N]; 3],
+        g: [[L; N]; 3],
+        q: [[L; N]; 3],
+        apic: bool,
+    ) -> Self {
+        let fast = D - 1;
+        let mut stencil = Self {
+            w: w[fast],
+            g: g[fast],
+            q: q[fast],
+            ww: [w[0]; N],
+            gw: [w[0]; N],
+            wg: [w[0]; N],
+            qw: [w[0]; N],
+            wq: [w[0]; N],
+            rows: [[0; N]; N],
+        };
+        let middle = if D == 3 { layer_of(group.base[1]) } else { 0 };
+        let (slow, along) = (layer_of(group.base[0]), layer_of(group.base[fast]));
+        for i in 0..N {
+            for j in 0..Self::ROWS {
+                stencil.rows[i][j] =
+                    ((slow + i) * mapping.nodes[1] + middle + j) * mapping.nodes[2] + along;
+                if D == 3 {
+                    stencil.ww[i][j] = w[0][i] * w[1][j];
+                    stencil.gw[i][j] = g[0][i] * w[1][j];
+                    stencil.wg[i][j] = w[0][i] * g[1][j];
+                    if apic {
+                        stencil.qw[i][j] = q[0][i] * w[1][j];
+                        stencil.wq[i][j] = w[0][i] * q[1][j];
+                    }
+                } else {
+                    stencil.ww[i][j] = w[0][i];
+                    stencil.gw[i][j] = g[0][i];
+                    stencil.qw[i][j] = q[0][i];
                 }
-            } else {
-                (over.ww, over.gw, over.qw) = (w[0][i], g[0][i], q[0][i]);
             }
         }
+        stencil
     }
-    let mut sums = Sums {
-        velocity: [zero; 3],
-        increment: [zero; 3],
-        gradient: [[zero; 3]; 3],
-        affine: [[zero; 3]; 3],
-    };
-    let source = if UPPER { 4 } else { 1 };
-    // One component after the other: its sums and the weights of a row fit the registers.
-    for c in 0..D {
-        let (mut velocity, mut increment) = (zero, zero);
-        let (mut gradient, mut affine) = ([zero; 3], [zero; 3]);
+
+    #[inline(always)]
+    fn component<const KICK: bool, const GRADIENT: bool, const APIC: bool, const UPPER: bool>(
+        &self,
+        nodes: &[Line],
+        c: usize,
+    ) -> Component<L> {
+        let zero = L::splat(0.0);
+        let fast = D - 1;
+        let source = if UPPER { 4 } else { 1 };
+        let mut sums = Component {
+            velocity: zero,
+            increment: zero,
+            gradient: [zero; 3],
+            affine: [zero; 3],
+        };
         for i in 0..N {
-            for j in 0..rows {
-                let row = &nodes[row_starts[i][j]..][..N];
-                let over = &over[i][j];
+            for j in 0..Self::ROWS {
+                let row = &nodes[self.rows[i][j]..][..N];
                 // Sums along the row.
                 let (mut v, mut dv, mut s, mut vg, mut vq) = (zero, zero, zero, zero, zero);
                 for k in 0..N {
                     let v_i = L::splat(row[k][1 + c]);
-                    v = w[fast][k].mul_add(v_i, v);
+                    v = self.w[k].mul_add(v_i, v);
                     if KICK {
-                        dv = w[fast][k].mul_add(L::splat(row[k][4 + c]), dv);
+                        dv = self.w[k].mul_add(L::splat(row[k][4 + c]), dv);
                     }
                     if GRADIENT {
                         let s_i = L::splat(row[k][source + c]);
                         if UPPER {
-                            s = w[fast][k].mul_add(s_i, s);
+                            s = self.w[k].mul_add(s_i, s);
                         }
-                        vg = g[fast][k].mul_add(s_i, vg);
+                        vg = self.g[k].mul_add(s_i, vg);
                     }
                     if APIC {
-                        vq = q[fast][k].mul_add(v_i, vq);
+                        vq = self.q[k].mul_add(v_i, vq);
                     }
                 }
                 if GRADIENT && !UPPER {
                     s = v;
                 }
-                velocity = over.ww.mul_add(v, velocity);
+                let ww = self.ww[i][j];
+                sums.velocity = ww.mul_add(v, sums.velocity);
                 if KICK {
-                    increment = over.ww.mul_add(dv, increment);
+                    sums.increment = ww.mul_add(dv, sums.increment);
                 }
                 if GRADIENT {
-                    gradient[0] = over.gw.mul_add(s, gradient[0]);
-                    gradient[fast] = over.ww.mul_add(vg, gradient[fast]);
+                    sums.gradient[0] = self.gw[i][j].mul_add(s, sums.gradient[0]);
+                    sums.gradient[fast] = ww.mul_add(vg, sums.gradient[fast]);
                     if D == 3 {
-                        gradient[1] = over.wg.mul_add(s, gradient[1]);
+                        sums.gradient[1] = self.wg[i][j].mul_add(s, sums.gradient[1]);
                     }
                 }
                 if APIC {
-                    affine[0] = over.qw.mul_add(v, affine[0]);
-                    affine[fast] = over.ww.mul_add(vq, affine[fast]);
+                    sums.affine[0] = self.qw[i][j].mul_add(v, sums.affine[0]);
+                    sums.affine[fast] = ww.mul_add(vq, sums.affine[fast]);
                     if D == 3 {
-                        affine[1] = over.wq.mul_add(v, affine[1]);
+                        sums.affine[1] = self.wq[i][j].mul_add(v, sums.affine[1]);
                     }
                 }
             }
         }
-        sums.velocity[c] = velocity;
-        sums.increment[c] = increment;
-        sums.gradient[c] = gradient;
-        sums.affine[c] = affine;
-    }
-    sums
-}
-
-/// Products of the factors of slow and middle axis for one row of nodes.
-#[derive(Clone, Copy)]
-struct Over<L> {
-    /// Weight and weight.
-    ww: L,
-    /// Derivative along the slow axis.
-    gw: L,
-    /// Derivative along the middle axis.
-    wg: L,
-    /// As `gw` and `wg` with the factors of APIC.
-    qw: L,
-    wq: L,
-}
-
-impl<L: Lanes> Over<L> {
-    #[inline(always)]
-    fn zero() -> Self {
-        let zero = L::splat(0.0);
-        Self {
-            ww: zero,
-            gw: zero,
-            wg: zero,
-            qw: zero,
-            wq: zero,
-        }
+        sums
     }
 }
 

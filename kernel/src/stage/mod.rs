@@ -8,10 +8,10 @@ pub mod solve;
 pub mod touch;
 pub mod weigh;
 
-use crate::grid::GridShape;
+use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Lanes;
 use crate::particles::Layout;
-use crate::weights::{Family, axis_weights, base_offset};
+use crate::weights::{Family, base_offset, gimp_weights, hat_weights};
 
 /// How particles of one set see the grid.
 #[derive(Clone, Debug)]
@@ -50,12 +50,14 @@ impl Mapping {
     }
 }
 
-/// Up to eight particles that follow each other and have the same base node.
-struct Group {
+/// Particles, as many as lanes at most, that follow each other and have the same base node.
+struct Group<L> {
     /// Base node per axis, in cells of the mesh (ghosts not counted).
     base: [f64; 3],
     /// Number of particles.
     count: usize,
+    /// Coordinates from the base node in cells. Lanes beyond `count` hold other particles, or none.
+    f: [L; 3],
 }
 
 /// Loads up to `L::WIDTH` values; the common full case is a plain load.
@@ -78,86 +80,74 @@ fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
     }
 }
 
-/// Number of leading particles, at most `L::WIDTH` and `limit`, whose base node is that of the first.
-#[inline(always)]
-fn same_base<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
-    columns: &[C],
-    mapping: &Mapping,
-    base: &[f64; 3],
-    at: usize,
-    limit: usize,
-) -> usize {
-    let count = limit.min(L::WIDTH);
-    let mut bits = u32::MAX;
-    for axis in 0..D {
-        let xi: L = load::<L>(columns[Layout::POSITION + axis].as_ref(), at, count)
-            * L::splat(mapping.inverse_cell[axis]);
-        let b = (xi - L::splat(base_offset(N))).floor();
-        bits &= L::bits(b.eq(L::splat(base[axis])));
-    }
-    (bits.trailing_ones() as usize).min(count)
-}
-
-/// The group that begins at particle `at` and ends before `end`, at most `most <= 8` particles.
+/// The group that begins at particle `at` and ends before `end`.
 #[inline(always)]
 fn group_at<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     columns: &[C],
     mapping: &Mapping,
     at: usize,
     end: usize,
-    most: usize,
-) -> Group {
+) -> Group<L> {
+    let limit = (end - at).min(L::WIDTH);
     let mut base = [0.0; 3];
+    let mut f = [L::splat(0.0); 3];
+    let mut same = u32::MAX;
     for axis in 0..D {
-        let xi = columns[Layout::POSITION + axis].as_ref()[at] * mapping.inverse_cell[axis];
-        base[axis] = (xi - base_offset(N)).floor();
+        let column = columns[Layout::POSITION + axis].as_ref();
+        base[axis] = (column[at] * mapping.inverse_cell[axis] - base_offset(N)).floor();
+        let xi: L = load::<L>(column, at, limit) * L::splat(mapping.inverse_cell[axis]);
+        let b = L::splat(base[axis]);
+        same &= L::bits((xi - L::splat(base_offset(N))).floor().eq(b));
+        f[axis] = xi - b;
     }
-    let limit = (end - at).min(most);
-    let mut count = 0;
-    while count < limit {
-        let more = same_base::<L, C, D, N>(columns, mapping, &base, at + count, limit - count);
-        count += more;
-        if more < L::WIDTH {
-            break;
-        }
-    }
+    let count = (same.trailing_ones() as usize).min(limit);
     // A non-finite position equals nothing, not even itself; it must still be passed over.
     Group {
         base,
         count: count.max(1),
+        f,
     }
 }
 
-/// Weights and derivatives of `count` particles per axis and node, in lanes.
+/// Index of a layer of nodes, ghosts counted, that lies `cell` cells from the lower boundary: 0 for what is not a number.
+///
+/// Whole numbers below 2^52 stand in the last bits of their sum with 2^52; a cast tests for what cannot be here.
+#[inline(always)]
+fn layer_of(cell: f64) -> usize {
+    const SHIFT: f64 = 4_503_599_627_370_496.0;
+    ((cell + GHOSTS_BELOW as f64).max(0.0) + SHIFT).to_bits() as u32 as usize
+}
+
+/// Weights and derivatives of a group that begins at `at`, per axis and node, in lanes.
 #[inline(always)]
 fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     columns: &[C],
     mapping: &Mapping,
-    base: &[f64; 3],
+    group: &Group<L>,
     at: usize,
-    count: usize,
-) -> ([L; 3], [[L; N]; 3], [[L; N]; 3]) {
+) -> ([[L; N]; 3], [[L; N]; 3]) {
     let zero = L::splat(0.0);
-    let mut f = [zero; 3];
     let mut w = [[zero; N]; 3];
     let mut g = [[zero; N]; 3];
+    if mapping.family == Family::Hat && N == 3 {
+        for axis in 0..D {
+            (w[axis], g[axis]) = hat_weights::<L, N>(group.f[axis]);
+        }
+        return (w, g);
+    }
+    let mut l = [L::splat(1.0); 3];
     for axis in 0..D {
-        let xi: L = load::<L>(columns[Layout::POSITION + axis].as_ref(), at, count)
-            * L::splat(mapping.inverse_cell[axis]);
-        f[axis] = xi - L::splat(base[axis]);
-        let l = match mapping.half_length_column {
+        l[axis] = match mapping.half_length_column {
             None => L::splat(mapping.half_length[axis]),
             Some(column) => {
-                let l: L = load::<L>(columns[column + axis].as_ref(), at, count);
+                let l: L = load::<L>(columns[column + axis].as_ref(), at, group.count);
                 // Lanes beyond the group hold zero, which must not divide.
-                if count == L::WIDTH {
-                    l
-                } else {
-                    L::select(zero.lt(l), l, L::splat(0.5))
-                }
+                L::select(zero.lt(l), l, L::splat(0.5))
             }
         };
-        (w[axis], g[axis]) = axis_weights::<L, N>(mapping.family, f[axis], l);
     }
-    (f, w, g)
+    for axis in 0..D {
+        (w[axis], g[axis]) = gimp_weights::<L, N>(group.f[axis], l[axis]);
+    }
+    (w, g)
 }

@@ -38,9 +38,8 @@ impl<const D: usize, const N: usize> Kernel for Weigh<'_, D, N> {
         let mut all = B::Line::splat(0.0);
         let mut at = range.start;
         while at < range.end {
-            let group = group_at::<B::Line, _, D, N>(columns, mapping, at, range.end, 8);
-            let (_, w, g) =
-                weights_of::<B::Line, _, D, N>(columns, mapping, &group.base, at, group.count);
+            let group = group_at::<B::Line, _, D, N>(columns, mapping, at, range.end);
+            let (w, g) = weights_of::<B::Line, _, D, N>(columns, mapping, &group, at);
             for axis in 0..D {
                 for n in 0..N {
                     all = w[axis][n].mul_add(g[axis][n], all);

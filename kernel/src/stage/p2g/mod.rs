@@ -6,8 +6,8 @@
 //! The caller owns some planes of nodes and pulls from all particles that reach them; a node's sum is formed
 //! in the order of the particles whatever planes the caller owns, so the bits do not depend on the partition.
 
-use super::{Mapping, group_at, weights_of};
-use crate::grid::{GHOSTS_BELOW, Line};
+use super::{Group, Mapping, group_at, layer_of, weights_of};
+use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::particles::Layout;
 use std::ops::Range;
@@ -143,18 +143,11 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
         for (layer, own_layer) in layers {
             let mut at = layer.start;
             while at < layer.end {
-                let group = group_at::<B::Native, _, D, N>(columns, mapping, at, layer.end, 8);
-                let first_plane = (group.base[0] + GHOSTS_BELOW as f64) as usize;
+                let group = group_at::<B::Line, _, D, N>(columns, mapping, at, layer.end);
+                let first_plane = layer_of(group.base[0]);
                 let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
                 if own.start < own.end {
-                    scratch.fill_weights::<B::Native, D, FULL>(
-                        columns,
-                        mapping,
-                        &group.base,
-                        at,
-                        group.count,
-                        carry,
-                    );
+                    scratch.fill_weights::<B::Line, D, FULL>(columns, mapping, &group, at, carry);
                     scratch.fill_lines::<D, FULL, EXTRA>(
                         columns,
                         layout,
@@ -166,11 +159,11 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
                         viscous_rate,
                     );
                     let row = if D == 3 {
-                        (group.base[1] + GHOSTS_BELOW as f64) as usize
+                        layer_of(group.base[1])
                     } else {
                         0
                     };
-                    let fast = (group.base[D - 1] + GHOSTS_BELOW as f64) as usize;
+                    let fast = layer_of(group.base[D - 1]);
                     for plane in own {
                         let first = ((plane - planes.start) * mapping.nodes[1] + row)
                             * mapping.nodes[2]
@@ -221,30 +214,24 @@ impl<const N: usize> Scratch<N> {
         &mut self,
         columns: &[Vec<f64>],
         mapping: &Mapping,
-        base: &[f64; 3],
+        group: &Group<L>,
         at: usize,
-        count: usize,
         carry: Carry,
     ) {
-        let mut done = 0;
-        while done < count {
-            let part = (count - done).min(L::WIDTH);
-            let (f, w, g) = weights_of::<L, _, D, N>(columns, mapping, base, at + done, part);
-            for axis in 0..D {
-                for n in 0..N {
-                    w[axis][n].store(&mut self.w[axis][n][done..]);
-                    g[axis][n].store(&mut self.g[axis][n][done..]);
-                    if FULL {
-                        let q = w[axis][n] * (L::splat(n as f64) - f[axis]);
-                        q.store(&mut self.q[axis][n][done..]);
-                        if carry == Carry::Remap {
-                            // The remapped momentum lies in the upper lanes, with its affine part.
-                            q.store(&mut self.g[axis][n][done..]);
-                        }
+        let (w, g) = weights_of::<L, _, D, N>(columns, mapping, group, at);
+        for axis in 0..D {
+            for n in 0..N {
+                w[axis][n].store(&mut self.w[axis][n]);
+                g[axis][n].store(&mut self.g[axis][n]);
+                if FULL {
+                    let q = w[axis][n] * (L::splat(n as f64) - group.f[axis]);
+                    q.store(&mut self.q[axis][n]);
+                    if carry == Carry::Remap {
+                        // The remapped momentum lies in the upper lanes, with its affine part.
+                        q.store(&mut self.g[axis][n]);
                     }
                 }
             }
-            done += part;
         }
     }
 
