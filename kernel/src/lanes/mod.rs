@@ -86,12 +86,22 @@ pub trait Lanes:
     }
 }
 
-/// An instruction set: its natural vector, and one of eight lanes (a node of the grid).
+/// Four lanes.
+pub trait Quad: Lanes {
+    /// Lane j of row i becomes lane i of row j.
+    fn transpose(rows: [Self; 4]) -> [Self; 4];
+}
+
+/// An instruction set: its natural vector, one of eight lanes (a node of the grid) and one of four (half a node).
 pub trait Backend: Copy {
     /// Natural vector of the instruction set: 1, 4 or 8 lanes.
     type Native: Lanes;
     /// Eight lanes.
     type Line: Lanes;
+    /// Four lanes.
+    type Half: Quad;
+    /// Whether a line is one register: then both of its halves cost no more than one.
+    const WHOLE_LINE: bool;
 }
 
 /// A computation that is compiled for every backend.
@@ -250,6 +260,8 @@ struct ScalarBackend;
 impl Backend for ScalarBackend {
     type Native = Scalar;
     type Line = Pair<Pair<Pair<Scalar>>>;
+    type Half = Pair<Pair<Scalar>>;
+    const WHOLE_LINE: bool = false;
 }
 
 #[cfg(test)]

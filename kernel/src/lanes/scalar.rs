@@ -1,6 +1,6 @@
 //! One lane, and pairs of narrower groups.
 
-use super::Lanes;
+use super::{Lanes, Quad};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// One f64.
@@ -188,5 +188,17 @@ impl<T: Lanes> Lanes for Pair<T> {
     #[inline(always)]
     fn bits(mask: Self::Mask) -> u32 {
         T::bits(mask.0) | (T::bits(mask.1) << T::WIDTH)
+    }
+}
+
+impl Quad for Pair<Pair<Scalar>> {
+    #[inline(always)]
+    fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+        [
+            Pair(Pair(a.0.0, b.0.0), Pair(c.0.0, d.0.0)),
+            Pair(Pair(a.0.1, b.0.1), Pair(c.0.1, d.0.1)),
+            Pair(Pair(a.1.0, b.1.0), Pair(c.1.0, d.1.0)),
+            Pair(Pair(a.1.1, b.1.1), Pair(c.1.1, d.1.1)),
+        ]
     }
 }

@@ -1,6 +1,6 @@
 //! All backends agree bit by bit, on ordinary numbers, signed zeros, infinities, NaN and denormals.
 
-use super::{Backend, Kernel, LaneChoice, Lanes, ScalarBackend, Selected};
+use super::{Backend, Kernel, LaneChoice, Lanes, Quad, ScalarBackend, Selected};
 
 /// Every operation on eight pairs of numbers, through the natural vector of the backend.
 struct EveryOperation<'a> {
@@ -178,6 +178,36 @@ fn parts<L: Lanes>() {
 fn partial_loads_and_stores_touch_only_their_lanes() {
     for backend in available() {
         backend.run(Parts);
+    }
+}
+
+struct Transposed;
+
+impl Kernel for Transposed {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<B: Backend>(self) {
+        assert_eq!(B::Half::WIDTH, 4);
+        let entry = |row: usize, lane: usize| (10 * row + lane) as f64;
+        let rows =
+            [0, 1, 2, 3].map(|row| B::Half::load(&[0, 1, 2, 3].map(|lane| entry(row, lane))));
+        for (row, found) in B::Half::transpose(rows).into_iter().enumerate() {
+            let mut lanes = [0.0; 4];
+            found.store(&mut lanes);
+            assert_eq!(
+                lanes,
+                [0, 1, 2, 3].map(|lane| entry(lane, row)),
+                "row {row}"
+            );
+        }
+    }
+}
+
+#[test]
+fn four_rows_of_four_lanes_are_transposed() {
+    for backend in available() {
+        backend.run(Transposed);
     }
 }
 

@@ -5,7 +5,7 @@
 //! safety argument of every `unsafe` block below; loads and stores check the length of their slice first.
 
 use super::scalar::Pair;
-use super::{Backend, Kernel, Lanes, ScalarBackend};
+use super::{Backend, Kernel, Lanes, Quad, ScalarBackend};
 #[allow(clippy::wildcard_imports)] // the vector intrinsics
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -24,6 +24,8 @@ struct Avx2;
 impl Backend for Avx2 {
     type Native = Avx2Lanes;
     type Line = Pair<Avx2Lanes>;
+    type Half = Avx2Lanes;
+    const WHOLE_LINE: bool = false;
 }
 
 #[derive(Clone, Copy)]
@@ -32,6 +34,8 @@ struct Avx512;
 impl Backend for Avx512 {
     type Native = Avx512Lanes;
     type Line = Avx512Lanes;
+    type Half = Avx2Lanes;
+    const WHOLE_LINE: bool = true;
 }
 
 /// # Safety
@@ -173,6 +177,22 @@ impl Lanes for Avx2Lanes {
     #[inline(always)]
     fn bits(mask: __m256d) -> u32 {
         unsafe { _mm256_movemask_pd(mask) as u32 }
+    }
+}
+
+impl Quad for Avx2Lanes {
+    #[inline(always)]
+    fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+        unsafe {
+            let (ab_even, ab_odd) = (_mm256_unpacklo_pd(a.0, b.0), _mm256_unpackhi_pd(a.0, b.0));
+            let (cd_even, cd_odd) = (_mm256_unpacklo_pd(c.0, d.0), _mm256_unpackhi_pd(c.0, d.0));
+            [
+                Self(_mm256_permute2f128_pd::<0x20>(ab_even, cd_even)),
+                Self(_mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd)),
+                Self(_mm256_permute2f128_pd::<0x31>(ab_even, cd_even)),
+                Self(_mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd)),
+            ]
+        }
     }
 }
 

@@ -6,10 +6,15 @@
 //! The caller owns some planes of nodes and pulls from all particles that reach them; a node's sum is formed
 //! in the order of the particles whatever planes the caller owns, so the bits do not depend on the partition.
 
-use super::{Group, Mapping, group_at, layer_of, weights_of};
+mod add;
+mod scratch;
+
+use super::{Mapping, group_at, layer_of};
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::lanes::{Backend, Kernel, Selected};
 use crate::particles::Layout;
+use add::{Below, add_plane};
+use scratch::{Scratch, Source};
 use std::ops::Range;
 
 /// What is carried to the nodes.
@@ -127,53 +132,39 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
 
     #[inline(always)]
     fn run<B: Backend>(self) -> usize {
-        let P2g {
+        let call = self.0;
+        let (columns, mapping, planes) = (call.columns, call.mapping, call.planes);
+        let from = Source {
             columns,
-            layout,
+            layout: call.layout,
             mapping,
-            layers,
-            planes,
-            nodes,
-            carry,
-            spin,
-            viscous_rate,
-        } = self.0;
+            carry: call.carry,
+            spin: call.spin,
+            viscous_rate: call.viscous_rate,
+        };
         let mut scratch = Scratch::<N>::new();
         let mut groups = 0;
-        for (layer, own_layer) in layers {
+        for (layer, own_layer) in call.layers {
             let mut at = layer.start;
             while at < layer.end {
                 let group = group_at::<B::Line, _, D, N>(columns, mapping, at, layer.end);
                 let first_plane = layer_of(group.base[0]);
                 let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
                 if own.start < own.end {
-                    scratch.fill_weights::<B::Line, D, FULL>(columns, mapping, &group, at, carry);
-                    scratch.fill_lines::<D, FULL, EXTRA>(
-                        columns,
-                        layout,
-                        mapping,
-                        at,
-                        group.count,
-                        carry,
-                        spin,
-                        viscous_rate,
-                    );
-                    let row = if D == 3 {
-                        layer_of(group.base[1])
-                    } else {
-                        0
-                    };
-                    let fast = layer_of(group.base[D - 1]);
+                    scratch.fill_weights::<B::Line, D, FULL>(&from, &group, at);
+                    scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(&from, at, group.count);
+                    let row = if D == 3 { layer_of(group.base[1]) } else { 0 };
+                    let along = layer_of(group.base[D - 1]);
                     for plane in own {
-                        let first = ((plane - planes.start) * mapping.nodes[1] + row)
-                            * mapping.nodes[2]
-                            + fast;
-                        scratch.add_plane::<B, D, FULL, GRADIENT>(
-                            plane - first_plane,
-                            group.count,
-                            first,
-                            mapping.nodes[2],
-                            nodes,
+                        let row = (plane - planes.start) * mapping.nodes[1] + row;
+                        let below = Below {
+                            count: group.count,
+                            first: row * mapping.nodes[2] + along,
+                            row_length: mapping.nodes[2],
+                        };
+                        scratch.multiply::<B::Line, D, FULL, GRADIENT>(plane - first_plane);
+                        add_plane::<B, D, N, FULL, GRADIENT>(
+                            &scratch, call.carry, &below, call.nodes,
                         );
                     }
                 }
@@ -182,227 +173,6 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
             }
         }
         groups
-    }
-}
-
-/// Weights and quantities of one group.
-struct Scratch<const N: usize> {
-    /// Weights, `[axis][node][particle]`.
-    w: [[[f64; 8]; N]; 3],
-    /// Derivatives times h.
-    g: [[[f64; 8]; N]; 3],
-    /// Weights times distance in cells, for the affine term.
-    q: [[[f64; 8]; N]; 3],
-    /// Per particle: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and
-    /// distance (lower lanes) along each axis.
-    lines: [[[f64; 8]; 4]; 8],
-}
-
-impl<const N: usize> Scratch<N> {
-    #[inline(always)]
-    fn new() -> Self {
-        Self {
-            w: [[[0.0; 8]; N]; 3],
-            g: [[[0.0; 8]; N]; 3],
-            q: [[[0.0; 8]; N]; 3],
-            lines: [[[0.0; 8]; 4]; 8],
-        }
-    }
-
-    #[inline(always)]
-    fn fill_weights<L: Lanes, const D: usize, const FULL: bool>(
-        &mut self,
-        columns: &[Vec<f64>],
-        mapping: &Mapping,
-        group: &Group<L>,
-        at: usize,
-        carry: Carry,
-    ) {
-        let (w, g) = weights_of::<L, _, D, N>(columns, mapping, group, at);
-        for axis in 0..D {
-            for n in 0..N {
-                w[axis][n].store(&mut self.w[axis][n]);
-                g[axis][n].store(&mut self.g[axis][n]);
-                if FULL {
-                    let q = w[axis][n] * (L::splat(n as f64) - group.f[axis]);
-                    q.store(&mut self.q[axis][n]);
-                    if carry == Carry::Remap {
-                        // The remapped momentum lies in the upper lanes, with its affine part.
-                        q.store(&mut self.g[axis][n]);
-                    }
-                }
-            }
-        }
-    }
-
-    // One call site; a struct of the nine would only be taken apart again.
-    #[allow(clippy::too_many_arguments)]
-    #[inline(always)]
-    fn fill_lines<const D: usize, const FULL: bool, const EXTRA: u8>(
-        &mut self,
-        columns: &[Vec<f64>],
-        layout: &Layout,
-        mapping: &Mapping,
-        at: usize,
-        count: usize,
-        carry: Carry,
-        spin: Option<usize>,
-        viscous_rate: f64,
-    ) {
-        let stress = Layout::stress(D);
-        let velocity = Layout::velocity(D);
-        for p in 0..count {
-            let i = at + p;
-            let lines = &mut self.lines[p];
-            *lines = [[0.0; 8]; 4];
-            let m = columns[Layout::MASS][i];
-            if EXTRA == MASS_GRADIENT {
-                for axis in 0..D {
-                    lines[Self::lean_line_of::<D>(axis)][4 + axis] = m * mapping.inverse_cell[axis];
-                }
-                continue;
-            }
-            if EXTRA == SPIN
-                && let Some(gradient) = spin
-            {
-                lines[0][7] = 0.5 * m * (columns[gradient + 2][i] - columns[gradient + 1][i]);
-            }
-            if carry != Carry::Force {
-                let first = if carry == Carry::Remap { 4 } else { 1 };
-                if carry != Carry::Remap {
-                    lines[0][0] = m;
-                }
-                for c in 0..D {
-                    lines[0][first + c] = m * columns[velocity + c][i];
-                }
-                if FULL && let Some(affine) = layout.affine {
-                    for axis in 0..D {
-                        for c in 0..D {
-                            let rate = columns[affine + c * D + axis][i];
-                            lines[Self::line_of::<D>(axis)][first + c] =
-                                m * rate * mapping.cell[axis];
-                        }
-                    }
-                }
-            }
-            if matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force) {
-                let volume = -columns[Layout::VOLUME][i];
-                for axis in 0..D {
-                    let scale = volume * mapping.inverse_cell[axis];
-                    let line = if FULL {
-                        Self::line_of::<D>(axis)
-                    } else {
-                        Self::lean_line_of::<D>(axis)
-                    };
-                    for c in 0..D {
-                        lines[line][4 + c] = scale * columns[stress + voigt::<D>(c, axis)][i];
-                    }
-                }
-                if FULL {
-                    if let Some(force) = layout.force {
-                        for c in 0..D {
-                            lines[0][4 + c] = columns[force + c][i];
-                        }
-                    }
-                    if viscous_rate != 0.0 {
-                        for c in 0..D {
-                            lines[0][4 + c] -= viscous_rate * m * columns[velocity + c][i];
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// Line of the terms that go with the derivative along an axis: 1 slow, 2 middle, 3 fast.
-    #[inline(always)]
-    const fn line_of<const D: usize>(axis: usize) -> usize {
-        if axis + 1 == D { 3 } else { axis + 1 }
-    }
-
-    /// As [`Self::line_of`]; without affine terms the slow axis shares line 0, whose upper lanes are free.
-    #[inline(always)]
-    const fn lean_line_of<const D: usize>(axis: usize) -> usize {
-        if axis == 0 {
-            0
-        } else {
-            Self::line_of::<D>(axis)
-        }
-    }
-
-    /// Adds the group to one plane of nodes, `i` planes above its base.
-    #[inline(always)]
-    fn add_plane<B: Backend, const D: usize, const FULL: bool, const GRADIENT: bool>(
-        &self,
-        i: usize,
-        count: usize,
-        first: usize,
-        row_length: usize,
-        nodes: &mut [Line],
-    ) {
-        let fast = D - 1;
-        let rows = if D == 3 { N } else { 1 };
-        for j in 0..rows {
-            // Products over slow and middle axis, eight particles at a time.
-            let (mut ww, mut gw, mut wg) = (self.w[0][i], self.g[0][i], [0.0; 8]);
-            let (mut qw, mut wq) = (self.q[0][i], [0.0; 8]);
-            if D == 3 {
-                let w_1 = B::Line::load(&self.w[1][j]);
-                let w_0 = B::Line::load(&ww);
-                (w_0 * w_1).store(&mut ww);
-                if GRADIENT {
-                    (B::Line::load(&gw) * w_1).store(&mut gw);
-                    (w_0 * B::Line::load(&self.g[1][j])).store(&mut wg);
-                }
-                if FULL {
-                    (B::Line::load(&qw) * w_1).store(&mut qw);
-                    (w_0 * B::Line::load(&self.q[1][j])).store(&mut wq);
-                }
-            }
-            let row = &mut nodes[first + j * row_length..][..N];
-            let mut sums = [B::Line::splat(0.0); N];
-            for k in 0..N {
-                sums[k] = B::Line::load(&row[k]);
-            }
-            for p in 0..count {
-                let lines = &self.lines[p];
-                let by_weight = B::Line::load(&lines[0]);
-                let mut s = if FULL || !GRADIENT {
-                    B::Line::splat(ww[p]) * by_weight
-                } else {
-                    B::Line::splat_halves(ww[p], gw[p]) * by_weight
-                };
-                if FULL {
-                    s = B::Line::splat_halves(qw[p], gw[p]).mul_add(B::Line::load(&lines[1]), s);
-                }
-                if GRADIENT && D == 3 {
-                    let middle = B::Line::load(&lines[2]);
-                    let factor = if FULL {
-                        B::Line::splat_halves(wq[p], wg[p])
-                    } else {
-                        B::Line::splat(wg[p])
-                    };
-                    s = factor.mul_add(middle, s);
-                }
-                for k in 0..N {
-                    sums[k] = B::Line::splat(self.w[fast][k][p]).mul_add(s, sums[k]);
-                }
-                if GRADIENT {
-                    let t = B::Line::splat(ww[p]) * B::Line::load(&lines[3]);
-                    for k in 0..N {
-                        let factor = if FULL {
-                            B::Line::splat_halves(self.q[fast][k][p], self.g[fast][k][p])
-                        } else {
-                            B::Line::splat(self.g[fast][k][p])
-                        };
-                        sums[k] = factor.mul_add(t, sums[k]);
-                    }
-                }
-            }
-            for k in 0..N {
-                sums[k].store(&mut row[k]);
-            }
-        }
     }
 }
 

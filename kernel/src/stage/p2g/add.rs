@@ -1,0 +1,164 @@
+//! Sums of a group over the nodes of one plane.
+//!
+//! Where a line is two registers or more, its halves are summed apart: the lower one, mass and momentum, has no
+//! derivative unless velocity is affine, and a mapping that carries one half alone leaves the other out. Either way a
+//! number has the same terms in the same order.
+
+use super::Carry;
+use super::scratch::Scratch;
+use crate::grid::Line;
+use crate::lanes::{Backend, Lanes};
+
+/// The nodes of a plane that a group reaches.
+pub(super) struct Below {
+    /// Number of particles of the group.
+    pub count: usize,
+    /// First node of the first row.
+    pub first: usize,
+    /// Nodes from one row to the next.
+    pub row_length: usize,
+}
+
+/// The lanes of a line that a call adds to.
+const LOWER: u8 = 0;
+const UPPER: u8 = 1;
+const BOTH: u8 = 2;
+
+/// Adds the group to the plane whose products `scratch` holds.
+#[inline(always)]
+pub(super) fn add_plane<
+    B: Backend,
+    const D: usize,
+    const N: usize,
+    const FULL: bool,
+    const GRADIENT: bool,
+>(
+    scratch: &Scratch<N>,
+    carry: Carry,
+    below: &Below,
+    nodes: &mut [Line],
+) {
+    if B::WHOLE_LINE {
+        return add_part::<B::Line, D, N, FULL, GRADIENT, BOTH>(scratch, below, nodes);
+    }
+    if matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Momentum) {
+        add_part::<B::Half, D, N, FULL, GRADIENT, LOWER>(scratch, below, nodes);
+    }
+    if carry != Carry::Momentum {
+        add_part::<B::Half, D, N, FULL, GRADIENT, UPPER>(scratch, below, nodes);
+    }
+}
+
+/// Adds to some lanes of the plane; as many rows at once as sums fit the registers.
+#[inline(always)]
+fn add_part<
+    L: Lanes,
+    const D: usize,
+    const N: usize,
+    const FULL: bool,
+    const GRADIENT: bool,
+    const PART: u8,
+>(
+    scratch: &Scratch<N>,
+    below: &Below,
+    nodes: &mut [Line],
+) {
+    if D == 2 {
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 1>(scratch, below, nodes, 0);
+    } else if N == 3 {
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 3>(scratch, below, nodes, 0);
+    } else {
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 2>(scratch, below, nodes, 0);
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 2>(scratch, below, nodes, 2);
+    }
+}
+
+/// Adds to `ROWS` rows from row `j`.
+#[inline(always)]
+fn add_rows<
+    L: Lanes,
+    const D: usize,
+    const N: usize,
+    const FULL: bool,
+    const GRADIENT: bool,
+    const PART: u8,
+    const ROWS: usize,
+>(
+    scratch: &Scratch<N>,
+    below: &Below,
+    nodes: &mut [Line],
+    j: usize,
+) {
+    let fast = D - 1;
+    // The lower lanes have derivatives (distances, that is) of affine velocity only.
+    let derivative = GRADIENT && (FULL || PART != LOWER);
+    let lanes = match PART {
+        LOWER => 0..4,
+        UPPER => 4..8,
+        _ => 0..8,
+    };
+    let mut sums = [[L::splat(0.0); N]; ROWS];
+    for r in 0..ROWS {
+        let row = &nodes[below.first + (j + r) * below.row_length..][..N];
+        for k in 0..N {
+            sums[r][k] = L::load(&row[k][lanes.clone()]);
+        }
+    }
+    for p in 0..below.count {
+        let lines = &scratch.lines[p];
+        let by_weight = L::load(&lines[0][lanes.clone()]);
+        for r in 0..ROWS {
+            let ww = scratch.ww[j + r][p];
+            let (gw, wg) = (scratch.gw[j + r][p], scratch.wg[j + r][p]);
+            let mut s = if derivative && !FULL {
+                halves::<L, PART>(ww, gw) * by_weight
+            } else {
+                L::splat(ww) * by_weight
+            };
+            if FULL {
+                let along = L::load(&lines[1][lanes.clone()]);
+                s = halves::<L, PART>(scratch.qw[j + r][p], gw).mul_add(along, s);
+            }
+            if derivative && D == 3 {
+                let along = L::load(&lines[2][lanes.clone()]);
+                let factor = if FULL {
+                    halves::<L, PART>(scratch.wq[j + r][p], wg)
+                } else {
+                    L::splat(wg)
+                };
+                s = factor.mul_add(along, s);
+            }
+            for k in 0..N {
+                sums[r][k] = L::splat(scratch.w[fast][k][p]).mul_add(s, sums[r][k]);
+            }
+            if derivative {
+                let t = L::splat(ww) * L::load(&lines[3][lanes.clone()]);
+                for k in 0..N {
+                    let g = scratch.g[fast][k][p];
+                    let factor = if FULL {
+                        halves::<L, PART>(scratch.q[fast][k][p], g)
+                    } else {
+                        L::splat(g)
+                    };
+                    sums[r][k] = factor.mul_add(t, sums[r][k]);
+                }
+            }
+        }
+    }
+    for r in 0..ROWS {
+        let row = &mut nodes[below.first + (j + r) * below.row_length..][..N];
+        for k in 0..N {
+            sums[r][k].store(&mut row[k][lanes.clone()]);
+        }
+    }
+}
+
+/// The factor of the lanes in use: `lower`, `upper`, or each in its half.
+#[inline(always)]
+fn halves<L: Lanes, const PART: u8>(lower: f64, upper: f64) -> L {
+    match PART {
+        LOWER => L::splat(lower),
+        UPPER => L::splat(upper),
+        _ => L::splat_halves(lower, upper),
+    }
+}

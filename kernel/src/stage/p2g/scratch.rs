@@ -1,0 +1,254 @@
+//! Weights and quantities of one group of particles, as the sums over nodes want them.
+
+use super::{Carry, MASS_GRADIENT, SPIN, voigt};
+use crate::lanes::{Lanes, Quad};
+use crate::particles::Layout;
+use crate::stage::{Group, Mapping, load, weights_of};
+
+/// Where the quantities come from, and which are wanted.
+pub(super) struct Source<'a> {
+    /// Columns of the set.
+    pub columns: &'a [Vec<f64>],
+    /// Where the columns are.
+    pub layout: &'a Layout,
+    /// How the set sees the grid.
+    pub mapping: &'a Mapping,
+    /// What is carried.
+    pub carry: Carry,
+    /// First column of the velocity gradient of which the spin is carried.
+    pub spin: Option<usize>,
+    /// Rate of viscous damping \[1/s\]; 0 for none.
+    pub viscous_rate: f64,
+}
+
+/// Weights and quantities of one group.
+pub(super) struct Scratch<const N: usize> {
+    /// Weights, `[axis][node][particle]`.
+    pub w: [[[f64; 8]; N]; 3],
+    /// Derivatives times h.
+    pub g: [[[f64; 8]; N]; 3],
+    /// Weights times distance in cells, for the affine term.
+    pub q: [[[f64; 8]; N]; 3],
+    /// Products over slow and middle axis for the rows of one plane, `[row][particle]`: weight and weight, derivative
+    /// along the slow and along the middle axis, and the same with distances.
+    pub ww: [[f64; 8]; N],
+    pub gw: [[f64; 8]; N],
+    pub wg: [[f64; 8]; N],
+    pub qw: [[f64; 8]; N],
+    pub wq: [[f64; 8]; N],
+    /// Per particle: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and
+    /// distance (lower lanes) along each axis.
+    pub lines: [[[f64; 8]; 4]; 8],
+}
+
+impl<const N: usize> Scratch<N> {
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self {
+            w: [[[0.0; 8]; N]; 3],
+            g: [[[0.0; 8]; N]; 3],
+            q: [[[0.0; 8]; N]; 3],
+            ww: [[0.0; 8]; N],
+            gw: [[0.0; 8]; N],
+            wg: [[0.0; 8]; N],
+            qw: [[0.0; 8]; N],
+            wq: [[0.0; 8]; N],
+            lines: [[[0.0; 8]; 4]; 8],
+        }
+    }
+
+    /// Weights of a group that begins at particle `at`.
+    #[inline(always)]
+    pub fn fill_weights<L: Lanes, const D: usize, const FULL: bool>(
+        &mut self,
+        from: &Source<'_>,
+        group: &Group<L>,
+        at: usize,
+    ) {
+        let (w, g) = weights_of::<L, _, D, N>(from.columns, from.mapping, group, at);
+        for axis in 0..D {
+            for n in 0..N {
+                w[axis][n].store(&mut self.w[axis][n]);
+                g[axis][n].store(&mut self.g[axis][n]);
+                if FULL {
+                    let q = w[axis][n] * (L::splat(n as f64) - group.f[axis]);
+                    q.store(&mut self.q[axis][n]);
+                    if from.carry == Carry::Remap {
+                        // The remapped momentum lies in the upper lanes, with its affine part.
+                        q.store(&mut self.g[axis][n]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Products over slow and middle axis for one plane of nodes, `i` planes above the base.
+    #[inline(always)]
+    pub fn multiply<L: Lanes, const D: usize, const FULL: bool, const GRADIENT: bool>(
+        &mut self,
+        i: usize,
+    ) {
+        if D == 2 {
+            (self.ww[0], self.gw[0], self.qw[0]) = (self.w[0][i], self.g[0][i], self.q[0][i]);
+            return;
+        }
+        let (w_0, g_0, q_0) = (
+            L::load(&self.w[0][i]),
+            L::load(&self.g[0][i]),
+            L::load(&self.q[0][i]),
+        );
+        for j in 0..N {
+            let w_1 = L::load(&self.w[1][j]);
+            (w_0 * w_1).store(&mut self.ww[j]);
+            if GRADIENT {
+                (g_0 * w_1).store(&mut self.gw[j]);
+                (w_0 * L::load(&self.g[1][j])).store(&mut self.wg[j]);
+            }
+            if FULL {
+                (q_0 * w_1).store(&mut self.qw[j]);
+                (w_0 * L::load(&self.q[1][j])).store(&mut self.wq[j]);
+            }
+        }
+    }
+
+    /// Quantities of `count` particles from `at`: formed with lanes = particles, four at a time, and turned to
+    /// lanes = quantities.
+    #[inline(always)]
+    pub fn fill_lines<
+        Q: Quad,
+        const D: usize,
+        const FULL: bool,
+        const GRADIENT: bool,
+        const EXTRA: u8,
+    >(
+        &mut self,
+        from: &Source<'_>,
+        at: usize,
+        count: usize,
+    ) {
+        let mut done = 0;
+        while done < count {
+            let part = (count - done).min(4);
+            let (lower, upper) = rows::<Q, D, FULL, EXTRA>(from, at + done, part);
+            let lines = &mut self.lines[done..done + 4];
+            for line in 0..4 {
+                // Line 1 exists with affine terms only, line 2 in space only; without a derivative there is line 0.
+                let exists = match line {
+                    0 => true,
+                    1 => FULL,
+                    2 => D == 3 && GRADIENT,
+                    _ => GRADIENT,
+                };
+                if exists {
+                    for (lines, half) in lines.iter_mut().zip(Q::transpose(upper[line])) {
+                        half.store(&mut lines[line][4..]);
+                    }
+                }
+                if line == 0 || FULL && exists {
+                    for (lines, half) in lines.iter_mut().zip(Q::transpose(lower[line])) {
+                        half.store(&mut lines[line]);
+                    }
+                }
+            }
+            done += part;
+        }
+    }
+}
+
+/// Lower and upper half of each line, row by row, of `count <= 4` particles.
+#[inline(always)]
+fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
+    from: &Source<'_>,
+    at: usize,
+    count: usize,
+) -> ([[Q; 4]; 4], [[Q; 4]; 4]) {
+    let zero = Q::splat(0.0);
+    let (mut lower, mut upper) = ([[zero; 4]; 4], [[zero; 4]; 4]);
+    let (columns, mapping, carry) = (from.columns, from.mapping, from.carry);
+    let m = load::<Q>(&columns[Layout::MASS], at, count);
+    if EXTRA == MASS_GRADIENT {
+        for axis in 0..D {
+            upper[lean_line_of::<D>(axis)][axis] = m * Q::splat(mapping.inverse_cell[axis]);
+        }
+        return (lower, upper);
+    }
+    if EXTRA == SPIN
+        && let Some(gradient) = from.spin
+    {
+        let turn = load::<Q>(&columns[gradient + 2], at, count)
+            - load::<Q>(&columns[gradient + 1], at, count);
+        upper[0][3] = Q::splat(0.5) * m * turn;
+    }
+    let mut v = [zero; 3];
+    for c in 0..D {
+        v[c] = load::<Q>(&columns[Layout::velocity(D) + c], at, count);
+    }
+    if carry == Carry::Remap {
+        for c in 0..D {
+            upper[0][c] = m * v[c];
+        }
+    } else if carry != Carry::Force {
+        lower[0][0] = m;
+        for c in 0..D {
+            lower[0][1 + c] = m * v[c];
+        }
+    }
+    if FULL
+        && carry != Carry::Force
+        && let Some(affine) = from.layout.affine
+    {
+        for axis in 0..D {
+            let cell = Q::splat(mapping.cell[axis]);
+            for c in 0..D {
+                let rate = load::<Q>(&columns[affine + c * D + axis], at, count);
+                let along = m * rate * cell;
+                if carry == Carry::Remap {
+                    upper[line_of::<D>(axis)][c] = along;
+                } else {
+                    lower[line_of::<D>(axis)][1 + c] = along;
+                }
+            }
+        }
+    }
+    if matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force) {
+        let volume = -load::<Q>(&columns[Layout::VOLUME], at, count);
+        for axis in 0..D {
+            let scale = volume * Q::splat(mapping.inverse_cell[axis]);
+            let line = if FULL {
+                line_of::<D>(axis)
+            } else {
+                lean_line_of::<D>(axis)
+            };
+            for c in 0..D {
+                let stress = &columns[Layout::stress(D) + voigt::<D>(c, axis)];
+                upper[line][c] = scale * load::<Q>(stress, at, count);
+            }
+        }
+        if FULL {
+            if let Some(force) = from.layout.force {
+                for c in 0..D {
+                    upper[0][c] = load::<Q>(&columns[force + c], at, count);
+                }
+            }
+            if from.viscous_rate != 0.0 {
+                let rate = Q::splat(from.viscous_rate);
+                for c in 0..D {
+                    upper[0][c] = upper[0][c] - rate * m * v[c];
+                }
+            }
+        }
+    }
+    (lower, upper)
+}
+
+/// Line of the terms that go with the derivative along an axis: 1 slow, 2 middle, 3 fast.
+#[inline(always)]
+const fn line_of<const D: usize>(axis: usize) -> usize {
+    if axis + 1 == D { 3 } else { axis + 1 }
+}
+
+/// As [`line_of`]; without affine terms the slow axis shares line 0, whose upper lanes are free.
+#[inline(always)]
+const fn lean_line_of<const D: usize>(axis: usize) -> usize {
+    if axis == 0 { 0 } else { line_of::<D>(axis) }
+}
