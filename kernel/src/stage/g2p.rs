@@ -203,7 +203,7 @@ impl<
     }
 }
 
-/// Interpolated values of one group, component by component.
+/// Interpolated values of one group.
 struct Sums<L> {
     /// sum S v.
     velocity: [L; 3],
@@ -243,26 +243,29 @@ fn interpolate<
             q[axis] = affine_weights::<L, N>(mapping, axis, group.f[axis], &w[axis], &g[axis]);
         }
     }
-    let stencil = Stencil::<L, D, N>::new(mapping, group, w, g, q, APIC);
-    // One component after the other: its sums and the weights along a row fit the registers.
-    let x = stencil.component::<KICK, GRADIENT, APIC, UPPER>(nodes, 0);
-    let y = stencil.component::<KICK, GRADIENT, APIC, UPPER>(nodes, 1);
-    let z = if D == 3 {
-        stencil.component::<KICK, GRADIENT, APIC, UPPER>(nodes, 2)
+    let stencil = Stencil::<L, D, N>::new(mapping, nodes, group, &w, &g);
+    let affine = if APIC {
+        Some(AffineFactors::new::<D>(&w, &q))
     } else {
-        Component {
-            velocity: zero,
-            increment: zero,
-            gradient: [zero; 3],
-            affine: [zero; 3],
-        }
+        None
     };
-    Sums {
-        velocity: [x.velocity, y.velocity, z.velocity],
-        increment: [x.increment, y.increment, z.increment],
-        gradient: [x.gradient, y.gradient, z.gradient],
-        affine: [x.affine, y.affine, z.affine],
+    let mut sums = Sums {
+        velocity: [zero; 3],
+        increment: [zero; 3],
+        gradient: [[zero; 3]; 3],
+        affine: [[zero; 3]; 3],
+    };
+    // One component after the other: its sums and the weights along a row fit the registers.
+    for c in 0..D {
+        let of = stencil.component::<KICK, GRADIENT, UPPER>(affine.as_ref(), c);
+        sums.velocity[c] = of.velocity;
+        sums.increment[c] = of.increment;
+        sums.gradient[c] = of.gradient;
+        if APIC {
+            sums.affine[c] = of.affine;
+        }
     }
+    sums
 }
 
 /// One component of the interpolated values.
@@ -273,68 +276,84 @@ struct Component<L> {
     affine: [L; 3],
 }
 
-/// What the components share: factors along a row, products over slow and middle axis for each row, and where the
-/// rows are.
-struct Stencil<L, const D: usize, const N: usize> {
-    /// Weight, derivative and factor of APIC along the row.
+/// What the components share: factors along a row, products over slow and middle axis for each row, and the rows.
+struct Stencil<'a, L, const D: usize, const N: usize> {
+    /// Weight and derivative along the row.
     w: [L; N],
     g: [L; N],
-    q: [L; N],
     /// Weight times weight.
     ww: [[L; N]; N],
     /// Derivative along the slow axis, and along the middle one.
     gw: [[L; N]; N],
     wg: [[L; N]; N],
-    /// As `gw` and `wg` with the factors of APIC.
-    qw: [[L; N]; N],
-    wq: [[L; N]; N],
-    /// First node of each row.
-    rows: [[usize; N]; N],
+    /// The nodes of each row.
+    rows: [[&'a [Line; N]; N]; N],
 }
 
-impl<L: Lanes, const D: usize, const N: usize> Stencil<L, D, N> {
+/// The same for the factors of APIC: along the row, and over slow and middle axis with that of one of them.
+struct AffineFactors<L, const N: usize> {
+    q: [L; N],
+    qw: [[L; N]; N],
+    wq: [[L; N]; N],
+}
+
+impl<L: Lanes, const N: usize> AffineFactors<L, N> {
+    #[inline(always)]
+    fn new<const D: usize>(w: &[[L; N]; 3], q: &[[L; N]; 3]) -> Self {
+        let mut factors = Self {
+            q: q[D - 1],
+            qw: [q[0]; N],
+            wq: [q[0]; N],
+        };
+        for i in 0..N {
+            for j in 0..N {
+                if D == 3 {
+                    factors.qw[i][j] = q[0][i] * w[1][j];
+                    factors.wq[i][j] = w[0][i] * q[1][j];
+                } else {
+                    factors.qw[i][j] = q[0][i];
+                }
+            }
+        }
+        factors
+    }
+}
+
+impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
     /// Rows of a plane.
     const ROWS: usize = if D == 3 { N } else { 1 };
 
     #[inline(always)]
     fn new(
         mapping: &Mapping,
+        nodes: &'a [Line],
         group: &Group<L>,
-        w: [[L; N]; 3],
-        g: [[L; N]; 3],
-        q: [[L; N]; 3],
-        apic: bool,
+        w: &[[L; N]; 3],
+        g: &[[L; N]; 3],
     ) -> Self {
         let fast = D - 1;
+        let middle = if D == 3 { layer_of(group.base[1]) } else { 0 };
+        let row = layer_of(group.base[0]) * mapping.nodes[1] + middle;
+        let first = row * mapping.nodes[2] + layer_of(group.base[fast]);
+        let plane = mapping.nodes[1] * mapping.nodes[2];
         let mut stencil = Self {
             w: w[fast],
             g: g[fast],
-            q: q[fast],
             ww: [w[0]; N],
-            gw: [w[0]; N],
-            wg: [w[0]; N],
-            qw: [w[0]; N],
-            wq: [w[0]; N],
-            rows: [[0; N]; N],
+            gw: [g[0]; N],
+            wg: [g[0]; N],
+            rows: [[row_at(nodes, first); N]; N],
         };
-        let middle = if D == 3 { layer_of(group.base[1]) } else { 0 };
-        let (slow, along) = (layer_of(group.base[0]), layer_of(group.base[fast]));
         for i in 0..N {
             for j in 0..Self::ROWS {
-                stencil.rows[i][j] =
-                    ((slow + i) * mapping.nodes[1] + middle + j) * mapping.nodes[2] + along;
+                stencil.rows[i][j] = row_at(nodes, first + i * plane + j * mapping.nodes[2]);
                 if D == 3 {
                     stencil.ww[i][j] = w[0][i] * w[1][j];
                     stencil.gw[i][j] = g[0][i] * w[1][j];
                     stencil.wg[i][j] = w[0][i] * g[1][j];
-                    if apic {
-                        stencil.qw[i][j] = q[0][i] * w[1][j];
-                        stencil.wq[i][j] = w[0][i] * q[1][j];
-                    }
                 } else {
                     stencil.ww[i][j] = w[0][i];
                     stencil.gw[i][j] = g[0][i];
-                    stencil.qw[i][j] = q[0][i];
                 }
             }
         }
@@ -342,9 +361,9 @@ impl<L: Lanes, const D: usize, const N: usize> Stencil<L, D, N> {
     }
 
     #[inline(always)]
-    fn component<const KICK: bool, const GRADIENT: bool, const APIC: bool, const UPPER: bool>(
+    fn component<const KICK: bool, const GRADIENT: bool, const UPPER: bool>(
         &self,
-        nodes: &[Line],
+        affine: Option<&AffineFactors<L, N>>,
         c: usize,
     ) -> Component<L> {
         let zero = L::splat(0.0);
@@ -358,12 +377,19 @@ impl<L: Lanes, const D: usize, const N: usize> Stencil<L, D, N> {
         };
         for i in 0..N {
             for j in 0..Self::ROWS {
-                let row = &nodes[self.rows[i][j]..][..N];
-                // Sums along the row.
-                let (mut v, mut dv, mut s, mut vg, mut vq) = (zero, zero, zero, zero, zero);
-                for k in 0..N {
-                    let v_i = L::splat(row[k][1 + c]);
-                    v = self.w[k].mul_add(v_i, v);
+                let row = self.rows[i][j];
+                // Sums along the row. A first product may be -0 where a sum from 0 is not; neither changes what it
+                // is added to.
+                let v_0 = L::splat(row[0][1 + c]);
+                let mut v = self.w[0] * v_0;
+                let mut dv = zero;
+                if KICK {
+                    dv = self.w[0] * L::splat(row[0][4 + c]);
+                }
+                let s_0 = L::splat(row[0][source + c]);
+                let (mut s, mut vg) = (self.w[0] * s_0, self.g[0] * s_0);
+                for k in 1..N {
+                    v = self.w[k].mul_add(L::splat(row[k][1 + c]), v);
                     if KICK {
                         dv = self.w[k].mul_add(L::splat(row[k][4 + c]), dv);
                     }
@@ -374,11 +400,8 @@ impl<L: Lanes, const D: usize, const N: usize> Stencil<L, D, N> {
                         }
                         vg = self.g[k].mul_add(s_i, vg);
                     }
-                    if APIC {
-                        vq = self.q[k].mul_add(v_i, vq);
-                    }
                 }
-                if GRADIENT && !UPPER {
+                if !UPPER {
                     s = v;
                 }
                 let ww = self.ww[i][j];
@@ -393,17 +416,29 @@ impl<L: Lanes, const D: usize, const N: usize> Stencil<L, D, N> {
                         sums.gradient[1] = self.wg[i][j].mul_add(s, sums.gradient[1]);
                     }
                 }
-                if APIC {
-                    sums.affine[0] = self.qw[i][j].mul_add(v, sums.affine[0]);
+                if let Some(affine) = affine {
+                    let mut vq = affine.q[0] * v_0;
+                    for k in 1..N {
+                        vq = affine.q[k].mul_add(L::splat(row[k][1 + c]), vq);
+                    }
+                    sums.affine[0] = affine.qw[i][j].mul_add(v, sums.affine[0]);
                     sums.affine[fast] = ww.mul_add(vq, sums.affine[fast]);
                     if D == 3 {
-                        sums.affine[1] = self.wq[i][j].mul_add(v, sums.affine[1]);
+                        sums.affine[1] = affine.wq[i][j].mul_add(v, sums.affine[1]);
                     }
                 }
             }
         }
         sums
     }
+}
+
+/// The row of nodes of a stencil from a node on.
+#[inline(always)]
+fn row_at<const N: usize>(nodes: &[Line], first: usize) -> &[Line; N] {
+    nodes[first..]
+        .first_chunk()
+        .expect("the stencil of a particle lies in the grid")
 }
 
 /// Factors of APIC along an axis: S_I (x_I - x_p)/D_p with D_p = sum S_I (x_I - x_p)² of that axis. The cross
