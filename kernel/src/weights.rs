@@ -44,7 +44,7 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
     if family == Family::Hat && N == 3 {
         hat_weights::<L, N>(f)
     } else {
-        gimp_weights::<L, N>(f, l)
+        gimp_weights::<L, N>(f, l, L::splat(1.0) / (L::splat(4.0) * l))
     }
 }
 
@@ -61,11 +61,10 @@ pub fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
     )
 }
 
-/// [`axis_weights`] of GIMP.
+/// [`axis_weights`] of GIMP, with `quarter` = 1/(4 l).
 #[inline(always)]
-pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L) -> ([L; N], [L; N]) {
+pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N], [L; N]) {
     let (zero, one, two) = (L::splat(0.0), L::splat(1.0), L::splat(2.0));
-    let quarter = one / (L::splat(4.0) * l);
     if N == 4 {
         let mut w = [zero; N];
         let mut g = [zero; N];

@@ -159,7 +159,8 @@ impl Simulation {
     pub(super) fn interpolate(&mut self, task: Task) -> Result<(), StepError> {
         let call = g2p::instance(self.plan.axes, self.stencil, &task);
         let mesh = &self.scene.mesh;
-        let extent = std::array::from_fn(|axis| mesh.cells[axis] as f64 * mesh.cell[axis]);
+        let beyond =
+            std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
         let common = self.field.nodes.lines();
         let lanes = self.lanes;
         let mut travel = 0.0_f64;
@@ -187,7 +188,7 @@ impl Simulation {
                         law: &run.law,
                         domain_update: run.domain_update,
                         nodes,
-                        extent,
+                        beyond,
                         task,
                     },
                 )

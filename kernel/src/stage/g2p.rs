@@ -59,8 +59,8 @@ pub struct G2p<'a, 'b> {
     pub domain_update: Option<DomainUpdate>,
     /// All nodes.
     pub nodes: &'a [Line],
-    /// Edges of the mesh per axis \[m\].
-    pub extent: [f64; 3],
+    /// Smallest numbers beyond the edges of the mesh per axis \[m\].
+    pub beyond: [f64; 3],
     /// What to do.
     pub task: Task,
 }
@@ -182,16 +182,18 @@ impl<
         let mut call = self.0;
         let end = call.columns[0].len();
         let mut maxima = Maxima::<B::Native>::new();
+        let mut sums = Sums::<B::Native>::zero();
         let mut fault = None;
         let mut at = 0;
         while at < end {
             let group = group_at::<B::Native, _, D, N>(call.columns, call.mapping, at, end);
-            let sums = interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
+            interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
                 call.columns,
                 call.mapping,
                 call.nodes,
                 &group,
                 at,
+                &mut sums,
             );
             let bad = update::<B::Native, D, N>(&mut call, &sums, &mut maxima, at, group.count);
             if bad != 0 && fault.is_none() {
@@ -215,6 +217,20 @@ struct Sums<L> {
     affine: Matrix<L>,
 }
 
+impl<L: Lanes> Sums<L> {
+    #[inline(always)]
+    fn zero() -> Self {
+        let zero = L::splat(0.0);
+        Self {
+            velocity: [zero; 3],
+            increment: [zero; 3],
+            gradient: [[zero; 3]; 3],
+            affine: [[zero; 3]; 3],
+        }
+    }
+}
+
+/// Interpolates to one group. Writes the first D components of what is asked for, and leaves the rest of `sums`.
 #[inline(always)]
 fn interpolate<
     L: Lanes,
@@ -230,7 +246,8 @@ fn interpolate<
     nodes: &[Line],
     group: &Group<L>,
     at: usize,
-) -> Sums<L> {
+    sums: &mut Sums<L>,
+) {
     let zero = L::splat(0.0);
     let (w, mut g) = weights_of::<L, _, D, N>(columns, mapping, group, at);
     let mut q = [[zero; N]; 3];
@@ -249,23 +266,20 @@ fn interpolate<
     } else {
         None
     };
-    let mut sums = Sums {
-        velocity: [zero; 3],
-        increment: [zero; 3],
-        gradient: [[zero; 3]; 3],
-        affine: [[zero; 3]; 3],
-    };
     // One component after the other: its sums and the weights along a row fit the registers.
     for c in 0..D {
         let of = stencil.component::<KICK, GRADIENT, UPPER>(affine.as_ref(), c);
         sums.velocity[c] = of.velocity;
-        sums.increment[c] = of.increment;
-        sums.gradient[c] = of.gradient;
+        if KICK {
+            sums.increment[c] = of.increment;
+        }
+        if GRADIENT {
+            sums.gradient[c] = of.gradient;
+        }
         if APIC {
             sums.affine[c] = of.affine;
         }
     }
-    sums
 }
 
 /// One component of the interpolated values.
@@ -521,7 +535,7 @@ fn update<L: Lanes, const D: usize, const N: usize>(
             maxima.travel = maxima.travel.max(L::select(live, cells, zero));
             // False for NaN, true on the planes themselves.
             good &= L::bits(L::splat(-f64::MIN_POSITIVE).lt(x));
-            good &= L::bits(x.lt(L::splat(call.extent[axis].next_up())));
+            good &= L::bits(x.lt(L::splat(call.beyond[axis])));
         }
     }
     if let Some((dt, configuration)) = task.strain {

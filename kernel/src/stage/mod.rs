@@ -26,6 +26,8 @@ pub struct Mapping {
     pub family: Family,
     /// Half-length of the particle domain in cells where it is the same for all particles of the set.
     pub half_length: [f64; 3],
+    /// 1/4 over that half-length.
+    quarter: [f64; 3],
     /// Column of the half-lengths where each particle has its own.
     pub half_length_column: Option<usize>,
 }
@@ -45,6 +47,7 @@ impl Mapping {
             nodes: shape.nodes,
             family,
             half_length,
+            quarter: half_length.map(|l| 1.0 / (4.0 * l)),
             half_length_column: column,
         }
     }
@@ -135,19 +138,19 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
         }
         return (w, g);
     }
-    let mut l = [L::splat(1.0); 3];
-    for axis in 0..D {
-        l[axis] = match mapping.half_length_column {
-            None => L::splat(mapping.half_length[axis]),
-            Some(column) => {
-                let l: L = load::<L>(columns[column + axis].as_ref(), at, group.count);
-                // Lanes beyond the group hold zero, which must not divide.
-                L::select(zero.lt(l), l, L::splat(0.5))
-            }
-        };
+    if let Some(column) = mapping.half_length_column {
+        for axis in 0..D {
+            let l: L = load::<L>(columns[column + axis].as_ref(), at, group.count);
+            // Lanes beyond the group hold zero, which must not divide.
+            let l = L::select(zero.lt(l), l, L::splat(0.5));
+            let quarter = L::splat(1.0) / (L::splat(4.0) * l);
+            (w[axis], g[axis]) = gimp_weights::<L, N>(group.f[axis], l, quarter);
+        }
+        return (w, g);
     }
     for axis in 0..D {
-        (w[axis], g[axis]) = gimp_weights::<L, N>(group.f[axis], l[axis]);
+        let (l, quarter) = (mapping.half_length[axis], mapping.quarter[axis]);
+        (w[axis], g[axis]) = gimp_weights::<L, N>(group.f[axis], L::splat(l), L::splat(quarter));
     }
     (w, g)
 }
