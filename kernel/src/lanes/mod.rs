@@ -264,5 +264,18 @@ impl Backend for ScalarBackend {
     const WHOLE_LINE: bool = false;
 }
 
+/// Eight lanes in plain Rust, with lines taken as one register: the paths of AVX-512 on any machine.
+#[cfg(test)]
+#[derive(Clone, Copy)]
+pub(crate) struct WholeLines;
+
+#[cfg(test)]
+impl Backend for WholeLines {
+    type Native = Pair<Pair<Pair<Scalar>>>;
+    type Line = Pair<Pair<Pair<Scalar>>>;
+    type Half = Pair<Pair<Scalar>>;
+    const WHOLE_LINE: bool = true;
+}
+
 #[cfg(test)]
 mod tests;

@@ -155,7 +155,7 @@ fn entry<
     lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>(call))
 }
 
-struct Instance<
+pub(super) struct Instance<
     'a,
     'b,
     const D: usize,
@@ -164,7 +164,7 @@ struct Instance<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
->(G2p<'a, 'b>);
+>(pub(super) G2p<'a, 'b>);
 
 impl<
     const D: usize,

@@ -154,3 +154,6 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     }
     (w, g)
 }
+
+#[cfg(test)]
+mod tests;

@@ -58,9 +58,9 @@ pub struct P2g<'a> {
 }
 
 /// What an instance carries beyond mass, momentum and force: nothing, the mass gradient instead of them, or the spin.
-const NOTHING: u8 = 0;
-const MASS_GRADIENT: u8 = 1;
-const SPIN: u8 = 2;
+pub(super) const NOTHING: u8 = 0;
+pub(super) const MASS_GRADIENT: u8 = 1;
+pub(super) const SPIN: u8 = 2;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
@@ -116,14 +116,14 @@ fn entry<
     lanes.run(Instance::<'_, D, N, FULL, GRADIENT, EXTRA>(call))
 }
 
-struct Instance<
+pub(super) struct Instance<
     'a,
     const D: usize,
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
     const EXTRA: u8,
->(P2g<'a>);
+>(pub(super) P2g<'a>);
 
 impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, const EXTRA: u8> Kernel
     for Instance<'_, D, N, FULL, GRADIENT, EXTRA>
