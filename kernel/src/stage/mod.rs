@@ -67,9 +67,9 @@ struct Group<L> {
 #[inline(always)]
 fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
     if count == L::WIDTH {
-        L::load(&column[at..])
+        L::load(&column[at..at + L::WIDTH])
     } else {
-        L::load_part(&column[at..], count)
+        L::load_part(&column[at..at + count], count)
     }
 }
 
@@ -77,9 +77,9 @@ fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
 #[inline(always)]
 fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
     if count == L::WIDTH {
-        value.store(&mut column[at..]);
+        value.store(&mut column[at..at + L::WIDTH]);
     } else {
-        value.store_part(&mut column[at..], count);
+        value.store_part(&mut column[at..at + count], count);
     }
 }
 
