@@ -8,7 +8,8 @@
 //!
 //! A stage is written once as a [`Kernel`], generic over a [`Backend`]; [`Selected::run`] calls it inside a
 //! function compiled for the chosen instruction set. Everything a kernel calls must be `#[inline(always)]`,
-//! otherwise it is compiled without those instructions.
+//! and none of it a closure over lanes, which cannot be: what is not inlined is compiled without those instructions,
+//! and every operation in it becomes a call. `.ci/run` looks for such calls.
 
 // The vector intrinsics are unsafe functions; see the module documentation.
 #![allow(unsafe_code)]

@@ -1,4 +1,4 @@
-//! Sums of a group over the nodes of one plane.
+//! Sums of a group over rows of nodes.
 //!
 //! Where a line is two registers or more, its halves are summed apart: the lower one, mass and momentum, has no
 //! derivative unless velocity is affine, and a mapping that carries one half alone leaves the other out. Either way a
@@ -8,12 +8,15 @@ use super::Carry;
 use super::scratch::Scratch;
 use crate::grid::Line;
 use crate::lanes::{Backend, Lanes};
+use std::ops::Range;
 
-/// The nodes of a plane that a group reaches.
+/// Rows of nodes that a group reaches: those of one plane, in two dimensions those of all planes that are owned.
 pub(super) struct Below {
     /// Number of particles of the group.
     pub count: usize,
-    /// First node of the first row.
+    /// Which rows of the stencil.
+    pub rows: Range<usize>,
+    /// First node of the first of them.
     pub first: usize,
     /// Nodes from one row to the next.
     pub row_length: usize,
@@ -24,9 +27,9 @@ const LOWER: u8 = 0;
 const UPPER: u8 = 1;
 const BOTH: u8 = 2;
 
-/// Adds the group to the plane whose products `scratch` holds.
+/// Adds the group to the rows whose products `scratch` holds.
 #[inline(always)]
-pub(super) fn add_plane<
+pub(super) fn add_group<
     B: Backend,
     const D: usize,
     const N: usize,
@@ -49,7 +52,7 @@ pub(super) fn add_plane<
     }
 }
 
-/// Adds to some lanes of the plane; as many rows at once as sums fit the registers.
+/// Adds to some lanes of the rows; to as many rows at once as sums fit the registers.
 #[inline(always)]
 fn add_part<
     L: Lanes,
@@ -63,13 +66,18 @@ fn add_part<
     below: &Below,
     nodes: &mut [Line],
 ) {
-    if D == 2 {
-        add_rows::<L, D, N, FULL, GRADIENT, PART, 1>(scratch, below, nodes, 0);
-    } else if N == 3 {
-        add_rows::<L, D, N, FULL, GRADIENT, PART, 3>(scratch, below, nodes, 0);
-    } else {
-        add_rows::<L, D, N, FULL, GRADIENT, PART, 2>(scratch, below, nodes, 0);
-        add_rows::<L, D, N, FULL, GRADIENT, PART, 2>(scratch, below, nodes, 2);
+    let mut j = below.rows.start;
+    if N == 3 && below.rows.len() == 3 {
+        return add_rows::<L, D, N, FULL, GRADIENT, PART, 3>(scratch, below, nodes, j);
+    }
+    while N == 4 && j + 2 <= below.rows.end {
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 2>(scratch, below, nodes, j);
+        j += 2;
+    }
+    // At the edge of what is owned, in two dimensions.
+    while D == 2 && j < below.rows.end {
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 1>(scratch, below, nodes, j);
+        j += 1;
     }
 }
 
@@ -97,9 +105,11 @@ fn add_rows<
         UPPER => 4..8,
         _ => 0..8,
     };
+    let products = scratch.products::<D>();
+    let first = below.first + (j - below.rows.start) * below.row_length;
     let mut sums = [[L::splat(0.0); N]; ROWS];
     for r in 0..ROWS {
-        let row = &nodes[below.first + (j + r) * below.row_length..][..N];
+        let row = &nodes[first + r * below.row_length..][..N];
         for k in 0..N {
             sums[r][k] = L::load(&row[k][lanes.clone()]);
         }
@@ -108,8 +118,7 @@ fn add_rows<
         let lines = &scratch.lines[p];
         let by_weight = L::load(&lines[0][lanes.clone()]);
         for r in 0..ROWS {
-            let ww = scratch.ww[j + r][p];
-            let (gw, wg) = (scratch.gw[j + r][p], scratch.wg[j + r][p]);
+            let (ww, gw) = (products.ww[j + r][p], products.gw[j + r][p]);
             let mut s = if derivative && !FULL {
                 halves::<L, PART>(ww, gw) * by_weight
             } else {
@@ -117,10 +126,11 @@ fn add_rows<
             };
             if FULL {
                 let along = L::load(&lines[1][lanes.clone()]);
-                s = halves::<L, PART>(scratch.qw[j + r][p], gw).mul_add(along, s);
+                s = halves::<L, PART>(products.qw[j + r][p], gw).mul_add(along, s);
             }
             if derivative && D == 3 {
                 let along = L::load(&lines[2][lanes.clone()]);
+                let wg = scratch.wg[j + r][p];
                 let factor = if FULL {
                     halves::<L, PART>(scratch.wq[j + r][p], wg)
                 } else {
@@ -146,7 +156,7 @@ fn add_rows<
         }
     }
     for r in 0..ROWS {
-        let row = &mut nodes[below.first + (j + r) * below.row_length..][..N];
+        let row = &mut nodes[first + r * below.row_length..][..N];
         for k in 0..N {
             sums[r][k].store(&mut row[k][lanes.clone()]);
         }

@@ -13,7 +13,7 @@ use super::{Mapping, group_at, layer_of};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Selected};
 use crate::particles::Layout;
-use add::{Below, add_plane};
+use add::{Below, add_group};
 use scratch::{Scratch, Source};
 use std::ops::Range;
 
@@ -153,19 +153,32 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
                 if own.start < own.end {
                     scratch.fill_weights::<B::Line, D, FULL>(&from, &group, at);
                     scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(&from, at, group.count);
-                    let row = if D == 3 { layer_of(group.base[1]) } else { 0 };
-                    let along = layer_of(group.base[D - 1]);
-                    for plane in own {
-                        let row = (plane - planes.start) * mapping.nodes[1] + row;
+                    let (row_length, along) = (mapping.nodes[2], layer_of(group.base[D - 1]));
+                    if D == 2 {
                         let below = Below {
                             count: group.count,
-                            first: row * mapping.nodes[2] + along,
-                            row_length: mapping.nodes[2],
+                            first: (own.start - planes.start) * row_length + along,
+                            rows: own.start - first_plane..own.end - first_plane,
+                            row_length,
                         };
-                        scratch.multiply::<B::Line, D, FULL, GRADIENT>(plane - first_plane);
-                        add_plane::<B, D, N, FULL, GRADIENT>(
+                        add_group::<B, D, N, FULL, GRADIENT>(
                             &scratch, call.carry, &below, call.nodes,
                         );
+                    } else {
+                        let row = layer_of(group.base[1]);
+                        for plane in own {
+                            let row = (plane - planes.start) * mapping.nodes[1] + row;
+                            let below = Below {
+                                count: group.count,
+                                first: row * row_length + along,
+                                rows: 0..N,
+                                row_length,
+                            };
+                            scratch.multiply::<B::Line, FULL, GRADIENT>(plane - first_plane);
+                            add_group::<B, D, N, FULL, GRADIENT>(
+                                &scratch, call.carry, &below, call.nodes,
+                            );
+                        }
                     }
                 }
                 at += group.count;

@@ -29,16 +29,26 @@ pub(super) struct Scratch<const N: usize> {
     pub g: [[[f64; 8]; N]; 3],
     /// Weights times distance in cells, for the affine term.
     pub q: [[[f64; 8]; N]; 3],
-    /// Products over slow and middle axis for the rows of one plane, `[row][particle]`: weight and weight, derivative
-    /// along the slow and along the middle axis, and the same with distances.
-    pub ww: [[f64; 8]; N],
-    pub gw: [[f64; 8]; N],
+    /// Products over slow and middle axis for the rows of one plane in space, `[row][particle]`: weight and weight,
+    /// derivative along the slow and along the middle axis, and the same with distances.
+    ww: [[f64; 8]; N],
+    gw: [[f64; 8]; N],
     pub wg: [[f64; 8]; N],
-    pub qw: [[f64; 8]; N],
+    qw: [[f64; 8]; N],
     pub wq: [[f64; 8]; N],
     /// Per particle: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and
     /// distance (lower lanes) along each axis.
     pub lines: [[[f64; 8]; 4]; 8],
+}
+
+/// Factors of rows, `[row][particle]`.
+pub(super) struct Products<'a, const N: usize> {
+    /// Weight, in space that of the slow times that of the middle axis.
+    pub ww: &'a [[f64; 8]; N],
+    /// The same with the derivative along the slow axis.
+    pub gw: &'a [[f64; 8]; N],
+    /// The same with the distance along the slow axis.
+    pub qw: &'a [[f64; 8]; N],
 }
 
 impl<const N: usize> Scratch<N> {
@@ -82,16 +92,9 @@ impl<const N: usize> Scratch<N> {
         }
     }
 
-    /// Products over slow and middle axis for one plane of nodes, `i` planes above the base.
+    /// Products over slow and middle axis for one plane of nodes in space, `i` planes above the base.
     #[inline(always)]
-    pub fn multiply<L: Lanes, const D: usize, const FULL: bool, const GRADIENT: bool>(
-        &mut self,
-        i: usize,
-    ) {
-        if D == 2 {
-            (self.ww[0], self.gw[0], self.qw[0]) = (self.w[0][i], self.g[0][i], self.q[0][i]);
-            return;
-        }
+    pub fn multiply<L: Lanes, const FULL: bool, const GRADIENT: bool>(&mut self, i: usize) {
         let (w_0, g_0, q_0) = (
             L::load(&self.w[0][i]),
             L::load(&self.g[0][i]),
@@ -107,6 +110,24 @@ impl<const N: usize> Scratch<N> {
             if FULL {
                 (q_0 * w_1).store(&mut self.qw[j]);
                 (w_0 * L::load(&self.q[1][j])).store(&mut self.wq[j]);
+            }
+        }
+    }
+
+    /// The factors of rows: in space of the plane that was multiplied last, in the plane of all rows.
+    #[inline(always)]
+    pub fn products<const D: usize>(&self) -> Products<'_, N> {
+        if D == 2 {
+            Products {
+                ww: &self.w[0],
+                gw: &self.g[0],
+                qw: &self.q[0],
+            }
+        } else {
+            Products {
+                ww: &self.ww,
+                gw: &self.gw,
+                qw: &self.qw,
             }
         }
     }
