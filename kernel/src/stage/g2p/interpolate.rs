@@ -1,0 +1,285 @@
+//! Sums over the nodes that a group of particles reaches, lanes = particles.
+
+use crate::constitutive::Matrix;
+use crate::grid::Line;
+use crate::lanes::Lanes;
+use crate::stage::{Group, Mapping, layer_of, weights_of};
+use crate::weights::Family;
+
+/// Interpolated values of one group.
+pub(super) struct Sums<L> {
+    /// sum S v.
+    pub velocity: [L; 3],
+    /// sum S dv.
+    pub increment: [L; 3],
+    /// sum v (x) grad S \[1/s\].
+    pub gradient: Matrix<L>,
+    /// C_p of APIC \[1/s\].
+    pub affine: Matrix<L>,
+}
+
+impl<L: Lanes> Sums<L> {
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = L::splat(0.0);
+        Self {
+            velocity: [zero; 3],
+            increment: [zero; 3],
+            gradient: [[zero; 3]; 3],
+            affine: [[zero; 3]; 3],
+        }
+    }
+}
+
+/// Interpolates to one group. Writes the first D components of what is asked for, and leaves the rest of `sums`.
+#[inline(always)]
+pub(super) fn interpolate<
+    L: Lanes,
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+>(
+    columns: &[&mut [f64]],
+    mapping: &Mapping,
+    nodes: &[Line],
+    group: &Group<L>,
+    at: usize,
+    sums: &mut Sums<L>,
+) {
+    let zero = L::splat(0.0);
+    let (w, mut g) = weights_of::<L, _, D, N>(columns, mapping, group, at);
+    let mut q = [[zero; N]; 3];
+    for axis in 0..D {
+        let scale = L::splat(mapping.inverse_cell[axis]);
+        for n in 0..N {
+            g[axis][n] = g[axis][n] * scale;
+        }
+        if APIC {
+            q[axis] = affine_weights::<L, N>(mapping, axis, group.f[axis], &w[axis], &g[axis]);
+        }
+    }
+    let stencil = Stencil::<L, D, N>::new(mapping, nodes, group, &w, &g);
+    let affine = if APIC {
+        Some(AffineFactors::new::<D>(&w, &q))
+    } else {
+        None
+    };
+    // One component after the other: its sums and the weights along a row fit the registers.
+    for c in 0..D {
+        let of = stencil.component::<KICK, GRADIENT, UPPER>(affine.as_ref(), c);
+        sums.velocity[c] = of.velocity;
+        if KICK {
+            sums.increment[c] = of.increment;
+        }
+        if GRADIENT {
+            sums.gradient[c] = of.gradient;
+        }
+        if APIC {
+            sums.affine[c] = of.affine;
+        }
+    }
+}
+
+/// One component of the interpolated values.
+struct Component<L> {
+    velocity: L,
+    increment: L,
+    gradient: [L; 3],
+    affine: [L; 3],
+}
+
+/// What the components share: factors along a row, products over slow and middle axis for each row, and the rows.
+struct Stencil<'a, L, const D: usize, const N: usize> {
+    /// Weight and derivative along the row.
+    w: [L; N],
+    g: [L; N],
+    /// Weight times weight.
+    ww: [[L; N]; N],
+    /// Derivative along the slow axis, and along the middle one.
+    gw: [[L; N]; N],
+    wg: [[L; N]; N],
+    /// The nodes of each row.
+    rows: [[&'a [Line; N]; N]; N],
+}
+
+/// The same for the factors of APIC: along the row, and over slow and middle axis with that of one of them.
+struct AffineFactors<L, const N: usize> {
+    q: [L; N],
+    qw: [[L; N]; N],
+    wq: [[L; N]; N],
+}
+
+impl<L: Lanes, const N: usize> AffineFactors<L, N> {
+    #[inline(always)]
+    fn new<const D: usize>(w: &[[L; N]; 3], q: &[[L; N]; 3]) -> Self {
+        let mut factors = Self {
+            q: q[D - 1],
+            qw: [q[0]; N],
+            wq: [q[0]; N],
+        };
+        for i in 0..N {
+            for j in 0..N {
+                if D == 3 {
+                    factors.qw[i][j] = q[0][i] * w[1][j];
+                    factors.wq[i][j] = w[0][i] * q[1][j];
+                } else {
+                    factors.qw[i][j] = q[0][i];
+                }
+            }
+        }
+        factors
+    }
+}
+
+impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
+    /// Rows of a plane.
+    const ROWS: usize = if D == 3 { N } else { 1 };
+
+    #[inline(always)]
+    fn new(
+        mapping: &Mapping,
+        nodes: &'a [Line],
+        group: &Group<L>,
+        w: &[[L; N]; 3],
+        g: &[[L; N]; 3],
+    ) -> Self {
+        let fast = D - 1;
+        let middle = if D == 3 { layer_of(group.base[1]) } else { 0 };
+        let row = layer_of(group.base[0]) * mapping.nodes[1] + middle;
+        let first = row * mapping.nodes[2] + layer_of(group.base[fast]);
+        let plane = mapping.nodes[1] * mapping.nodes[2];
+        let mut stencil = Self {
+            w: w[fast],
+            g: g[fast],
+            ww: [w[0]; N],
+            gw: [g[0]; N],
+            wg: [g[0]; N],
+            rows: [[row_at(nodes, first); N]; N],
+        };
+        for i in 0..N {
+            for j in 0..Self::ROWS {
+                stencil.rows[i][j] = row_at(nodes, first + i * plane + j * mapping.nodes[2]);
+                if D == 3 {
+                    stencil.ww[i][j] = w[0][i] * w[1][j];
+                    stencil.gw[i][j] = g[0][i] * w[1][j];
+                    stencil.wg[i][j] = w[0][i] * g[1][j];
+                } else {
+                    stencil.ww[i][j] = w[0][i];
+                    stencil.gw[i][j] = g[0][i];
+                }
+            }
+        }
+        stencil
+    }
+
+    #[inline(always)]
+    fn component<const KICK: bool, const GRADIENT: bool, const UPPER: bool>(
+        &self,
+        affine: Option<&AffineFactors<L, N>>,
+        c: usize,
+    ) -> Component<L> {
+        let zero = L::splat(0.0);
+        let fast = D - 1;
+        let source = if UPPER { 4 } else { 1 };
+        let mut sums = Component {
+            velocity: zero,
+            increment: zero,
+            gradient: [zero; 3],
+            affine: [zero; 3],
+        };
+        for i in 0..N {
+            for j in 0..Self::ROWS {
+                let row = self.rows[i][j];
+                // Sums along the row. A first product may be -0 where a sum from 0 is not; neither changes what it
+                // is added to.
+                let v_0 = L::splat(row[0][1 + c]);
+                let mut v = self.w[0] * v_0;
+                let mut dv = zero;
+                if KICK {
+                    dv = self.w[0] * L::splat(row[0][4 + c]);
+                }
+                let s_0 = L::splat(row[0][source + c]);
+                let (mut s, mut vg) = (self.w[0] * s_0, self.g[0] * s_0);
+                for k in 1..N {
+                    v = self.w[k].mul_add(L::splat(row[k][1 + c]), v);
+                    if KICK {
+                        dv = self.w[k].mul_add(L::splat(row[k][4 + c]), dv);
+                    }
+                    if GRADIENT {
+                        let s_i = L::splat(row[k][source + c]);
+                        if UPPER {
+                            s = self.w[k].mul_add(s_i, s);
+                        }
+                        vg = self.g[k].mul_add(s_i, vg);
+                    }
+                }
+                if !UPPER {
+                    s = v;
+                }
+                let ww = self.ww[i][j];
+                sums.velocity = ww.mul_add(v, sums.velocity);
+                if KICK {
+                    sums.increment = ww.mul_add(dv, sums.increment);
+                }
+                if GRADIENT {
+                    sums.gradient[0] = self.gw[i][j].mul_add(s, sums.gradient[0]);
+                    sums.gradient[fast] = ww.mul_add(vg, sums.gradient[fast]);
+                    if D == 3 {
+                        sums.gradient[1] = self.wg[i][j].mul_add(s, sums.gradient[1]);
+                    }
+                }
+                if let Some(affine) = affine {
+                    let mut vq = affine.q[0] * v_0;
+                    for k in 1..N {
+                        vq = affine.q[k].mul_add(L::splat(row[k][1 + c]), vq);
+                    }
+                    sums.affine[0] = affine.qw[i][j].mul_add(v, sums.affine[0]);
+                    sums.affine[fast] = ww.mul_add(vq, sums.affine[fast]);
+                    if D == 3 {
+                        sums.affine[1] = affine.wq[i][j].mul_add(v, sums.affine[1]);
+                    }
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// The row of nodes of a stencil from a node on.
+#[inline(always)]
+fn row_at<const N: usize>(nodes: &[Line], first: usize) -> &[Line; N] {
+    nodes[first..]
+        .first_chunk()
+        .expect("the stencil of a particle lies in the grid")
+}
+
+/// Factors of APIC along an axis: S_I (x_I - x_p)/D_p with D_p = sum S_I (x_I - x_p)² of that axis. The cross
+/// terms of D_p vanish because the weights reproduce linear fields. For hats the quotient is the derivative,
+/// also where D_p is zero.
+#[inline(always)]
+fn affine_weights<L: Lanes, const N: usize>(
+    mapping: &Mapping,
+    axis: usize,
+    f: L,
+    w: &[L; N],
+    g: &[L; N],
+) -> [L; N] {
+    if mapping.family == Family::Hat {
+        return *g;
+    }
+    let mut q = *w;
+    let mut inertia = L::splat(0.0);
+    for n in 0..N {
+        let distance = L::splat(n as f64) - f;
+        q[n] = w[n] * distance;
+        inertia = q[n].mul_add(distance, inertia);
+    }
+    let scale = L::splat(mapping.inverse_cell[axis]) / inertia;
+    for n in 0..N {
+        q[n] = q[n] * scale;
+    }
+    q
+}

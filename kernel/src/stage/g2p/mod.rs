@@ -1,0 +1,206 @@
+//! Nodes to particles: velocity, position, velocity gradient, stress; lanes = particles of one cell.
+//!
+//! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
+//! (technical manual, algorithm 2, lines 12, 15, 19, 20), then the stress update of the law.
+
+mod interpolate;
+mod update;
+
+use super::{Mapping, group_at};
+use crate::constitutive::{Configuration, Kind, Parameters};
+use crate::grid::Line;
+use crate::lanes::{Backend, Kernel, Selected};
+use crate::particles::Layout;
+use crate::scene::DomainUpdate;
+use interpolate::{Sums, interpolate};
+use update::{Maxima, first_fault, update};
+
+/// What a pass does with the interpolated values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Task {
+    /// Add the velocity increments to the particle velocities.
+    pub kick: bool,
+    /// Share of the interpolated velocity in the particle velocity, 0 to 1.
+    pub pic_fraction: f64,
+    /// Time by which positions move \[s\]; `None` leaves them.
+    pub drift: Option<f64>,
+    /// Displacement of the mesh meanwhile \[m\]; positions are relative to it.
+    pub mesh_shift: [f64; 3],
+    /// Time of the strain increment and where its gradient belongs \[s\]; `None` leaves the stress.
+    pub strain: Option<(f64, Configuration)>,
+    /// Gradient from the upper lanes of the nodes (remapped velocity of MUSL) instead of the lower ones.
+    pub gradient_of_upper: bool,
+    /// What is written to the affine velocity of the particles.
+    pub affine: Affine,
+}
+
+/// Source of the affine velocity C_p.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Affine {
+    /// None.
+    Leave,
+    /// B_p D_p^-1 (Jiang et al. 2015).
+    Apic,
+    /// The velocity gradient.
+    Tpic,
+}
+
+/// One call: some particles of a set, in layers.
+pub struct G2p<'a, 'b> {
+    /// Columns of these particles.
+    pub columns: &'a mut [&'b mut [f64]],
+    /// Where the columns are.
+    pub layout: &'a Layout,
+    /// How the set sees the grid.
+    pub mapping: &'a Mapping,
+    /// Law of the set.
+    pub law: &'a Parameters,
+    /// Update of the particle domain, for cpGIMP.
+    pub domain_update: Option<DomainUpdate>,
+    /// All nodes.
+    pub nodes: &'a [Line],
+    /// Smallest numbers beyond the edges of the mesh per axis \[m\].
+    pub beyond: [f64; 3],
+    /// What to do.
+    pub task: Task,
+}
+
+/// What a pass found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Largest |v|² \[m²/s²\].
+    pub speed_squared: f64,
+    /// Largest V/m \[m³/kg\] for the hypoelastic laws, largest c² for the neo-Hookean law; see
+    /// [`Found::wave_speed`].
+    pub stiffness: f64,
+    /// Largest move in cells along any axis.
+    pub travel: f64,
+    /// Largest half-length of a particle domain in cells.
+    pub half_length: f64,
+    /// First particle that went wrong, relative to the range of the call.
+    pub fault: Option<(usize, FaultKind)>,
+}
+
+/// How a particle can go wrong in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaultKind {
+    /// A value is not a number or infinite.
+    NotFinite,
+    /// Volume zero or negative.
+    Inverted,
+    /// Position outside the mesh.
+    Outside,
+}
+
+impl Found {
+    /// The larger of two findings; the fault of `self` comes first.
+    #[must_use]
+    pub fn and(self, later: Self) -> Self {
+        Self {
+            speed_squared: self.speed_squared.max(later.speed_squared),
+            stiffness: self.stiffness.max(later.stiffness),
+            travel: self.travel.max(later.travel),
+            half_length: self.half_length.max(later.half_length),
+            fault: self.fault.or(later.fault),
+        }
+    }
+
+    /// Largest wave speed of the set \[m/s\].
+    #[must_use]
+    pub fn wave_speed(&self, law: &Parameters) -> f64 {
+        match law.kind {
+            Kind::NeoHookean => self.stiffness.max(0.0).sqrt(),
+            _ => ((law.lambda + 2.0 * law.shear) * self.stiffness).sqrt(),
+        }
+    }
+}
+
+/// An interpolation stage, compiled for one dimension, stencil and set of sums.
+pub type G2pFn = fn(Selected, G2p<'_, '_>) -> Found;
+
+/// Chooses the instance for a task.
+#[must_use]
+pub fn instance(axes: usize, stencil: usize, task: &Task) -> G2pFn {
+    let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
+    let apic = task.affine == Affine::Apic;
+    match (axes, stencil) {
+        (2, 3) => sums::<2, 3>(task, gradient, apic),
+        (2, _) => sums::<2, 4>(task, gradient, apic),
+        (_, 3) => sums::<3, 3>(task, gradient, apic),
+        (_, _) => sums::<3, 4>(task, gradient, apic),
+    }
+}
+
+fn sums<const D: usize, const N: usize>(task: &Task, gradient: bool, apic: bool) -> G2pFn {
+    match (task.kick, gradient, apic, task.gradient_of_upper) {
+        (_, _, true, _) => entry::<D, N, true, true, true, false>,
+        (_, true, false, true) => entry::<D, N, false, true, false, true>,
+        (true, true, false, false) => entry::<D, N, true, true, false, false>,
+        (true, false, false, _) => entry::<D, N, true, false, false, false>,
+        (false, _, false, _) => entry::<D, N, false, true, false, false>,
+    }
+}
+
+fn entry<
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+>(
+    lanes: Selected,
+    call: G2p<'_, '_>,
+) -> Found {
+    lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>(call))
+}
+
+pub(super) struct Instance<
+    'a,
+    'b,
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+>(pub(super) G2p<'a, 'b>);
+
+impl<
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+> Kernel for Instance<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>
+{
+    type Output = Found;
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> Found {
+        let mut call = self.0;
+        let end = call.columns[0].len();
+        let mut maxima = Maxima::<B::Native>::new();
+        let mut sums = Sums::<B::Native>::zero();
+        let mut fault = None;
+        let mut at = 0;
+        while at < end {
+            let group = group_at::<B::Native, _, D, N>(call.columns, call.mapping, at, end);
+            interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
+                call.columns,
+                call.mapping,
+                call.nodes,
+                &group,
+                at,
+                &mut sums,
+            );
+            let bad = update::<B::Native, D, N>(&mut call, &sums, &mut maxima, at, group.count);
+            if bad != 0 && fault.is_none() {
+                fault = Some(first_fault::<D>(&call, at, bad));
+            }
+            at += group.count;
+        }
+        maxima.found(fault)
+    }
+}
