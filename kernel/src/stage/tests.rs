@@ -73,11 +73,10 @@ fn particles(shape: &GridShape, stencil: usize, wanted: Optional) -> ParticleSet
             };
         }
     }
-    for column in [layout.half_length, layout.initial_half_length] {
-        for axis in 0..shape.axes {
-            if let Some(first) = column {
-                set.columns[first + axis].fill(if stencil == 4 { 0.9 } else { 0.3 });
-            }
+    let lengths = [layout.half_length, layout.initial_half_length];
+    for first in lengths.into_iter().flatten() {
+        for column in &mut set.columns[first..first + shape.axes] {
+            column.fill(half_length(stencil));
         }
     }
     let mut occupied = vec![None; shape.bases()[0] * shape.bases()[1]];
@@ -85,14 +84,14 @@ fn particles(shape: &GridShape, stencil: usize, wanted: Optional) -> ParticleSet
     set
 }
 
+/// Half-length of a domain in cells that asks for a stencil.
+fn half_length(stencil: usize) -> f64 {
+    if stencil == 4 { 0.9 } else { 0.3 }
+}
+
 fn mapping(shape: &GridShape, stencil: usize, set: &ParticleSet) -> Mapping {
-    let half_length = if stencil == 4 { 0.9 } else { 0.3 };
-    Mapping::new(
-        shape,
-        Family::Gimp,
-        [half_length; 3],
-        set.layout.half_length,
-    )
+    let half_length = [half_length(stencil); 3];
+    Mapping::new(shape, Family::Gimp, half_length, set.layout.half_length)
 }
 
 /// The nodes after one mapping by `run`.

@@ -121,7 +121,7 @@ impl<L: Lanes, const N: usize> AffineFactors<L, N> {
             wq: [q[0]; N],
         };
         for i in 0..N {
-            for j in 0..N {
+            for j in 0..rows_of_plane(D, N) {
                 if D == 3 {
                     factors.qw[i][j] = q[0][i] * w[1][j];
                     factors.wq[i][j] = w[0][i] * q[1][j];
@@ -135,9 +135,6 @@ impl<L: Lanes, const N: usize> AffineFactors<L, N> {
 }
 
 impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
-    /// Rows of a plane.
-    const ROWS: usize = if D == 3 { N } else { 1 };
-
     #[inline(always)]
     fn new(
         mapping: &Mapping,
@@ -160,7 +157,7 @@ impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
             rows: [[row_at(nodes, first); N]; N],
         };
         for i in 0..N {
-            for j in 0..Self::ROWS {
+            for j in 0..rows_of_plane(D, N) {
                 stencil.rows[i][j] = row_at(nodes, first + i * plane + j * mapping.nodes[2]);
                 if D == 3 {
                     stencil.ww[i][j] = w[0][i] * w[1][j];
@@ -191,7 +188,7 @@ impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
             affine: [zero; 3],
         };
         for i in 0..N {
-            for j in 0..Self::ROWS {
+            for j in 0..rows_of_plane(D, N) {
                 let row = self.rows[i][j];
                 // Sums along the row. A first product may be -0 where a sum from 0 is not; neither changes what it
                 // is added to.
@@ -246,6 +243,12 @@ impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
         }
         sums
     }
+}
+
+/// Rows of a stencil of `nodes` per axis in one plane of the slow axis.
+#[inline(always)]
+const fn rows_of_plane(axes: usize, nodes: usize) -> usize {
+    if axes == 3 { nodes } else { 1 }
 }
 
 /// The row of nodes of a stencil from a node on.
