@@ -47,7 +47,8 @@ impl Rung {
     }
 }
 
-/// A number that a run gave, with what it should have been.
+/// A number that a run gave, with what it should have been: an error where it has a relative one, a balance where it
+/// should be zero and nothing scales it, a figure where nothing exact is known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
     /// What it is. [`Case::judge`] finds it by this name.
@@ -60,6 +61,14 @@ pub struct Quantity {
     pub error: Option<f64>,
     /// SI unit; `1` for a ratio.
     pub unit: &'static str,
+}
+
+impl Quantity {
+    /// Whether it should be zero and has no scale to be relative to.
+    #[must_use]
+    pub fn is_balance(&self) -> bool {
+        self.exact == Some(0.0) && self.error.is_none()
+    }
 }
 
 /// Computed against exact along one coordinate, for pictures; or computed alone, where there is nothing exact.
@@ -160,6 +169,17 @@ pub enum Relation {
     AtMost,
     /// `value >= bound`.
     AtLeast,
+}
+
+impl Relation {
+    /// In words: `at most`, `at least`.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::AtMost => "at most",
+            Self::AtLeast => "at least",
+        }
+    }
 }
 
 /// A bound that a result must keep.

@@ -1,10 +1,10 @@
 //! One case, judged.
 
-use super::counters::{self, Changed, Moved, Quantity};
+use super::change::{self, Change, Found, Moved};
 use super::equal_error;
 use super::time::{self, Pace, Time};
 use super::{Rules, noise};
-use crate::record::{CaseKey, Cases, Series};
+use crate::record::{CaseKey, Cases, Meaning, Series};
 
 /// What is said of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,128 +17,199 @@ pub enum CaseVerdict {
     Better,
     /// Nothing changed that is judged.
     Same,
-    /// HEAD alone has it.
+    /// HEAD alone has it, and it holds.
     New,
 }
 
-/// A case in both records.
+/// A case of one or both records.
 #[derive(Clone, Debug)]
 pub struct Finding {
     /// Which case.
     pub case: CaseKey,
-    /// Its errors, orders and counts.
-    pub counters: Vec<Changed>,
+    /// All that was compared bit by bit, what is equal too.
+    pub changes: Vec<Change>,
     /// Its time, where it was judged.
     pub time: Option<Time>,
-    /// Whether the final states agree bit by bit, where both are known.
-    pub same_bits: Option<bool>,
     /// The verdict.
     pub verdict: CaseVerdict,
     /// Why, line by line.
     pub reasons: Vec<String>,
+    /// What moved and is not judged for it.
+    pub told: Vec<String>,
 }
 
 impl Finding {
-    fn new(case: &CaseKey, verdict: CaseVerdict, reason: Option<String>) -> Self {
-        Self {
-            case: case.clone(),
-            counters: vec![],
-            time: None,
-            same_bits: None,
-            verdict,
-            reasons: reason.into_iter().collect(),
-        }
-    }
-
-    /// A case that HEAD lacks.
-    pub(super) fn missing(case: &CaseKey) -> Self {
-        let reason = "missing in HEAD".to_owned();
-        Self::new(case, CaseVerdict::CannotCompare, Some(reason))
-    }
-
     /// Whether anything of the case was compared.
     #[must_use]
     pub fn judged(&self) -> bool {
         self.time.is_some()
             || self.verdict == CaseVerdict::Worse
             || self
-                .counters
+                .changes
                 .iter()
-                .any(|c| c.quantity != Quantity::Problem)
+                .any(|c| !matches!(c.meaning, Meaning::Setting | Meaning::Information))
     }
 
     /// Largest ratio of errors, HEAD over BASE.
     #[must_use]
     pub fn error_ratio(&self) -> Option<f64> {
-        self.largest(Quantity::Error)
+        self.largest(Meaning::Error)
     }
 
     /// Largest ratio of counts, HEAD over BASE.
     #[must_use]
     pub fn count_ratio(&self) -> Option<f64> {
-        self.largest(Quantity::Count)
+        self.largest(Meaning::Count)
     }
 
-    fn largest(&self, quantity: Quantity) -> Option<f64> {
-        let of_it = self.counters.iter().filter(|c| c.quantity == quantity);
-        of_it.map(Changed::ratio).reduce(f64::max)
+    fn largest(&self, meaning: Meaning) -> Option<f64> {
+        let of_it = self.changes.iter().filter(|c| c.meaning == meaning);
+        of_it.filter_map(Change::ratio).reduce(f64::max)
     }
 }
 
-/// Judges a case of HEAD.
-pub(super) fn judge(case: &CaseKey, head: &Series, base: &Cases, rules: &Rules<'_>) -> Finding {
-    let Some(own) = base.get(case) else {
-        return Finding::new(case, CaseVerdict::New, head.error.clone());
-    };
-    match (&own.error, &head.error) {
-        (None, Some(error)) => {
-            let reason = format!("fails in HEAD only: {error}");
-            return Finding::new(case, CaseVerdict::Worse, Some(reason));
+/// A case with what is found of it so far.
+struct Docket<'a> {
+    rules: &'a Rules<'a>,
+    ladder: &'a str,
+    finding: Finding,
+    marks: Marks,
+}
+
+impl<'a> Docket<'a> {
+    fn new(case: &CaseKey, rules: &'a Rules<'a>, ladder: &'a str) -> Self {
+        Self {
+            rules,
+            ladder,
+            finding: Finding {
+                case: case.clone(),
+                changes: vec![],
+                time: None,
+                verdict: CaseVerdict::Same,
+                reasons: vec![],
+                told: vec![],
+            },
+            marks: Marks::default(),
         }
-        (Some(error), None) => {
-            let reason = format!("failed in BASE only: {error}");
-            return Finding::new(case, CaseVerdict::Better, Some(reason));
-        }
-        (Some(_), Some(error)) => {
-            let reason = format!("fails in both: {error}");
-            return Finding::new(case, CaseVerdict::Same, Some(reason));
-        }
-        (None, None) => {}
     }
-    let mut marks = Marks::default();
-    let mut reasons = vec![];
-    let counters = counters::compare(own, head);
-    for changed in &counters {
-        marks.add(changed.moved);
-        reasons.extend(reason(changed));
+
+    /// Takes a change into the verdict: as the ledger says where it knows it, as it stands otherwise.
+    fn add(&mut self, mut change: Change) {
+        let name = self.finding.case.to_string();
+        if let Some(ledger) = self.rules.ledger {
+            if change.moved != Moved::Same && ledger.accepts(self.ladder, &name, &change) {
+                change.moved = Moved::Accepted;
+            }
+            if let Some(best) = ledger.below_best(self.ladder, &name, &change) {
+                self.marks.worse = true;
+                self.finding.reasons.push(format!(
+                    "{} {} is worse than the best value ever accepted, {best:?}",
+                    change.number, change.head
+                ));
+            }
+            if self.rules.strict && !matches!(change.moved, Moved::Same | Moved::Accepted) {
+                self.marks.worse = true;
+                self.finding.reasons.push(format!(
+                    "{} {} -> {} without a line in the ledger",
+                    change.number, change.base, change.head
+                ));
+            }
+        }
+        self.marks.add(change.moved);
+        if let Some(line) = line(&change) {
+            match change.moved {
+                Moved::Close | Moved::Accepted => self.finding.told.push(line),
+                _ => self.finding.reasons.push(line),
+            }
+        }
+        self.finding.changes.push(change);
+    }
+
+    fn close(mut self, verdict: CaseVerdict) -> Finding {
+        self.finding.verdict = verdict;
+        self.finding
+    }
+}
+
+/// A case that HEAD lacks.
+pub(super) fn missing(case: &CaseKey, rules: &Rules<'_>, ladder: &str) -> Finding {
+    let mut docket = Docket::new(case, rules, ladder);
+    docket.add(Change::of_case(true, false));
+    let verdict = docket.marks.verdict();
+    docket.close(verdict)
+}
+
+/// Judges a case of HEAD.
+pub(super) fn judge(
+    case: &CaseKey,
+    head: &Series,
+    base: &Cases,
+    rules: &Rules<'_>,
+    ladder: &str,
+) -> Finding {
+    let mut docket = Docket::new(case, rules, ladder);
+    let Some(own) = base.get(case) else {
+        // New is told, and fine, unless a ledger is to know of everything.
+        let mut new = Change::of_case(false, true);
+        if rules.strict {
+            docket.add(new);
+        } else {
+            new.moved = Moved::Close;
+            docket.finding.changes.push(new);
+        }
+        if let Some(failures) = Change::of_failures(None, head) {
+            docket.add(failures);
+        }
+        if change::gate_holds(head) == Some(false) {
+            docket.marks.worse = true;
+            let reason = "a new gate that does not hold".to_owned();
+            docket.finding.reasons.push(reason);
+        }
+        let verdict = match docket.marks.verdict() {
+            CaseVerdict::Same => CaseVerdict::New,
+            other => other,
+        };
+        return docket.close(verdict);
+    };
+    if let Some(failures) = Change::of_failures(Some(own), head) {
+        docket.add(failures);
+    }
+    for change in change::compare(own, head) {
+        docket.add(change);
+    }
+    if change::gate_holds(head) == Some(false) {
+        let held = change::gate_holds(own) == Some(true);
+        let accepted = docket
+            .finding
+            .changes
+            .iter()
+            .any(|change| change.moved == Moved::Accepted);
+        if held && !accepted {
+            docket.marks.worse = true;
+            let reason = "the gate held in BASE and does not hold in HEAD".to_owned();
+            docket.finding.reasons.push(reason);
+        }
     }
     let untimed = own.wall.is_empty() && head.wall.is_empty();
-    let mut time = None;
-    if !rules.ignore_time && !untimed {
+    let failed = !own.errors.is_empty() || !head.errors.is_empty();
+    if !rules.ignore_time && !untimed && !failed {
         let band = rules.noise.and_then(|noise| noise::band(noise, case));
         match time::compare(own, head, band) {
             Ok(found) => {
-                let paid = paid(base, case, &counters);
+                let paid = paid(base, case, &docket.finding.changes);
                 let (moved, reason) = judge_time(&found, &paid);
-                marks.add(moved);
-                reasons.extend(reason);
-                time = Some(found);
+                docket.marks.add(moved);
+                docket.finding.reasons.extend(reason);
+                docket.finding.time = Some(found);
             }
             Err(reason) => {
-                marks.cannot = true;
-                reasons.push(reason);
+                docket.marks.cannot = true;
+                docket.finding.reasons.push(reason);
             }
         }
     }
-    let hashes = own.state_hash.as_ref().zip(head.state_hash.as_ref());
-    Finding {
-        case: case.clone(),
-        counters,
-        time,
-        same_bits: hashes.map(|(base, head)| base == head),
-        verdict: marks.verdict(),
-        reasons,
-    }
+    let verdict = docket.marks.verdict();
+    docket.close(verdict)
 }
 
 /// What was found in a case so far.
@@ -152,10 +223,10 @@ struct Marks {
 impl Marks {
     fn add(&mut self, moved: Moved) {
         match moved {
-            Moved::Same => {}
+            Moved::Same | Moved::Close | Moved::Accepted => {}
             Moved::Better => self.better = true,
             Moved::Worse => self.worse = true,
-            Moved::Missing | Moved::Other => self.cannot = true,
+            Moved::Missing | Moved::Appeared | Moved::Other => self.cannot = true,
         }
     }
 
@@ -172,27 +243,58 @@ impl Marks {
     }
 }
 
-/// What to say of a counter; nothing where it is the same.
-fn reason(changed: &Changed) -> Option<String> {
-    let Changed {
-        key, base, head, ..
+/// What to say of a change; nothing where there is none.
+fn line(changed: &Change) -> Option<String> {
+    let Change {
+        number, base, head, ..
     } = changed;
-    let number = crate::show::number;
-    let values = format!("{} -> {}", number(*base), number(*head));
-    match changed.moved {
-        Moved::Same => None,
-        Moved::Missing => Some(format!("{key} is missing in HEAD")),
-        Moved::Other => Some(format!("another problem: {key} {values}")),
-        Moved::Better | Moved::Worse => Some(match changed.quantity {
-            Quantity::Order => format!("{key} {values} ({:+.2})", head - base),
-            _ => format!("{key} {values} ({})", change(changed.ratio())),
-        }),
+    let moved = format!("{number} {}", arrow(changed));
+    Some(match changed.moved {
+        Moved::Same => return None,
+        Moved::Missing if number == change::CASE => "missing in HEAD".to_owned(),
+        Moved::Missing => format!("{number} is missing in HEAD, {base} in BASE"),
+        Moved::Appeared if number == change::CASE => "not in BASE".to_owned(),
+        Moved::Appeared => format!("{number} is {head} in HEAD, and not in BASE"),
+        Moved::Other => format!("another problem: {moved}"),
+        Moved::Accepted => format!("accepted: {moved}"),
+        Moved::Better if number == change::FAILURE => format!("failed in BASE only: {base}"),
+        Moved::Worse if number == change::FAILURE => match base {
+            Found::Nothing => format!("fails in HEAD only: {head}"),
+            _ => format!("fails for another reason: {base} -> {head}"),
+        },
+        Moved::Worse if changed.meaning == Meaning::GateBound => format!("looser: {moved}"),
+        Moved::Close | Moved::Better | Moved::Worse => moved,
+    })
+}
+
+/// From where to where, with as many digits as tell the two apart.
+fn arrow(changed: &Change) -> String {
+    let (base, head) = (&changed.base, &changed.head);
+    let (Some(from), Some(to)) = (base.number(), head.number()) else {
+        return format!("{base} -> {head}");
+    };
+    let short = crate::show::number;
+    if from == to {
+        return format!("{} in both, not the same in every run", short(to));
+    }
+    let (before, after) = (short(from), short(to));
+    let values = if before == after {
+        format!("{base} -> {head}")
+    } else {
+        format!("{before} -> {after}")
+    };
+    match changed.meaning {
+        Meaning::Order => format!("{values} ({:+.2})", to - from),
+        _ if from == 0.0 => values,
+        _ => format!("{values} ({})", change(to / from)),
     }
 }
 
 /// A ratio as a change in per cent, or as a factor where that reads better.
 fn change(ratio: f64) -> String {
-    if (0.5..2.0).contains(&ratio) {
+    if (ratio - 1.0).abs() < 1e-3 {
+        format!("{:+.1e} of itself", ratio - 1.0)
+    } else if (0.5..2.0).contains(&ratio) {
         format!("{:+.1} %", 100.0 * (ratio - 1.0))
     } else {
         format!("x{}", crate::show::number(ratio))
@@ -209,15 +311,20 @@ enum Paid {
     Unknown(String),
 }
 
-fn paid(base: &Cases, case: &CaseKey, counters: &[Changed]) -> Paid {
+fn paid(base: &Cases, case: &CaseKey, changes: &[Change]) -> Paid {
     let mut paid = Paid::Nothing;
-    let rose = |c: &&Changed| c.quantity == Quantity::Error && c.ratio() > 1.0 + 1e-9;
-    for changed in counters.iter().filter(rose) {
-        match equal_error::cost(base, case, &changed.key, changed.head) {
-            None => return Paid::Unknown(changed.key.clone()),
+    for changed in changes.iter().filter(|c| c.meaning == Meaning::Error) {
+        let (Some(from), Some(to)) = (changed.base.number(), changed.head.number()) else {
+            continue;
+        };
+        if to <= from {
+            continue;
+        }
+        match equal_error::cost(base, case, &changed.number, to) {
+            None => return Paid::Unknown(changed.number.clone()),
             Some(factor) => match &paid {
                 Paid::Factor(_, known) if *known >= factor => {}
-                _ => paid = Paid::Factor(changed.key.clone(), factor),
+                _ => paid = Paid::Factor(changed.number.clone(), factor),
             },
         }
     }

@@ -15,8 +15,8 @@ pub fn cost(base: &Cases, case: &CaseKey, key: &str, error: f64) -> Option<f64> 
         .list
         .iter()
         .filter(|(other, series)| {
-            let kind = other.aggregate.is_none() && other.threads == case.threads;
-            kind && series.ladder.as_ref() == Some(ladder) && series.error.is_none()
+            let kind = other.aggregate.is_none() && series.threads == own.threads;
+            kind && series.ladder.as_ref() == Some(ladder) && series.errors.is_empty()
         })
         .filter_map(|(_, series)| {
             let error = series.counters.get(key)?.first()?;

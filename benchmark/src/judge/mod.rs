@@ -1,17 +1,20 @@
-//! Judges two records: accuracy exactly, counts nearly exactly, time by interleaved passes.
+//! Judges two records: results bit by bit, counts nearly exactly, time by interleaved passes.
 //!
 //! What cannot be compared is never green: it outranks everything else in the verdict.
 
 mod case;
-pub mod counters;
+pub mod change;
 pub mod equal_error;
+pub mod ledger;
 mod machine;
 pub mod noise;
 pub mod time;
 
 pub use case::{CaseVerdict, Finding};
 
-use crate::record::{Cases, Record};
+use crate::record::{Cases, Meaning, Record};
+use change::Moved;
+use ledger::Ledger;
 
 /// What decides how records are judged.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,6 +23,10 @@ pub struct Rules<'a> {
     pub ignore_time: bool,
     /// Measured noise by case, as `proctor noise` writes it.
     pub noise: Option<&'a Record>,
+    /// Changes that were accepted, each with a reason.
+    pub ledger: Option<&'a Ledger>,
+    /// Whether the ledger must name every difference, those for the better too.
+    pub strict: bool,
 }
 
 /// What is said of two records as a whole.
@@ -42,9 +49,45 @@ pub struct Comparison {
     pub notes: Vec<String>,
     /// Case by case, in the order of HEAD, then those that HEAD lacks.
     pub findings: Vec<Finding>,
+    /// Which ladder was run, `quick` or `full`; empty for records of something else.
+    pub ladder: String,
+}
+
+/// How many numbers and words of one meaning were compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tally {
+    /// Of which meaning.
+    pub meaning: Meaning,
+    /// Those that both records have.
+    pub compared: usize,
+    /// Of these, those that are equal bit by bit.
+    pub equal: usize,
+    /// Those that only one of them has.
+    pub alone: usize,
 }
 
 impl Comparison {
+    /// What was compared, meaning by meaning; those that neither record has are left out.
+    #[must_use]
+    pub fn tallies(&self) -> Vec<Tally> {
+        let changes = || self.findings.iter().flat_map(|finding| &finding.changes);
+        let tallies = Meaning::JUDGED.into_iter().map(|meaning| {
+            let of_it = || changes().filter(move |change| change.meaning == meaning);
+            let alone = |change: &&change::Change| {
+                let (base, head) = (&change.base, &change.head);
+                matches!(base, change::Found::Nothing) || matches!(head, change::Found::Nothing)
+            };
+            let alone = of_it().filter(alone).count();
+            Tally {
+                meaning,
+                compared: of_it().count() - alone,
+                equal: of_it().filter(|c| c.moved == Moved::Same).count(),
+                alone,
+            }
+        });
+        tallies.filter(|t| t.compared + t.alone > 0).collect()
+    }
+
     /// The verdict over all cases.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
@@ -63,7 +106,7 @@ impl Comparison {
 #[must_use]
 pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
     let mut obstacles = machine::obstacles(base, head, !rules.ignore_time);
-    let mut notes = machine::notes(base, head);
+    let notes = machine::notes(base, head);
     if let Some(noise) = rules.noise {
         if !noise::holds_bands(noise) {
             obstacles
@@ -76,36 +119,34 @@ pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
                 .map(|what| format!("noise record: {}", what.replace(" in BASE", " there"))),
         );
     }
+    let ladder = head.ladder().unwrap_or_default().to_owned();
+    if base.ladder() != head.ladder() {
+        let said = |record: &Record| record.ladder().unwrap_or("none").to_owned();
+        obstacles.push(format!(
+            "another ladder: {} in BASE, {} in HEAD",
+            said(base),
+            said(head)
+        ));
+    }
     let (base, head) = (Cases::of(base), Cases::of(head));
     let mut findings: Vec<Finding> = head
         .list
         .iter()
-        .map(|(key, series)| case::judge(key, series, &base, rules))
+        .map(|(key, series)| case::judge(key, series, &base, rules, &ladder))
         .collect();
     for (key, _) in &base.list {
         if head.get(key).is_none() {
-            findings.push(Finding::missing(key));
+            findings.push(case::missing(key, rules, &ladder));
         }
     }
     let judged = findings.iter().filter(|finding| finding.judged()).count();
     if judged == 0 {
         obstacles.push("nothing to compare: no error, count or time is in both records".to_owned());
     }
-    let hashes = findings.iter().filter_map(|finding| finding.same_bits);
-    let (mut kept, mut all) = (0, 0);
-    for same in hashes {
-        all += 1;
-        kept += usize::from(same);
-    }
-    if kept < all {
-        notes.push(format!(
-            "note: the final state differs in its bits in {} of {all} cases",
-            all - kept
-        ));
-    }
     Comparison {
         obstacles,
         notes,
         findings,
+        ladder,
     }
 }

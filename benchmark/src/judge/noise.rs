@@ -2,7 +2,7 @@
 
 use super::machine;
 use super::time::{PASSES, ratios};
-use crate::record::{CaseKey, Cases, Kind, Record, Row};
+use crate::record::{BY_SCENE, CaseKey, Cases, Kind, Record, Row};
 use crate::statistics::Summary;
 
 /// Name of the aggregate that holds a band.
@@ -57,7 +57,7 @@ pub fn bands(records: &[Record]) -> Result<Vec<Row>, String> {
                 changes.len()
             ));
         }
-        let mut row = Row::aggregate(key.name.clone(), AGGREGATE, key.threads as usize);
+        let mut row = Row::aggregate(key.name.clone(), AGGREGATE, BY_SCENE);
         if let Some(summary) = Summary::of(&changes) {
             row.count(BAND, summary.maximum);
             row.count("noise_median", summary.median);
@@ -76,7 +76,7 @@ pub fn bands(records: &[Record]) -> Result<Vec<Row>, String> {
 pub fn band(noise: &Record, case: &CaseKey) -> Option<f64> {
     let row = noise.rows.iter().find(|row| {
         let is_band = matches!(&row.kind, Kind::Aggregate { name } if name == AGGREGATE);
-        is_band && row.name == case.name && row.threads == case.threads
+        is_band && row.name == case.name
     })?;
     row.counters.get(BAND).copied()
 }

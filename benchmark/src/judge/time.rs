@@ -50,6 +50,17 @@ pub struct Time {
 /// Says why there is no answer, such as fewer than three passes in common, or noise that would hide anything.
 pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, String> {
     let ratios = ratios(base, head);
+    if !base.wall.is_empty() && !head.wall.is_empty() && base.threads != head.threads {
+        let said = |series: &Series| {
+            let numbers: Vec<String> = series.threads.iter().map(u64::to_string).collect();
+            numbers.join(", ")
+        };
+        return Err(format!(
+            "time: another number of threads, {} in BASE, {} in HEAD",
+            said(base),
+            said(head)
+        ));
+    }
     if ratios.len() < PASSES {
         return Err(match (base.wall.is_empty(), head.wall.is_empty()) {
             (true, _) => "BASE has no time".to_owned(),

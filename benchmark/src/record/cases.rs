@@ -3,9 +3,10 @@
 use super::{LADDER, Record, Row, key};
 use crate::measure::Spent;
 use crate::suite::{Ran, RanRung};
+use proctor_verification::case::Gate;
 
 impl Record {
-    /// Adds a row per run of a case and repetition, and one for its verdict where anything was run.
+    /// Adds a row per run of a case and repetition, one per gate, and one for the verdict where anything was run.
     pub fn push_case(&mut self, ran: &Ran, threads: usize) {
         if ran.rungs.is_empty() {
             return;
@@ -20,6 +21,9 @@ impl Record {
                     threads,
                 ));
             }
+        }
+        for gate in &ran.verdict.gates {
+            self.push(gate_row(ran.case.name(), gate, threads));
         }
         self.push(verdict_row(ran, threads));
         self.details.push_case(ran);
@@ -42,8 +46,11 @@ fn run_row(case: &str, ran: &RanRung, repetition: u64, spent: Spent, threads: us
             row.count("particle_steps_per_second", rate);
             for q in &solved.quantities {
                 let key = key(q.name);
-                row.count(format!("value_{key}"), q.value);
-                for (kind, value) in [("exact", q.exact), ("error", q.error)] {
+                let kind = if q.is_balance() { "balance" } else { "value" };
+                row.count(format!("{kind}_{key}"), q.value);
+                // What a balance should be is in its name.
+                let exact = q.exact.filter(|_| !q.is_balance());
+                for (kind, value) in [("exact", exact), ("error", q.error)] {
                     if let Some(value) = value {
                         row.count(format!("{kind}_{key}"), value);
                     }
@@ -55,7 +62,16 @@ fn run_row(case: &str, ran: &RanRung, repetition: u64, spent: Spent, threads: us
     row
 }
 
-/// Gates and observed orders of a case.
+/// A gate with what it found, as numbers that two records are compared in.
+fn gate_row(case: &str, gate: &Gate, threads: usize) -> Row {
+    let mut row = Row::aggregate(format!("{case}: {}", gate.name), "gate", threads);
+    row.count("gate_value", gate.value);
+    row.count("gate_bound", gate.bound);
+    row.label("gate_side", gate.relation.words());
+    row
+}
+
+/// Verdict and observed orders of a case.
 fn verdict_row(ran: &Ran, threads: usize) -> Row {
     let mut row = Row::aggregate(ran.case.name(), "verdict", threads);
     let failed = ran.verdict.gates.iter().filter(|g| !g.passed()).count();

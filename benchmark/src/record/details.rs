@@ -9,7 +9,7 @@ use crate::show::{figures, precision as show};
 use crate::suite::Ran;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::run::plan_value;
-use proctor_verification::case::{Curve, Gate, Relation};
+use proctor_verification::case::{Curve, Gate};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -212,11 +212,7 @@ fn gate(gate: &Gate) -> GateDetail {
     GateDetail {
         name: gate.name.clone(),
         value: gate.value.is_finite().then_some(gate.value),
-        relation: match gate.relation {
-            Relation::AtMost => "at most",
-            Relation::AtLeast => "at least",
-        }
-        .to_owned(),
+        relation: gate.relation.words().to_owned(),
         bound: gate.bound,
         reason: gate.reason.to_owned(),
         passed: gate.passed(),

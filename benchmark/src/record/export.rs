@@ -67,7 +67,7 @@ fn sound(cases: &Cases) -> impl Iterator<Item = &(CaseKey, Series)> {
     cases
         .list
         .iter()
-        .filter(|(_, series)| series.error.is_none())
+        .filter(|(_, series)| series.errors.is_empty())
 }
 
 /// Counters with their medians whose key begins with one of these.

@@ -9,6 +9,7 @@ mod error;
 pub mod export;
 mod join;
 mod machine;
+mod meaning;
 mod read;
 mod row;
 mod series;
@@ -16,11 +17,13 @@ mod table;
 
 pub use details::Details;
 pub use error::RecordError;
-pub use row::{Kind, Row, key};
+pub use meaning::Meaning;
+pub use row::{BY_SCENE, Kind, Row, key};
 pub use series::{CaseKey, Cases, Series};
 
 use proctor_kernel::output::{OutputError, atomic};
 use proctor_kernel::simulation::Options;
+use proctor_verification::case::Size;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -30,6 +33,9 @@ pub const LADDER: &str = "ladder";
 
 /// Key of the context that marks a record of interrupted work.
 const INCOMPLETE: &str = "incomplete";
+
+/// Key of the context that says which ladders of the cases were run.
+const LADDERS: &str = "ladders";
 
 /// A record of one invocation.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +62,21 @@ impl Record {
     /// Adds a row.
     pub fn push(&mut self, row: Row) {
         self.rows.push(row);
+    }
+
+    /// Says which ladders of the cases were run.
+    pub fn set_ladder(&mut self, size: Size) {
+        let word = match size {
+            Size::Quick => "quick",
+            Size::Full => "full",
+        };
+        self.context[LADDERS] = word.into();
+    }
+
+    /// Which ladders of the cases were run, `quick` or `full`; none for records of something else.
+    #[must_use]
+    pub fn ladder(&self) -> Option<&str> {
+        self.context[LADDERS].as_str()
     }
 
     /// Says whether the record lacks what was asked for, because the work was interrupted or still goes on.

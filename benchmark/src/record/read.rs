@@ -251,7 +251,7 @@ impl Fields {
         };
         // A sample of no iteration was not timed.
         let iterations = whole(&mut self.numbers, "iterations", 1);
-        let threads = whole(&mut self.numbers, "threads", 1);
+        let threads = whole(&mut self.numbers, "threads", super::BY_SCENE as u64);
         let spent = self.spent(&name, iterations)?.filter(|_| iterations > 0);
         let message = ["error_message", "skip_message"].map(|key| self.words.remove(key));
         let message = message.into_iter().flatten().next();

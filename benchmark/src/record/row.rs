@@ -8,6 +8,9 @@ use std::time::Duration;
 /// Counter that holds the pass of a row.
 pub(super) const PASS: &str = "pass";
 
+/// Number of threads of a row whose scene decides it, as far as the machine has them.
+pub const BY_SCENE: usize = 0;
+
 /// What a row stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -30,7 +33,7 @@ pub struct Row {
     pub name: String,
     /// Sample or aggregate.
     pub kind: Kind,
-    /// Threads that the run was given, of which a small scene uses fewer.
+    /// Threads that the run was given, of which a small scene uses fewer; [`BY_SCENE`] where none were asked for.
     pub threads: u64,
     /// Runs that were timed together; 1 but for records of other programs.
     pub iterations: u64,
@@ -140,7 +143,9 @@ impl Row {
                 row.insert("aggregate_name".into(), name.clone().into());
             }
         }
-        row.insert("threads".into(), self.threads.into());
+        if self.threads != BY_SCENE as u64 {
+            row.insert("threads".into(), self.threads.into());
+        }
         let per_iteration = |time: Duration| time.as_secs_f64() * 1e3 / self.iterations as f64;
         let (iterations, times) = match (self.spent, &self.kind) {
             (Some(spent), _) => (

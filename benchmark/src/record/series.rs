@@ -1,19 +1,18 @@
 //! The rows of a record, gathered by case.
 
 use super::row::PASS;
-use super::{Kind, LADDER, Record, Row};
-use std::collections::BTreeMap;
+use super::{Kind, LADDER, Meaning, Record, Row};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// What two records must share to be compared: name, number of threads, and which aggregate if it is one.
+/// What two records must share to be compared: name, and which aggregate if it is one. Results do not depend on the number
+/// of threads, so that it does not tell cases apart; whose times are compared must agree in it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct CaseKey {
     /// Name of the rows.
     pub name: String,
     /// Which aggregate; `None` for samples.
     pub aggregate: Option<String>,
-    /// Threads of the runs.
-    pub threads: u64,
 }
 
 impl CaseKey {
@@ -24,7 +23,6 @@ impl CaseKey {
                 Kind::Sample { .. } => None,
                 Kind::Aggregate { name } => Some(name.clone()),
             },
-            threads: row.threads,
         }
     }
 }
@@ -32,14 +30,10 @@ impl CaseKey {
 impl fmt::Display for CaseKey {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.name)?;
-        if let Some(aggregate) = &self.aggregate {
-            write!(f, " {aggregate}")?;
+        match &self.aggregate {
+            Some(aggregate) => write!(f, " {aggregate}"),
+            None => Ok(()),
         }
-        // A verdict is the same for every number of threads.
-        if self.threads > 1 && self.aggregate.is_none() {
-            write!(f, " ({} threads)", self.threads)?;
-        }
-        Ok(())
     }
 }
 
@@ -50,14 +44,16 @@ pub struct Series {
     pub wall: BTreeMap<u64, Vec<f64>>,
     /// CPU times of all passes \[s\].
     pub cpu: Vec<f64>,
+    /// Numbers of threads that the rows were given; 0 where the scene decides.
+    pub threads: BTreeSet<u64>,
     /// Every value of every counter.
     pub counters: BTreeMap<String, Vec<f64>>,
-    /// Hash of the final state, where it was kept.
-    pub state_hash: Option<String>,
+    /// Every word of every label that is judged.
+    pub labels: BTreeMap<String, BTreeSet<String>>,
     /// Rows with the same ladder differ in resolution alone.
     pub ladder: Option<String>,
-    /// Why a run failed, if one did.
-    pub error: Option<String>,
+    /// Why runs failed.
+    pub errors: BTreeSet<String>,
 }
 
 impl Series {
@@ -66,20 +62,31 @@ impl Series {
             self.wall.entry(row.pass()).or_default().push(wall);
         }
         self.cpu.extend(row.cpu());
+        self.threads.insert(row.threads);
         for (key, value) in row.counters.iter().filter(|(key, _)| *key != PASS) {
             self.counters.entry(key.clone()).or_default().push(*value);
         }
-        self.state_hash = row.labels.get("state_hash").cloned();
-        self.ladder = row.labels.get(LADDER).cloned();
-        if self.error.is_none() {
-            self.error.clone_from(&row.error);
+        for (key, word) in &row.labels {
+            if Meaning::of_label(key) != Meaning::Information {
+                let words = self.labels.entry(key.clone()).or_default();
+                words.insert(word.clone());
+            }
         }
+        self.ladder = row.labels.get(LADDER).cloned();
+        self.errors.extend(row.error.clone());
     }
 
     /// Clock times of all passes \[s\].
     #[must_use]
     pub fn all_wall(&self) -> Vec<f64> {
         self.wall.values().flatten().copied().collect()
+    }
+
+    /// Why the runs failed, in one line; `None` where none did.
+    #[must_use]
+    pub fn failure(&self) -> Option<String> {
+        let errors: Vec<&str> = self.errors.iter().map(String::as_str).collect();
+        (!errors.is_empty()).then(|| errors.join("; "))
     }
 }
 

@@ -1,7 +1,7 @@
 //! A comparison of two records, as text and as Markdown.
 
 use super::Table;
-use crate::judge::{CaseVerdict, Comparison, Finding, Verdict};
+use crate::judge::{CaseVerdict, Comparison, Finding, Tally, Verdict};
 use crate::record::Record;
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -35,6 +35,14 @@ pub fn terminal(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> 
         paragraph(&about, 2, out)?;
         paragraph(&reason, 6, out)?;
     }
+    let told = told(comparison);
+    if !told.is_empty() {
+        writeln!(out, "  different, and not judged for it")?;
+    }
+    for line in told {
+        paragraph(&line, 6, out)?;
+    }
+    paragraph(&compared(comparison), 2, out)?;
     for line in comparison.notes.iter().chain(&comparison.obstacles) {
         paragraph(line, 2, out)?;
     }
@@ -57,6 +65,19 @@ pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String
     for (about, reason) in reasons(comparison) {
         let _ = writeln!(text, "- {}: {}", escaped(&about), escaped(&reason));
     }
+    let told = told(comparison);
+    if !told.is_empty() {
+        let _ = writeln!(
+            text,
+            "\n<details><summary>{} different, and not judged for it</summary>\n",
+            told.len()
+        );
+        for line in told {
+            let _ = writeln!(text, "- {}", escaped(&line));
+        }
+        text.push_str("\n</details>\n");
+    }
+    let _ = writeln!(text, "\n{}", escaped(&compared(comparison)));
     let (changed, same): (Vec<&Finding>, Vec<&Finding>) =
         shown(comparison).partition(|finding| finding.verdict != CaseVerdict::Same);
     if !changed.is_empty() {
@@ -78,8 +99,8 @@ pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String
     text
 }
 
-const HEADINGS: [&str; 9] = [
-    "case", "thr.", "error", "count", "time", "95 %", "p", "tol.", "verdict",
+const HEADINGS: [&str; 8] = [
+    "case", "error", "count", "time", "95 %", "p", "tol.", "verdict",
 ];
 
 fn markdown_table(findings: &[&Finding]) -> String {
@@ -101,19 +122,12 @@ fn shown(comparison: &Comparison) -> impl Iterator<Item = &Finding> {
     comparison.findings.iter().filter(tells)
 }
 
-fn cells(finding: &Finding) -> [String; 9] {
+fn cells(finding: &Finding) -> [String; 8] {
     let percent = |ratio: f64| format!("{:+.1} %", 100.0 * (ratio - 1.0));
     let or_none = |cell: Option<String>| cell.unwrap_or_else(|| "-".to_owned());
     let time = finding.time.as_ref();
     [
-        name(finding),
-        or_none(
-            finding
-                .case
-                .aggregate
-                .is_none()
-                .then(|| finding.case.threads.to_string()),
-        ),
+        finding.case.to_string(),
         or_none(finding.error_ratio().map(factor)),
         or_none(finding.count_ratio().map(factor)),
         or_none(time.map(|t| percent(t.median))),
@@ -155,15 +169,6 @@ fn word(finding: &Finding) -> &'static str {
     }
 }
 
-/// Name of a case without its threads, which have a column of their own.
-fn name(finding: &Finding) -> String {
-    let case = &finding.case;
-    match &case.aggregate {
-        Some(aggregate) => format!("{} {aggregate}", case.name),
-        None => case.name.clone(),
-    }
-}
-
 /// What is said of which case; cases of which the same is said share a line.
 fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
     let mut lines: Vec<(&str, &str, Vec<String>)> = vec![];
@@ -188,8 +193,61 @@ fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
     said.collect()
 }
 
+/// What differs without being judged for it, case by case.
+fn told(comparison: &Comparison) -> Vec<String> {
+    let of = |finding: &Finding| -> Vec<String> {
+        let case = finding.case.to_string();
+        let lines = finding.told.iter().map(|line| format!("{case}: {line}"));
+        lines.collect()
+    };
+    comparison.findings.iter().flat_map(of).collect()
+}
+
+/// What was compared, and what could not be.
+fn compared(comparison: &Comparison) -> String {
+    let tallies = comparison.tallies();
+    let part = |tally: &Tally| {
+        let word = tally.meaning.plural();
+        match tally.compared - tally.equal.min(tally.compared) {
+            0 => format!("{} {word}", tally.compared),
+            changed => format!("{} {word} ({changed} differ)", tally.compared),
+        }
+    };
+    let parts: Vec<String> = tallies
+        .iter()
+        .filter(|t| t.compared > 0)
+        .map(part)
+        .collect();
+    let times = comparison.findings.iter().filter(|f| f.time.is_some());
+    let mut text = match (parts.is_empty(), times.count()) {
+        (true, 0) => "compared nothing".to_owned(),
+        (true, n) => format!("compared {n} times"),
+        (false, 0) => format!("compared bit by bit: {}; no times", parts.join(", ")),
+        (false, n) => format!("compared bit by bit: {}; {n} times", parts.join(", ")),
+    };
+    let alone: usize = tallies.iter().map(|tally| tally.alone).sum();
+    let whole = |verdict| {
+        comparison
+            .findings
+            .iter()
+            .filter(move |f| f.verdict == verdict)
+    };
+    let left = whole(CaseVerdict::CannotCompare).count();
+    if alone + left > 0 {
+        let _ = write!(
+            text,
+            "; could not compare {left} of {} cases, {alone} numbers that only one of them has",
+            comparison.findings.len()
+        );
+    }
+    text
+}
+
 /// Text in lines that fit, broken at blanks, all of them indented.
-fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<()> {
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<()> {
     let mut line = String::new();
     for word in text.split(' ') {
         let length = line.chars().count() + 1 + word.chars().count();

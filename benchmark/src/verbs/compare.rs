@@ -1,6 +1,7 @@
 //! `proctor compare`: two records, judged.
 
 use crate::exit::{Failure, Outcome};
+use crate::judge::ledger::Ledger;
 use crate::judge::{self, Rules, Verdict};
 use crate::record::Record;
 use crate::show::comparison as show;
@@ -9,13 +10,15 @@ use proctor_kernel::output::atomic;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Compare two records: errors exactly, counts nearly exactly, times by interleaved passes.
+/// Compare two records: results bit by bit, counts nearly exactly, times by interleaved passes.
 ///
-/// An error that rose by more than 1 %, 0.1 of an observed order lost, or 1 % more instructions or steps fail, however
-/// fast it has become. Time fails only if each of three or more interleaved passes is slower by more than 3 % or twice the
+/// Results are the same on every machine. Errors, orders, balances, figures, gates and hashes that differ are listed; what
+/// is worse by more than 1e-6 of itself fails, however fast it has become, and so do a gate that became looser, a new case
+/// that fails, other failures, and 1 % more instructions or steps. What the ledger of accepted changes names is fine as
+/// long as it is not worse than the best value that was ever accepted. Time fails only if each of three or more interleaved passes is slower by more than 3 % or twice the
 /// noise that was measured for the case; a gain in time that was paid for in accuracy is judged at equal error. What
 /// cannot be compared (cases that are missing, another machine or build, too few passes, an interrupted record) is never
-/// fine: exit code 2.
+/// fine: exit code 2. Nor is a number that only one of the records has.
 ///
 /// BASE and HEAD are records, or folders of records: one pass per sub-folder, or per file where there are none.
 #[derive(Args)]
@@ -35,9 +38,18 @@ pub struct Compare {
     /// Bands of noise by case, as `proctor noise` writes them
     #[arg(long, value_name = "FILE")]
     noise: Option<PathBuf>,
-    /// Leave times out: errors, orders and counts alone, which may come from different machines
+    /// Leave times out: results and counts alone, which may come from different machines
     #[arg(long)]
     ignore_time: bool,
+    /// Ledger of accepted changes, as `proctor accept` writes it
+    #[arg(long, value_name = "FILE")]
+    ledger: Option<PathBuf>,
+    /// Ledger that this one must continue: only lines at its end may be new
+    #[arg(long, value_name = "FILE", requires = "ledger")]
+    continues: Option<PathBuf>,
+    /// Every difference needs a line in the ledger, those for the better, too
+    #[arg(long, requires = "ledger")]
+    strict: bool,
 }
 
 impl Compare {
@@ -46,11 +58,21 @@ impl Compare {
         let head = Record::read_joined(&self.head).map_err(Failure::bad_input)?;
         let noise = self.noise.as_deref().map(Record::read).transpose();
         let noise = noise.map_err(Failure::bad_input)?;
+        let read = |path: &PathBuf| Ledger::read(path).map_err(Failure::bad_input);
+        let ledger = self.ledger.as_ref().map(read).transpose()?;
         let rules = Rules {
             ignore_time: self.ignore_time,
             noise: noise.as_ref(),
+            ledger: ledger.as_ref(),
+            strict: self.strict,
         };
-        let comparison = judge::compare(&base, &head, &rules);
+        let mut comparison = judge::compare(&base, &head, &rules);
+        if let (Some(ledger), Some(before)) = (&ledger, &self.continues)
+            && !ledger.continues(&read(before)?)
+        {
+            let what = "lines of the ledger were changed or removed: it may only grow at its end";
+            comparison.obstacles.push(what.to_owned());
+        }
         show::terminal(&comparison, out)?;
         if let Some(path) = &self.markdown {
             let text = show::markdown(&comparison, &base, &head);

@@ -1,5 +1,6 @@
 //! The verbs of the command, one file each.
 
+mod accept;
 mod bench;
 mod compare;
 mod export;
@@ -35,8 +36,10 @@ pub enum Verb {
     Bench(bench::Bench),
     /// Make the page of a record.
     Report(report::Report),
-    /// Compare two records: errors exactly, counts nearly exactly, times by interleaved passes.
+    /// Compare two records: results bit by bit, counts nearly exactly, times by interleaved passes.
     Compare(compare::Compare),
+    /// Take the changes between two records into the ledger of accepted changes.
+    Accept(accept::Accept),
     /// Measure the noise of each case: the same program against itself.
     Noise(noise::Noise),
     /// Write a record in the shape that another tool reads.
@@ -56,6 +59,7 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Bench(bench)) => bench.run(out),
         Some(Verb::Report(report)) => report.run(out),
         Some(Verb::Compare(compare)) => compare.run(out),
+        Some(Verb::Accept(accept)) => accept.run(out),
         Some(Verb::Noise(noise)) => noise.run(out),
         Some(Verb::Export(export)) => export.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),

@@ -1,12 +1,12 @@
 //! `proctor noise`: A against A.
 
 use super::names;
-use super::settings::{Settings, processors};
+use super::settings::Settings;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::judge::noise;
 use crate::progress::Progress;
-use crate::record::{Record, Row};
+use crate::record::{BY_SCENE, Record, Row};
 use crate::show::Table;
 use crate::suite;
 use clap::Args;
@@ -113,7 +113,7 @@ fn measured(
     passes: u64,
     interrupt: &Interrupt,
 ) -> Vec<Record> {
-    let threads = options.threads.unwrap_or_else(processors);
+    let threads = options.threads.unwrap_or(BY_SCENE);
     let mut sides = vec![Record::new(options); SIDES];
     let go = || !interrupt.raised();
     let mut progress = Progress::new("noise");
@@ -143,7 +143,7 @@ fn measured(
 }
 
 fn show(bands: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
-    let mut table = Table::new(["case", "threads", "pairs", "median", "band"]);
+    let mut table = Table::new(["case", "pairs", "median", "band"]);
     for row in bands {
         let percent = |key: &str| {
             let value = row.counters.get(key);
@@ -152,7 +152,6 @@ fn show(bands: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
         let pairs = row.counters.get("noise_pairs").copied().unwrap_or_default();
         table.push([
             row.name.clone(),
-            row.threads.to_string(),
             pairs.to_string(),
             percent("noise_median"),
             percent("noise_band"),

@@ -1,10 +1,10 @@
 //! `proctor verify`: cases, errors, observed orders, gates.
 
 use super::names;
-use super::settings::{Settings, processors};
+use super::settings::Settings;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
-use crate::record::Record;
+use crate::record::{BY_SCENE, Record};
 use crate::show::case as show;
 use crate::suite::{self, Ran};
 use clap::Args;
@@ -51,9 +51,10 @@ impl Verify {
         let options = self.settings.options();
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         let size = if self.quick { Size::Quick } else { Size::Full };
-        let threads = options.threads.unwrap_or_else(processors);
+        let threads = options.threads.unwrap_or(BY_SCENE);
         let interrupt = Interrupt::listen()?;
         let mut record = Record::new(&options);
+        record.set_ladder(size);
         // Until all is done. A process that is killed leaves it so.
         record.set_incomplete(true);
         if let Some(path) = &self.json {

@@ -104,15 +104,26 @@ fn a_case_that_is_missing_in_head() {
 }
 
 #[test]
-fn another_number_of_threads() {
+fn times_of_another_number_of_threads() {
     let mut rows = steady("a", 1.0);
     for row in &mut rows {
         row.threads = 2;
     }
     refused(
         &compare(&record(steady("a", 1.0)), &record(rows)),
-        "missing in HEAD",
+        "another number of threads, 1 in BASE, 2 in HEAD",
     );
+}
+
+#[test]
+fn a_number_that_only_one_of_them_has() {
+    let more = record(steady_with(
+        "a",
+        1.0,
+        &[("error_l2", 0.1), ("error_new", 0.1), ("particles", 64.0)],
+    ));
+    refused(&compare(&base(), &more), "error_new is 0.1 in HEAD");
+    refused(&compare(&more, &base()), "error_new is missing in HEAD");
 }
 
 #[test]

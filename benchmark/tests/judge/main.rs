@@ -4,6 +4,8 @@
 mod accuracy;
 mod cannot_compare;
 mod equal_error;
+mod ledger;
 mod noise;
 mod synthetic;
+mod tampered;
 mod time;

@@ -1,0 +1,334 @@
+//! What differs between two rows of the same case, number by number and word by word.
+//!
+//! The kernel promises the same bits on every machine, so that nothing here knows of noise: two records of one program are
+//! equal, and what is not equal was changed.
+
+use crate::record::{Meaning, Series};
+use std::collections::BTreeSet;
+use std::fmt;
+
+/// Relative change that sums in another order make. What is worse by more has got worse.
+pub const SUMS_IN_ANOTHER_ORDER: f64 = 1e-6;
+/// Relative change of a count that is one: compilers move instructions about.
+pub const COUNT_CHANGE: f64 = 0.01;
+
+/// Name under which a case as a whole stands among its numbers.
+pub const CASE: &str = "case";
+/// Name under which the failures of a case stand among its numbers.
+pub const FAILURE: &str = "failure";
+/// What is said of a case that is there.
+const PRESENT: &str = "present";
+
+/// What stands in a record.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Found {
+    /// Nothing.
+    Nothing,
+    /// A number.
+    Number(f64),
+    /// A word.
+    Word(String),
+}
+
+impl Found {
+    /// The number, if it is one.
+    #[must_use]
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(value) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// The same bits, the same word, or nothing twice.
+    #[must_use]
+    pub fn equals(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Number(a), Self::Number(b)) => a.to_bits() == b.to_bits(),
+            _ => self == other,
+        }
+    }
+}
+
+/// A number as the shortest text that reads as the same bits.
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nothing => write!(f, "none"),
+            Self::Number(value) => write!(f, "{value:?}"),
+            Self::Word(word) => write!(f, "{word}"),
+        }
+    }
+}
+
+/// Which way is better.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Better {
+    /// The smaller magnitude.
+    Less,
+    /// The larger value.
+    More,
+    /// The smaller value.
+    Lower,
+    /// Neither: it should stay where it is.
+    Neither,
+}
+
+impl Better {
+    /// How much worse `head` is than `base`, over the magnitude of `base`; negative where it is better. Where neither is
+    /// better, any distance is worse.
+    #[must_use]
+    pub fn loss(self, base: f64, head: f64) -> f64 {
+        let loss = match self {
+            Self::Less => head.abs() - base.abs(),
+            Self::More => base - head,
+            Self::Lower => head - base,
+            Self::Neither => (head - base).abs(),
+        };
+        if loss == 0.0 { 0.0 } else { loss / base.abs() }
+    }
+}
+
+/// How something moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moved {
+    /// Not at all, bit by bit.
+    Same,
+    /// Not for the worse, or by so little that sums in another order (or another compiler, for counts) may have done it.
+    Close,
+    /// For the better by more than that.
+    Better,
+    /// For the worse by more than that, or where neither is better.
+    Worse,
+    /// HEAD does not have it.
+    Missing,
+    /// BASE did not have it.
+    Appeared,
+    /// It is another problem.
+    Other,
+    /// As a line of the ledger says.
+    Accepted,
+}
+
+/// Something in one or both records.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// Its key: that of a counter or label, [`CASE`] or [`FAILURE`].
+    pub number: String,
+    /// What it stands for.
+    pub meaning: Meaning,
+    /// Which way is better.
+    pub better: Better,
+    /// In BASE; of several samples the worst.
+    pub base: Found,
+    /// In HEAD; of several samples the worst.
+    pub head: Found,
+    /// Which way it went.
+    pub moved: Moved,
+}
+
+impl Change {
+    /// HEAD over BASE, where both are numbers.
+    #[must_use]
+    pub fn ratio(&self) -> Option<f64> {
+        let (base, head) = (self.base.number()?, self.head.number()?);
+        Some(if base == head { 1.0 } else { head / base })
+    }
+
+    /// A case that only one of the records has.
+    pub(super) fn of_case(in_base: bool, in_head: bool) -> Self {
+        let found = |there: bool| {
+            if there {
+                Found::Word(PRESENT.to_owned())
+            } else {
+                Found::Nothing
+            }
+        };
+        Self {
+            number: CASE.to_owned(),
+            meaning: Meaning::Information,
+            better: Better::Neither,
+            base: found(in_base),
+            head: found(in_head),
+            moved: match (in_base, in_head) {
+                (true, false) => Moved::Missing,
+                (false, true) => Moved::Appeared,
+                _ => Moved::Same,
+            },
+        }
+    }
+
+    /// The failures of a case; `None` where there are none.
+    pub(super) fn of_failures(base: Option<&Series>, head: &Series) -> Option<Self> {
+        let found = |failure: Option<String>| failure.map_or(Found::Nothing, Found::Word);
+        let (before, after) = (base.and_then(Series::failure), head.failure());
+        let moved = match (&before, &after) {
+            (None, None) => return None,
+            (Some(_), None) => Moved::Better,
+            (Some(before), Some(after)) if before == after => Moved::Same,
+            _ => Moved::Worse,
+        };
+        Some(Self {
+            number: FAILURE.to_owned(),
+            meaning: Meaning::Information,
+            better: Better::Neither,
+            base: found(before),
+            head: found(after),
+            moved,
+        })
+    }
+}
+
+/// Compares all that is judged in a case. What a failed run did not come to give is no loss of its own.
+#[must_use]
+pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
+    let mut changes = vec![];
+    let keys: BTreeSet<&String> = base.counters.keys().chain(head.counters.keys()).collect();
+    for key in keys {
+        let meaning = Meaning::of(key);
+        if meaning == Meaning::Information {
+            continue;
+        }
+        let better = better(meaning, base, head);
+        let of = |series: &Series| {
+            let values = series.counters.get(key);
+            values.map_or(Found::Nothing, |values| {
+                Found::Number(worst(better, values))
+            })
+        };
+        let (before, after) = (of(base), of(head));
+        let moved = if repeats(meaning, head.counters.get(key)) {
+            let told_by_error = tells_error(key, base) && tells_error(key, head);
+            moved(meaning, better, told_by_error, &before, &after)
+        } else {
+            Moved::Worse
+        };
+        changes.push(Change {
+            number: key.clone(),
+            meaning,
+            better,
+            base: before,
+            head: after,
+            moved,
+        });
+    }
+    let keys: BTreeSet<&String> = base.labels.keys().chain(head.labels.keys()).collect();
+    for key in keys {
+        let of = |series: &Series| {
+            let words = series.labels.get(key);
+            words.map_or(Found::Nothing, |words| {
+                let words: Vec<&str> = words.iter().map(String::as_str).collect();
+                Found::Word(words.join("; "))
+            })
+        };
+        let (before, after) = (of(base), of(head));
+        let one = head.labels.get(key).is_none_or(|words| words.len() == 1);
+        changes.push(Change {
+            number: key.clone(),
+            meaning: Meaning::of_label(key),
+            better: Better::Neither,
+            moved: match (&before, &after) {
+                (_, Found::Nothing) => Moved::Missing,
+                (Found::Nothing, _) => Moved::Appeared,
+                _ if one && before.equals(&after) => Moved::Same,
+                _ => Moved::Worse,
+            },
+            base: before,
+            head: after,
+        });
+    }
+    changes
+}
+
+/// Whether a gate lies on the right side of its bound; `None` for what is no gate. One without a value does not.
+#[must_use]
+pub fn gate_holds(series: &Series) -> Option<bool> {
+    let bound = worst(Better::Neither, series.counters.get("gate_bound")?);
+    let Some(values) = series.counters.get("gate_value") else {
+        return Some(false);
+    };
+    Some(match side(series) {
+        Better::Lower => values.iter().all(|value| *value <= bound),
+        Better::More => values.iter().all(|value| *value >= bound),
+        _ => false,
+    })
+}
+
+/// Which side of a gate is right.
+fn side(series: &Series) -> Better {
+    let words = series.labels.get("gate_side");
+    match words.and_then(|words| words.first()).map(String::as_str) {
+        Some("at most") => Better::Lower,
+        Some("at least") => Better::More,
+        _ => Better::Neither,
+    }
+}
+
+fn better(meaning: Meaning, base: &Series, head: &Series) -> Better {
+    match meaning {
+        Meaning::Error | Meaning::Balance | Meaning::Count => Better::Less,
+        Meaning::Order => Better::More,
+        // A tighter bound lies where better values lie.
+        Meaning::GateValue | Meaning::GateBound if side(base) == side(head) => side(base),
+        _ => Better::Neither,
+    }
+}
+
+/// Whether the error of a value is there too, and judges it.
+fn tells_error(key: &str, series: &Series) -> bool {
+    let name = key.strip_prefix("value_");
+    name.is_some_and(|name| series.counters.contains_key(&format!("error_{name}")))
+}
+
+/// The worst of the samples of one record.
+fn worst(better: Better, values: &[f64]) -> f64 {
+    let worse = |a: f64, b: f64| if better.loss(a, b) > 0.0 { b } else { a };
+    values.iter().copied().reduce(worse).unwrap_or(f64::NAN)
+}
+
+/// Whether all samples agree. Counts of instructions may differ a little.
+fn repeats(meaning: Meaning, values: Option<&Vec<f64>>) -> bool {
+    let Some((first, others)) = values.and_then(|values| values.split_first()) else {
+        return true;
+    };
+    meaning == Meaning::Count || others.iter().all(|v| v.to_bits() == first.to_bits())
+}
+
+fn moved(
+    meaning: Meaning,
+    better: Better,
+    told_by_error: bool,
+    base: &Found,
+    head: &Found,
+) -> Moved {
+    let (base, head) = match (base, head) {
+        (_, Found::Nothing) => return Moved::Missing,
+        (Found::Nothing, _) => return Moved::Appeared,
+        _ if base.equals(head) => return Moved::Same,
+        (Found::Number(base), Found::Number(head)) => (*base, *head),
+        _ => return Moved::Other,
+    };
+    if meaning == Meaning::Setting {
+        return Moved::Other;
+    }
+    let tolerance = tolerance(meaning);
+    let loss = better.loss(base, head);
+    if told_by_error || loss.abs() <= tolerance {
+        Moved::Close
+    } else if loss < 0.0 {
+        Moved::Better
+    } else {
+        Moved::Worse
+    }
+}
+
+/// Relative change that is none yet.
+#[must_use]
+pub fn tolerance(meaning: Meaning) -> f64 {
+    match meaning {
+        Meaning::Count => COUNT_CHANGE,
+        // Nobody sums up a bound.
+        Meaning::GateBound => 0.0,
+        _ => SUMS_IN_ANOTHER_ORDER,
+    }
+}

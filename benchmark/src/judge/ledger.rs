@@ -1,0 +1,204 @@
+//! The ledger of accepted changes: which number moved from where to where, and why somebody took it.
+//!
+//! A file of comma-separated values that grows at its end, one line per number. A change that it names is accepted; and
+//! it remembers the best value that a number ever had, so that many small steps do not add up to a large one unseen.
+
+use super::change::{Change, Found, Moved, tolerance};
+use proctor_kernel::output::{OutputError, atomic};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// How a number moved, as the ledger says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum What {
+    /// For the better, or by less than is judged.
+    Better,
+    /// For the worse, or where neither is better: somebody took it with its reason.
+    Worse,
+    /// It was not there before.
+    New,
+    /// It is no longer there.
+    Gone,
+}
+
+/// An accepted change.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Line {
+    /// Which record: `quick`, `full`, or empty for counts.
+    pub ladder: String,
+    /// Which case, as a comparison names it.
+    pub case: String,
+    /// Key of the number or word.
+    pub number: String,
+    /// What stood there, `none` where nothing did.
+    pub from: String,
+    /// What stands there now, `none` where nothing does.
+    pub to: String,
+    /// How it moved.
+    pub what: What,
+    /// Why it was accepted.
+    pub reason: String,
+    /// Commit of the sources that were measured, `+` where they held more than it.
+    pub commit: String,
+}
+
+/// All accepted changes, in their order.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Ledger {
+    /// Line by line.
+    pub lines: Vec<Line>,
+}
+
+/// A ledger that cannot be read.
+#[derive(Debug)]
+pub struct LedgerError {
+    path: PathBuf,
+    reason: String,
+}
+
+impl fmt::Display for LedgerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.path.display(), self.reason)
+    }
+}
+
+impl std::error::Error for LedgerError {}
+
+impl Ledger {
+    /// Reads a ledger.
+    ///
+    /// # Errors
+    /// [`LedgerError`] if there is no file, or a line is none of a ledger.
+    pub fn read(path: &Path) -> Result<Self, LedgerError> {
+        let fault = |error: csv::Error| LedgerError {
+            path: path.to_owned(),
+            reason: format!(
+                "{error}; accepted: lines of ladder, case, number, from, to, what (better, worse, new, gone), reason, commit"
+            ),
+        };
+        let mut reader = csv::Reader::from_path(path).map_err(fault)?;
+        let lines: Result<Vec<Line>, _> = reader.deserialize().collect();
+        let lines = lines.map_err(fault)?;
+        if let Some(at) = lines.iter().position(|line| line.reason.trim().is_empty()) {
+            return Err(LedgerError {
+                path: path.to_owned(),
+                reason: format!("line {}: no reason is given", at + 2),
+            });
+        }
+        Ok(Self { lines })
+    }
+
+    /// Writes the ledger, atomically.
+    ///
+    /// # Errors
+    /// [`OutputError`] if the file cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), OutputError> {
+        atomic::write(path, |file| {
+            let mut table = csv::Writer::from_writer(file);
+            for line in &self.lines {
+                table.serialize(line)?;
+            }
+            if self.lines.is_empty() {
+                table.write_record([
+                    "ladder", "case", "number", "from", "to", "what", "reason", "commit",
+                ])?;
+            }
+            table.flush()?;
+            Ok(())
+        })
+    }
+
+    /// Whether `self` is `before` with lines added at its end.
+    #[must_use]
+    pub fn continues(&self, before: &Self) -> bool {
+        self.lines.starts_with(&before.lines)
+    }
+
+    /// Whether lines lead from what stood in BASE to what stands in HEAD.
+    #[must_use]
+    pub fn accepts(&self, ladder: &str, case: &str, change: &Change) -> bool {
+        let target = change.head.to_string();
+        let mut reached = change.base.to_string();
+        let mut stepped = false;
+        for line in self.of(ladder, case, &change.number) {
+            if line.from == reached {
+                reached.clone_from(&line.to);
+                stepped = true;
+            }
+        }
+        stepped && reached == target
+    }
+
+    /// The best value that a number ever had since somebody last took a worse one; `None` where the ledger knows nothing.
+    #[must_use]
+    pub fn best(&self, ladder: &str, case: &str, change: &Change) -> Option<f64> {
+        let mut best: Option<f64> = None;
+        for line in self.of(ladder, case, &change.number) {
+            let (from, to) = (line.from.parse().ok(), line.to.parse::<f64>().ok());
+            best = match (line.what, best.or(from), to) {
+                (What::Better, Some(best), Some(to)) if change.better.loss(best, to) > 0.0 => {
+                    Some(best)
+                }
+                (What::Gone, _, _) => None,
+                (_, best, to) => to.or(best),
+            };
+        }
+        best
+    }
+
+    /// Whether HEAD is worse than the best value that was ever accepted, by more than is judged; that value.
+    #[must_use]
+    pub fn below_best(&self, ladder: &str, case: &str, change: &Change) -> Option<f64> {
+        let head = change.head.number()?;
+        let best = self.best(ladder, case, change)?;
+        (change.better.loss(best, head) > tolerance(change.meaning)).then_some(best)
+    }
+
+    fn of<'a>(
+        &'a self,
+        ladder: &'a str,
+        case: &'a str,
+        number: &'a str,
+    ) -> impl Iterator<Item = &'a Line> {
+        self.lines
+            .iter()
+            .filter(move |line| line.ladder == ladder && line.case == case && line.number == number)
+    }
+
+    /// The line that accepts a change.
+    #[must_use]
+    pub fn line(
+        &self,
+        ladder: &str,
+        case: &str,
+        change: &Change,
+        reason: &str,
+        commit: &str,
+    ) -> Line {
+        let what = match (&change.base, &change.head) {
+            (Found::Nothing, _) => What::New,
+            (_, Found::Nothing) => What::Gone,
+            _ if self.worse(ladder, case, change) => What::Worse,
+            _ => What::Better,
+        };
+        Line {
+            ladder: ladder.to_owned(),
+            case: case.to_owned(),
+            number: change.number.clone(),
+            from: change.base.to_string(),
+            to: change.head.to_string(),
+            what,
+            reason: reason.to_owned(),
+            commit: commit.to_owned(),
+        }
+    }
+
+    /// Whether a change is for the worse, against BASE or against the best value ever accepted.
+    #[must_use]
+    pub fn worse(&self, ladder: &str, case: &str, change: &Change) -> bool {
+        matches!(change.moved, Moved::Worse | Moved::Other)
+            || self.below_best(ladder, case, change).is_some()
+    }
+}

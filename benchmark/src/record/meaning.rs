@@ -1,0 +1,123 @@
+//! What a number of a row is, as its key says.
+
+/// What a counter or a label of a row stands for, and with it how two records are compared in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Meaning {
+    /// Relative error (`error_…`): less is better.
+    Error,
+    /// Observed order of convergence (`observed_order…`): more is better.
+    Order,
+    /// What should be zero and has no scale to be relative to (`balance_…`): less is better.
+    Balance,
+    /// What was computed (`value_…`, the time that was reached, the time step): neither is better.
+    Figure,
+    /// What it should have been (`exact_…`): neither is better.
+    Reference,
+    /// What a gate found (`gate_value`): the gate's side says what is better.
+    GateValue,
+    /// The bound of a gate (`gate_bound`): the tighter, the better.
+    GateBound,
+    /// On which side of its bound a gate's value must lie (the label `gate_side`).
+    GateSide,
+    /// Count of work or bytes (`instructions…`, `steps`, `bytes_per_…`, `node_bytes`): less is better.
+    Count,
+    /// What is solved (`particles`, `cell_size`, settings): another value is another case.
+    Setting,
+    /// Hash of the final state (the label `state_hash`).
+    Hash,
+    /// Times, rates and sizes that belong to a machine, and words that describe a row: not judged as numbers.
+    Information,
+}
+
+impl Meaning {
+    /// Every meaning that is judged, in the order in which it is told.
+    pub const JUDGED: [Self; 11] = [
+        Self::Error,
+        Self::Order,
+        Self::Balance,
+        Self::Figure,
+        Self::Reference,
+        Self::GateValue,
+        Self::GateBound,
+        Self::GateSide,
+        Self::Count,
+        Self::Setting,
+        Self::Hash,
+    ];
+
+    /// What a counter is.
+    #[must_use]
+    pub fn of(key: &str) -> Self {
+        match key {
+            "gate_value" => Self::GateValue,
+            "gate_bound" => Self::GateBound,
+            "steps" | "node_bytes" => Self::Count,
+            "particles" | "cell_size" | "courant" | "particles_per_cell" => Self::Setting,
+            "smallest_error" => Self::Error,
+            "time" | "dt" | "dt_over_critical" => Self::Figure,
+            _ if key.starts_with("error_") => Self::Error,
+            _ if key.starts_with("observed_order") => Self::Order,
+            _ if key.starts_with("balance_") => Self::Balance,
+            _ if key.starts_with("value_") => Self::Figure,
+            _ if key.starts_with("exact_") => Self::Reference,
+            _ if key.starts_with("instructions") || key.starts_with("bytes_per_") => Self::Count,
+            _ => Self::Information,
+        }
+    }
+
+    /// What a label is.
+    #[must_use]
+    pub fn of_label(key: &str) -> Self {
+        match key {
+            "state_hash" => Self::Hash,
+            "gate_side" => Self::GateSide,
+            _ => Self::Information,
+        }
+    }
+
+    /// The word for several of its kind.
+    #[must_use]
+    pub fn plural(self) -> &'static str {
+        match self {
+            Self::Error => "errors",
+            Self::Order => "orders",
+            Self::Balance => "balances",
+            Self::Figure => "figures",
+            Self::Reference => "references",
+            Self::GateValue => "gates",
+            Self::GateBound => "bounds",
+            Self::GateSide => "sides of gates",
+            Self::Count => "counts",
+            Self::Setting => "settings",
+            Self::Hash => "hashes",
+            Self::Information => "pieces of information",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_key_says_what_a_number_is() {
+        for (key, meaning) in [
+            ("error_l2_u", Meaning::Error),
+            ("observed_order_bar_l2_u", Meaning::Order),
+            ("balance_momentum", Meaning::Balance),
+            ("value_force", Meaning::Figure),
+            ("exact_force", Meaning::Reference),
+            ("gate_value", Meaning::GateValue),
+            ("gate_bound", Meaning::GateBound),
+            ("instructions", Meaning::Count),
+            ("steps", Meaning::Count),
+            ("particles", Meaning::Setting),
+            ("particle_steps_per_second", Meaning::Information),
+            ("ns_solve", Meaning::Information),
+        ] {
+            assert_eq!(Meaning::of(key), meaning, "{key}");
+        }
+        assert_eq!(Meaning::of_label("state_hash"), Meaning::Hash);
+        assert_eq!(Meaning::of_label("lanes"), Meaning::Information);
+    }
+}
