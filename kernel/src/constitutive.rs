@@ -104,7 +104,7 @@ impl Parameters {
     /// mu/2 (tr F F^T - 3) - mu ln J + lambda/2 (ln J)² \[J/m³\].
     #[must_use]
     pub fn energy_density_of_stretch(&self, trace_b: f64, j: f64) -> f64 {
-        let ln_j = j.ln();
+        let ln_j = libm::log(j);
         0.5 * self.shear * (trace_b - 3.0) - self.shear * ln_j + 0.5 * self.lambda * ln_j * ln_j
     }
 }
@@ -361,7 +361,7 @@ pub fn neo_hookean<L: Lanes, const D: usize>(law: &Parameters, f: &Matrix<L>, j:
     let mut out = [zero; 6];
     let r = L::splat(1.0) / j;
     let mu = L::splat(law.shear) * r;
-    let volumetric = L::splat(law.lambda) * j.map(f64::ln) * r - mu;
+    let volumetric = L::splat(law.lambda) * j.map(libm::log) * r - mu;
     out[0] = mu.mul_add(inner::<L, D>(&f[0], &f[0]), volumetric);
     out[1] = mu.mul_add(inner::<L, D>(&f[1], &f[1]), volumetric);
     if D == 2 {
@@ -414,7 +414,7 @@ pub fn neo_hookean_speed_squared<L: Lanes, const D: usize>(
         .sqrt();
     let largest = L::splat((D as f64 - 1.0).sqrt()).mul_add(spread, mean);
     let (mu, lambda) = (L::splat(law.shear), L::splat(law.lambda));
-    let longitudinal = (lambda * (L::splat(1.0) - j.map(f64::ln)) + mu).max(L::splat(0.0));
+    let longitudinal = (lambda * (L::splat(1.0) - j.map(libm::log)) + mu).max(L::splat(0.0));
     mu.mul_add(largest, longitudinal) / L::splat(law.density)
 }
 

@@ -4,6 +4,8 @@
 //! [`simulation::Simulation`] (state and explicit cycle) -> frames, history, summary.
 
 #![deny(unsafe_code)]
+// What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod bodies;
 pub mod constitutive;

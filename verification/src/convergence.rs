@@ -121,7 +121,7 @@ impl ConvergenceTable {
     /// `(ln h, ln e)` of a row, if both are finite.
     fn point(&self, quantity: usize, row: usize) -> Option<(f64, f64)> {
         let row = self.rows.get(row)?;
-        let point = (row.h.ln(), row.errors.get(quantity)?.ln());
+        let point = (libm::log(row.h), libm::log(*row.errors.get(quantity)?));
         (point.0.is_finite() && point.1.is_finite()).then_some(point)
     }
 }

@@ -27,7 +27,7 @@ pub(super) fn fill(
         FillError::require_positive("volume", Some(index), seed.volume)?;
         let half = match dimension {
             Dimension::Two => [0.5 * seed.volume.sqrt(), 0.5 * seed.volume.sqrt(), 0.5],
-            Dimension::Three => [0.5 * seed.volume.cbrt(); 3],
+            Dimension::Three => [0.5 * libm::cbrt(seed.volume); 3],
         };
         let mut outside = false;
         for axis in 0..3 {

@@ -102,7 +102,7 @@ impl NormalLaw {
                 }
                 let g = gap.max(g_f);
                 let below = (g_f - gap).max(0.0);
-                let barrier = -stiffness * (g - critical_gap).powi(2) * (g / critical_gap).ln();
+                let barrier = -stiffness * (g - critical_gap).powi(2) * libm::log(g / critical_gap);
                 barrier
                     + below
                         * (barrier_pressure(stiffness, critical_gap, g_f)
@@ -115,13 +115,13 @@ impl NormalLaw {
 
 /// Eq. 48 for 0 < g <= g_c.
 fn barrier_pressure(stiffness: f64, g_c: f64, g: f64) -> f64 {
-    stiffness * (g - g_c) * (2.0 * (g / g_c).ln() - g_c / g + 1.0)
+    stiffness * (g - g_c) * (2.0 * libm::log(g / g_c) - g_c / g + 1.0)
 }
 
 /// Its slope with the sign turned.
 fn barrier_slope(stiffness: f64, g_c: f64, g: f64) -> f64 {
     let r = g_c / g;
-    -stiffness * ((2.0 * (g / g_c).ln() - r + 1.0) + (g - g_c) * (2.0 / g + r / g))
+    -stiffness * ((2.0 * libm::log(g / g_c) - r + 1.0) + (g - g_c) * (2.0 / g + r / g))
 }
 
 /// Coulomb friction with a tangential spring.

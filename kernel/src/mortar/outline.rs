@@ -126,7 +126,7 @@ fn circle(center: &[f64; 3], radius: f64, segment: f64) -> Vec<Point> {
     let count = parts(TAU * radius, segment).max(3);
     (0..count)
         .map(|k| {
-            let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
+            let (sin, cos) = libm::sincos(TAU * k as f64 / count as f64);
             Point::new(center[0] + radius * cos, center[1] + radius * sin)
         })
         .collect()

@@ -361,7 +361,7 @@ fn start_domain(
     };
     let factor = match update {
         DomainUpdate::Determinant => {
-            nalgebra::Vector3::repeat(f.determinant().powf(1.0 / axes as f64))
+            nalgebra::Vector3::repeat(libm::pow(f.determinant(), 1.0 / axes as f64))
         }
         DomainUpdate::Stretch => root_diagonal(f.transpose() * f),
         DomainUpdate::LeftStretch => root_diagonal(f * f.transpose()),

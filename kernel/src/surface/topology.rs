@@ -238,7 +238,7 @@ fn vertex_normals(vertices: &[Point], triangles: &[[u32; 3]]) -> Vec<Point> {
         for i in 0..3 {
             let (a, b) = (minus(&x[(i + 1) % 3], &x[i]), minus(&x[(i + 2) % 3], &x[i]));
             let across = cross(&a, &b);
-            let angle = dot(&across, &across).sqrt().atan2(dot(&a, &b));
+            let angle = libm::atan2(dot(&across, &across).sqrt(), dot(&a, &b));
             for axis in 0..3 {
                 sums[triangle[i] as usize][axis] += angle * n[axis];
             }

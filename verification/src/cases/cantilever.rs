@@ -282,7 +282,7 @@ fn outline_points() -> Vec<[f64; 2]> {
     let corners = [[0.0, 0.0], [LENGTH, 0.0], [LENGTH, HEIGHT], [0.0, HEIGHT]];
     let mut points = vec![];
     for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-        let count = ((b[0] - a[0]).hypot(b[1] - a[1]) / step).round() as usize;
+        let count = (libm::hypot(b[0] - a[0], b[1] - a[1]) / step).round() as usize;
         points.extend((0..count).map(|k| {
             let s = k as f64 / count as f64;
             [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]

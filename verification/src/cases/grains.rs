@@ -17,6 +17,7 @@
 //! takes 4.4 kN for every row of grains that moves with the plate, of 38 kN at the end, before any of them has reached
 //! the floor. The slopes with it are stated. `proctor verify grains`.
 
+use libm::{cos, hypot, sin};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
@@ -118,11 +119,10 @@ pub fn outlines(side: usize) -> Vec<Vec<[f64; 2]>> {
             let waves = WAVES.map(|most| (most * random.next(), TAU * random.next()));
             let around = (0..POINTS).map(|k| {
                 let angle = TAU * k as f64 / POINTS as f64;
-                let wave = |(i, (a, phase)): (usize, &(f64, f64))| {
-                    a * ((i + 2) as f64 * angle + phase).cos()
-                };
+                let wave =
+                    |(i, (a, phase)): (usize, &(f64, f64))| a * cos((i + 2) as f64 * angle + phase);
                 let r = 1.0 + waves.iter().enumerate().map(wave).sum::<f64>();
-                [r * angle.cos(), r * angle.sin()]
+                [r * cos(angle), r * sin(angle)]
             });
             let points: Vec<[f64; 2]> = around.collect();
             let place = [grain % side, grain / side];
@@ -265,7 +265,7 @@ impl Watch {
         };
         vec![
             plain(INSIDE, self.inside as f64, "1"),
-            plain(MOMENTUM, left[0].hypot(left[1]) / self.plate[1].abs(), "1"),
+            plain(MOMENTUM, hypot(left[0], left[1]) / self.plate[1].abs(), "1"),
             plain(BALANCE, (plate - floor - damping).abs() / plate, "1"),
             plain(FLOOR_SHARE, floor / plate, "1"),
             plain(

@@ -150,7 +150,7 @@ impl Hertz {
 
 /// Point of the disk's circle at a length along it from the bottom.
 fn on_circle(s: f64) -> [f64; 2] {
-    let (sin, cos) = (s / RADIUS).sin_cos();
+    let (sin, cos) = libm::sincos(s / RADIUS);
     [RADIUS * sin, GAP + RADIUS * (1.0 - cos)]
 }
 

@@ -170,7 +170,7 @@ fn indenter() -> Chain {
     }
     let count = (PI * RADIUS / SEGMENT).round() as usize;
     points.extend((0..count).map(|k| {
-        let (sin, cos) = (PI * (1.0 + k as f64 / count as f64)).sin_cos();
+        let (sin, cos) = libm::sincos(PI * (1.0 + k as f64 / count as f64));
         Point::new(left + RADIUS + RADIUS * cos, low + RADIUS * sin)
     }));
     Chain {

@@ -202,7 +202,7 @@ impl History {
             },
             plain(BEGIN, begin, "s"),
             plain(LAST, end, "s"),
-            plain(MOMENTUM, x.hypot(y) / momentum_of_one(), "1"),
+            plain(MOMENTUM, libm::hypot(x, y) / momentum_of_one(), "1"),
             plain(LOSS, 1.0 - last / first, "1"),
             plain(GAIN, largest / first, "1"),
         ])

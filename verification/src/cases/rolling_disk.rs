@@ -111,7 +111,7 @@ impl RollingDisk {
             .map_err(|e| failed(case, rung, &e))
         };
         follow(&mut simulation, STAGE, &mut 0.0)?;
-        let (sin, cos) = INCLINATION_DEGREES.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
         simulation
             .set_local_damping(None)
             .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
@@ -326,7 +326,7 @@ impl Study for RollingDisk {
         };
         let (from, to, below, above) = (-1.2, 9.6, -0.4, 1.4);
         let cells = |length: f64| (length / h).round() as usize;
-        let normal = GRAVITY * INCLINATION_DEGREES.to_radians().cos();
+        let normal = GRAVITY * libm::cos(INCLINATION_DEGREES.to_radians());
         let mut scene = Scene {
             name: rung.label.clone(),
             time_step: settings.multiplier(),

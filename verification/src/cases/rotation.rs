@@ -78,7 +78,7 @@ impl Rotation {
 
     /// Where the point `x` (m) is after a turn by `angle` (rad).
     fn turned(x: [f64; 3], angle: f64) -> [f64; 3] {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = libm::sincos(angle);
         let (a, b) = (x[0] - MIDDLE, x[1] - MIDDLE);
         [MIDDLE + cos * a - sin * b, MIDDLE + sin * a + cos * b, x[2]]
     }

@@ -97,7 +97,7 @@ pub fn relax(
         }
         if info.step % REPORT_EVERY == 0 {
             // Residuals fall exponentially, so their logarithm measures the way.
-            observer.progress((least.ln() / tolerance.ln()).clamp(0.0, 1.0));
+            observer.progress((libm::log(least) / libm::log(tolerance)).clamp(0.0, 1.0));
         }
     }
     Err(Unrest::Slow {

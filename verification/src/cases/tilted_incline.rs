@@ -225,8 +225,8 @@ impl TiltedIncline {
     fn exact(problem: &Problem) -> Slope {
         let tilt = TILT.to_radians();
         Slope {
-            along: GRAVITY * tilt.sin(),
-            into: GRAVITY * tilt.cos(),
+            along: GRAVITY * libm::sin(tilt),
+            into: GRAVITY * libm::cos(tilt),
             friction: problem.friction,
         }
     }
@@ -478,7 +478,7 @@ impl Study for TiltedIncline {
         let frame = Frame::new(rung.cell, problem.turned);
         let mut simulation = Self::released(&scene, &frame, &problem, options, observer)
             .map_err(|e| failed(self, rung, &e))?;
-        let weight = GRAVITY * TILT.to_radians().cos();
+        let weight = GRAVITY * libm::cos(TILT.to_radians());
         let mut deepest = 0.0_f64;
         let directions = [frame.down, frame.out];
         let tracks = follow_along(directions, &[0], weight, &mut simulation, observer, |s| {

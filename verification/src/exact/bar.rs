@@ -4,6 +4,8 @@
 
 use std::f64::consts::PI;
 
+use libm::{cos, sin};
+
 /// What holds the far end of the bar; the near end `x = 0` is fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FarEnd {
@@ -58,22 +60,20 @@ impl Bar {
     #[must_use]
     pub fn displacement(&self, x: f64, t: f64) -> f64 {
         let w = self.angular_frequency();
-        self.velocity_amplitude / w * (w * t).sin() * (self.wave_number() * x).sin()
+        self.velocity_amplitude / w * sin(w * t) * sin(self.wave_number() * x)
     }
 
     /// Velocity, m/s.
     #[must_use]
     pub fn velocity(&self, x: f64, t: f64) -> f64 {
-        self.velocity_amplitude
-            * (self.angular_frequency() * t).cos()
-            * (self.wave_number() * x).sin()
+        self.velocity_amplitude * cos(self.angular_frequency() * t) * sin(self.wave_number() * x)
     }
 
     /// Derivative of the velocity along the bar, 1/s.
     #[must_use]
     pub fn velocity_gradient(&self, x: f64, t: f64) -> f64 {
         let b = self.wave_number();
-        self.velocity_amplitude * b * (self.angular_frequency() * t).cos() * (b * x).cos()
+        self.velocity_amplitude * b * cos(self.angular_frequency() * t) * cos(b * x)
     }
 
     /// Axial stress, Pa.
@@ -81,13 +81,13 @@ impl Bar {
     pub fn stress(&self, x: f64, t: f64) -> f64 {
         let b = self.wave_number();
         let w = self.angular_frequency();
-        self.modulus * self.velocity_amplitude / w * b * (w * t).sin() * (b * x).cos()
+        self.modulus * self.velocity_amplitude / w * b * sin(w * t) * cos(b * x)
     }
 
     /// Velocity of the centre of mass, m/s: `v0/(b L) (1 - cos(b L)) cos(w t)`.
     #[must_use]
     pub fn mean_velocity(&self, t: f64) -> f64 {
         let bl = self.wave_number() * self.length;
-        self.velocity_amplitude / bl * (1.0 - bl.cos()) * (self.angular_frequency() * t).cos()
+        self.velocity_amplitude / bl * (1.0 - cos(bl)) * cos(self.angular_frequency() * t)
     }
 }

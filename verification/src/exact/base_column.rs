@@ -7,6 +7,8 @@
 
 use std::f64::consts::TAU;
 
+use libm::{cos, sin};
+
 /// A column on a moving base.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BaseColumn {
@@ -47,7 +49,7 @@ impl BaseColumn {
     #[must_use]
     pub fn steady_amplification(&self, z: f64, frequency: f64) -> f64 {
         let wave_number = TAU * frequency / self.wave_speed;
-        (wave_number * (self.height - z)).cos() / (wave_number * self.height).cos()
+        cos(wave_number * (self.height - z)) / cos(wave_number * self.height)
     }
 
     /// Lowest natural frequency, Hz: `c / (4 H)`.
@@ -100,21 +102,20 @@ impl SineRecord {
     #[must_use]
     pub fn acceleration(&self, t: f64) -> f64 {
         let w = TAU * self.frequency;
-        self.amplitude * w * (w * t + self.phase).cos()
+        self.amplitude * w * cos(w * t + self.phase)
     }
 
     /// Velocity, m/s: `A sin(2 pi f t + alpha) - A sin(alpha)`.
     #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
-        self.amplitude * ((TAU * self.frequency * t + self.phase).sin() - self.phase.sin())
+        self.amplitude * (sin(TAU * self.frequency * t + self.phase) - sin(self.phase))
     }
 
     /// Displacement, m, from zero at `t = 0`.
     #[must_use]
     pub fn displacement(&self, t: f64) -> f64 {
         let w = TAU * self.frequency;
-        self.amplitude
-            * ((self.phase.cos() - (w * t + self.phase).cos()) / w - self.phase.sin() * t)
+        self.amplitude * ((cos(self.phase) - cos(w * t + self.phase)) / w - sin(self.phase) * t)
     }
 }
 
@@ -132,20 +133,20 @@ impl CubedSine {
     #[must_use]
     pub fn acceleration(&self, t: f64) -> f64 {
         let w = TAU * self.frequency;
-        3.0 * self.amplitude * w * (w * t).sin().powi(2) * (w * t).cos()
+        3.0 * self.amplitude * w * sin(w * t).powi(2) * cos(w * t)
     }
 
     /// Velocity, m/s.
     #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
-        self.amplitude * (TAU * self.frequency * t).sin().powi(3)
+        self.amplitude * sin(TAU * self.frequency * t).powi(3)
     }
 
     /// Displacement, m, from zero at `t = 0`: `A/W (2/3 - cos + cos^3/3)`.
     #[must_use]
     pub fn displacement(&self, t: f64) -> f64 {
         let w = TAU * self.frequency;
-        let c = (w * t).cos();
+        let c = cos(w * t);
         self.amplitude / w * (2.0 / 3.0 - c + c.powi(3) / 3.0)
     }
 }

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 /// (Boussinesq 1885; technical manual, section 20.1). Infinite at the load itself.
 #[must_use]
 pub fn vertical_displacement(young: f64, poisson: f64, load: f64, radius: f64, depth: f64) -> f64 {
-    let distance = radius.hypot(depth);
+    let distance = libm::hypot(radius, depth);
     if distance == 0.0 {
         return f64::NEG_INFINITY * load.signum();
     }

@@ -46,7 +46,7 @@ impl Hertz {
     #[must_use]
     pub fn stress_on_axis(&self, depth: f64) -> [f64; 2] {
         let (b, p) = (self.half_width(), self.peak());
-        let root = b.hypot(depth);
+        let root = libm::hypot(b, depth);
         [
             -p / b * ((b * b + 2.0 * depth * depth) / root - 2.0 * depth),
             -p * b / root,

@@ -8,6 +8,7 @@
 
 use super::fe::Barrier;
 use super::hertz::Hertz;
+use libm::log;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
@@ -63,7 +64,7 @@ impl LayerContact {
         let width = extent / cells as f64;
         let x = |k: usize| (k as f64 + 0.5) * width;
         // Integral of ln|x - s| over a cell and its mirror image.
-        let primitive = |u: f64| if u == 0.0 { 0.0 } else { u * u.abs().ln() - u };
+        let primitive = |u: f64| if u == 0.0 { 0.0 } else { u * log(u.abs()) - u };
         let over = |x: f64, s: f64| primitive(s + 0.5 * width - x) - primitive(s - 0.5 * width - x);
         let factor = 2.0 / (PI * hertz.modulus);
         let kernel = DMatrix::from_fn(cells, cells, |i, j| {

@@ -17,7 +17,7 @@ impl HertzSphere {
     /// Radius of the contact, a = (3 F R/(4 E*))^(1/3) \[m\].
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
-        (0.75 * self.load * self.radius / self.modulus).cbrt()
+        libm::cbrt(0.75 * self.load * self.radius / self.modulus)
     }
 
     /// Largest pressure, p_0 = 3 F/(2 pi a²) \[Pa\].
@@ -44,6 +44,6 @@ impl HertzSphere {
     #[must_use]
     pub fn mean_within(&self, r: f64) -> f64 {
         let square = (r / self.contact_radius()).powi(2).min(1.0);
-        self.peak() * (1.0 - (1.0 - square).powf(1.5)) / (1.5 * square)
+        self.peak() * (1.0 - libm::pow(1.0 - square, 1.5)) / (1.5 * square)
     }
 }

@@ -17,13 +17,13 @@ impl RollingDisk {
     /// Whether it rolls without slip: tan(theta) <= 3 mu, as friction must give a third of the pull down the plane.
     #[must_use]
     pub fn sticks(&self) -> bool {
-        self.inclination.tan() <= 3.0 * self.friction
+        libm::tan(self.inclination) <= 3.0 * self.friction
     }
 
     /// Acceleration along the plane \[m/s²\] and angular acceleration \[1/s²\] (Liang et al. 2024, eq. 60).
     #[must_use]
     pub fn accelerations(&self) -> (f64, f64) {
-        let (sin, cos) = self.inclination.sin_cos();
+        let (sin, cos) = libm::sincos(self.inclination);
         if self.sticks() {
             let a = 2.0 / 3.0 * self.gravity * sin;
             (a, a / self.radius)

@@ -2,13 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use libm::{exp, log1p, sincos};
+use nalgebra::Matrix3;
 
 /// Stress (Pa) after a rigid rotation of the body by `angle` (rad) about the z axis: `Q s Q^T`.
 #[must_use]
 pub fn rotated_stress(stress: &Matrix3<f64>, angle: f64) -> Matrix3<f64> {
-    let q = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
-    q.matrix() * stress * q.matrix().transpose()
+    let (sin, cos) = sincos(angle);
+    let q = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
+    q * stress * q.transpose()
 }
 
 /// Growth of the in-plane stress deviator over one turn in `steps` equal steps of the forward Jaumann
@@ -18,12 +20,12 @@ pub fn rotated_stress(stress: &Matrix3<f64>, angle: f64) -> Matrix3<f64> {
 #[must_use]
 pub fn forward_jaumann_growth(steps: u32) -> f64 {
     let twice = 2.0 * TAU / f64::from(steps);
-    (0.5 * f64::from(steps) * (twice * twice).ln_1p()).exp()
+    exp(0.5 * f64::from(steps) * log1p(twice * twice))
 }
 
 /// Growth of `det F` over one turn in `steps` equal steps of `F <- (I + dt L) F`: `(1 + 4 pi^2/N^2)^N`.
 #[must_use]
 pub fn forward_deformation_growth(steps: u32) -> f64 {
     let angle = TAU / f64::from(steps);
-    (f64::from(steps) * (angle * angle).ln_1p()).exp()
+    exp(f64::from(steps) * log1p(angle * angle))
 }

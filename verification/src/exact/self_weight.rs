@@ -4,6 +4,8 @@
 //! configuration gives `sigma_yy = P = -rho0 g (H - Y)` whatever the law; the law gives the shape. With
 //! `S = rho0 g H / M` (M the modulus of confined compression) the base has the nominal stress `-S M`.
 
+use libm::{exp, log};
+
 /// A material law of the self-weight column, in confined compression by the stretch F.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Law {
@@ -61,7 +63,7 @@ impl SelfWeightColumn {
             Law::SmallStrain | Law::RateElastic => {
                 self.lambda / self.confined_modulus() * self.vertical_stress(y0)
             }
-            Law::Hencky | Law::NeoHookean => self.lambda * f.ln() / f,
+            Law::Hencky | Law::NeoHookean => self.lambda * log(f) / f,
         }
     }
 
@@ -76,7 +78,7 @@ impl SelfWeightColumn {
         match self.law {
             Law::SmallStrain if s > -1.0 => 1.0 + s,
             Law::SmallStrain => f64::NAN,
-            Law::RateElastic => s.exp(),
+            Law::RateElastic => exp(s),
             Law::Hencky | Law::NeoHookean => self.solve_stretch(stress),
         }
     }
@@ -95,7 +97,7 @@ impl SelfWeightColumn {
     /// Antiderivative of `F dP` over F, Pa.
     fn work(&self, f: f64) -> f64 {
         let m = self.confined_modulus();
-        let log = f.ln();
+        let log = log(f);
         match self.law {
             Law::SmallStrain => 0.5 * m * f * f,
             Law::RateElastic => m * f,
@@ -110,8 +112,8 @@ impl SelfWeightColumn {
     /// Nominal stress P(F), Pa, of the two laws that are solved by iteration.
     fn nominal_stress(&self, f: f64) -> f64 {
         match self.law {
-            Law::NeoHookean => self.lambda * f.ln() / f + self.mu * (f - 1.0 / f),
-            _ => self.confined_modulus() * f.ln() / f,
+            Law::NeoHookean => self.lambda * log(f) / f + self.mu * (f - 1.0 / f),
+            _ => self.confined_modulus() * log(f) / f,
         }
     }
 
@@ -128,12 +130,12 @@ impl SelfWeightColumn {
             if middle == low || middle == high {
                 break;
             }
-            if self.nominal_stress(middle.exp()) < stress {
+            if self.nominal_stress(exp(middle)) < stress {
                 low = middle;
             } else {
                 high = middle;
             }
         }
-        (0.5 * (low + high)).exp()
+        exp(0.5 * (low + high))
     }
 }

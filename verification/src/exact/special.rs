@@ -2,6 +2,8 @@
 
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 
+use libm::{cos, exp, sin};
+
 /// Beyond this argument the continued fraction of `erfc` needs fewer terms than the power series.
 const SERIES_LIMIT: f64 = 2.0;
 
@@ -20,7 +22,7 @@ fn scaled_erf_series(x: f64, first: u32) -> f64 {
             break;
         }
     }
-    sum * (-x2).exp()
+    sum * exp(-x2)
 }
 
 /// Complementary error function, `erfc(x) = 1 - erf(x)`; absolute error below 1e-15, and relative error below
@@ -38,7 +40,7 @@ pub fn erfc(x: f64) -> f64 {
     for level in (1..=levels).rev() {
         tail = x + 0.5 * f64::from(level) / tail;
     }
-    (-x * x).exp() * 0.5 * FRAC_2_SQRT_PI / tail
+    exp(-x * x) * 0.5 * FRAC_2_SQRT_PI / tail
 }
 
 /// Error function, `erf(x) = 2/sqrt(pi) * integral of exp(-t^2) from 0 to x`; absolute error below 1e-15.
@@ -73,7 +75,7 @@ pub fn gaussian_field_over_x(x: f64) -> f64 {
         }
         FRAC_2_SQRT_PI * scaled_erf_series(x, 1) / (x * x)
     } else {
-        (erf(x) - FRAC_2_SQRT_PI * x * (-x * x).exp()) / (x * x * x)
+        (erf(x) - FRAC_2_SQRT_PI * x * exp(-x * x)) / (x * x * x)
     }
 }
 
@@ -82,11 +84,11 @@ pub fn gaussian_field_over_x(x: f64) -> f64 {
 pub fn cos_pi(t: f64) -> f64 {
     let r = (t - 2.0 * (0.5 * t).round()).abs();
     if r <= 0.25 {
-        (PI * r).cos()
+        cos(PI * r)
     } else if r < 0.75 {
-        (PI * (0.5 - r)).sin()
+        sin(PI * (0.5 - r))
     } else {
-        -(PI * (1.0 - r)).cos()
+        -cos(PI * (1.0 - r))
     }
 }
 

@@ -27,7 +27,7 @@ pub fn skin(shape: &Shape, segment: f64) -> Result<Vec<[[f64; 3]; 3]>, OutlineEr
             let rings = parts(PI * radius, segment).max(2);
             let profile: Vec<[f64; 2]> = (0..=rings)
                 .map(|k| {
-                    let (sin, cos) = (PI * k as f64 / rings as f64).sin_cos();
+                    let (sin, cos) = libm::sincos(PI * k as f64 / rings as f64);
                     let on_axis = k == 0 || k == rings;
                     [if on_axis { 0.0 } else { radius * sin }, -radius * cos]
                 })
@@ -113,7 +113,7 @@ fn revolve(
         let count = 4 * parts(0.25 * TAU * radius, segment);
         (0..count)
             .map(|k| {
-                let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
+                let (sin, cos) = libm::sincos(TAU * k as f64 / count as f64);
                 middle + frame[0] * (radius * cos) + frame[1] * (radius * sin)
             })
             .collect()

@@ -46,7 +46,7 @@ pub fn accelerogram(motion: &Harmonic) -> History {
         .map(|t| {
             motion
                 .frequency
-                .map(|f| motion.amplitude * TAU * f * (TAU * f * t + motion.phase).cos())
+                .map(|f| motion.amplitude * TAU * f * libm::cos(TAU * f * t + motion.phase))
         })
         .collect();
     History { times, values }

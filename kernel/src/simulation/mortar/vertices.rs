@@ -68,7 +68,7 @@ impl Simulation {
             .plane
             .vertices(contact, &origin, |[t]| t)
             .or_else(|| {
-                let of = |[s, t]: [f64; 2]| s.hypot(t);
+                let of = |[s, t]: [f64; 2]| libm::hypot(s, t);
                 self.mortar.space.vertices(contact, &origin, of)
             })
     }

@@ -104,7 +104,7 @@ pub(super) fn half_lengths(set: &ParticleSet, body: &BodyRun, p: usize) -> Vecto
                 0.0
             }
         }),
-        None => [0.5 * set.columns[Layout::VOLUME][p].cbrt(); 3],
+        None => [0.5 * libm::cbrt(set.columns[Layout::VOLUME][p]); 3],
     }
 }
 

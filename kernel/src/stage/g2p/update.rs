@@ -150,7 +150,7 @@ fn strain<L: Lanes, const D: usize>(
             DomainUpdate::Stretch => stretch_diagonal::<L, D>(&f),
             DomainUpdate::LeftStretch => left_stretch_diagonal::<L, D>(&f),
             DomainUpdate::Determinant if D == 2 => [ratio.sqrt(); 3],
-            DomainUpdate::Determinant => [ratio.map(f64::cbrt); 3],
+            DomainUpdate::Determinant => [ratio.map(libm::cbrt); 3],
         };
         for axis in 0..D {
             let l = factor[axis] * load::<L>(call.columns[initial + axis], at, count);

@@ -36,7 +36,7 @@ impl Hanging {
                 let arm: f64 = (0..2).map(|j| f[i][j] * (start[j] - origin[j])).sum();
                 x[i] - x_p[i] - arm
             });
-            distances.push(off[0].hypot(off[1]));
+            distances.push(libm::hypot(off[0], off[1]));
         }
         let displacements = now
             .iter()
@@ -63,7 +63,7 @@ impl Hanging {
         ];
         if self.displacements.len() == reference.len() {
             let off = self.displacements.iter().zip(reference);
-            let off = off.map(|(u, exact)| (u[0] - exact[0]).hypot(u[1] - exact[1]));
+            let off = off.map(|(u, exact)| libm::hypot(u[0] - exact[0], u[1] - exact[1]));
             quantities.push(length(FROM_REFERENCE, rms(off)));
         }
         quantities
@@ -74,7 +74,7 @@ impl Hanging {
 pub(super) fn nearest(simulation: &Simulation, point: [f64; 2]) -> Result<usize, String> {
     let distance = |p: usize| {
         let x = simulation.initial_position(0, p)?;
-        Some((x[0] - point[0]).hypot(x[1] - point[1]))
+        Some(libm::hypot(x[0] - point[0], x[1] - point[1]))
     };
     (0..simulation.sets()[0].len())
         .filter_map(|p| Some((p, distance(p)?)))

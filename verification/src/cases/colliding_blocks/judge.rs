@@ -48,7 +48,7 @@ pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
         }
         if let Kind::Bars(_) = CollidingBlocks::variant(rung).kind {
             // Dispersion of second order spreads a jump over (h² L)^(1/3) on a way of 2 L.
-            let spread = (rung.cell / super::scenes::LENGTH).powf(2.0 / 3.0);
+            let spread = libm::pow(rung.cell / super::scenes::LENGTH, 2.0 / 3.0);
             let front = "dispersion spreads the front of the wave over (h² L)^(1/3)";
             gate(DURATION, 0.5 * spread, front);
             gate(RESTITUTION, spread, front);

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use libm::{cos, sin};
 use proctor_kernel::scene::{ParticleSeed, Vector};
 
 use super::{HEIGHT, LENGTH, TILT};
@@ -33,13 +34,9 @@ impl Frame {
         let tilt = TILT.to_radians();
         let turn = if turned { TURN.to_radians() } else { 0.0 };
         let mut frame = Self {
-            down: [
-                tilt.cos() * turn.cos(),
-                tilt.cos() * turn.sin(),
-                -tilt.sin(),
-            ],
-            across: [-turn.sin(), turn.cos(), 0.0],
-            out: [tilt.sin() * turn.cos(), tilt.sin() * turn.sin(), tilt.cos()],
+            down: [cos(tilt) * cos(turn), cos(tilt) * sin(turn), -sin(tilt)],
+            across: [-sin(turn), cos(turn), 0.0],
+            out: [sin(tilt) * cos(turn), sin(tilt) * sin(turn), cos(tilt)],
             corner: [0.0; 3],
             width: if turned { WIDTH } else { h },
             cells: [1; 3],

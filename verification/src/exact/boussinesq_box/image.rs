@@ -11,6 +11,8 @@
 
 use std::f64::consts::{FRAC_2_SQRT_PI, TAU};
 
+use libm::{asinh, atan, exp, hypot, log};
+
 use super::BoxProblem;
 use super::mode::Medium;
 use crate::exact::special::{erf_over_x, erfc, gauss_legendre, gaussian_field_over_x};
@@ -103,9 +105,9 @@ impl<'a> Images<'a> {
         let r2 = x * x + y * y;
         let big_r = (r2 + d * d).sqrt();
         let tail = erfc(s * big_r);
-        let g = tail / big_r.powi(3)
-            + FRAC_2_SQRT_PI * s * (-(s * big_r).powi(2)).exp() / (big_r * big_r);
-        let l = ((-s * s * r2).exp() * erfc(s * d) - d / big_r * tail) / r2;
+        let g =
+            tail / big_r.powi(3) + FRAC_2_SQRT_PI * s * exp(-(s * big_r).powi(2)) / (big_r * big_r);
+        let l = (exp(-s * s * r2) * erfc(s * d) - d / big_r * tail) / r2;
         // Straight below the load the lateral parts vanish by symmetry; at the surface so does d times the gradient.
         let along = |factor: f64, c: f64| if c == 0.0 { 0.0 } else { factor * c };
         Blocks {
@@ -141,12 +143,12 @@ impl<'a> Images<'a> {
         let big_r = (x * x + y * y + d * d).sqrt();
         // Each is zero in the limit where its denominator is.
         let ratio = |p: f64, q: f64| if q == 0.0 { 0.0 } else { p / q };
-        let asinh_y = ratio(y, x.hypot(d)).asinh();
-        let asinh_x = ratio(x, y.hypot(d)).asinh();
-        let angle = ratio(x * y, d * big_r).atan();
+        let asinh_y = asinh(ratio(y, hypot(x, d)));
+        let asinh_x = asinh(ratio(x, hypot(y, d)));
+        let angle = atan(ratio(x * y, d * big_r));
         let strip = |p: f64, q: f64, asinh_q: f64| {
-            let log = if q == 0.0 { 0.0 } else { q * (big_r + d).ln() };
-            log + d * asinh_q + p * (ratio(q, p).atan() - ratio(q * d, p * big_r).atan())
+            let log = if q == 0.0 { 0.0 } else { q * log(big_r + d) };
+            log + d * asinh_q + p * (atan(ratio(q, p)) - atan(ratio(q * d, p * big_r)))
         };
         Blocks {
             potential: x * asinh_y + y * asinh_x - d * angle,
@@ -165,7 +167,7 @@ impl<'a> Images<'a> {
         let l = if r2 == 0.0 {
             0.0
         } else {
-            (1.0 - (-s * s * r2).exp() * erfc(s * d) - d * potential) / r2
+            (1.0 - exp(-s * s * r2) * erfc(s * d) - d * potential) / r2
         };
         Blocks {
             potential,

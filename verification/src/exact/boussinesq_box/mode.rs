@@ -1,5 +1,7 @@
 //! One cosine mode of the elastic layer on rollers: its profile over the height.
 
+use libm::{exp, expm1};
+
 /// Elastic constants and height of the box.
 #[derive(Debug, Clone)]
 pub(super) struct Medium {
@@ -62,15 +64,12 @@ impl Medium {
                 ..Mode::default()
             };
         }
-        let (s, c) = (
-            -0.5 * (-2.0 * k * z).exp_m1(),
-            0.5 * (1.0 + (-2.0 * k * z).exp()),
-        );
+        let (s, c) = (-0.5 * expm1(-2.0 * k * z), 0.5 * (1.0 + exp(-2.0 * k * z)));
         let kz = k * z;
         let kh = k * self.height;
-        let fade = (-2.0 * kh).exp();
-        let (s_h, c_h) = (-0.5 * (-2.0 * kh).exp_m1(), 0.5 * (1.0 + fade));
-        let scale = (-k * (self.height - z)).exp() / (s_h * c_h + kh * fade);
+        let fade = exp(-2.0 * kh);
+        let (s_h, c_h) = (-0.5 * expm1(-2.0 * kh), 0.5 * (1.0 + fade));
+        let scale = exp(-k * (self.height - z)) / (s_h * c_h + kh * fade);
         let compliance = scale / (2.0 * self.shear * k);
         let nu = self.poisson;
         Mode {
@@ -84,7 +83,7 @@ impl Medium {
     /// The same mode in the half-space, `depth` (m) below the surface, `k > 0`: what [`Self::mode`] becomes for an infinite height.
     pub fn half_space_mode(&self, k: f64, depth: f64) -> Mode {
         let kd = k * depth;
-        let fade = (-kd).exp();
+        let fade = exp(-kd);
         let compliance = fade / (2.0 * self.shear * k);
         let nu = self.poisson;
         Mode {

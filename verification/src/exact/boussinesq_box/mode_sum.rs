@@ -104,7 +104,7 @@ pub(super) fn sum<const N: usize>(
         let kx = m * PI / a;
         for &(n, y_amplitude) in y_modes {
             let ky = n * PI / b;
-            let k = kx.hypot(ky);
+            let k = libm::hypot(kx, ky);
             if k > amplitudes.k_max {
                 break;
             }

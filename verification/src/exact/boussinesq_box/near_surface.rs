@@ -9,6 +9,8 @@
 
 use std::f64::consts::PI;
 
+use libm::exp;
+
 use super::mode::{Medium, Mode};
 use crate::exact::special::erfc;
 
@@ -51,7 +53,7 @@ impl<'a> Split<'a> {
         let nu = medium.poisson;
         if k == 0.0 {
             // The images carry a mean value that the series does not have: take it out.
-            let potential = 2.0 * eta / PI.sqrt() * (-ratio * ratio).exp() - d * erfc(ratio);
+            let potential = 2.0 * eta / PI.sqrt() * exp(-ratio * ratio) - d * erfc(ratio);
             let field = erfc(ratio);
             let vertical = medium.mode(0.0, self.z).vertical
                 + compliance * (2.0 * (1.0 - nu) * potential + d * field);
@@ -67,9 +69,9 @@ impl<'a> Split<'a> {
             mode.vertical = layer.vertical - half_space.vertical;
         }
         if k * eta < FILTER_END {
-            let down = (-k * d).exp() * erfc(k * eta - ratio);
-            let up = (k * d).exp() * erfc(k * eta + ratio);
-            let gauss = erfc(ratio) * (-k * k * eta * eta).exp();
+            let down = exp(-k * d) * erfc(k * eta - ratio);
+            let up = exp(k * d) * erfc(k * eta + ratio);
+            let gauss = erfc(ratio) * exp(-k * k * eta * eta);
             // Long parts of e^(-kd)/k, e^(-kd) and k e^(-kd)/k^2.
             let potential = 0.5 * (down + up) / k;
             let field = 0.5 * (down - up);

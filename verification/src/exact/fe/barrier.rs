@@ -22,7 +22,7 @@ impl Barrier {
         }
         // s = g/g_c; b(s) = -(s - 1)² ln s with its first two derivatives.
         let s = (gap / g_c).max(self.floor);
-        let (log, open) = (s.ln(), s - 1.0);
+        let (log, open) = (libm::log(s), s - 1.0);
         let b = -open * open * log;
         let b1 = -2.0 * open * log - open * open / s;
         let b2 = -2.0 * log - 4.0 * open / s + open * open / (s * s);

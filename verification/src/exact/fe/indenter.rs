@@ -26,7 +26,7 @@ impl Indenter {
         let mut forces = [[0.0; 2]; 2];
         for s in [0.5 - 0.5 * GAUSS, 0.5 + 0.5 * GAUSS] {
             let out: [f64; 2] = std::array::from_fn(|i| p[i] + s * along[i] - center[i]);
-            let distance = out[0].hypot(out[1]);
+            let distance = libm::hypot(out[0], out[1]);
             let gap = distance - self.radius;
             if gap >= self.barrier.critical_gap {
                 continue;

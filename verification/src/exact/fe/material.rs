@@ -49,7 +49,7 @@ impl NeoHookean {
         if j.is_nan() || j <= 0.0 {
             return None;
         }
-        let log = j.ln();
+        let log = libm::log(j);
         let pull = (self.lambda * log - self.shear) / j;
         let stress = [
             [self.shear * a + pull * d, self.shear * b - pull * c],

@@ -51,7 +51,7 @@ impl Mesh {
         let node = |i: usize, k: usize| k * (n + 1) + i;
         let nodes = (0..=around)
             .flat_map(|k| {
-                let (sin, cos) = (PI * k as f64 / around as f64).sin_cos();
+                let (sin, cos) = libm::sincos(PI * k as f64 / around as f64);
                 (0..=n).map(move |i| {
                     let r = inner + (outer - inner) * i as f64 / n as f64;
                     [center[0] + r * cos, center[1] + r * sin]

@@ -229,7 +229,7 @@ impl Model {
             let [a, b, c, d] = nodes.map(at);
             let area = 0.5 * ((c[0] - a[0]) * (d[1] - b[1]) - (d[0] - b[0]) * (c[1] - a[1]));
             let longest = [(a, b), (b, c), (c, d), (d, a)]
-                .map(|(p, q)| (q[0] - p[0]).hypot(q[1] - p[1]))
+                .map(|(p, q)| libm::hypot(q[0] - p[0], q[1] - p[1]))
                 .into_iter()
                 .fold(0.0, f64::max);
             smallest = smallest.min(area.max(0.0) / longest);
@@ -243,7 +243,7 @@ impl Model {
         if slope > 0.0 {
             for [a, b] in &self.mesh.outer {
                 let (p, q) = (at(*a), at(*b));
-                let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+                let length = libm::hypot(q[0] - p[0], q[1] - p[1]);
                 let lightest = self.masses[*a].min(self.masses[*b]);
                 dt = dt.min(2.0 * (lightest / (slope * length)).sqrt());
             }
