@@ -3,6 +3,7 @@
 //! The kernel promises the same bits on every machine, so that nothing here knows of noise: two records of one program are
 //! equal, and what is not equal was changed.
 
+use crate::record::row::{GATE_BOUND, GATE_SIDE, GATE_VALUE};
 use crate::record::{Meaning, Series};
 use std::collections::BTreeSet;
 use std::fmt;
@@ -243,8 +244,8 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
 /// Whether a gate lies on the right side of its bound; `None` for what is no gate. One without a value does not.
 #[must_use]
 pub fn gate_holds(series: &Series) -> Option<bool> {
-    let bound = worst(Better::Neither, series.counters.get("gate_bound")?);
-    let Some(values) = series.counters.get("gate_value") else {
+    let bound = worst(Better::Neither, series.counters.get(GATE_BOUND)?);
+    let Some(values) = series.counters.get(GATE_VALUE) else {
         return Some(false);
     };
     Some(match side(series) {
@@ -256,7 +257,7 @@ pub fn gate_holds(series: &Series) -> Option<bool> {
 
 /// Which side of a gate is right.
 fn side(series: &Series) -> Better {
-    let words = series.labels.get("gate_side");
+    let words = series.labels.get(GATE_SIDE);
     match words.and_then(|words| words.first()).map(String::as_str) {
         Some("at most") => Better::Lower,
         Some("at least") => Better::More,

@@ -1,5 +1,6 @@
 //! Rows of verification cases.
 
+use super::row::{GATE, GATE_BOUND, GATE_SIDE, GATE_VALUE};
 use super::{LADDER, Record, Row, key};
 use crate::measure::Spent;
 use crate::suite::{Ran, RanRung};
@@ -64,10 +65,10 @@ fn run_row(case: &str, ran: &RanRung, repetition: u64, spent: Spent, threads: us
 
 /// A gate with what it found, as numbers that two records are compared in.
 fn gate_row(case: &str, gate: &Gate, threads: usize) -> Row {
-    let mut row = Row::aggregate(format!("{case}: {}", gate.name), "gate", threads);
-    row.count("gate_value", gate.value);
-    row.count("gate_bound", gate.bound);
-    row.label("gate_side", gate.relation.words());
+    let mut row = Row::aggregate(format!("{case}: {}", gate.name), GATE, threads);
+    row.count(GATE_VALUE, gate.value);
+    row.count(GATE_BOUND, gate.bound);
+    row.label(GATE_SIDE, gate.relation.words());
     row
 }
 

@@ -6,11 +6,14 @@
 //! | github | github-action-benchmark, `customSmallerIsBetter` | median \[ms\] | errors and counts, for which less is better |
 //! | critcmp | critcmp, as its own `--export` writes it | mean and median \[ns\] | particles per second |
 //! | CSV | everything else | every row \[s\] | every counter and label |
+//! | gates | people: Markdown, a table per case | none | what each gate found, and its bound |
 
-use super::{CaseKey, Cases, Record, Series};
+use super::row::{GATE, GATE_BOUND, GATE_SIDE, GATE_VALUE};
+use super::{CaseKey, Cases, Kind, Record, Series};
+use crate::show::number;
 use crate::statistics::{Summary, median, ratio_interval};
 use serde_json::{Map, Value, json};
-use std::fmt;
+use std::fmt::{self, Write as _};
 
 /// Shape of an exported record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +26,8 @@ pub enum Format {
     Critcmp,
     /// Comma-separated values, a line per row.
     Csv,
+    /// What each gate found and its bound, as Markdown.
+    Gates,
 }
 
 /// Why a record cannot be exported.
@@ -56,6 +61,7 @@ pub fn text(record: &Record, format: Format, baseline: &str) -> Result<String, E
         Format::Github => github(&cases),
         Format::Critcmp => critcmp(&cases, baseline),
         Format::Csv => return csv(record),
+        Format::Gates => return gates(record),
     };
     value
         .map(|value| format!("{value:#}\n"))
@@ -208,4 +214,47 @@ fn csv(record: &Record) -> Result<String, ExportError> {
     let mut bytes = vec![];
     record.table(&mut bytes).map_err(ExportError::Csv)?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Gates as a table per case, in the order of the record. One that does not hold is marked.
+fn gates(record: &Record) -> Result<String, ExportError> {
+    let word = |key: &str| record.context[key].as_str().unwrap_or("unknown");
+    let mut text = format!(
+        "Measured {} at commit {}, {} ladders. Units are SI, errors relative.\n",
+        word("date"),
+        word("commit").chars().take(10).collect::<String>(),
+        record.ladder().unwrap_or("other"),
+    );
+    let mut before = "";
+    for row in &record.rows {
+        let is_gate = matches!(&row.kind, Kind::Aggregate { name } if name == GATE);
+        let (true, Some((case, gate))) = (is_gate, row.name.split_once(": ")) else {
+            continue;
+        };
+        if case != before {
+            let _ = write!(
+                text,
+                "\n## {case}\n\n| gate | found | bound |\n|---|--:|--:|\n"
+            );
+            before = case;
+        }
+        let value = row.counters.get(GATE_VALUE).copied();
+        let bound = row.counters.get(GATE_BOUND).copied().unwrap_or(f64::NAN);
+        let side = row.labels.get(GATE_SIDE).map_or("", String::as_str);
+        let holds = match side {
+            "at least" => value.is_some_and(|value| value >= bound),
+            _ => value.is_some_and(|value| value <= bound),
+        };
+        let _ = writeln!(
+            text,
+            "| {gate} | {}{} | {side} {} |",
+            value.map_or_else(|| "none".to_owned(), number),
+            if holds { "" } else { " **fails**" },
+            number(bound)
+        );
+    }
+    if before.is_empty() {
+        return Err(ExportError::Nothing);
+    }
+    Ok(text)
 }

@@ -1,5 +1,7 @@
 //! What a number of a row is, as its key says.
 
+use super::row::{GATE_BOUND, GATE_SIDE, GATE_VALUE};
+
 /// What a counter or a label of a row stands for, and with it how two records are compared in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Meaning {
@@ -49,8 +51,8 @@ impl Meaning {
     #[must_use]
     pub fn of(key: &str) -> Self {
         match key {
-            "gate_value" => Self::GateValue,
-            "gate_bound" => Self::GateBound,
+            GATE_VALUE => Self::GateValue,
+            GATE_BOUND => Self::GateBound,
             "steps" | "node_bytes" => Self::Count,
             "particles" | "cell_size" | "courant" | "particles_per_cell" => Self::Setting,
             "smallest_error" => Self::Error,
@@ -70,7 +72,7 @@ impl Meaning {
     pub fn of_label(key: &str) -> Self {
         match key {
             "state_hash" => Self::Hash,
-            "gate_side" => Self::GateSide,
+            GATE_SIDE => Self::GateSide,
             _ => Self::Information,
         }
     }

@@ -11,7 +11,7 @@ mod join;
 mod machine;
 mod meaning;
 mod read;
-mod row;
+pub(crate) mod row;
 mod series;
 mod table;
 

@@ -5,6 +5,14 @@ use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+/// Name of the aggregates that are gates.
+pub(crate) const GATE: &str = "gate";
+/// Counter of a gate: what was found.
+pub(crate) const GATE_VALUE: &str = "gate_value";
+/// Counter of a gate: its bound.
+pub(crate) const GATE_BOUND: &str = "gate_bound";
+/// Label of a gate: `at most` or `at least`.
+pub(crate) const GATE_SIDE: &str = "gate_side";
 /// Counter that holds the pass of a row.
 pub(super) const PASS: &str = "pass";
 

@@ -38,6 +38,8 @@ enum Shape {
     Critcmp,
     /// Every row with every counter
     Csv,
+    /// What each gate found and its bound, as Markdown
+    Gates,
 }
 
 impl Export {
@@ -48,6 +50,7 @@ impl Export {
             Shape::Github => Format::Github,
             Shape::Critcmp => Format::Critcmp,
             Shape::Csv => Format::Csv,
+            Shape::Gates => Format::Gates,
         };
         let named = self.out.as_ref().unwrap_or(&self.record).file_stem();
         let baseline = named.map_or_else(|| "record".into(), |name| name.to_string_lossy());

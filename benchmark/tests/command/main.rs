@@ -1,6 +1,7 @@
 //! The behaviour of the `proctor` command: exit codes, messages, files.
 #![allow(missing_docs)]
 
+mod accept;
 mod bad_input;
 mod bench;
 mod compare;
@@ -9,5 +10,7 @@ mod plan;
 mod precision;
 mod restart;
 mod run;
+#[cfg(unix)]
+mod scripts;
 mod support;
 mod verify;
