@@ -46,6 +46,11 @@ fn figures() -> Vec<(Rung, Solved)> {
         error: Some(0.0),
         unit: "1",
     };
+    let ripple = Quantity {
+        exact: Some(0.0),
+        error: None,
+        ..quantity("ripple of the force about its trend", 0.0025)
+    };
     let run = |rung: Rung| {
         let [pressed, down, along] = of(&rung);
         let quantities = vec![
@@ -56,7 +61,7 @@ fn figures() -> Vec<(Rung, Solved)> {
                 "horizontal over vertical force from 120 to 180 s",
                 along / down,
             ),
-            quantity("ripple of the force about its trend", 0.0025),
+            ripple.clone(),
             quantity("L2 of the force while it goes down", 0.0),
         ];
         let solved = Solved {
