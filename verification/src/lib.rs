@@ -7,5 +7,6 @@ pub mod case;
 pub mod cases;
 pub mod convergence;
 pub mod exact;
+pub mod sensitivity;
 pub mod settings;
 pub mod study;

@@ -46,6 +46,7 @@ mod tilted_incline;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};
+use proctor_verification::sensitivity::{Number, Reaction, reactions};
 
 /// Solves all quick rungs on one thread.
 fn solve(case: &dyn Case) -> Vec<(Rung, Solved)> {
@@ -76,14 +77,57 @@ fn failing(verdict: &Verdict) -> Vec<String> {
         .collect()
 }
 
-/// Asserts that all gates of a case hold and that without any run none does; the verdict.
+/// Asserts that all gates of a case hold, that without any run none does, and that each fails as soon as the number
+/// that it names is off by twice its bound, and for no other number; the verdict.
 fn holds(case: &dyn Case) -> Verdict {
-    let verdict = case.judge(Size::Quick, &solve(case));
+    let solved = solve(case);
+    let verdict = case.judge(Size::Quick, &solved);
     assert_eq!(failing(&verdict), Vec::<String>::new());
     assert!(verdict.passed());
     let nothing = case.judge(Size::Quick, &[]);
     assert_eq!(failing(&nothing).len(), nothing.gates.len());
+    errors_are_those_of_their_values(&solved);
+    for Reaction { gate, to } in reactions(case, Size::Quick, &solved) {
+        assert!(!to.is_empty(), "nothing makes it fail: {}", gate.name);
+        for number in to {
+            let (name, Number { rung, quantity }) = (&gate.name, number);
+            assert!(
+                name.contains(quantity),
+                "{name}: fails for {quantity}, {rung}"
+            );
+        }
+    }
     verdict
+}
+
+/// Asserts that an error is that of its value from what is exact, so that moving the one is moving the other.
+fn errors_are_those_of_their_values(solved: &[(Rung, Solved)]) {
+    for (rung, run) in solved {
+        for q in &run.quantities {
+            let (Some(error), Some(exact)) = (q.error, q.exact) else {
+                assert_eq!(
+                    q.error, None,
+                    "{}: {} has no exact value",
+                    rung.label, q.name
+                );
+                continue;
+            };
+            let off = if exact == 0.0 {
+                // Of the unit of the value, or over what it would be without contact.
+                assert!(error <= q.value.abs(), "{}: {}", rung.label, q.name);
+                assert_eq!(error == 0.0, q.value == 0.0, "{}: {}", rung.label, q.name);
+                continue;
+            } else {
+                (q.value / exact - 1.0).abs()
+            };
+            assert!(
+                (error - off).abs() <= 1e-12 + 1e-9 * off,
+                "{}: {}",
+                rung.label,
+                q.name
+            );
+        }
+    }
 }
 
 #[test]

@@ -28,6 +28,8 @@ mod hertz_sphere;
 mod indented_block;
 #[path = "exact/ring_impact.rs"]
 mod ring_impact;
+#[path = "exact/rolling_creep.rs"]
+mod rolling_creep;
 #[path = "exact/rolling_disk.rs"]
 mod rolling_disk;
 #[path = "exact/rotation.rs"]

@@ -141,7 +141,7 @@ impl Case for Boussinesq {
                 reason: "order 2 is expected of uGIMP at small strain; 0.3 is left for meshes that are not yet fine",
             });
             verdict.gates.push(Gate {
-                name: format!("{variant}: unbalanced force over load, worst mesh"),
+                name: format!("{variant}: {RESIDUAL}, unbalanced force over load, worst mesh"),
                 value: residual,
                 relation: Relation::AtMost,
                 bound: RESIDUAL_GATE,

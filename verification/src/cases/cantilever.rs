@@ -240,7 +240,8 @@ impl Cantilever {
             });
         }
         if let Some(hanging) = hanging {
-            quantities.extend(hanging.quantities(&reference.boundary));
+            let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
+            quantities.extend(hanging.quantities(&reference.boundary, sound));
         }
         let solved = Solved {
             particles: simulation.particles(),

@@ -51,7 +51,7 @@ pub use block_on_two_blocks::BlockOnTwoBlocks;
 pub use boussinesq::Boussinesq;
 pub use cantilever::Cantilever;
 pub use colliding_blocks::CollidingBlocks;
-pub use grains::{Grains, outlines as grain_outlines};
+pub use grains::{Grains, apart as grains_apart, outlines as grain_outlines};
 pub use hertz::Hertz;
 pub use hertz_slab::HertzSlab;
 pub use hertz_sphere::HertzSphere;

@@ -16,6 +16,7 @@ pub mod hertz_layer;
 pub mod hertz_sphere;
 pub mod indented_block;
 pub mod ring_impact;
+pub mod rolling_creep;
 pub mod rolling_disk;
 pub mod rotation;
 pub mod self_weight;

@@ -12,7 +12,7 @@ fn gates_hold() {
 #[test]
 fn a_wrong_reference_breaks_every_gate() {
     let wrong = Bar {
-        reference_stiffness: 1.05,
+        reference_stiffness: 1.01,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     assert_eq!(failing(&verdict).len(), verdict.gates.len(), "{verdict:?}");

@@ -12,8 +12,8 @@ fn gates_hold() {
 #[test]
 fn wrong_references_break_every_gate() {
     let wrong = BaseAcceleration {
-        reference_stiffness: 1.02,
-        reference_frequency: 1.01,
+        reference_stiffness: 1.01,
+        reference_frequency: 1.005,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     assert_eq!(failing(&verdict).len(), verdict.gates.len(), "{verdict:?}");

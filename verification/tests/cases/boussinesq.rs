@@ -12,7 +12,7 @@ fn gates_hold() {
 #[test]
 fn a_reference_with_another_poissons_ratio_is_noticed() {
     let wrong = Boussinesq {
-        reference_poisson: 0.3,
+        reference_poisson: 0.28,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     let failing = failing(&verdict);

@@ -9,14 +9,16 @@ fn gates_hold() {
     holds(&Cantilever::GIVEN);
 }
 
+/// A tenth more: four times the bound on the small swing; the large one is held by its length, and its history alone is
+/// within 5 % still.
 #[test]
 fn a_wrong_reference_breaks_the_gates_on_the_tip() {
     let wrong = Cantilever {
-        reference_gravity: 1.2,
+        reference_gravity: 1.1,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     let failing = failing(&verdict);
-    assert_eq!(failing.len(), 4, "{failing:?}");
+    assert_eq!(failing.len(), 3, "{failing:?}");
     assert!(
         failing
             .iter()

@@ -2,6 +2,7 @@
 
 use super::{failing, holds, solve};
 use proctor_verification::case::{Case, Size};
+use proctor_verification::cases::grains_apart::{Polyline, Room, beyond, inside, smallest};
 use proctor_verification::cases::{Grains, grain_outlines};
 
 #[test]
@@ -9,14 +10,51 @@ fn gates_hold() {
     holds(&Grains::GIVEN);
 }
 
+/// The damping carries 7 % of the plate's force at the end of the short run.
 #[test]
 fn a_wrong_damping_breaks_the_balances() {
     let wrong = Grains {
-        reference_damping: 2.0,
+        reference_damping: 1.5,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     let failing = failing(&verdict);
     assert_eq!(failing.len(), 2, "{failing:?}");
+    let of = |name: &str| failing.iter().any(|line| line.contains(name));
+    assert!(of("momentum that no impulse") && of("plate less floor"));
+}
+
+/// Two squares of which one comes nearer, and a room.
+#[test]
+fn what_lies_in_another_grain_or_beyond_a_side_is_counted() {
+    let square = |x: f64, y: f64| {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        corners.map(|[a, b]| [x + a, y + b, 0.0]).to_vec()
+    };
+    let room = Room {
+        x: [0.0, 10.0],
+        y: [0.0, 10.0],
+    };
+    let at = |x, y| vec![square(2.0, 2.0), square(x, y)];
+    let all = |grains: &[Polyline]| {
+        (
+            inside(grains),
+            beyond(grains, &room),
+            smallest(grains, &room, 0.5),
+        )
+    };
+    let near = |(a, b, c): (usize, usize, f64), (d, e, f): (usize, usize, f64)| {
+        assert_eq!((a, b), (d, e));
+        assert!((c - f).abs() < 1e-12, "{c} {f}");
+    };
+    near(all(&at(5.0, 5.0)), (0, 0, 0.5));
+    near(all(&at(3.03, 3.04)), (0, 0, 0.05));
+    near(all(&at(2.9, 2.8)), (2, 0, -0.1));
+    // No deeper than a ten thousandth of a side.
+    near(all(&at(2.9999, 2.5)), (2, 0, -1e-4));
+    for (x, y) in [(-0.01, 5.0), (9.01, 5.0), (5.0, -0.01), (5.0, 9.01)] {
+        near(all(&at(x, y)), (0, 2, -0.01));
+    }
+    near(all(&at(8.9, 5.0)), (0, 0, 0.1));
 }
 
 #[test]

@@ -12,7 +12,7 @@ fn gates_hold() {
 #[test]
 fn a_wrong_reference_breaks_the_gate_on_the_force() {
     let wrong = HertzSphere {
-        reference_load: 1.2,
+        reference_load: 1.02,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     let failing = failing(&verdict);

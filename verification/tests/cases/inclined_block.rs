@@ -13,12 +13,17 @@ fn gates_hold_and_a_picture_shows_all_frictions() {
     assert_eq!(breaks.count(), 5);
 }
 
-/// Gravity along the incline larger by 3/10: it slides faster, and too fast to stick.
+/// Gravity along the incline larger by 1/100, twice the bound: it slides faster. What sticks sticks with a little more,
+/// too.
 #[test]
-fn a_wrong_scene_breaks_every_gate() {
-    let wrong = InclinedBlock { pull: 1.3 };
+fn a_wrong_scene_breaks_every_gate_on_sliding() {
+    let wrong = InclinedBlock { pull: 1.01 };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
-    assert_eq!(failing(&verdict).len(), verdict.gates.len(), "{verdict:?}");
+    for gate in &verdict.gates {
+        let slides = !gate.name.starts_with("stick");
+        assert_eq!(gate.passed(), !slides, "{}: {}", gate.name, gate.value);
+    }
+    assert!(!failing(&verdict).is_empty());
 }
 
 /// The printed scene is that of the manual's file.

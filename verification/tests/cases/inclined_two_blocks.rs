@@ -12,7 +12,7 @@ fn gates_hold() {
 /// A wrong gravity changes every way and acceleration. It pulls nothing.
 #[test]
 fn a_wrong_scene_breaks_every_gate_on_motion() {
-    let wrong = InclinedTwoBlocks { pull: 1.02 };
+    let wrong = InclinedTwoBlocks { pull: 1.01 };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     for gate in &verdict.gates {
         let moves = !gate.name.contains("over weight");

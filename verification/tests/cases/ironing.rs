@@ -2,8 +2,9 @@
 
 use super::{failing, holds, solve};
 use proctor_kernel::scene::read;
-use proctor_verification::case::{Case, Size};
+use proctor_verification::case::{Case, Quantity, Rung, Size, Solved};
 use proctor_verification::cases::Ironing;
+use proctor_verification::sensitivity::{Reaction, reactions};
 use std::path::Path;
 
 #[test]
@@ -11,13 +12,128 @@ fn gates_hold() {
     holds(&Ironing::GIVEN);
 }
 
+/// Twice the bound of the forces.
 #[test]
-fn a_wrong_reference_breaks_every_gate() {
+fn a_wrong_reference_breaks_every_gate_on_a_force() {
     let wrong = Ironing {
-        reference_force: 1.15,
+        reference_force: 1.1,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
-    assert_eq!(failing(&verdict).len(), verdict.gates.len(), "{verdict:?}");
+    let failing = failing(&verdict);
+    assert_eq!(failing.len(), 3, "{failing:?}");
+    assert!(failing.iter().all(|line| line.contains("error of")));
+}
+
+/// What the whole ladder should give: the figures themselves, and no error.
+fn figures() -> Vec<(Rung, Solved)> {
+    let of = |rung: &Rung| -> [f64; 3] {
+        let figures = if rung.variant.contains("friction") {
+            [479.0, 525.0, -82.0]
+        } else {
+            [473.0, 529.0, -20.0]
+        };
+        let stiffness = if rung.variant.contains("kPa") {
+            1e3
+        } else {
+            1.0
+        };
+        figures.map(|f| f * stiffness)
+    };
+    let quantity = |name, value| Quantity {
+        name,
+        value,
+        exact: Some(value),
+        error: Some(0.0),
+        unit: "1",
+    };
+    let ripple = Quantity {
+        exact: Some(0.0),
+        error: None,
+        ..quantity("ripple of the force about its trend", 0.0025)
+    };
+    let run = |rung: Rung| {
+        let [pressed, down, along] = of(&rung);
+        let quantities = vec![
+            quantity("force at 60 s", pressed),
+            quantity("mean force from 120 to 180 s", down),
+            quantity("mean horizontal force from 120 to 180 s", along),
+            quantity(
+                "horizontal over vertical force from 120 to 180 s",
+                along / down,
+            ),
+            ripple.clone(),
+            quantity("L2 of the force while it goes down", 0.0),
+        ];
+        let solved = Solved {
+            particles: 1,
+            steps: 1,
+            time: 180.0,
+            quantities,
+            drawings: vec![],
+            curve: None,
+        };
+        (rung, solved)
+    };
+    let rungs = Ironing::GIVEN.rungs(Size::Full).into_iter();
+    rungs.map(run).collect()
+}
+
+/// Gates that fail where the run of one variant gave what that of another should.
+fn mistaken(solved: &[(Rung, Solved)], size: Size, variant: &str, other: &str) -> Vec<String> {
+    let of = |variant: &str| {
+        let found = solved.iter().position(|(r, _)| r.variant == variant);
+        found.expect("it is run")
+    };
+    let mut mixed = solved.to_vec();
+    let from = &solved[of(other)].1;
+    for q in &mut mixed[of(variant)].1.quantities {
+        q.value = from.value(q.name);
+        q.error = q.exact.map(|exact| (q.value / exact - 1.0).abs());
+    }
+    failing(&Ironing::GIVEN.judge(size, &mixed))
+}
+
+#[test]
+fn friction_is_told_from_none() {
+    let quick = solve(&Ironing::GIVEN);
+    let (with, without) = ("600 Pa, friction", "600 Pa");
+    for (variant, other) in [(with, without), (without, with)] {
+        let failing = mistaken(&quick, Size::Quick, variant, other);
+        assert_eq!(failing.len(), 1, "{failing:?}");
+        assert!(failing[0].contains("what friction adds to the force at 60 s"));
+    }
+    let full = figures();
+    assert!(Ironing::GIVEN.judge(Size::Full, &full).passed());
+    for stiff in ["600 Pa", "600 kPa"] {
+        let with = format!("{stiff}, friction");
+        for (variant, other) in [(with.as_str(), stiff), (stiff, with.as_str())] {
+            let failing = mistaken(&full, Size::Full, variant, other);
+            for name in [
+                "error of the mean horizontal force",
+                "error of horizontal over vertical force",
+            ] {
+                let own = format!("{variant} h=0.2: {name}");
+                assert!(
+                    failing.iter().any(|line| line.starts_with(&own)),
+                    "{failing:?}"
+                );
+            }
+            let added = failing.iter().filter(|line| line.contains("friction adds"));
+            assert_eq!(added.count(), 3, "{failing:?}");
+        }
+    }
+}
+
+#[test]
+fn every_gate_of_the_whole_ladder_reacts() {
+    let full = figures();
+    for Reaction { gate, to } in reactions(&Ironing::GIVEN, Size::Full, &full) {
+        assert!(!to.is_empty(), "nothing makes it fail: {}", gate.name);
+        assert!(
+            to.iter().all(|n| gate.name.contains(n.quantity)),
+            "{gate:?}"
+        );
+    }
 }
 
 #[test]

@@ -12,7 +12,7 @@ fn gates_hold() {
 #[test]
 fn a_wrong_reference_breaks_every_gate() {
     let wrong = SelfWeight {
-        reference_gravity: 1.1,
+        reference_gravity: 1.04,
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     assert_eq!(failing(&verdict).len(), verdict.gates.len(), "{verdict:?}");

@@ -14,7 +14,7 @@ fn gates_hold() {
 /// A wrong gravity changes the fall and the momentum that the weight gives.
 #[test]
 fn a_wrong_scene_breaks_the_gates_on_motion() {
-    let wrong = SphereOnTerrain { pull: 1.3 };
+    let wrong = SphereOnTerrain { pull: 1.01 };
     let rung = wrong
         .rungs(Size::Quick)
         .into_iter()
@@ -28,7 +28,7 @@ fn a_wrong_scene_breaks_the_gates_on_motion() {
         .into_iter()
         .filter(|line| line.starts_with(&rung.label))
         .collect();
-    for name in ["fall until touch", "first force", "momentum", "energy"] {
+    for name in ["fall until touch", "momentum", "energy"] {
         assert!(
             failing.iter().any(|line| line.contains(name)),
             "{name}: {failing:?}"

@@ -14,7 +14,7 @@ fn gates_hold() {
 /// particle goes through.
 #[test]
 fn a_wrong_scene_breaks_every_gate_on_sliding() {
-    let wrong = TiltedIncline { pull: 1.1 };
+    let wrong = TiltedIncline { pull: 1.02 };
     let rungs = wrong.rungs(Size::Quick).into_iter();
     let solved: Vec<_> = rungs
         .filter(|rung| rung.variant == "USL")

@@ -48,12 +48,13 @@ impl Hanging {
         })
     }
 
-    /// Quantities, with the reference's displacements of the same points \[m\].
-    pub(super) fn quantities(&self, reference: &[[f64; 2]]) -> Vec<Quantity> {
+    /// Quantities, with the reference's displacements of the same points \[m\]. All should be zero, but for variants that
+    /// show what is lost without a part of the method.
+    pub(super) fn quantities(&self, reference: &[[f64; 2]], sound: bool) -> Vec<Quantity> {
         let length = |name, value| Quantity {
             name,
             value,
-            exact: None,
+            exact: sound.then_some(0.0),
             error: None,
             unit: "m",
         };

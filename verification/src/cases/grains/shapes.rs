@@ -1,0 +1,62 @@
+//! Outlines of the grains.
+
+use std::f64::consts::TAU;
+
+use super::PART;
+
+/// Seed of the shapes.
+const SEED: u64 = 2024;
+/// Half the extents of a grain \[m\].
+const HALF: [f64; 2] = [1.06, 1.29];
+/// Points around a grain.
+const POINTS: usize = 88;
+/// Largest amplitudes of the waves with 2, 3 and 4 periods over the radius. A wave of k periods makes a circle concave
+/// above 1/(k² + 1).
+const WAVES: [f64; 3] = [0.1, 0.15, 0.06];
+
+/// Uniform numbers on (0, 1) from a seed (splitmix64, Steele et al. 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// Outlines of the grains, counter-clockwise, row by row from the bottom; `side` grains per row and as many rows.
+#[must_use]
+pub fn outlines(side: usize) -> Vec<Vec<[f64; 2]>> {
+    let mut random = Random(SEED);
+    (0..side * side)
+        .map(|grain| {
+            let waves = WAVES.map(|most| (most * random.next(), TAU * random.next()));
+            let around = (0..POINTS).map(|k| {
+                let angle = TAU * k as f64 / POINTS as f64;
+                let wave = |(i, (a, phase)): (usize, &(f64, f64))| {
+                    a * libm::cos((i + 2) as f64 * angle + phase)
+                };
+                let r = 1.0 + waves.iter().enumerate().map(wave).sum::<f64>();
+                [r * libm::cos(angle), r * libm::sin(angle)]
+            });
+            let points: Vec<[f64; 2]> = around.collect();
+            let place = [grain % side, grain / side];
+            let scale: [(f64, f64); 2] = std::array::from_fn(|axis| {
+                let range = points.iter().fold((f64::MAX, f64::MIN), |(low, high), p| {
+                    (low.min(p[axis]), high.max(p[axis]))
+                });
+                let factor = 2.0 * HALF[axis] / (range.1 - range.0);
+                let middle = 0.5 * (range.0 + range.1);
+                let center = (place[axis] as f64 + 0.5) * PART[axis];
+                (factor, center - factor * middle)
+            });
+            let placed = points
+                .iter()
+                .map(|p| std::array::from_fn(|axis| scale[axis].0 * p[axis] + scale[axis].1));
+            placed.collect()
+        })
+        .collect()
+}

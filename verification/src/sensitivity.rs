@@ -1,0 +1,139 @@
+//! Do the gates of a case react? Every number that its runs gave is moved, one at a time, and the case is judged anew.
+//!
+//! [`Case::judge`] is a function of what the runs gave, so this costs no run. A number is moved no further than a
+//! wrong reference of twice the bound would move it: a gate that lets that pass is none.
+
+use crate::case::{Case, Gate, Relation, Rung, Size, Solved};
+
+/// By how much more than its bound a number is moved where a gate is an upper one.
+const BEYOND: f64 = 2.0;
+/// What a lower gate's number is brought down to, as a share of the bound.
+const SHORT: f64 = 0.95;
+/// What a number that must be zero becomes.
+const ANY: f64 = 1e-12;
+
+/// A number of a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Number {
+    /// Label of the rung.
+    pub rung: String,
+    /// Name of the quantity.
+    pub quantity: &'static str,
+}
+
+/// What a gate reacts to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reaction {
+    /// The gate, as it was judged.
+    pub gate: Gate,
+    /// Numbers of which one alone makes it fail. Without any the gate tests nothing that was measured.
+    pub to: Vec<Number>,
+}
+
+/// What each gate reacts to, in the order in which the case names them. A gate that fails already reacts to nothing
+/// here.
+#[must_use]
+pub fn reactions(case: &dyn Case, size: Size, solved: &[(Rung, Solved)]) -> Vec<Reaction> {
+    let gates = case.judge(size, solved).gates;
+    let mut found: Vec<Reaction> = gates
+        .iter()
+        .map(|gate| Reaction {
+            gate: gate.clone(),
+            to: vec![],
+        })
+        .collect();
+    let mut moved = solved.to_vec();
+    // Pictures judge nothing.
+    for (_, run) in &mut moved {
+        run.curve = None;
+        run.drawings.clear();
+    }
+    for run in 0..moved.len() {
+        let refinements = refinements(solved, run);
+        for at in 0..moved[run].1.quantities.len() {
+            let given = moved[run].1.quantities[at].clone();
+            let mut tried: Vec<(Option<f64>, f64)> = vec![];
+            for gate in &gates {
+                for way in ways(gate, &given, &refinements) {
+                    let quantity = &mut moved[run].1.quantities[at];
+                    (quantity.error, quantity.value) = way;
+                    if tried.contains(&way) {
+                        continue;
+                    }
+                    tried.push(way);
+                    let judged = case.judge(size, &moved).gates;
+                    for (reaction, now) in found.iter_mut().zip(&judged) {
+                        // What is meant for another gate may be too far for this one.
+                        if !now.passed()
+                            && reaction.gate.passed()
+                            && ways(&reaction.gate, &given, &refinements).contains(&way)
+                        {
+                            let number = Number {
+                                rung: moved[run].0.label.clone(),
+                                quantity: given.name,
+                            };
+                            if !reaction.to.contains(&number) {
+                                reaction.to.push(number);
+                            }
+                        }
+                    }
+                }
+            }
+            moved[run].1.quantities[at] = given;
+        }
+    }
+    found
+}
+
+/// How much finer a run is than others of its variant, by which an observed order may have been formed.
+fn refinements(solved: &[(Rung, Solved)], run: usize) -> Vec<f64> {
+    let own = &solved[run].0;
+    solved
+        .iter()
+        .filter(|(rung, _)| rung.variant == own.variant && rung.cell != own.cell)
+        .map(|(rung, _)| rung.cell / own.cell)
+        .collect()
+}
+
+/// Error and value of a quantity, moved as far as a gate must notice.
+fn ways(
+    gate: &Gate,
+    given: &crate::case::Quantity,
+    refinements: &[f64],
+) -> Vec<(Option<f64>, f64)> {
+    let mut ways = vec![];
+    match gate.relation {
+        Relation::AtMost => {
+            let by = if gate.bound == 0.0 {
+                ANY
+            } else {
+                BEYOND * gate.bound.abs()
+            };
+            for by in [by, -by] {
+                match (given.error, given.exact) {
+                    // As against a reference that is off by so much.
+                    (Some(_), Some(exact)) if exact != 0.0 => {
+                        let value = given.value + by * exact;
+                        ways.push((Some((value / exact - 1.0).abs()), value));
+                    }
+                    (Some(error), _) if by > 0.0 => ways.push((Some(error + by), given.value + by)),
+                    (Some(_), _) => {}
+                    (None, _) => ways.push((None, given.value + by)),
+                }
+                // Where two runs are compared with each other.
+                if given.exact != Some(0.0) {
+                    ways.push((given.error, given.value * (1.0 + by)));
+                }
+            }
+        }
+        Relation::AtLeast => {
+            let share = SHORT * gate.bound / gate.value;
+            ways.push((given.error, given.value * share));
+            for refinement in refinements {
+                let factor = libm::pow(refinement, gate.value - SHORT * gate.bound);
+                ways.push((given.error.map(|e| e * factor), given.value));
+            }
+        }
+    }
+    ways
+}
