@@ -1,10 +1,10 @@
 //! What a case must offer to be studied with settings other than its own: error against run time.
 
-use proctor_kernel::scene::Scene;
+use proctor_kernel::scene::{Scene, StressScheme, TransferKind, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use crate::case::{Case, CaseError, Rung, Size, Solved};
-use crate::settings::Settings;
+use crate::settings::{Method, Settings};
 
 /// What a run is doing; run time means [`Phase::Stepping`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +82,11 @@ pub trait Study: Case {
     /// Errors that are studied: displacement (or velocity) first.
     fn measures(&self) -> &'static [Measure];
 
+    /// Whether a study of a size tries a method. Where runs take long, the short study keeps to a few ([`few`]).
+    fn tries(&self, _size: Size, _method: Method) -> bool {
+        true
+    }
+
     /// Number of axes that refinement multiplies cells along: cost grows like `h^-(d+1)`.
     fn refined_axes(&self) -> usize;
 
@@ -103,6 +108,30 @@ pub trait Study: Case {
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<Studied, CaseError>;
+}
+
+/// For [`Study::tries`] where runs take long: the full study tries every method, the short one the default and MUSL
+/// with APIC, on uGIMP and on B-splines.
+#[must_use]
+pub fn few(size: Size, method: Method) -> bool {
+    let apic = |weighting| Method {
+        weighting,
+        scheme: StressScheme::Musl,
+        transfer: TransferKind::Apic,
+    };
+    size == Size::Full
+        || [
+            Method::DEFAULT,
+            apic(Weighting::UniformGimp),
+            apic(Weighting::QuadraticBSpline),
+        ]
+        .contains(&method)
+}
+
+/// Cases without a study, each with the reason.
+#[must_use]
+pub fn without() -> &'static [(&'static dyn Case, &'static str)] {
+    crate::cases::WITHOUT_STUDY
 }
 
 /// All studies, in the order in which they are shown.

@@ -2,9 +2,9 @@
 
 use proctor_kernel::scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
 use proctor_kernel::simulation::Options;
-use proctor_verification::case::Size;
+use proctor_verification::case::{self, Size};
 use proctor_verification::settings::{Method, Settings};
-use proctor_verification::study::{Observer, Phase, STOPPED, Study, all};
+use proctor_verification::study::{Observer, Phase, STOPPED, Study, all, few, without};
 
 const METHOD: Method = Method {
     weighting: Weighting::ContiguousGimp(DomainUpdate::Determinant),
@@ -105,7 +105,12 @@ fn other_settings_reach_the_scene_and_its_step() {
         assert_eq!(scene.scheme, METHOD.scheme);
         // A case may need a share of PIC beside the transfer.
         assert_eq!(scene.transfer.kind, METHOD.transfer);
-        let axes = scene.dimension.axes();
+        // A slab is one layer of cells with one particle across, as all depths are alike.
+        let axes = if study.name().ends_with("-slab") {
+            2
+        } else {
+            scene.dimension.axes()
+        };
         for body in &scene.bodies {
             assert_eq!(body.particles_per_cell[..axes], [3; 3][..axes]);
             assert!(axes == 3 || body.particles_per_cell[2] == 1);
@@ -172,4 +177,34 @@ fn paths_halve_the_cells() {
             }
         }
     }
+}
+
+#[test]
+fn every_case_has_a_study_or_a_reason_why_not() {
+    for case in case::all() {
+        let is_studied = all().iter().any(|study| study.name() == case.name());
+        let mut reasons = without().iter().filter(|w| w.0.name() == case.name());
+        let reason = reasons.next().map(|w| w.1);
+        assert_eq!(is_studied, reason.is_none(), "{}: {reason:?}", case.name());
+        assert!(reason.is_none_or(|r| r.len() > 20) && reasons.next().is_none());
+    }
+    // A reason is of a case that there is.
+    for (case, _) in without() {
+        assert!(case::find(case.name()).is_some(), "{}", case.name());
+    }
+}
+
+#[test]
+fn a_short_study_tries_the_default_and_a_full_one_everything() {
+    for study in all() {
+        for method in [Method::DEFAULT, METHOD] {
+            assert!(study.tries(Size::Full, method), "{}", study.name());
+        }
+        assert!(
+            study.tries(Size::Quick, Method::DEFAULT),
+            "{}",
+            study.name()
+        );
+    }
+    assert!(!few(Size::Quick, METHOD));
 }

@@ -65,7 +65,8 @@ impl Plan {
             choices: vec![],
             lines: vec![],
         };
-        for method in methods(size) {
+        let tried = |method: &Method| study.tries(size, *method);
+        for method in methods(size).into_iter().filter(tried) {
             let base = Settings {
                 allow_unstable: true,
                 particles_per_cell: PARTICLES_PER_CELL,

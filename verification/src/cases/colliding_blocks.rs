@@ -9,7 +9,8 @@
 //! for the record. Kinetic energy is that at the time of the stress, the mean of half a step before and after.
 //!
 //! Expected: order 2/3 in duration and restitution. The wave has a jump, which dispersion of second order spreads over
-//! (h² L)^(1/3), so that the last of its impulse comes late or never. `proctor verify colliding-blocks`.
+//! (h² L)^(1/3), so that the last of its impulse comes late or never. `precision` studies bars of equal masses.
+//! `proctor verify colliding-blocks`.
 
 mod judge;
 mod scenes;
@@ -21,6 +22,8 @@ use super::failed;
 use super::incline::run;
 use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::bar_impact::BarImpact;
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
 use scenes::{Kind, VARIANTS, Variant};
 
 /// Name of the change of momentum among the quantities.
@@ -60,6 +63,14 @@ impl CollidingBlocks {
         reference_stiffness: 1.0,
     };
 
+    fn rung(variant: &Variant, cells: u32) -> Rung {
+        Rung {
+            label: format!("{} L/h={cells}", variant.name),
+            cell: scenes::LENGTH / f64::from(cells),
+            variant: variant.name,
+        }
+    }
+
     fn variant(rung: &Rung) -> Variant {
         let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
         found.unwrap_or(VARIANTS[0])
@@ -76,14 +87,14 @@ impl CollidingBlocks {
 
     fn collide(
         simulation: &mut Simulation,
-        progress: &mut dyn FnMut(f64),
+        observer: &mut dyn Observer,
     ) -> Result<Collision, String> {
         let initial = simulation.kinetic_energy() + simulation.strain_energy();
         let mut seen = Collision::default();
         let mut kicked = simulation.velocity_time();
         let mut force_at = simulation.time();
         let end = simulation.scene().time;
-        run(simulation, end, end, &mut |share| progress(share), |s| {
+        run(simulation, end, end, observer, |s| {
             // The force is that at the positions before the step; it kicks velocities from half step to half step.
             let kick = s.velocity_time() - kicked;
             let force = s.contact_force(1)[0];
@@ -174,42 +185,79 @@ impl Case for CollidingBlocks {
     }
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
-        let of = |v: Variant| {
-            v.cells(size).iter().map(move |&n| Rung {
-                label: format!("{} L/h={n}", v.name),
-                cell: scenes::LENGTH / f64::from(n),
-                variant: v.name,
-            })
-        };
+        let of = |v: Variant| v.cells(size).iter().map(move |&n| Self::rung(&v, n));
         VARIANTS.into_iter().flat_map(of).collect()
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        Self::variant(rung).scene(rung.cell)
+    with_own_settings!();
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        judge::verdict(&self.rungs(size), solved)
+    }
+}
+
+impl Study for CollidingBlocks {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        let bars = VARIANTS[0];
+        let cells = bars.cells(size).iter();
+        cells.map(|&n| Self::rung(&bars, n)).collect()
     }
 
-    fn solve(
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "velocity",
+                quantity: RESTITUTION,
+            },
+            Measure {
+                word: "duration",
+                quantity: DURATION,
+            },
+        ]
+    }
+
+    fn refined_axes(&self) -> usize {
+        1
+    }
+
+    fn own_settings(&self, rung: &Rung) -> Settings {
+        let variant = Self::variant(rung);
+        Settings::new(Method {
+            scheme: variant.scheme,
+            transfer: variant.transfer,
+            ..Method::DEFAULT
+        })
+        .courant(scenes::COURANT)
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let mut scene = Self::variant(rung).scene(rung.cell);
+        scene.time_step = settings.multiplier();
+        settings.apply(&mut scene);
+        scene
+    }
+
+    fn solve_with(
         &self,
         rung: &Rung,
+        settings: &Settings,
         options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let scene = self.scene(rung);
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
         scene.check().map_err(|e| failed(self, rung, &e))?;
         let mut simulation =
             Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let seen = Self::collide(&mut simulation, progress).map_err(|e| failed(self, rung, &e))?;
-        Ok(Solved {
+        let seen = Self::collide(&mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
+        let solved = Solved {
             particles: simulation.particles(),
             steps: simulation.steps(),
             time: simulation.time(),
             quantities: self.quantities(&Self::variant(rung), &simulation, &seen),
             drawings: vec![],
             curve: None,
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        judge::verdict(&self.rungs(size), solved)
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }

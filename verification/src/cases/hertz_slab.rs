@@ -6,29 +6,22 @@
 //!
 //! Expected: force, peak, half-width and the pressure of every vertex the same within the error that either has against
 //! Hertz divided by ten. What differs is the projection: along interpolated normals in the plane, along the normals of
-//! triangles in space. `proctor verify hertz-slab`.
+//! triangles in space. `precision` studies the slab against Hertz, as `hertz` does the plane. `proctor verify hertz-slab`.
 
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::Options;
 
 use super::hertz::{FORCE, Hertz, L2_HERTZ, PEAK, WIDTH};
-use super::{failed, slab, table};
+use super::slab::{self, AsSlab};
+use super::table;
 use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
+use crate::study::{Observer, Studied, Study};
 
 const SAME: &str = "one layer of cells is the plane, but for how surfaces are projected";
 
 /// The half disk as a slab.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzSlab;
-
-impl HertzSlab {
-    fn plane(rung: &Rung) -> Scene {
-        Hertz::GIVEN.scene(&Rung {
-            variant: "hertz",
-            ..rung.clone()
-        })
-    }
-}
 
 impl Case for HertzSlab {
     fn name(&self) -> &'static str {
@@ -46,35 +39,7 @@ impl Case for HertzSlab {
         })
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        let plane = Self::plane(rung);
-        if rung.variant == "slab" {
-            // The scene is known and has a slab; what has none is reported by `solve`.
-            slab::slab(&plane).unwrap_or(plane)
-        } else {
-            plane
-        }
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let plane = Self::plane(rung);
-        let (scene, thickness) = if rung.variant == "slab" {
-            let slab = slab::slab(&plane).map_err(|e| failed(self, rung, &e))?;
-            (slab, rung.cell)
-        } else {
-            (plane, 1.0)
-        };
-        Hertz::GIVEN
-            .solve_scene(self, &scene, thickness, rung, options, &mut |share| {
-                progress(share);
-            })
-            .map(|studied| studied.solved)
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let value = |label: &str, name| {
@@ -112,5 +77,37 @@ impl Case for HertzSlab {
             for_the_record: vec![],
             curves: vec![],
         }
+    }
+}
+
+impl AsSlab for HertzSlab {
+    fn in_plane(&self) -> &'static dyn Study {
+        &Hertz::GIVEN
+    }
+
+    fn of(&self, rung: &Rung) -> (Rung, bool) {
+        let plane = Rung {
+            variant: "hertz",
+            ..rung.clone()
+        };
+        (plane, rung.variant == "slab")
+    }
+
+    fn studied(&self, size: Size) -> (&'static str, &'static [f64]) {
+        match size {
+            Size::Quick => ("slab", &[0.8, 0.4]),
+            Size::Full => ("slab", &[0.8, 0.4, 0.2]),
+        }
+    }
+
+    fn solve_scene(
+        &self,
+        scene: &Scene,
+        thickness: f64,
+        plane: &Rung,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        Hertz::GIVEN.solve_scene(self, scene, thickness, plane, options, observer)
     }
 }

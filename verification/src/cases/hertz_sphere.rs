@@ -8,25 +8,27 @@
 //! Expected: contact radius and peak pressure within 5 %. Of this the barrier layer takes about 1 % (it gives way by 5 % of
 //! the approach of the bodies), and the block's size 8/3 (a/L)^3, 2 %, at most. `proctor verify hertz-sphere`.
 
+mod study;
+
 use libm::{asin, hypot, sin, sincos};
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::mortar::space::refine::fill;
 use proctor_kernel::scene::{
     Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    ParticleSeed, PlaneCondition, RigidFacets, Scene, Shape, Transfer, TransferKind, Vertices,
+    ParticleSeed, PlaneCondition, RigidFacets, Scene, Shape, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation, StepError};
+use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::surface::{Surface, SurfaceError};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use super::{elastic, failed, table};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::{elastic, table};
+use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::contact_modulus;
 use crate::exact::hertz_sphere::HertzSphere as Exact;
+use crate::settings::Settings;
+use crate::study::{Observer, Phase, STOPPED, Study};
 
 const RADIUS: f64 = 8.0;
 /// Contact radius that the load is chosen for \[m\].
@@ -36,6 +38,8 @@ const POISSON: f64 = 0.3;
 const DENSITY: f64 = 1.0;
 /// Rate of viscous damping, with which the bounce of the block on its contact (1 rad/s) is damped critically \[1/s\].
 const DAMPING: f64 = 2.0;
+/// Share of PIC, with any transfer.
+const PIC: f64 = 0.1;
 const GAP: f64 = 0.05;
 const KAPPA: f64 = 5.0e3;
 /// Radius and height of the block \[m\].
@@ -92,10 +96,10 @@ fn bottom(r: f64) -> f64 {
     GAP + RADIUS - (RADIUS * RADIUS - r * r).sqrt()
 }
 
-/// Particles of the quarter of the block, about two per cell and axis: columns that reach from the ball's surface to the
+/// Particles of the quarter of the block, about so many per cell and axis: columns that reach from the ball's surface to the
 /// top, so that no step of a lattice lies in the contact, with volumes that add up to that of the block.
-fn particles(h: f64) -> Vec<ParticleSeed> {
-    let step = 0.5 * h;
+fn particles(h: f64, per_cell: usize) -> Vec<ParticleSeed> {
+    let step = h / per_cell as f64;
     let count = (BLOCK / step).ceil() as usize;
     let at = |k: usize| (k as f64 + 0.5) * step;
     let mut seeds = vec![];
@@ -195,22 +199,20 @@ fn plane() -> Result<Surface, SurfaceError> {
 }
 
 impl HertzSphere {
-    fn build(h: f64, name: &str) -> Result<Scene, SurfaceError> {
+    fn build(rung: &Rung, settings: &Settings) -> Result<Scene, SurfaceError> {
+        let h = rung.cell;
         let margin = 2.0 * h;
         let cells = |length: f64| (length / h).ceil() as usize;
         let top = GAP + BLOCK;
-        Ok(Scene {
-            name: name.into(),
-            transfer: Transfer {
-                kind: TransferKind::Apic,
-                pic_fraction: 0.1,
-            },
+        let mut scene = Scene {
+            name: rung.label.clone(),
+            time_step: settings.multiplier(),
             materials: elastic(DENSITY, YOUNG, POISSON),
             bodies: vec![Body {
                 name: "ball".into(),
                 id: 1,
                 material: 0,
-                shape: Shape::Particles(Arc::new(particles(h))),
+                shape: Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
                 particles_per_cell: [2, 2, 2],
                 velocity: [0.0; 3],
                 motion: None,
@@ -267,8 +269,20 @@ impl HertzSphere {
                 },
                 AVERAGED[1],
             )
-        })
+        };
+        settings.apply(&mut scene);
+        scene.transfer.pic_fraction = PIC;
+        Ok(scene)
     }
+}
+
+fn rungs(cells: &[f64]) -> Vec<Rung> {
+    let of = |&cell: &f64| Rung {
+        label: format!("h={cell}"),
+        cell,
+        variant: "sphere",
+    };
+    cells.iter().map(of).collect()
 }
 
 impl Case for HertzSphere {
@@ -285,86 +299,10 @@ impl Case for HertzSphere {
             Size::Quick => &[0.5],
             Size::Full => &[0.5, 0.375, 0.25],
         };
-        cells
-            .iter()
-            .map(|&cell| Rung {
-                label: format!("h={cell}"),
-                cell,
-                variant: "sphere",
-            })
-            .collect()
+        rungs(cells)
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        // The surfaces are sound at every cell size; one that is not is reported by `solve`.
-        Self::build(rung.cell, &rung.label).unwrap_or_else(|_| {
-            let mesh = Mesh {
-                origin: [0.0; 3],
-                cell: [1.0; 3],
-                cells: [1; 3],
-                planes: [[PlaneCondition::Free; 2]; 3],
-            };
-            Scene::new(Dimension::Three, mesh, 0.0)
-        })
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let scene = Self::build(rung.cell, &rung.label).map_err(|e| failed(self, rung, &e))?;
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let found = run(&mut simulation, progress).map_err(|e| failed(self, rung, &e))?;
-        let exact = self.exact();
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let distance = found.distance(|r| exact.pressure(r));
-        let quantities = vec![
-            of(FORCE, found.force, exact.load, "N"),
-            of(PEAK, found.peak(&exact), exact.peak(), "Pa"),
-            of(WIDTH, found.radius(), exact.contact_radius(), "m"),
-            Quantity {
-                name: L2,
-                value: distance,
-                exact: Some(0.0),
-                error: Some(distance),
-                unit: "1",
-            },
-        ];
-        let mut points: Vec<CurvePoint> = found
-            .pressures
-            .iter()
-            .filter(|p| p[0] < FINE)
-            .map(|p| CurvePoint {
-                at: p[0],
-                computed: p[1],
-                exact: exact.pressure(p[0]),
-            })
-            .collect();
-        points.sort_by(|a, b| a.at.total_cmp(&b.at));
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: Some(Curve {
-                title: format!("{}: contact pressure", rung.label),
-                abscissa: "r in m",
-                ordinate: "p in Pa",
-                points,
-            }),
-        })
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let finest = self.rungs(size).last().map(|rung| rung.label.clone());
@@ -443,13 +381,17 @@ impl Found {
     }
 }
 
-fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Found, StepError> {
+fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Found, String> {
+    observer.phase(Phase::Stepping);
     let (mut force, mut weight) = (0.0, 0.0);
     let mut sums: Vec<[f64; 3]> = vec![];
     while simulation.time() < AVERAGED[1] {
-        let info = simulation.step(AVERAGED[1])?;
+        if observer.stop() {
+            return Err(STOPPED.to_owned());
+        }
+        let info = simulation.step(AVERAGED[1]).map_err(|e| e.to_string())?;
         if info.step % 20 == 0 {
-            progress((simulation.time() / AVERAGED[1]).min(1.0));
+            observer.progress((simulation.time() / AVERAGED[1]).min(1.0));
         }
         if simulation.time() <= AVERAGED[0] {
             continue;
@@ -464,6 +406,7 @@ fn run(simulation: &mut Simulation, progress: &mut dyn FnMut(f64)) -> Result<Fou
             sum[2] += info.dt * v.measure;
         }
     }
+    observer.phase(Phase::Comparing);
     Ok(Found {
         force: force / weight,
         pressures: sums

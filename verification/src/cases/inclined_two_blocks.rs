@@ -5,16 +5,21 @@
 //! the mesh is longer than the manual's, whose wall the block in front reaches. Two pairs share a master.
 //!
 //! *Lift-off*: after settling, gravity normal to the base is reversed. The blocks spring off with the strain of their
-//! weight; contact must not hold them, and once they are off they fall freely. `proctor verify inclined-two-blocks`.
+//! weight; contact must not hold them, and once they are off they fall freely.
+//!
+//! `precision` studies the block that rubs, in two dimensions. `proctor verify inclined-two-blocks`.
 
 use proctor_kernel::scene::{Dimension, Scene, StressScheme};
 use proctor_kernel::simulation::Options;
 
 use super::failed;
-use super::incline::{Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow};
+use super::incline::{
+    Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
+};
 use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study, few};
 
 /// Time from the release to the end \[s\].
 const TIME: f64 = 2.0;
@@ -22,6 +27,8 @@ const TIME: f64 = 2.0;
 const TIME_LIFTED: f64 = 1.0;
 /// Time after the release from which on lifted blocks must be free: two periods of their vertical motion \[s\].
 const FREE_FROM: f64 = 0.2;
+/// Height of the blocks \[m\].
+const HEIGHT: f64 = 5.0;
 /// The blocks of the manual, the one behind first.
 const BLOCKS: [Block; 2] = [
     Block {
@@ -36,6 +43,8 @@ const BLOCKS: [Block; 2] = [
 
 /// Names of the displacements among the quantities.
 const WAYS: [&str; 2] = ["displacement, mu = 0.2", "displacement, mu = 0"];
+/// Name of the displacement of the block that rubs against that of an elastic block, to which it converges.
+const ELASTIC: &str = "displacement, mu = 0.2, elastic";
 /// Names of the fitted accelerations.
 const ACCELERATIONS: [&str; 2] = ["acceleration, mu = 0.2", "acceleration, mu = 0"];
 /// Names of the accelerations out of the incline after lift-off.
@@ -100,7 +109,7 @@ impl InclinedTwoBlocks {
             cell: h,
             length: 34.0,
             base: 2.0 * h,
-            height: 5.0,
+            height: HEIGHT,
             air: if lifts { 6.0 } else { 2.0 * h },
             blocks: BLOCKS.to_vec(),
             gravity: [
@@ -140,6 +149,10 @@ impl InclinedTwoBlocks {
             };
             let end = track.way.last().map_or(f64::NAN, |w| w[0]);
             all.push(compared(WAYS[i], track.end(), exact.displacement(end), "m"));
+            if i == 0 {
+                let elastic = exact.elastic_displacement(end, HEIGHT, shear_wave_speed());
+                all.push(compared(ELASTIC, track.end(), elastic, "m"));
+            }
             all.push(compared(
                 ACCELERATIONS[i],
                 fitted_slope(&track.velocity),
@@ -205,44 +218,7 @@ impl Case for InclinedTwoBlocks {
         cells.iter().flat_map(of).collect()
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (_, scheme, lifts) = Self::variant(rung);
-        let time = if lifts { TIME_LIFTED } else { TIME };
-        let mut scene = self.incline(rung).scene("inclined_two_blocks", time);
-        let settings = Settings::new(Method {
-            scheme,
-            ..Method::DEFAULT
-        })
-        .courant(COURANT);
-        scene.time_step = settings.multiplier();
-        settings.apply(&mut scene);
-        scene
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let scene = self.scene(rung);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let incline = self.incline(rung);
-        let mut observer = |share| progress(share);
-        let mut simulation = incline
-            .released(&scene, options, &mut observer)
-            .map_err(|e| failed(self, rung, &e))?;
-        let tracks =
-            follow(&incline, &mut simulation, &mut observer).map_err(|e| failed(self, rung, &e))?;
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&tracks, Self::variant(rung).2),
-            drawings: vec![],
-            curve: None,
-        })
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
@@ -279,5 +255,82 @@ impl Case for InclinedTwoBlocks {
             }
         }
         verdict
+    }
+}
+
+impl Study for InclinedTwoBlocks {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        let (variant, ..) = VARIANTS[0];
+        let cells: &[f64] = match size {
+            Size::Quick => &[1.0, 0.5],
+            Size::Full => &[1.0, 0.5, 0.25],
+        };
+        Rung::ladders(&[(variant, cells)])
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        &[
+            Measure {
+                word: "displacement",
+                quantity: ELASTIC,
+            },
+            Measure {
+                word: "acceleration",
+                quantity: ACCELERATIONS[0],
+            },
+        ]
+    }
+
+    fn tries(&self, size: Size, method: Method) -> bool {
+        few(size, method)
+    }
+
+    fn refined_axes(&self) -> usize {
+        2
+    }
+
+    fn own_settings(&self, rung: &Rung) -> Settings {
+        let (_, scheme, _) = Self::variant(rung);
+        Settings::new(Method {
+            scheme,
+            ..Method::DEFAULT
+        })
+        .courant(COURANT)
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let (_, _, lifts) = Self::variant(rung);
+        let time = if lifts { TIME_LIFTED } else { TIME };
+        let mut scene = self.incline(rung).scene("inclined_two_blocks", time);
+        scene.time_step = settings.multiplier();
+        settings.apply(&mut scene);
+        scene
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let scene = self.scene_with(rung, settings);
+        scene.check().map_err(|e| failed(self, rung, &e))?;
+        let incline = self.incline(rung);
+        let mut simulation = incline
+            .released(&scene, options, observer)
+            .map_err(|e| failed(self, rung, &e))?;
+        let tracks =
+            follow(&incline, &mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
+        let solved = Solved {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: Self::quantities(&tracks, Self::variant(rung).2),
+            drawings: vec![],
+            curve: None,
+        };
+        Ok(Studied::new(solved, &simulation))
     }
 }

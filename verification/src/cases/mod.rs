@@ -108,14 +108,27 @@ pub(crate) static STUDIES: &[&dyn Study] = &[
     &SelfWeight::GIVEN,
     &Rotation::GIVEN,
     &InclinedBlock::GIVEN,
+    &InclinedTwoBlocks::GIVEN,
+    &CollidingBlocks::GIVEN,
+    &BlockOnTwoBlocks::GIVEN,
     &TiltedIncline::GIVEN,
+    &SphereOnTerrain::GIVEN,
     &Hertz::GIVEN,
     &RollingDisk::SLIP,
     &RollingDisk::GIVEN,
+    &HertzSlab,
+    &HertzSphere::GIVEN,
+    &RollingDiskSlab,
     &Cantilever::GIVEN,
     &Rings::GIVEN,
     &Ironing::GIVEN,
 ];
+
+/// Cases without a study, each with the reason.
+pub(crate) static WITHOUT_STUDY: &[(&dyn Case, &str)] = &[(
+    &Grains::GIVEN,
+    "nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings",
+)];
 
 /// The error of the stress, where a case has one.
 const STRESS_MEASURE: Measure = Measure {

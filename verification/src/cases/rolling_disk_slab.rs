@@ -1,15 +1,17 @@
 //! Does the disk on the inclined plane roll the same as a slab of one layer of cells in three dimensions?
 //!
 //! Set-up: that of `rolling-disk`, once in the plane and once as a slab as thick as a cell, whose boundaries are triangles
-//! and whose slip has two components. The reference of the slab is the run in the plane. `proctor verify
-//! rolling-disk-slab`.
+//! and whose slip has two components. The reference of the slab is the run in the plane; `precision`
+//! studies the slab that rolls against the rigid disk, as `rolling-disk` does. `proctor verify rolling-disk-slab`.
 
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::Options;
 
 use super::rolling_disk::{AREA, RATIO, RollingDisk, WAY};
-use super::{failed, slab, table};
+use super::slab::AsSlab;
+use super::table;
 use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
+use crate::study::{Observer, Studied, Study};
 
 /// Variants of the disk, and of each the plane and the slab.
 const VARIANTS: [[&str; 3]; 2] = [
@@ -20,21 +22,6 @@ const VARIANTS: [[&str; 3]; 2] = [
 /// The rolling disk as a slab.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDiskSlab;
-
-impl RollingDiskSlab {
-    /// The rung of the case in the plane, and whether it is run as a slab.
-    fn of(rung: &Rung) -> (Rung, bool) {
-        let [variant, ..] = VARIANTS
-            .into_iter()
-            .find(|names| names.contains(&rung.variant))
-            .unwrap_or(VARIANTS[0]);
-        let plane = Rung {
-            variant,
-            ..rung.clone()
-        };
-        (plane, rung.variant.ends_with("slab"))
-    }
-}
 
 impl Case for RollingDiskSlab {
     fn name(&self) -> &'static str {
@@ -61,35 +48,7 @@ impl Case for RollingDiskSlab {
             .collect()
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (plane, is_slab) = Self::of(rung);
-        let scene = RollingDisk::GIVEN.scene(&plane);
-        if is_slab {
-            // The scene is known and has a slab; what has none is reported by `solve`.
-            slab::slab(&scene).unwrap_or(scene)
-        } else {
-            scene
-        }
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let (plane, is_slab) = Self::of(rung);
-        let mut scene = RollingDisk::GIVEN.scene(&plane);
-        if is_slab {
-            scene = slab::slab(&scene).map_err(|e| failed(self, rung, &e))?;
-        }
-        let thickness = if is_slab { rung.cell } else { 1.0 };
-        RollingDisk::GIVEN
-            .solve_scene(self, &scene, thickness, &plane, options, &mut |share| {
-                progress(share);
-            })
-            .map(|studied| studied.solved)
-    }
+    with_own_settings!();
 
     fn judge(&self, _size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let value = |variant: &str, name| {
@@ -123,5 +82,41 @@ impl Case for RollingDiskSlab {
                 .collect(),
             curves: vec![],
         }
+    }
+}
+
+impl AsSlab for RollingDiskSlab {
+    fn in_plane(&self) -> &'static dyn Study {
+        &RollingDisk::GIVEN
+    }
+
+    fn of(&self, rung: &Rung) -> (Rung, bool) {
+        let [variant, ..] = VARIANTS
+            .into_iter()
+            .find(|names| names.contains(&rung.variant))
+            .unwrap_or(VARIANTS[0]);
+        let plane = Rung {
+            variant,
+            ..rung.clone()
+        };
+        (plane, rung.variant.ends_with("slab"))
+    }
+
+    fn studied(&self, size: Size) -> (&'static str, &'static [f64]) {
+        match size {
+            Size::Quick => ("stick slab", &[0.4, 0.2]),
+            Size::Full => ("stick slab", &[0.2, 0.1, 0.05]),
+        }
+    }
+
+    fn solve_scene(
+        &self,
+        scene: &Scene,
+        thickness: f64,
+        plane: &Rung,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        RollingDisk::GIVEN.solve_scene(self, scene, thickness, plane, options, observer)
     }
 }

@@ -11,14 +11,95 @@ use proctor_kernel::scene::{
     Body, BodyBoundary, BoxLoad, Dimension, Mesh, Mortar, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,
 };
+use proctor_kernel::simulation::Options;
 use proctor_kernel::surface::{Surface, SurfaceError};
 use std::fmt;
 use std::sync::Arc;
 
-use crate::case::Rung;
+use super::failed;
+use crate::case::{Case, CaseError, Rung, Size};
+use crate::settings::{Method, Settings};
+use crate::study::{Measure, Observer, Phase, Studied, Study};
 
 /// The variant of a rung that is solved in the plane, and that which is solved as a slab.
 pub(super) const VARIANTS: [&str; 2] = ["plane", "slab"];
+
+/// A case that runs a study of the plane once in the plane and once as a slab. It is a study itself: of the slab, with
+/// the settings and the errors of the plane.
+pub(super) trait AsSlab: Case {
+    /// The study in the plane.
+    fn in_plane(&self) -> &'static dyn Study;
+
+    /// The rung of the study in the plane, and whether it is run as a slab.
+    fn of(&self, rung: &Rung) -> (Rung, bool);
+
+    /// The variant that is studied, and the cells of a size, coarse to fine \[m\].
+    fn studied(&self, size: Size) -> (&'static str, &'static [f64]);
+
+    /// Runs a scene of a thickness \[m\] and compares it as that of the rung in the plane.
+    ///
+    /// # Errors
+    /// As [`Study::solve_with`].
+    fn solve_scene(
+        &self,
+        scene: &Scene,
+        thickness: f64,
+        plane: &Rung,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError>;
+}
+
+impl<T: AsSlab> Study for T {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        Rung::ladders(&[self.studied(size)])
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        self.in_plane().measures()
+    }
+
+    fn tries(&self, size: Size, method: Method) -> bool {
+        // Contact in space takes most of the time, on any mesh.
+        size == Size::Full || method == Method::DEFAULT
+    }
+
+    fn refined_axes(&self) -> usize {
+        self.in_plane().refined_axes()
+    }
+
+    fn own_settings(&self, rung: &Rung) -> Settings {
+        self.in_plane().own_settings(&self.of(rung).0)
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let (plane_rung, is_slab) = self.of(rung);
+        let plane = self.in_plane().scene_with(&plane_rung, settings);
+        if is_slab {
+            // The scene is known and has a slab; what has none is reported by `solve_with`.
+            slab(&plane).unwrap_or(plane)
+        } else {
+            plane
+        }
+    }
+
+    fn solve_with(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let (plane_rung, is_slab) = self.of(rung);
+        let mut scene = self.in_plane().scene_with(&plane_rung, settings);
+        if is_slab {
+            scene = slab(&scene).map_err(|e| failed(self, rung, &e))?;
+        }
+        let thickness = if is_slab { rung.cell } else { 1.0 };
+        self.solve_scene(&scene, thickness, &plane_rung, options, observer)
+    }
+}
 
 /// A scene that has no slab.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,21 +10,19 @@
 //! - a smooth terrain pushes along its normals, which all point up, and gives no energy. The kinetic energy is that of
 //!   the leapfrog, half the product of the velocities half a step before and after.
 //!
-//! `proctor verify sphere-on-terrain`.
+//! A smooth terrain takes no energy either, nor do waves in the sphere: what a bounce loses is the error of a computation,
+//! and what `precision` studies. `proctor verify sphere-on-terrain`.
 
 mod height;
+mod study;
 
-use std::sync::Arc;
-
-use proctor_kernel::scene::{
-    Body, Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TimeStep, Vector,
-};
+use proctor_kernel::scene::{Scene, StressScheme, Vector};
 use proctor_kernel::simulation::{Options, Simulation};
-use proctor_kernel::surface::{Surface, parse};
+use proctor_kernel::surface::Surface;
 
-use super::incline::{dot, run};
-use super::{NO_RESULTS, elastic, failed};
+use super::incline::dot;
 use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use crate::study::Study;
 use height::HeightField;
 
 /// The terrain of the fixtures.
@@ -40,6 +38,8 @@ const RADIUS: f64 = 0.3;
 /// off in a seventh.
 const TIME: f64 = 0.5;
 const TIME_FAST: f64 = 0.07;
+/// Time of the study \[s\]: it has bounced once.
+const TIME_BOUNCE: f64 = 0.12;
 /// Time step over the cell where the terrain is smooth \[s/m\].
 const STEP: f64 = 2.5e-3;
 /// Friction of the scene.
@@ -53,6 +53,9 @@ const TOUCH: &str = "first force, steps from touch";
 const MOMENTUM: &str = "momentum lost, over that given";
 const GAINED: &str = "energy gained, over the initial";
 const DOWNWARD: &str = "largest pull, over weight";
+
+/// Name of the energy of a bounce: that of the last step over that of the first.
+const KEPT: &str = "energy after the bounce, over the initial";
 
 /// Largest penetration over the cell.
 const DEPTH_GATE: f64 = 0.5;
@@ -83,6 +86,9 @@ const VARIANTS: [Variant; 9] = [
     ("smooth MUSL", StressScheme::Musl, 1.0, true),
 ];
 
+/// The variant of the study, which is no rung of the ladder.
+const BOUNCE: Variant = ("bounce", StressScheme::Usl, 1.0, true);
+
 /// What is seen of a run.
 #[derive(Default)]
 struct Seen {
@@ -92,8 +98,9 @@ struct Seen {
     touched: Option<(f64, f64)>,
     /// Error of the centre of mass before the touch over the radius.
     fall: f64,
-    /// Total energy at the end of the first step \[J\], and the largest gain over it.
+    /// Total energy at the end of the first step and of the last but one \[J\], and the largest gain over the first.
     first: Option<f64>,
+    last: f64,
     gained: f64,
     /// Of the step before: mass and velocity of the particles, strain and potential energy \[J\].
     before: Option<(Vec<(f64, Vector)>, f64)>,
@@ -107,8 +114,9 @@ impl SphereOnTerrain {
     pub const GIVEN: Self = Self { pull: 1.0 };
 
     fn variant(rung: &Rung) -> Variant {
-        let found = VARIANTS.into_iter().find(|v| v.0 == rung.variant);
-        found.unwrap_or(VARIANTS[0])
+        let known = VARIANTS.into_iter().chain([BOUNCE]);
+        let mut found = known.filter(|v| v.0 == rung.variant);
+        found.next().unwrap_or(VARIANTS[0])
     }
 
     /// Time (s) at which the first particle of the sphere at rest touches, from the positions of the centres of its
@@ -178,6 +186,7 @@ impl SphereOnTerrain {
                 .sum();
             let energy = kinetic + rest;
             let first = *seen.first.get_or_insert(energy);
+            seen.last = energy;
             seen.gained = seen.gained.max(energy / first - 1.0);
         }
         seen.before = Some((velocities, simulation.strain_energy() + weight * x[2]));
@@ -203,10 +212,11 @@ impl SphereOnTerrain {
     }
 
     fn quantities(
+        rung: &Rung,
         simulation: &Simulation,
         seen: &Seen,
         start: &Start,
-        touch: f64,
+        touch: Option<f64>,
     ) -> Vec<Quantity> {
         let of_zero = |name, value: f64| Quantity {
             name,
@@ -227,15 +237,28 @@ impl SphereOnTerrain {
             })
             .fold(0.0_f64, |worst, lost| worst.max(lost.abs()));
         let (touched, dt) = seen.touched.unwrap_or((f64::NAN, f64::NAN));
-        vec![
+        let mut all = vec![
             of_zero(DEPTH, seen.deepest),
             of_zero(BELOW, seen.below as f64),
             of_zero(FREE_FALL, seen.fall),
-            of_zero(TOUCH, (touched - touch) / dt),
+        ];
+        all.extend(touch.map(|touch| of_zero(TOUCH, (touched - touch) / dt)));
+        all.extend([
             of_zero(MOMENTUM, lost / given),
             of_zero(GAINED, seen.gained),
             of_zero(DOWNWARD, seen.pull.max(0.0)),
-        ]
+        ]);
+        if rung.variant == BOUNCE.0 {
+            let kept = seen.last / seen.first.unwrap_or(f64::NAN);
+            all.push(Quantity {
+                name: KEPT,
+                value: kept,
+                exact: Some(1.0),
+                error: Some((kept - 1.0).abs()),
+                unit: "1",
+            });
+        }
+        all
     }
 }
 
@@ -285,93 +308,7 @@ impl Case for SphereOnTerrain {
         VARIANTS.iter().flat_map(of).collect()
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (_, scheme, factor, smooth) = Self::variant(rung);
-        let h = rung.cell;
-        let cells = [2.0, 2.0, 1.6].map(|length: f64| (length / h).round() as usize);
-        let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], cells);
-        let time = if factor > 1.0 { TIME_FAST } else { TIME };
-        let mut scene = Scene::new(Dimension::Three, mesh, time);
-        scene.name = String::from("sphere_on_terrain");
-        scene.gravity = [0.0, 0.0, -self.pull * GRAVITY];
-        scene.scheme = scheme;
-        if smooth {
-            // The energy of the leapfrog is that of equal steps.
-            scene.time_step = TimeStep::Fixed {
-                dt: STEP * h,
-                allow_unstable: false,
-            };
-        }
-        scene.results = NO_RESULTS;
-        scene.materials = elastic(1000.0, 1e7, 0.3);
-        scene.bodies.push(Body {
-            name: "sphere".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Sphere {
-                center: CENTER,
-                radius: RADIUS,
-            },
-            particles_per_cell: [2; 3],
-            velocity: VELOCITY.map(|v| factor * v),
-            motion: None,
-        });
-        // The file is part of the program; were it not sound, a scene without a terrain fails the gates.
-        let corners = parse(TERRAIN).ok();
-        scene.surfaces.extend(corners.and_then(|corners| {
-            Some(RigidSurface {
-                name: "terrain".to_owned(),
-                surface: Arc::new(Surface::new(&corners).ok()?),
-                friction: if smooth { 0.0 } else { FRICTION },
-                distance_threshold: h,
-                penalty_stiffness: None,
-                motion: None,
-            })
-        }));
-        scene
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let scene = self.scene(rung);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let Some(rigid) = scene.surfaces.first() else {
-            return Err(failed(self, rung, &"there is no terrain"));
-        };
-        let surface = rigid.surface.clone();
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let velocity = scene.bodies[0].velocity;
-        let seeds: Vec<Vector> = (0..simulation.particles())
-            .map(|p| simulation.position(0, p))
-            .collect();
-        let half = 0.25 * rung.cell;
-        let touch = Self::touch(&surface, &seeds, half, &velocity);
-        let center = simulation.center(0).1;
-        let start = Start { center, velocity };
-        let terrain = HeightField::new(&surface);
-        let mut seen = Seen::default();
-        run(
-            &mut simulation,
-            scene.time,
-            scene.time,
-            &mut |share| progress(share),
-            |simulation| Self::look(simulation, &terrain, &start, &mut seen),
-        )
-        .map_err(|e| failed(self, rung, &e))?;
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&simulation, &seen, &start, touch),
-            drawings: vec![],
-            curve: None,
-        })
-    }
+    with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();

@@ -21,6 +21,8 @@ const BAR_ROOM: f64 = 1.12;
 const EDGE: f64 = 12.0;
 /// From the label of the vertical axis to the plot: the uppermost number may stand half its height above the plot.
 const GAP: f64 = 11.0;
+/// How much wider bold letters are than plain ones.
+const BOLD: f64 = 1.15;
 /// Size of the title.
 const TITLE: f64 = 16.0;
 /// Size of all other text.
@@ -71,7 +73,7 @@ pub fn svg(chart: &Chart) -> String {
     let room = if has_bars { BAR_ROOM } else { 1.0 };
     let x = chart.x.ranged(points().map(|p| room * p.x), has_bars);
     let y = chart.y.ranged(points().filter_map(|p| p.y), false);
-    let title = lines(&chart.title, TITLE, WIDTH - 2.0 * EDGE);
+    let title = lines(&chart.title, BOLD * TITLE, WIDTH - 2.0 * EDGE);
     let tick_width = y.ticks.iter().map(|t| width(&t.text, TEXT));
     let tick_width = tick_width.fold(0.0, f64::max);
     let named = y.is_named();

@@ -77,7 +77,7 @@ pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
             format: Format::Seconds,
         },
         y: Axis {
-            label: format!("relative L2 error of the {word}"),
+            label: format!("relative error of the {word}"),
             scale: Scale::Log,
             format: Format::Percent,
         },

@@ -2,7 +2,7 @@
 
 use proctor_kernel::scene::{
     Body, Contact, ContactNormal, Dimension, Law, Material, Mesh, ObjectiveRate, PlaneCondition,
-    Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
+    Scene, Shape, StressScheme, TransferKind,
 };
 
 use crate::case::Size;
@@ -24,7 +24,7 @@ const POISSON: f64 = 0.3;
 /// Friction of the blocks.
 const FRICTION: f64 = 0.3;
 /// `c dt/h`.
-const COURANT: f64 = 0.3;
+pub const COURANT: f64 = 0.3;
 /// Empty cells beyond the far ends.
 const AIR: usize = 3;
 
@@ -153,7 +153,7 @@ impl Variant {
         scene.mesh.cell[1] * scene.mesh.cell[2]
     }
 
-    /// The scene. Bars touch at the start; so do blocks. It lasts for four transits along the longer body and, for
+    /// The scene but for what settings say. Bars touch at the start; so do blocks. It lasts for four transits along the longer body and, for
     /// bars, half as long again.
     pub fn scene(&self, h: f64) -> Scene {
         let [l_1, l_2] = self.lengths();
@@ -174,12 +174,6 @@ impl Variant {
         let mut scene = Scene::new(self.dimension, mesh, 3.0 * transit);
         scene.name = String::from("colliding_blocks");
         scene.results = NO_RESULTS;
-        scene.scheme = self.scheme;
-        scene.transfer = Transfer::new(self.transfer);
-        scene.time_step = TimeStep::Multiplier {
-            multiplier: COURANT,
-            allow_unstable: false,
-        };
         let (poisson, friction) = match self.kind {
             Kind::Bars(_) => (0.0, 0.0),
             Kind::Blocks => (POISSON, FRICTION),
