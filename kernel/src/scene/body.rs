@@ -86,6 +86,58 @@ pub struct ParticleSeed {
 }
 
 impl Shape {
+    /// The same shape in coordinates that begin at `origin`. What is far from zero but near `origin` loses no digit.
+    #[must_use]
+    pub fn relative_to(&self, origin: &Vector) -> Self {
+        let moved = |x: &Vector| -> Vector { std::array::from_fn(|axis| x[axis] - origin[axis]) };
+        match self {
+            Self::Cuboid { p1, p2 } => Self::Cuboid {
+                p1: moved(p1),
+                p2: moved(p2),
+            },
+            Self::Sphere { center, radius } => Self::Sphere {
+                center: moved(center),
+                radius: *radius,
+            },
+            Self::Ring {
+                center,
+                inner,
+                outer,
+            } => Self::Ring {
+                center: moved(center),
+                inner: *inner,
+                outer: *outer,
+            },
+            Self::Cylinder { p1, p2, radius } => Self::Cylinder {
+                p1: moved(p1),
+                p2: moved(p2),
+                radius: *radius,
+            },
+            Self::Polygon { points } => Self::Polygon {
+                points: points.iter().map(moved).collect(),
+            },
+            Self::ExtrudedPolygon {
+                points,
+                axis,
+                range,
+            } => {
+                let [u, v] = [(1, 2), (0, 2), (0, 1)].map(|(u, v)| [origin[u], origin[v]])[*axis];
+                Self::ExtrudedPolygon {
+                    points: points.iter().map(|[a, b]| [a - u, b - v]).collect(),
+                    axis: *axis,
+                    range: range.map(|x| x - origin[*axis]),
+                }
+            }
+            Self::Particles(seeds) => {
+                let seed = |seed: &ParticleSeed| ParticleSeed {
+                    position: moved(&seed.position),
+                    ..*seed
+                };
+                Self::Particles(Arc::new(seeds.iter().map(seed).collect()))
+            }
+        }
+    }
+
     /// Word for the shape in a scene file, by the number of dimensions.
     #[must_use]
     pub fn word(&self, dimension: Dimension) -> &'static str {

@@ -145,6 +145,9 @@ pub struct Simulation {
     pub(crate) relaxation: relaxation::Relaxation,
     pub(crate) ledger: measure::Ledger,
     pub(crate) events: Vec<Event>,
+    /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
+    /// 1e-10 m only.
+    pub(crate) local_surfaces: Vec<Arc<crate::surface::Surface>>,
     /// Contact with rigid surfaces; absent where the scene has none.
     pub(crate) surfaces: Option<surfaces::Surfaces>,
 }

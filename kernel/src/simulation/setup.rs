@@ -6,7 +6,7 @@ use super::measure::Ledger;
 use super::mortar::MortarState;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
-use super::surfaces::Surfaces;
+use super::surfaces::{self, Surfaces};
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
 use crate::bodies::{HalfLength, fill};
 use crate::constitutive::{Kind, Parameters};
@@ -109,6 +109,7 @@ impl Simulation {
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),
             events: vec![],
+            local_surfaces: surfaces::local(scene),
             surfaces: Surfaces::new(scene),
         };
         for set in &mut simulation.sets {

@@ -69,6 +69,17 @@ impl Surface {
         })
     }
 
+    /// The same surface in coordinates that begin at `origin`. What is far from zero but near `origin` loses no digit.
+    #[must_use]
+    pub fn relative_to(&self, origin: &Point) -> Self {
+        let mut moved = self.clone();
+        for vertex in &mut moved.vertices {
+            *vertex = minus(vertex, origin);
+        }
+        moved.tree = Tree::new(&moved.vertices, &moved.triangles);
+        moved
+    }
+
     /// Number of triangles.
     #[must_use]
     pub fn triangle_count(&self) -> usize {

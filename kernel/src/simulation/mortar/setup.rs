@@ -9,7 +9,7 @@ use crate::mortar::elements::Elements;
 use crate::mortar::outline::outline;
 use crate::mortar::space::facets::Facets;
 use crate::mortar::space::skin::skin;
-use crate::scene::{Body, BodyBoundary, Dimension, PlaneCondition, Scene, Vertices};
+use crate::scene::{Body, BodyBoundary, Dimension, PlaneCondition, Scene, Vector, Vertices};
 use crate::simulation::BodyRun;
 use crate::simulation::error::SetupError;
 use std::fmt::Display;
@@ -68,23 +68,26 @@ impl MortarState {
                 self.plane
                     .add(given.body, polyline(chains)?, carrier, origin);
             }
+            // Vertices are found where particles are, relative to the origin, so that they are no worse far from zero.
             (Vertices::Spacing(length), Dimension::Two) => {
-                let chains = outline(&body.shape, *length).map_err(|e| refused(&path, &e))?;
+                let shape = body.shape.relative_to(origin);
+                let chains = outline(&shape, *length).map_err(|e| refused(&path, &e))?;
                 self.plane
-                    .add(given.body, polyline(&chains)?, carrier, origin);
+                    .add(given.body, polyline(&chains)?, carrier, &[0.0; 3]);
             }
             (Vertices::Spacing(length), Dimension::Three) => {
-                let corners = skin(&body.shape, *length).map_err(|e| refused(&path, &e))?;
+                let shape = body.shape.relative_to(origin);
+                let corners = skin(&shape, *length).map_err(|e| refused(&path, &e))?;
                 let facets = Facets::from_corners(&corners).map_err(|e| refused(&path, &e))?;
                 let facets = facets
-                    .without_planes(&walls(scene))
+                    .without_planes(&walls(scene, &[0.0; 3]))
                     .map_err(|e| refused(&path, &e))?;
-                self.space.add(given.body, facets, carrier, origin);
+                self.space.add(given.body, facets, carrier, &[0.0; 3]);
             }
             (Vertices::Surface(surface), _) => {
                 let facets = Facets::new(surface).map_err(|e| refused(&path, &e))?;
                 let facets = facets
-                    .without_planes(&walls(scene))
+                    .without_planes(&walls(scene, origin))
                     .map_err(|e| refused(&path, &e))?;
                 self.space.add(given.body, facets, carrier, origin);
             }
@@ -100,12 +103,12 @@ fn refused(path: &str, reason: &impl Display) -> SetupError {
     }
 }
 
-/// Planes of the mesh that hold what lies in them: axis and coordinate \[m\].
-fn walls(scene: &Scene) -> Vec<(usize, f64)> {
+/// Planes of a mesh that begins at `origin` and holds what lies in them: axis and coordinate \[m\].
+fn walls(scene: &Scene, origin: &Vector) -> Vec<(usize, f64)> {
     let mesh = &scene.mesh;
     let mut walls = vec![];
     for axis in 0..scene.dimension.axes() {
-        let low = mesh.origin[axis];
+        let low = origin[axis];
         let ends = [low, low + mesh.cells[axis] as f64 * mesh.cell[axis]];
         for (at, condition) in ends.into_iter().zip(mesh.planes[axis]) {
             if condition != PlaneCondition::Free {

@@ -1,11 +1,12 @@
 //! Gaps between particles and surfaces, and the motion of surfaces.
 
 use crate::particles::{Layout, ParticleSet};
-use crate::scene::{RigidSurface, Vector};
+use crate::scene::{RigidSurface, Scene, Vector};
 use crate::simulation::error::SetupError;
 use crate::simulation::history::integral;
 use crate::simulation::{BodyRun, Simulation};
-use crate::surface::Nearest;
+use crate::surface::{Nearest, Surface};
+use std::sync::Arc;
 
 /// Share of the smallest cell edge by which a body may overlap a surface at the start.
 const OVERLAP: f64 = 0.01;
@@ -24,14 +25,20 @@ impl Simulation {
         within: f64,
     ) -> Option<(f64, Nearest)> {
         let shift = self.surface_shift(surface, self.clock.time);
-        let x = self.position(set, p);
-        let local = std::array::from_fn(|axis| x[axis] - shift[axis]);
-        gap(
-            &self.scene.surfaces[surface],
-            &local,
+        let (gap, mut nearest) = gap(
+            &self.local_surfaces[surface],
+            &self.on_surface(&self.sets[set].position(p), &shift),
             &half_lengths(&self.sets[set], &self.bodies[set], p),
             within,
-        )
+        )?;
+        let origin = &self.scene.mesh.origin;
+        nearest.point = std::array::from_fn(|axis| nearest.point[axis] + origin[axis]);
+        Some((gap, nearest))
+    }
+
+    /// A position relative to the mesh as it is in the coordinates of a local surface that has moved by `shift`.
+    pub(super) fn on_surface(&self, x: &Vector, shift: &Vector) -> Vector {
+        std::array::from_fn(|axis| x[axis] + self.mesh_shift[axis] - shift[axis])
     }
 
     /// No body may overlap a surface at the start.
@@ -73,14 +80,22 @@ impl Simulation {
     }
 }
 
+/// The surfaces of a scene relative to the origin of its mesh.
+pub(in crate::simulation) fn local(scene: &Scene) -> Vec<Arc<Surface>> {
+    let origin = &scene.mesh.origin;
+    let one = |rigid: &RigidSurface| {
+        if *origin == [0.0; 3] {
+            Arc::clone(&rigid.surface)
+        } else {
+            Arc::new(rigid.surface.relative_to(origin))
+        }
+    };
+    scene.surfaces.iter().map(one).collect()
+}
+
 /// Gap and nearest point for a particle at `x` in the coordinates of the surface.
-pub(super) fn gap(
-    rigid: &RigidSurface,
-    x: &Vector,
-    half: &Vector,
-    within: f64,
-) -> Option<(f64, Nearest)> {
-    let nearest = rigid.surface.nearest(x, within + length(half))?;
+fn gap(surface: &Surface, x: &Vector, half: &Vector, within: f64) -> Option<(f64, Nearest)> {
+    let nearest = surface.nearest(x, within + length(half))?;
     if nearest.on_rim {
         return None;
     }

@@ -15,6 +15,7 @@ use crate::scene::{Scene, Vector};
 use crate::stage::solve::{PlaneSums, Planes, Wall};
 use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
 use fields::Fields;
+pub(super) use gap::local;
 use gap::velocity;
 use near::{Near, Place};
 use std::collections::BTreeMap;

@@ -86,13 +86,13 @@ impl Simulation {
             &self.sets[set],
             &self.bodies[set],
         );
-        let origin = self.origin();
         let is_near = |p: usize| {
-            let x = particles.position(p);
-            let local = std::array::from_fn(|axis| x[axis] + origin[axis] - shift[axis]);
+            let local = self.on_surface(&particles.position(p), shift);
             let reach = length(&half_lengths(particles, body, p));
             let within = rigid.distance_threshold + reach + margin;
-            rigid.surface.nearest(&local, within).is_some()
+            self.local_surfaces[surface]
+                .nearest(&local, within)
+                .is_some()
         };
         let near = self.field.team.collect(0..particles.len(), is_near);
         let mut found: Vec<usize> = (0..near.len()).filter(|&p| near[p]).collect();

@@ -1,17 +1,22 @@
 //! The plan's promises: what is left out does not exist and is not called; what does nothing changes no bit and
 //! costs no work.
 
+#[path = "../common/mod.rs"]
 mod common;
 
+#[cfg(feature = "json")]
+mod inactive;
+mod nothing;
+
 use common::{
-    BLEND, DIMENSIONS, FLIP, NEO_HOOKEAN, SCHEMES, TRANSFERS, WEIGHTINGS, block, body, cuboid,
-    material, options, particles, rough, run,
+    BLEND, DIMENSIONS, NEO_HOOKEAN, SCHEMES, WEIGHTINGS, block, body, cuboid, material, options,
+    particles, rough, run,
 };
 use proctor_kernel::particles::Layout;
 use proctor_kernel::plan::{Demands, Entry, Plan};
 use proctor_kernel::scene::{
     BaseMotion, BoxLoad, Contact, ContactNormal, Damping, Dimension, Field, History, Motion,
-    PlaneCondition, PointLoad, Results, Scene, Traction, Transfer, TransferKind, Weighting,
+    PlaneCondition, PointLoad, Results, Scene, Transfer, TransferKind, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -140,7 +145,7 @@ fn fields_that_are_kept_are_there_and_filled() {
 }
 
 /// Whether a stage is called is seen by what it would change: every stage of the plan, where it is kept, makes the
-/// same start end otherwise, and [`features_that_do_nothing_change_no_bit`] shows that it does not where it is left
+/// same start end otherwise, and [`nothing`] shows that it does not where it is left
 /// out.
 #[test]
 fn stages_that_are_kept_act() {
@@ -207,155 +212,6 @@ fn stages_that_are_kept_act() {
             particles(&without).iter().map(|p| p.1).collect::<Vec<_>>(),
             "{name}"
         );
-    }
-}
-
-#[test]
-fn features_that_do_nothing_change_no_bit() {
-    type Choose = fn(&mut Scene);
-    let cases: [(Choose, &str); 10] = [
-        (|s| s.held_boxes = vec![], "held nodes"),
-        (
-            |s| s.damping = Damping::Local { alpha: 0.0 },
-            "local damping",
-        ),
-        (
-            |s| s.damping = Damping::Viscous { alpha: 0.0 },
-            "viscous damping",
-        ),
-        (|s| s.gravity = [0.0, -0.0, 0.0], "gravity"),
-        (|s| s.transfer.pic_fraction = 0.0, "PIC blend"),
-        (|s| s.point_loads = vec![], "nodal loads"),
-        (|s| s.tractions = vec![], "nodal loads"),
-        (|s| s.box_loads = vec![], "external force"),
-        (
-            |s| s.materials.push(material(NEO_HOOKEAN)),
-            "deformation gradient",
-        ),
-        (
-            |s| s.results.fields = vec![Field::DeformationGradient],
-            "deformation gradient",
-        ),
-    ];
-    for dimension in DIMENSIONS {
-        for weighting in [Weighting::UniformGimp, Weighting::QuadraticBSpline] {
-            for scheme in SCHEMES {
-                let mut scene = plain(dimension);
-                (scene.weighting, scene.scheme) = (weighting, scheme);
-                let without = after(&scene, &options());
-                for (choose, name) in cases {
-                    let mut with = scene.clone();
-                    choose(&mut with);
-                    let with = after(&with, &options());
-                    assert_eq!(
-                        with.state_hash(),
-                        without.state_hash(),
-                        "{name} {weighting:?} {scheme:?}"
-                    );
-                    // Work: the same columns and the same decisions leave nothing that could cost.
-                    assert_eq!(with.plan(), without.plan(), "{name}");
-                    assert!(!entry(with.plan(), name).kept, "{name}");
-                }
-            }
-        }
-    }
-}
-
-/// These are carried along, so columns and decisions differ; positions, velocities and stresses may not, bit for
-/// bit.
-#[test]
-fn features_that_only_watch_change_no_bit() {
-    type Choose = fn(&mut Scene, &mut Options);
-    let cases: [(Choose, &str); 8] = [
-        (|_, o| o.measure = true, "measurement"),
-        (|_, o| o.displacement = true, "displacement"),
-        (
-            |s, _| {
-                s.results = Results {
-                    print: 3,
-                    fields: vec![Field::DeformationGradient, Field::Displacement],
-                    nodal_fields: vec![],
-                    checkpoint: true,
-                };
-            },
-            "a written deformation gradient",
-        ),
-        (
-            |s, _| {
-                s.box_loads = vec![BoxLoad {
-                    p1: [0.0; 3],
-                    p2: [1.0; 3],
-                    force: [0.0; 3],
-                }];
-            },
-            "a box load of zero",
-        ),
-        (
-            |_, o| o.body_force = Some(std::sync::Arc::new(|_, _, _| [0.0; 3])),
-            "a body force of zero",
-        ),
-        (
-            |s, _| {
-                s.point_loads = vec![PointLoad {
-                    position: [0.4, 0.4, 0.4],
-                    force: [0.0; 3],
-                }];
-            },
-            "a nodal load of zero",
-        ),
-        (
-            |s, _| {
-                let p2 = [
-                    0.5,
-                    0.4,
-                    if s.dimension == Dimension::Two {
-                        0.0
-                    } else {
-                        0.5
-                    },
-                ];
-                let p1 = [
-                    0.3,
-                    0.4,
-                    if s.dimension == Dimension::Two {
-                        0.0
-                    } else {
-                        0.3
-                    },
-                ];
-                s.tractions = vec![Traction {
-                    p1,
-                    p2,
-                    traction: [0.0; 3],
-                }];
-            },
-            "a traction of zero",
-        ),
-        (
-            |s, _| s.mesh.planes[0][0] = PlaneCondition::Fixed,
-            "a plane that the body never reaches",
-        ),
-    ];
-    for dimension in DIMENSIONS {
-        for weighting in WEIGHTINGS {
-            for transfer in [FLIP, TRANSFERS[2]] {
-                for scheme in SCHEMES {
-                    let mut scene = plain(dimension);
-                    (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, transfer);
-                    common::calm(&mut scene);
-                    let without = particles(&after(&scene, &options()));
-                    for (choose, name) in cases {
-                        let (mut with, mut all) = (scene.clone(), options());
-                        choose(&mut with, &mut all);
-                        let with = particles(&after(&with, &all));
-                        assert_eq!(
-                            with, without,
-                            "{name} {weighting:?} {scheme:?} {transfer:?}"
-                        );
-                    }
-                }
-            }
-        }
     }
 }
 
