@@ -130,7 +130,7 @@ fn ways(
             let share = SHORT * gate.bound / gate.value;
             ways.push((given.error, given.value * share));
             for refinement in refinements {
-                let factor = libm::pow(refinement, gate.value - SHORT * gate.bound);
+                let factor = libm::pow(*refinement, gate.value - SHORT * gate.bound);
                 ways.push((given.error.map(|e| e * factor), given.value));
             }
         }

@@ -31,7 +31,7 @@ fn mass() -> f64 {
 
 /// Force on the plane, per thickness \[N/m\].
 fn load() -> f64 {
-    mass() * GRAVITY * INCLINATION_DEGREES.to_radians().cos()
+    mass() * GRAVITY * libm::cos(INCLINATION_DEGREES.to_radians())
 }
 
 fn hertz(young: f64) -> Hertz {
@@ -75,7 +75,7 @@ fn rolling(variant: &str) -> Result<&'static RollingCreep, String> {
 
 /// Creep of the disk that sticks, under the force that turns a rigid one.
 fn creep(variant: &str) -> Result<f64, String> {
-    let force = mass() * GRAVITY * INCLINATION_DEGREES.to_radians().sin() / 3.0;
+    let force = mass() * GRAVITY * libm::sin(INCLINATION_DEGREES.to_radians()) / 3.0;
     let rolling = rolling(variant)?;
     let creep = rolling.creep(force);
     creep.ok_or_else(|| "friction does not roll the disk".to_owned())
@@ -101,7 +101,7 @@ pub(super) fn growth(spin: f64, young: f64) -> f64 {
 /// under the pressure of Hertz (Johnson, eq. 5.57 with a rigid plane).
 fn flattening() -> f64 {
     let hertz = hertz(YOUNG);
-    let log = (4.0 * RADIUS / hertz.half_width()).ln();
+    let log = libm::log(4.0 * RADIUS / hertz.half_width());
     hertz.load / (PI * hertz.modulus) * (2.0 * log - 1.0) / RADIUS
 }
 
@@ -137,7 +137,7 @@ pub(super) fn order(solved: &[(Rung, Solved)]) -> Gate {
     let order = match slips[..] {
         [.., (coarse, a), (fine, b)] => {
             let [a, b] = [a, b].map(|s| s.error(RATIO) - flattening());
-            (a / b).ln() / (coarse.cell / fine.cell).ln()
+            libm::log(a / b) / libm::log(coarse.cell / fine.cell)
         }
         _ => f64::NAN,
     };
