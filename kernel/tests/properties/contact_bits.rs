@@ -1,6 +1,6 @@
 //! Equal bits of contact of every kind: whatever the number of threads and the lanes.
 
-use crate::common::{NEVER, lanes, options, run_towards};
+use crate::common::{lanes, options};
 use crate::touching::{Touching, touching};
 use proctor_kernel::lanes::LaneChoice;
 use proctor_kernel::scene::Vector;
@@ -17,12 +17,7 @@ fn result(touching: &Touching, threads: usize, lanes: LaneChoice) -> (u64, Vec<[
         ..options()
     };
     let mut simulation = Simulation::new(&touching.scene, &all).expect("the scene is sound");
-    run_towards(&mut simulation, touching.steps, NEVER);
-    assert!(
-        (touching.acts)(&simulation),
-        "{}: nothing touches",
-        touching.name
-    );
+    touching.run(&mut simulation);
     let mut vectors: Vec<Vector> = vec![];
     for set in 0..simulation.sets().len() {
         vectors.push(simulation.contact_force(set));

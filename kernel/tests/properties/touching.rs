@@ -1,7 +1,7 @@
 //! Scenes in which contact acts, one of each kind, long enough for many slabs of the grid. Their coordinates are
 //! multiples of 2^-9 m.
 
-use crate::common::{APIC, FLIP, TPIC, body, cuboid, elastic, empty, material};
+use crate::common::{APIC, FLIP, NEVER, TPIC, body, cuboid, elastic, empty, material, run_towards};
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
@@ -21,9 +21,21 @@ const LONG: usize = 68;
 pub struct Touching {
     pub name: String,
     pub scene: Scene,
-    pub steps: usize,
-    /// Whether contact acts after the last step.
-    pub acts: fn(&Simulation) -> bool,
+    steps: usize,
+    /// Whether contact acts in the last step.
+    acts: fn(&Simulation) -> bool,
+}
+
+impl Touching {
+    /// Does the steps; contact must have acted in one of them.
+    pub fn run(&self, simulation: &mut Simulation) {
+        let mut acted = false;
+        for _ in 0..self.steps {
+            run_towards(simulation, 1, NEVER);
+            acted |= (self.acts)(simulation);
+        }
+        assert!(acted, "{}: nothing touches", self.name);
+    }
 }
 
 /// Five bars end to end, each flying at the next one.

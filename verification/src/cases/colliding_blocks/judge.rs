@@ -1,7 +1,7 @@
 //! Gates and tables of the collisions.
 
-use super::{CollidingBlocks, Kind};
-use super::{DURATION, ENERGY, IMPULSE, LOST, MOMENTUM, RESTITUTION};
+use super::CollidingBlocks;
+use super::{BALANCE, DURATION, ENERGY, IMPULSE, LOST, MOMENTUM, RESTITUTION};
 use crate::case::{Gate, Relation, Rung, Solved, Verdict};
 use crate::cases::{order_gate, table};
 
@@ -9,6 +9,8 @@ use crate::cases::{order_gate, table};
 const MOMENTUM_GATE: f64 = 1e-12;
 /// Largest gain of energy over the initial one: round-off.
 const ENERGY_GATE: f64 = 1e-12;
+/// Largest difference between the impulse and the momentum that it took, over it: round-off of some thousand steps.
+const BALANCE_GATE: f64 = 1e-12;
 /// Least observed order of the duration.
 const ORDER_GATE: f64 = 0.6;
 
@@ -40,18 +42,32 @@ pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
             "contact forces are equal and opposite; round-off is left",
         );
         gate(ENERGY, ENERGY_GATE, "contact only takes energy");
+        let impact = CollidingBlocks::variant(rung).impact();
+        if impact.is_some() {
+            gate(
+                BALANCE,
+                BALANCE_GATE,
+                "between rollers contact alone changes the momentum of a bar; round-off is left",
+            );
+        }
         let finest = rungs
             .get(i + 1)
             .is_none_or(|next| next.variant != rung.variant);
         if !finest {
             continue;
         }
-        if let Kind::Bars(_) = CollidingBlocks::variant(rung).kind {
+        if let Some(exact) = impact.and_then(|impact| impact.restitution()) {
             // Dispersion of second order spreads a jump over (h² L)^(1/3) on a way of 2 L.
             let spread = libm::pow(rung.cell / super::scenes::LENGTH, 2.0 / 3.0);
             let front = "dispersion spreads the front of the wave over (h² L)^(1/3)";
             gate(DURATION, 0.5 * spread, front);
             gate(RESTITUTION, spread, front);
+            // J = (1 + e) m_1 m_2 / (m_1 + m_2) (v_1 - v_2), so that dJ / J = de / (1 + e).
+            gate(
+                IMPULSE,
+                spread * exact / (1.0 + exact),
+                "the impulse is off by de / (1 + e), where the front leaves de in the restitution e",
+            );
             let names = [DURATION, IMPULSE, RESTITUTION];
             let table = table(solved, rung.variant, &names);
             if rungs.iter().filter(|r| r.variant == rung.variant).count() > 1 {
