@@ -12,6 +12,11 @@ const SHORT: f64 = 0.95;
 /// What a number that must be zero becomes.
 const ANY: f64 = 1e-12;
 
+/// Shares of a number by which it is moved where a gate is on a difference.
+const STEPS: [f64; 12] = [
+    1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 1.5e-2, 2e-2, 5e-2, 0.1, 0.2,
+];
+
 /// A number of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Number {
@@ -64,17 +69,29 @@ pub fn reactions(case: &dyn Case, size: Size, solved: &[(Rung, Solved)]) -> Vec<
                     let judged = case.judge(size, &moved).gates;
                     for (reaction, now) in found.iter_mut().zip(&judged) {
                         // What is meant for another gate may be too far for this one.
-                        if !now.passed()
-                            && reaction.gate.passed()
+                        if notices(&reaction.gate, now)
                             && ways(&reaction.gate, &given, &refinements).contains(&way)
                         {
-                            let number = Number {
-                                rung: moved[run].0.label.clone(),
-                                quantity: given.name,
-                            };
-                            if !reaction.to.contains(&number) {
-                                reaction.to.push(number);
-                            }
+                            reaction.add(&moved[run].0, given.name);
+                        }
+                    }
+                }
+            }
+            // Of a small difference of large numbers another step is twice the bound.
+            for step in found
+                .iter()
+                .any(|r| r.to.is_empty())
+                .then_some(STEPS)
+                .into_iter()
+                .flatten()
+            {
+                for step in [step, -step] {
+                    let quantity = &mut moved[run].1.quantities[at];
+                    quantity.value = given.value * (1.0 + step);
+                    let judged = case.judge(size, &moved).gates;
+                    for (reaction, now) in found.iter_mut().zip(&judged) {
+                        if reaction.to.is_empty() && notices(&reaction.gate, now) {
+                            reaction.add(&moved[run].0, given.name);
                         }
                     }
                 }
@@ -83,6 +100,31 @@ pub fn reactions(case: &dyn Case, size: Size, solved: &[(Rung, Solved)]) -> Vec<
         }
     }
     found
+}
+
+impl Reaction {
+    fn add(&mut self, rung: &Rung, quantity: &'static str) {
+        let number = Number {
+            rung: rung.label.clone(),
+            quantity,
+        };
+        if !self.to.contains(&number) {
+            self.to.push(number);
+        }
+    }
+}
+
+/// Whether a gate that held fails, by no more than what a number moved by twice the bound makes of it.
+fn notices(before: &Gate, now: &Gate) -> bool {
+    let most = match before.relation {
+        Relation::AtMost if before.bound > 0.0 => {
+            let by = BEYOND * before.bound;
+            // A share of a number that is off itself.
+            (by + before.value.abs()) * (1.0 + by.min(0.5))
+        }
+        _ => f64::INFINITY,
+    };
+    before.passed() && !now.passed() && now.value <= most
 }
 
 /// How much finer a run is than others of its variant, by which an observed order may have been formed.

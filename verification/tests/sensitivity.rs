@@ -119,6 +119,16 @@ fn an_observed_order_reacts_to_both_of_its_errors() {
     assert_eq!(reacted(&case), [expected]);
 }
 
+/// 500 N less 499 N: the large numbers need not be moved by twice the bound of themselves.
+#[test]
+fn a_gate_on_a_small_difference_reacts() {
+    let case = Made(|solved| {
+        let added = solved[1].1.value("force") - 499.0;
+        vec![gate((added - 1.0).abs(), Relation::AtMost, 5.0)]
+    });
+    assert_eq!(reacted(&case), [vec!["made h=0.1 force".to_owned()]]);
+}
+
 /// What the judge must not contain: a bound on what the scene says, one so wide that twice of it passes, one on a name
 /// that no run has, and one that holds for either side.
 #[test]
