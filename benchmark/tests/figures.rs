@@ -255,6 +255,19 @@ fn marks_stay_inside_the_plot_and_numbers_apart() {
     }
 }
 
+/// Letters of the title are bold: in DejaVu Sans, the widest of the fonts asked for, this one would lose its end.
+#[test]
+fn a_title_that_is_too_long_in_bold_is_broken() {
+    let title = "inclined-two-blocks: error of the acceleration against run time";
+    let chart = Chart {
+        title: title.to_owned(),
+        ..logarithmic(vec![series(Mark::Circle, &[(1.0, Some(0.1))])])
+    };
+    let all = sound("long title", &chart);
+    let texts = texts(&all);
+    assert!(texts.iter().all(|text| *text != title), "{texts:?}");
+}
+
 #[test]
 fn nothing_to_show_is_still_a_chart() {
     sound("empty", &logarithmic(vec![]));
