@@ -1,9 +1,11 @@
 //! The behaviour of the `proctor` command: exit codes, messages, files.
 #![allow(missing_docs)]
 
+mod any_input;
 mod bad_input;
 mod bench;
 mod compare;
+mod memory;
 mod pipe;
 mod plan;
 mod precision;
