@@ -11,6 +11,7 @@ pub mod precision;
 mod progress;
 pub mod record;
 pub mod report;
+mod say;
 pub mod show;
 pub mod statistics;
 pub mod suite;
@@ -18,6 +19,7 @@ mod verbs;
 
 use clap::Parser;
 use exit::{Failure, Outcome};
+use say::say;
 use std::io::{BufWriter, Write};
 use std::process::ExitCode;
 use verbs::Verb;
@@ -54,14 +56,14 @@ pub fn command() -> ExitCode {
         Err(Failure::BadInput(message)) => {
             // What was printed before the message belongs in front of it.
             let _ = out.flush();
-            eprintln!("{message}");
+            say!("{message}");
             ExitCode::from(2)
         }
         Err(Failure::Print(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
         Err(Failure::Print(error)) => {
-            eprintln!("cannot write to standard output: {error}");
+            say!("cannot write to standard output: {error}");
             ExitCode::from(1)
         }
     }

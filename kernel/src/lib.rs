@@ -12,6 +12,7 @@ pub mod constitutive;
 pub mod contact;
 pub mod grid;
 pub mod lanes;
+pub mod memory;
 pub mod mortar;
 #[cfg(feature = "frames")]
 pub mod output;

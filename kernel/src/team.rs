@@ -23,6 +23,14 @@ impl Team {
         pool: None,
     };
 
+    /// Most threads that are worth asking for: 1024, or all of a machine that has more. Each has a stack of its own, and
+    /// a system that runs out of them while they are started does not say so in time.
+    #[must_use]
+    pub fn most() -> usize {
+        let machine = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        machine.max(1024)
+    }
+
     /// A team of `count` threads, at least one.
     ///
     /// # Errors

@@ -58,6 +58,7 @@ pub fn slots(config: &Config) -> Result<Vec<Slot>, SceneError> {
     for test in &config.tests {
         for &particles in &config.particles {
             let made = test.make(particles);
+            made.scene.check()?;
             for &threads in &config.threads {
                 let kind = Kind::Stage(test.part);
                 let name = format!("{}/{particles}", test.name);

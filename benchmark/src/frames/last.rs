@@ -21,7 +21,12 @@ pub fn last(folder: &Path) -> Option<(PathBuf, Option<f64>)> {
     };
     let by_time = with("pvd")
         .iter()
-        .filter_map(|pvd| Some((pvd.parent()?.to_owned(), std::fs::read_to_string(pvd).ok()?)))
+        .filter_map(|pvd| {
+            Some((
+                pvd.parent()?.to_owned(),
+                proctor_kernel::memory::read_to_string(pvd).ok()?,
+            ))
+        })
         .flat_map(|(folder, text)| {
             super::tags(&text)
                 .filter(|tag| tag.name == "DataSet")

@@ -42,7 +42,8 @@ impl Frame {
 /// # Errors
 /// Why it cannot be read, with the name of the file.
 pub fn read(path: &Path) -> Result<Frame, String> {
-    let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let bytes = proctor_kernel::memory::read(path)
+        .map_err(|error| format!("{}: {error}", path.display()))?;
     parse(&bytes).map_err(|reason| format!("{}: {reason}", path.display()))
 }
 

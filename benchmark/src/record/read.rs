@@ -24,7 +24,8 @@ impl Record {
             line,
             reason,
         };
-        let text = std::fs::read(path).map_err(|e| fault(None, Reason::Unreadable(e)))?;
+        let text =
+            proctor_kernel::memory::read(path).map_err(|e| fault(None, Reason::Unreadable(e)))?;
         if text.trim_ascii().is_empty() {
             return Err(fault(None, Reason::Empty));
         }

@@ -7,6 +7,7 @@ use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::record::Record;
+use crate::say::say;
 use clap::Args;
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::simulation::Options;
@@ -103,11 +104,11 @@ impl Bench {
         }
         .map_err(Failure::bad_input)?;
         for warning in &config.warnings {
-            eprintln!("warning: {warning}");
+            say!("warning: {warning}");
         }
         if self.log {
             for default in &config.defaults {
-                eprintln!("default: {default}");
+                say!("default: {default}");
             }
         }
         Ok(config)

@@ -8,6 +8,7 @@ use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::measure::Stopwatch;
 use crate::progress::Progress;
+use crate::say::say;
 use clap::Args;
 use proctor_kernel::output::summary::{SUMMARY, Status};
 use proctor_kernel::output::{OutputFolder, Summary};
@@ -61,7 +62,7 @@ impl Run {
         )
         .map_err(|error| Failure::BadInput(format!("{}: {error}", self.scene.display())))?;
         for warning in &run.simulation().plan().warnings {
-            eprintln!("warning: {warning}");
+            say!("warning: {warning}");
         }
         let first = run.simulation().steps();
         let mut tally = Tally::default();
@@ -76,7 +77,7 @@ impl Run {
         summary.cpu_seconds = Some(spent.cpu.as_secs_f64());
         summary.ns_per_particle_step = spent.ns_per(tally.particle_steps);
         if let Some(error) = &summary.error {
-            eprintln!("{}: {error}", self.scene.display());
+            say!("{}: {error}", self.scene.display());
         }
         let written = save(&summary, run.folder());
         write!(
@@ -132,7 +133,7 @@ fn save(summary: &Summary, folder: Option<&OutputFolder>) -> bool {
     match summary.write(&folder.file(SUMMARY)) {
         Ok(()) => true,
         Err(error) => {
-            eprintln!("{error}");
+            say!("{error}");
             false
         }
     }

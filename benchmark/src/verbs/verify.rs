@@ -5,6 +5,7 @@ use super::settings::Settings;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::record::{BY_SCENE, Record};
+use crate::say::say;
 use crate::show::case as show;
 use crate::suite::{self, Ran};
 use clap::Args;
@@ -93,7 +94,7 @@ impl Verify {
     fn interrupted(&self, record: &Record) -> Result<Outcome, Failure> {
         if let Some(path) = &self.json {
             record.write(path).map_err(Failure::bad_input)?;
-            eprintln!("interrupted; incomplete record in {}", path.display());
+            say!("interrupted; incomplete record in {}", path.display());
         }
         Ok(Outcome::Interrupted)
     }

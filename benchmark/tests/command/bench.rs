@@ -179,6 +179,85 @@ fn another_proctor_does_the_same_bit_by_bit() {
     assert!(error > 0.0 && error < 0.1, "{error}");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_solver_that_does_not_end_is_ended_with_all_that_it_started() {
+    let desk = Desk::new();
+    let started = desk.name("started");
+    // A child of the child, which writes down its number.
+    let script = format!("sleep 1000 & echo $! > {started}; wait");
+    let config = config(
+        &desk,
+        &json!({
+            "executables": {
+                "endless": { "command": ["sh", "-c", script, "{scene}"], "timeout": 0.5 }
+            },
+            "scenes": "rest-2d", "particles": 64, "threads": 1
+        }),
+    );
+    let begun = std::time::Instant::now();
+    let output = proctor(&["bench", &config, "--json", &desk.name("b.json")]);
+    assert!(begun.elapsed().as_secs() < 100, "{:?}", begun.elapsed());
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    let record = record(&desk.path("b.json"));
+    assert_eq!(rows(&record, "proctor/rest-2d").len(), 3);
+    let row = &rows(&record, "endless/")[0];
+    assert_eq!(row["error_occurred"], true);
+    let said = row["error_message"].as_str().expect("a reason");
+    assert!(said.contains("not done after 0.5 s"), "{said}");
+    let number = std::fs::read_to_string(started).expect("it started");
+    // Nobody waits for it, so it may be a zombie for a while; but it sleeps no more.
+    let still = std::process::Command::new("sh")
+        .args([
+            "-c",
+            "case $(ps -o stat= -p $0) in ''|Z*) exit 1;; esac",
+            number.trim(),
+        ])
+        .status()
+        .expect("a shell");
+    assert!(!still.success(), "{number} still sleeps");
+}
+
+#[test]
+fn a_timeout_that_is_no_time_is_bad_input() {
+    let desk = Desk::new();
+    for timeout in [json!(0), json!(-1), json!(1e300), json!("long")] {
+        let config = config(
+            &desk,
+            &json!({
+                "executables": { "x": { "command": ["true", "{scene}"], "timeout": timeout } },
+                "scenes": "rest-2d", "particles": 64, "threads": 1
+            }),
+        );
+        let output = proctor(&["bench", &config]);
+        assert_eq!(code(&output), 2, "{timeout}: {}", stderr(&output));
+        assert!(
+            stderr(&output).contains("executables.x"),
+            "{}",
+            stderr(&output)
+        );
+    }
+}
+
+#[test]
+fn counts_beyond_all_measure_are_bad_input() {
+    let desk = Desk::new();
+    for key in ["particles", "repetitions", "warm_up", "threads"] {
+        let mut values = json!({ "scenes": "rest-2d", "particles": 64, "threads": 1 });
+        values[key] = json!(u64::MAX);
+        let output = proctor(&["bench", &config(&desk, &values)]);
+        assert_eq!(code(&output), 2, "{key}: {}", stderr(&output));
+        assert!(stderr(&output).contains(key), "{}", stderr(&output));
+    }
+    let manual = config(
+        &desk,
+        &json!({ "global": { "numParticles": 1_000_000_000_000_000_u64 } }),
+    );
+    let output = proctor(&["bench", &manual]);
+    assert_eq!(code(&output), 2, "{}", stderr(&output));
+    assert!(stderr(&output).contains("PiB"), "{}", stderr(&output));
+}
+
 #[test]
 fn a_solver_that_fails_is_a_row_with_its_reason_and_the_rest_goes_on() {
     let desk = Desk::new();

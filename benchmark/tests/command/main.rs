@@ -2,9 +2,11 @@
 #![allow(missing_docs)]
 
 mod accept;
+mod any_input;
 mod bad_input;
 mod bench;
 mod compare;
+mod memory;
 mod pipe;
 mod plan;
 mod precision;

@@ -1,5 +1,6 @@
 //! Why a body could not be filled.
 
+use crate::memory::OutOfMemory;
 use crate::scene::{Dimension, Mesh, Vector};
 use std::fmt;
 
@@ -69,6 +70,8 @@ pub enum FillError {
         /// Number of particles; infinite where it does not fit into an integer.
         particles: f64,
     },
+    /// The particles need more memory than there is.
+    Memory(OutOfMemory),
 }
 
 impl FillError {
@@ -192,6 +195,7 @@ impl fmt::Display for FillError {
             Self::TooMany { particles } => {
                 write!(f, "{particles:e} particles do not fit into memory")
             }
+            Self::Memory(error) => error.fmt(f),
         }
     }
 }

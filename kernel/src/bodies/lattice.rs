@@ -1,7 +1,7 @@
 //! The lattice of sub-cells of the mesh, and the particles that a shape takes from it.
 
 use super::error::{FillError, mesh_range};
-use super::{Filled, HalfLength};
+use super::{Filled, HalfLength, Room};
 use crate::scene::{Dimension, Mesh, Vector};
 use std::iter::repeat_n;
 use std::ops::Range;
@@ -22,6 +22,7 @@ pub(super) struct Lattice {
     range: [[f64; 2]; 3],
     /// Number of sub-cells per axis.
     sub_cells: [i64; 3],
+    room: Room,
 }
 
 /// Sub-cells along the last axis, in a row given by the indices of the other axes.
@@ -34,7 +35,12 @@ impl Lattice {
     /// # Errors
     ///
     /// A cell or a number of particles per cell that is not positive.
-    pub fn new(mesh: &Mesh, ppc: [usize; 3], dimension: Dimension) -> Result<Self, FillError> {
+    pub fn new(
+        mesh: &Mesh,
+        ppc: [usize; 3],
+        dimension: Dimension,
+        room: Room,
+    ) -> Result<Self, FillError> {
         let range = mesh_range(mesh);
         let axes = dimension.axes();
         for axis in 0..axes {
@@ -67,7 +73,26 @@ impl Lattice {
                     1
                 }
             }),
+            room,
         })
+    }
+
+    /// Whether there is room for so many particles, and for `more` bytes beside them.
+    ///
+    /// # Errors
+    /// [`FillError::Memory`].
+    pub fn require_room(&self, particles: f64, more: f64) -> Result<(), FillError> {
+        let needed = particles * self.room.per_particle + more;
+        // Five digits: an estimate has no more, and a count of particles is seldom longer.
+        let what = if particles < 1e5 {
+            format!("{particles:.0} particles")
+        } else {
+            format!("{particles:.4e} particles")
+        };
+        self.room
+            .memory
+            .require(what, needed)
+            .map_err(FillError::Memory)
     }
 
     /// Relative coordinates of a point of the scene \[m\]; the third is zero in two dimensions.
@@ -184,6 +209,14 @@ impl Lattice {
         } else {
             0..1
         };
+        // What the body would hold if it were all whole sub-cells, and its rows, of which each is visited.
+        let mut estimate = volume;
+        for axis in 0..self.axes {
+            estimate /= self.spacing(axis);
+        }
+        let length = |range: &Range<i64>| (range.end - range.start) as f64;
+        let rows_visited = length(&reach[0]) * length(&middle);
+        self.require_room(estimate, rows_visited * size_of::<Row>() as f64)?;
         let mut taken = Vec::new();
         let mut runs = Vec::new();
         let mut count = 0;
@@ -263,6 +296,7 @@ impl Lattice {
         if count > 9e15 {
             return Err(too_many());
         }
+        self.require_room(count, 0.0)?;
         let n = count as usize;
         let room = || {
             let mut values = Vec::new();

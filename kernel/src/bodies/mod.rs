@@ -26,6 +26,7 @@ mod polygon;
 
 pub use error::FillError;
 
+use crate::memory::Memory;
 use crate::scene::{Body, Dimension, Mesh, Shape};
 use lattice::Lattice;
 
@@ -80,6 +81,18 @@ impl HalfLength {
     }
 }
 
+/// Bytes of a particle in [`Filled`]: position, volume and half-lengths.
+pub const FILLED: f64 = 56.0;
+
+/// What a body may need.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Room {
+    /// Memory that is free.
+    pub memory: Memory,
+    /// Bytes for each particle.
+    pub per_particle: f64,
+}
+
 /// Fills a body with particles. Deterministic: the same arguments give the same bits.
 ///
 /// # Errors
@@ -87,8 +100,25 @@ impl HalfLength {
 /// [`FillError`] where the body gets no particle, a particle lies outside the mesh, a number is not finite or
 /// not positive, the shape does not exist in this dimension, or the particles do not fit into memory.
 pub fn fill(body: &Body, mesh: &Mesh, dimension: Dimension) -> Result<Filled, FillError> {
+    let room = Room {
+        memory: Memory::of_machine(),
+        per_particle: FILLED,
+    };
+    fill_within(body, mesh, dimension, &room)
+}
+
+/// [`fill`], unless the particles and what is made of them need more than there is room for.
+///
+/// # Errors
+/// As [`fill`].
+pub fn fill_within(
+    body: &Body,
+    mesh: &Mesh,
+    dimension: Dimension,
+    room: &Room,
+) -> Result<Filled, FillError> {
     // A particle list needs no lattice.
-    let lattice = || Lattice::new(mesh, body.particles_per_cell, dimension);
+    let lattice = || Lattice::new(mesh, body.particles_per_cell, dimension, *room);
     let refuse = |shape| Err(FillError::Dimension { shape, dimension });
     match (&body.shape, dimension) {
         (Shape::Cuboid { p1, p2 }, _) => cuboid::fill(&lattice()?, *p1, *p2),

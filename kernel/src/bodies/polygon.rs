@@ -52,8 +52,25 @@ struct Rows {
 
 impl Rows {
     /// Visits each edge once for each row that it meets.
-    fn new(lattice: &Lattice, axes: [usize; 2], points: &[Point], rows: Range<i64>) -> Self {
+    ///
+    /// # Errors
+    /// Rows and edges that need more memory than there is room for.
+    fn new(
+        lattice: &Lattice,
+        axes: [usize; 2],
+        points: &[Point],
+        rows: Range<i64>,
+    ) -> Result<Self, FillError> {
         let tolerance = lattice.distance_tolerance();
+        let mut needed =
+            (rows.end - rows.start) as f64 * size_of::<(Cuts, Vec<Range<i64>>)>() as f64;
+        for (corner, a) in points.iter().enumerate() {
+            let b = points[(corner + 1) % points.len()];
+            let met = lattice.between(axes[0], a[0].min(b[0]), a[0].max(b[0]));
+            needed +=
+                (met.end - met.start) as f64 * size_of::<([f64; 2], f64, Range<i64>)>() as f64;
+        }
+        lattice.require_room(0.0, needed)?;
         let mut cuts: Vec<Cuts> = rows.clone().map(|_| Cuts::default()).collect();
         for (corner, &a) in points.iter().enumerate() {
             let b = points[(corner + 1) % points.len()];
@@ -87,10 +104,10 @@ impl Rows {
                 .map(|[y0, y1]| lattice.between(axes[1], y0, y1))
                 .collect()
         };
-        Self {
+        Ok(Self {
             first: rows.start,
             runs: cuts.into_iter().map(inside).collect(),
-        }
+        })
     }
 
     fn row(&self, k: i64) -> &[Range<i64>] {
@@ -148,7 +165,7 @@ pub(super) fn fill(lattice: &Lattice, points: &[Vector]) -> Result<Filled, FillE
     let volume = area(&points);
     FillError::require_positive("area of the polygon", None, volume)?;
     let [rows, ..] = lattice.reach(&bounds)?;
-    let rows = Rows::new(lattice, [0, 1], &points, rows);
+    let rows = Rows::new(lattice, [0, 1], &points, rows)?;
     lattice.sweep(&bounds, volume, |[i, _], runs| {
         runs.extend_from_slice(rows.row(i));
     })
@@ -188,7 +205,7 @@ pub(super) fn fill_extruded(
         box_of_body[plane[side]] = bounds(&points, side);
     }
     let reach = lattice.reach(&box_of_body)?;
-    let rows = Rows::new(lattice, plane, &points, reach[plane[0]].clone());
+    let rows = Rows::new(lattice, plane, &points, reach[plane[0]].clone())?;
     let tolerance = lattice.distance_tolerance();
     let along = lattice.between(axis, lower + tolerance, upper - tolerance);
     lattice.sweep(

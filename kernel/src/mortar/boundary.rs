@@ -290,11 +290,15 @@ fn check_chain(chain: usize, c: &Chain) -> Result<(), BoundaryError> {
     Ok(())
 }
 
-/// The first pair of segments that share a point other than the vertex that joins them. Sweeps in x, so that only
-/// segments whose ranges overlap are compared.
+/// Slope of the sweep for crossings: no side of a usual shape is at right angles to it, or all of the side's segments
+/// would be compared with each other.
+const SWEEP: f64 = 0.618_033_988_749_895;
+
+/// The first pair of segments that share a point other than the vertex that joins them. Sweeps along a slanting line, so
+/// that only segments whose ranges overlap are compared.
 fn first_crossing(points: &[Point], segments: &[[usize; 2]]) -> Option<[usize; 2]> {
     let range = |s: usize| {
-        let [a, b] = segments[s].map(|k| points[k].x);
+        let [a, b] = segments[s].map(|k| points[k].x + SWEEP * points[k].y);
         [a.min(b), a.max(b)]
     };
     let mut order: Vec<usize> = (0..segments.len()).collect();

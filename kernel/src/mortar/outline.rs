@@ -2,7 +2,7 @@
 
 use super::boundary::{Chain, Side};
 use super::{Point, cross};
-use crate::scene::Shape;
+use crate::scene::{Shape, Vector};
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -46,15 +46,7 @@ pub fn outline(shape: &Shape, segment: f64) -> Result<Vec<Chain>, OutlineError> 
         side: Side::Outer,
     };
     match shape {
-        Shape::Cuboid { p1, p2 } => Ok(vec![outer(along(
-            &[
-                Point::new(p1[0], p1[1]),
-                Point::new(p2[0], p1[1]),
-                Point::new(p2[0], p2[1]),
-                Point::new(p1[0], p2[1]),
-            ],
-            segment,
-        ))]),
+        Shape::Cuboid { p1, p2 } => Ok(vec![outer(along(&rectangle(p1, p2), segment))]),
         Shape::Sphere { center, radius } => Ok(vec![outer(circle(center, *radius, segment))]),
         Shape::Ring {
             center,
@@ -71,17 +63,30 @@ pub fn outline(shape: &Shape, segment: f64) -> Result<Vec<Chain>, OutlineError> 
                 },
             ])
         }
-        Shape::Polygon { points } => {
-            let mut corners: Vec<Point> = points.iter().map(|p| Point::new(p[0], p[1])).collect();
-            if signed_area(&corners) < 0.0 {
-                corners.reverse();
-            }
-            Ok(vec![outer(along(&corners, segment))])
-        }
+        Shape::Polygon { points } => Ok(vec![outer(along(&counter_clockwise(points), segment))]),
         Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Particles(_) => {
             Err(OutlineError::Shape)
         }
     }
+}
+
+/// Corners of the rectangle between two of them, counter-clockwise.
+fn rectangle(p1: &Vector, p2: &Vector) -> [Point; 4] {
+    [
+        Point::new(p1[0], p1[1]),
+        Point::new(p2[0], p1[1]),
+        Point::new(p2[0], p2[1]),
+        Point::new(p1[0], p2[1]),
+    ]
+}
+
+/// Corners of a polygon, counter-clockwise.
+fn counter_clockwise(points: &[Vector]) -> Vec<Point> {
+    let mut corners: Vec<Point> = points.iter().map(|p| Point::new(p[0], p[1])).collect();
+    if signed_area(&corners) < 0.0 {
+        corners.reverse();
+    }
+    corners
 }
 
 /// Distance of a point from the boundary of a shape \[m\]; `None` for a shape without an outline of its own.
@@ -90,27 +95,53 @@ pub fn distance_to_outline(shape: &Shape, x: &Point) -> Option<f64> {
     let from_circle = |center: &[f64; 3], radius: f64| {
         ((x - Point::new(center[0], center[1])).norm() - radius).abs()
     };
-    match shape {
-        Shape::Sphere { center, radius } => Some(from_circle(center, *radius)),
+    let corners = match shape {
+        Shape::Sphere { center, radius } => return Some(from_circle(center, *radius)),
         Shape::Ring {
             center,
             inner,
             outer,
-        } => Some(from_circle(center, *inner).min(from_circle(center, *outer))),
-        _ => {
-            // Corners alone: no edge is divided.
-            let chains = outline(shape, f64::MAX).ok()?;
-            let corners = &chains.first()?.points;
-            let edges = corners.iter().zip(corners.iter().cycle().skip(1));
-            edges
-                .map(|(a, b)| {
-                    let edge = b - a;
-                    let share = ((x - a).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
-                    (x - a - share * edge).norm()
-                })
-                .min_by(f64::total_cmp)
+        } => return Some(from_circle(center, *inner).min(from_circle(center, *outer))),
+        Shape::Cuboid { p1, p2 } => rectangle(p1, p2).to_vec(),
+        Shape::Polygon { points } => counter_clockwise(points),
+        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Particles(_) => {
+            return None;
         }
+    };
+    let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+    edges
+        .map(|(a, b)| {
+            let edge = b - a;
+            let share = ((x - a).dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+            (x - a - share * edge).norm()
+        })
+        .min_by(f64::total_cmp)
+}
+
+/// About how many vertices [`outline`] would make, never far fewer: a number, since it may be too large to be one of
+/// them. Zero for a shape without an outline.
+#[must_use]
+pub fn vertices(shape: &Shape, segment: f64) -> f64 {
+    let circle = |radius: f64| TAU * radius / segment + 3.0;
+    match shape {
+        Shape::Cuboid { p1, p2 } => {
+            2.0 * ((p2[0] - p1[0]) / segment + (p2[1] - p1[1]) / segment) + 4.0
+        }
+        Shape::Sphere { radius, .. } => circle(*radius),
+        Shape::Ring { inner, outer, .. } => circle(*inner) + circle(*outer),
+        Shape::Polygon { points } => {
+            let corners: Vec<Point> = points.iter().map(|p| Point::new(p[0], p[1])).collect();
+            around(&corners, segment)
+        }
+        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Particles(_) => 0.0,
     }
+}
+
+/// About how many vertices [`along`] makes.
+pub(super) fn around(corners: &[Point], segment: f64) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    let edges = corners.iter().zip(next);
+    edges.map(|(a, b)| (b - a).norm() / segment + 1.0).sum()
 }
 
 /// Number of equal parts of a length that are no longer than `segment`. A length that is a multiple but for round-off

@@ -5,7 +5,7 @@
 //! inside that write may leave half a row; it has no line end, readers of CSV show it as a short row, and
 //! [`HistoryWriter::resume`] takes it off.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -66,7 +66,7 @@ impl HistoryWriter {
         restart_time: f64,
     ) -> Result<(Self, Resumed), OutputError> {
         let path = folder.file(HISTORY);
-        let text = match fs::read_to_string(&path) {
+        let text = match crate::memory::read_to_string(&path) {
             Ok(text) => text,
             Err(error) if error.kind() == ErrorKind::NotFound => {
                 return Ok((Self::create(folder, columns)?, Resumed::default()));

@@ -1,7 +1,6 @@
 //! `particles.pvd`: the list of frames with their times, which is what one opens in `ParaView`.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -192,7 +191,7 @@ fn frame_number(stem: &str, file: &str) -> Option<u64> {
 
 /// Reads the list as [`Series`] writes it, one frame a line; empty where there is none.
 fn read_list(path: &Path) -> Result<Vec<Entry>, OutputError> {
-    let text = match fs::read_to_string(path) {
+    let text = match crate::memory::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
         Err(error) => return Err(OutputError::read(path, error)),

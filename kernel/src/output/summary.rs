@@ -3,7 +3,6 @@
 //! The file has no `null` and no not-a-number: what has no finite value is left out. This holds whatever is put
 //! into [`Summary`].
 
-use std::fs;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -156,7 +155,8 @@ impl Summary {
     /// # Errors
     /// [`OutputError::Read`], [`OutputError::Malformed`] if it is not a summary.
     pub fn read(path: &Path) -> Result<Self, OutputError> {
-        let text = fs::read_to_string(path).map_err(|error| OutputError::read(path, error))?;
+        let text =
+            crate::memory::read_to_string(path).map_err(|error| OutputError::read(path, error))?;
         serde_json::from_str(&text)
             .map_err(|error| OutputError::malformed(path, error.line(), error.to_string()))
     }

@@ -230,6 +230,11 @@ impl Simulation {
             let last = steps == 1.0 && remaining > 0.0;
             (dt, if last { stop } else { clock.time + dt }, bound)
         };
+        // Not a number is no later time either.
+        let moves_on = time > clock.time;
+        if !moves_on {
+            return Err(self.error(StepErrorKind::TimeStands { dt }));
+        }
         clock.dt_min = if clock.step == 0 {
             dt
         } else {

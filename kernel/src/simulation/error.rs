@@ -1,5 +1,6 @@
 //! What can go wrong at set-up and in a step.
 
+use crate::memory::OutOfMemory;
 use std::fmt;
 
 /// A simulation cannot be set up from this scene. All are faults of the input.
@@ -27,6 +28,13 @@ pub enum SetupError {
     TooLarge {
         /// What is too many, and how many.
         what: String,
+    },
+    /// Something needs more memory than there is.
+    Memory {
+        /// What sizes it, as a path into the scene.
+        path: String,
+        /// What needs it, how much, and how much there is.
+        error: OutOfMemory,
     },
     /// The thread pool could not be made.
     Threads(String),
@@ -95,6 +103,7 @@ impl fmt::Display for SetupError {
                 write!(f, "{path}: {reason}")
             }
             Self::TooLarge { what } => write!(f, "{what}"),
+            Self::Memory { path, error } => write!(f, "{path}: {error}"),
             Self::Threads(reason) => write!(f, "threads: {reason}"),
             Self::Overlap(all) => {
                 for (
@@ -145,6 +154,11 @@ pub enum StepErrorKind {
     Outside(ParticleAt),
     /// The prescribed time step exceeds the critical one.
     UnstableTimeStep(Unstable),
+    /// A time step so short that the time stays what it is.
+    TimeStands {
+        /// Time step \[s\].
+        dt: f64,
+    },
     /// A nodal load acts where no particle reaches.
     LoadOnEmptyNode {
         /// Position of the node \[m\].
@@ -268,6 +282,10 @@ impl fmt::Display for StepError {
                 )
             }
             StepErrorKind::UnstableTimeStep(unstable) => unstable.fmt(f),
+            StepErrorKind::TimeStands { dt } => write!(
+                f,
+                "a time step of {dt:e} s does not move the time on; accepted: longer steps or a shorter time"
+            ),
             StepErrorKind::LoadOnEmptyNode {
                 position: [x, y, z],
             } => {

@@ -11,6 +11,7 @@ mod history;
 mod loads;
 mod measure;
 mod mortar;
+mod needs;
 mod nodes;
 mod passes;
 mod phase;
@@ -35,6 +36,7 @@ pub use rehearsal::{Part, Rehearsal};
 
 use crate::constitutive::Parameters;
 use crate::lanes::{LaneChoice, Selected};
+use crate::memory::Memory;
 use crate::particles::{Layout, ParticleSet};
 use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
@@ -83,6 +85,8 @@ pub struct Options {
     pub body_force: Option<BodyForce>,
     /// Initial state, for manufactured solutions.
     pub initial: Option<InitialField>,
+    /// Memory that the scene may need; else all that the machine has free.
+    pub memory: Option<Memory>,
 }
 
 impl fmt::Debug for Options {
@@ -94,6 +98,7 @@ impl fmt::Debug for Options {
             .field("measure", &self.measure)
             .field("body_force", &self.body_force.is_some())
             .field("initial", &self.initial.is_some())
+            .field("memory", &self.memory)
             .finish()
     }
 }

@@ -7,12 +7,13 @@ use super::mortar::MortarState;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
 use super::surfaces::{self, Surfaces};
-use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads};
-use crate::bodies::{HalfLength, fill};
+use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads, needs};
+use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::constitutive::{Kind, Parameters};
 use crate::contact::State;
 use crate::grid::GridShape;
 use crate::lanes::Selected;
+use crate::memory::Memory;
 use crate::particles::{Layout, ParticleSet};
 use crate::plan::{Demands, Plan};
 use crate::scene::{Body, BoxLoad, DomainUpdate, Scene, Weighting};
@@ -40,18 +41,22 @@ impl Simulation {
         let plan = Plan::new(scene, demands);
         let lanes = Selected::new(options.lanes).map_err(SetupError::Lanes)?;
         let shape = GridShape::new(&scene.mesh, scene.dimension);
+        let mut memory = options.memory.unwrap_or_else(Memory::of_machine);
         let bases: u128 = shape.bases().iter().map(|&n| n as u128).product();
         if bases > u128::from(u32::MAX) {
             return Err(SetupError::TooLarge {
                 what: format!("the mesh has {bases} cells; accepted: at most {}", u32::MAX),
             });
         }
+        needs::grid(scene, &shape, &mut memory)?;
+        needs::frames(scene, &mut memory)?;
+        needs::loads(scene, &shape, &mut memory)?;
         let loads = loads::nodal(scene, &shape)?;
         let held = loads::held(scene, &shape);
         let (mut sets, mut bodies) = (vec![], vec![]);
         let mut next_id = 0;
         for i in 0..scene.bodies.len() {
-            let (set, run) = fill_body(scene, &plan, &shape, i, next_id)?;
+            let (set, run) = fill_body(scene, &plan, &shape, i, next_id, &mut memory)?;
             next_id += set.len() as u64;
             if next_id > u64::from(u32::MAX) {
                 return Err(SetupError::TooLarge {
@@ -78,13 +83,14 @@ impl Simulation {
                 reason,
             })?;
         }
+        needs::layers(scene, &shape, &sets, &mut memory)?;
         let team = team(scene, options, next_id as usize)?;
         let widest = bodies
             .iter()
             .map(|b| b.found.half_length)
             .fold(0.0, f64::max);
         let contact = State::new(scene, &bodies);
-        let mortar = MortarState::new(scene, &bodies)?;
+        let mortar = MortarState::new(scene, &bodies, &mut memory)?;
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
             base: scene
@@ -132,6 +138,12 @@ fn team(scene: &Scene, options: &Options, particles: usize) -> Result<Team, Setu
                 "0 threads; accepted: at least 1".into(),
             ));
         }
+        Some(count) if count > Team::most() => {
+            return Err(SetupError::Threads(format!(
+                "{count} threads; accepted: at most {}",
+                Team::most()
+            )));
+        }
         Some(count) => count,
         None => std::thread::available_parallelism()
             .map_or(1, std::num::NonZero::get)
@@ -148,12 +160,19 @@ fn fill_body(
     shape: &GridShape,
     index: usize,
     first_id: u64,
+    memory: &mut Memory,
 ) -> Result<(ParticleSet, BodyRun), SetupError> {
     let body = &scene.bodies[index];
-    let filled = fill(body, &scene.mesh, scene.dimension).map_err(|e| SetupError::Body {
+    let room = Room {
+        memory: *memory,
+        per_particle: needs::per_particle(scene, &plan.layouts[index]),
+    };
+    let refused = |e: FillError| SetupError::Body {
         body: body.name.clone(),
         reason: e.to_string(),
-    })?;
+    };
+    let filled = fill_within(body, &scene.mesh, scene.dimension, &room).map_err(refused)?;
+    needs::particles(filled.count(), &room, memory).map_err(refused)?;
     let material = &scene.materials[body.material];
     let law = Parameters::new(material.law, material.density);
     let layout = plan.layouts[index];

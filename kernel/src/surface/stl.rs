@@ -18,7 +18,7 @@ pub fn read(path: &Path) -> Result<Surface, SurfaceError> {
         file: Some(path.to_owned()),
         kind,
     };
-    let bytes = std::fs::read(path)
+    let bytes = crate::memory::read(path)
         .map_err(|error| in_file(SurfaceErrorKind::Unreadable(error.to_string())))?;
     let corners = parse(&bytes).map_err(in_file)?;
     Surface::new(&corners).map_err(|error| in_file(error.kind))

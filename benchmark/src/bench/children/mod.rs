@@ -6,6 +6,7 @@
 
 mod compare;
 mod process;
+mod watch;
 
 pub use compare::{difference, error};
 
@@ -64,6 +65,7 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
             name: OWN.into(),
             command,
             folder: None,
+            timeout: Executable::TIMEOUT,
         });
     }
     executables.extend(config.executables.iter().cloned());

@@ -1,5 +1,6 @@
 //! A process: its command, its time, its memory.
 
+use super::watch::{self, Ended};
 use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::Row;
@@ -63,14 +64,20 @@ pub(super) fn run(
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(errors);
+    watch::apart(&mut command);
     let clock = Instant::now();
     let mut child = command
         .spawn()
         .map_err(|error| cannot_start(&words[0], &error))?;
-    let used = child
-        .wait4()
-        .map_err(|error| format!("{}: {error}", words[0]))?;
+    let (used, ended) = watch::until_done(child.id(), executable.timeout, stop, || child.wait4());
+    let used = used.map_err(|error| format!("{}: {error}", words[0]))?;
     let wall = clock.elapsed();
+    if ended == Ended::TimedOut {
+        return Err(format!(
+            "not done after {} s, and ended; more is allowed by `timeout`",
+            executable.timeout.as_secs_f64()
+        ));
+    }
     if !used.status.success() && !stop.load(Ordering::Relaxed) {
         let said = fs::read_to_string(&log).unwrap_or_default();
         let last = said.lines().rfind(|line| !line.trim().is_empty());

@@ -4,9 +4,12 @@ use super::raw::{OneOrMany, RawConfig, RawExecutable};
 use super::scene::{Method, SceneChoice};
 use super::{Asked, Config, Executable, manual};
 use crate::bench::scenes;
+use proctor_kernel::memory::{Memory, words};
 use proctor_kernel::scene::{Problem, listed, nearest, words_of};
 use proctor_kernel::simulation::Part;
+use proctor_kernel::team::Team;
 use std::path::Path;
+use std::time::Duration;
 
 /// Default number of particles, and with `--quick`.
 const PARTICLES: [usize; 2] = [64_000, 8_000];
@@ -14,6 +17,13 @@ const PARTICLES: [usize; 2] = [64_000, 8_000];
 const PARTICLE_STEPS: [u64; 2] = [2_500_000, 250_000];
 /// Fewest repetitions: a spread needs three.
 const FEWEST_REPETITIONS: usize = 3;
+/// Most repetitions, and steps before the clock starts.
+const MOST_REPETITIONS: usize = 1_000_000;
+/// Bytes that a particle of a built-in scene needs with its share of the mesh, on the low side: what does not fit by this
+/// does not fit at all.
+const PARTICLE: f64 = 300.0;
+/// Longest time that an executable may have \[s\]: a year.
+const LONGEST_TIMEOUT: f64 = 3.2e7;
 /// Steps before the clock starts: the first sorts and fills the caches.
 const WARM_UP: usize = 3;
 /// Scenes without a configuration: each shows another cost. Single stages are measured in the first.
@@ -84,6 +94,27 @@ impl<'a> Check<'a> {
         if !asked.threads.is_empty() {
             threads.clone_from(&asked.threads);
         }
+        let memory = Memory::of_machine();
+        for count in &particles {
+            let needed = *count as f64 * PARTICLE;
+            if memory.require("particles", needed).is_err() {
+                self.add(
+                    "particles",
+                    format!("{count}, which would need {} of memory", words(needed)),
+                    format!(
+                        "what fits into the {} that are free",
+                        words(memory.bytes() as f64)
+                    ),
+                );
+            }
+        }
+        for count in threads.iter().filter(|&&count| count > Team::most()) {
+            self.add(
+                "threads",
+                count.to_string(),
+                format!("at most {} threads", Team::most()),
+            );
+        }
         for more in threads.iter().filter(|&&threads| threads > machine) {
             self.warnings.push(format!(
                 "{more} threads on a machine that runs {machine} at once"
@@ -104,7 +135,10 @@ impl<'a> Check<'a> {
             repetitions: asked
                 .repetitions
                 .unwrap_or_else(|| self.repetitions(raw.repetitions)),
-            warm_up: self.value("warm_up", raw.warm_up, WARM_UP),
+            warm_up: {
+                let given = self.countable("warm_up", raw.warm_up);
+                self.value("warm_up", given, WARM_UP)
+            },
             particle_steps: self.positive(
                 "particle_steps",
                 raw.particle_steps,
@@ -149,7 +183,20 @@ impl<'a> Check<'a> {
         self.value(path, given, usual)
     }
 
+    /// A count that is only ever too large by mistake.
+    fn countable(&mut self, path: &str, given: Option<usize>) -> Option<usize> {
+        if let Some(many) = given.filter(|&given| given > MOST_REPETITIONS) {
+            self.add(
+                path,
+                many.to_string(),
+                format!("a whole number, at most {MOST_REPETITIONS}"),
+            );
+        }
+        given.map(|given| given.min(MOST_REPETITIONS))
+    }
+
     fn repetitions(&mut self, given: Option<usize>) -> usize {
+        let given = self.countable("repetitions", given);
         if let Some(few) = given.filter(|&given| given < FEWEST_REPETITIONS) {
             self.add(
                 "repetitions",
@@ -338,12 +385,12 @@ impl<'a> Check<'a> {
         let mut all = vec![];
         for (name, executable) in raw.executables.iter().flat_map(|named| &named.0) {
             let path = format!("executables.{name}");
-            let (command, folder) = match executable {
+            let (command, folder, timeout) = match executable {
                 RawExecutable::Path(program) => {
                     let arguments = ["run", "{scene}", "--out", "{out}", "--threads", "{threads}"];
                     let mut command = vec![self.program(program)];
                     command.extend(arguments.map(str::to_owned));
-                    (command, None)
+                    (command, None, Executable::TIMEOUT)
                 }
                 RawExecutable::Solver(solver) => {
                     let mut command = match &solver.command {
@@ -376,6 +423,7 @@ impl<'a> Check<'a> {
                             .folder
                             .as_ref()
                             .map(|folder| self.folder.join(folder)),
+                        self.timeout(&format!("{path}.timeout"), solver.timeout),
                     )
                 }
             };
@@ -383,9 +431,25 @@ impl<'a> Check<'a> {
                 name: name.clone(),
                 command,
                 folder,
+                timeout,
             });
         }
         all
+    }
+
+    fn timeout(&mut self, path: &str, given: Option<f64>) -> Duration {
+        let Some(seconds) = given else {
+            return Executable::TIMEOUT;
+        };
+        let timeout = Duration::try_from_secs_f64(seconds).unwrap_or_default();
+        if timeout.is_zero() || seconds > LONGEST_TIMEOUT {
+            self.add(
+                path,
+                seconds.to_string(),
+                format!("a number greater than 0 and at most {LONGEST_TIMEOUT} [s]"),
+            );
+        }
+        timeout
     }
 
     /// A program by path, seen from the folder of the configuration; one without a folder is looked for in PATH

@@ -14,6 +14,7 @@ use check::Check;
 use proctor_kernel::scene::{Problem, SceneError, parse, place};
 use proctor_kernel::simulation::Part;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Name of the configuration that is looked for where none is named (technical manual, section 19.3).
 pub const FILE: &str = "benchmark-configuration.json";
@@ -38,6 +39,13 @@ pub struct Executable {
     pub command: Vec<String>,
     /// Folder in which it works; that of its results where none is given.
     pub folder: Option<PathBuf>,
+    /// Time by the clock after which it is ended, with all processes that it started.
+    pub timeout: Duration,
+}
+
+impl Executable {
+    /// Time that an executable has where its configuration does not say: an hour.
+    pub const TIMEOUT: Duration = Duration::from_secs(3600);
 }
 
 /// What is to be measured.
@@ -78,7 +86,7 @@ impl Config {
     /// All problems of the file at once; see [`Config::from_json`].
     pub fn read(path: &Path, asked: &Asked) -> Result<Self, SceneError> {
         let name = path.display().to_string();
-        match std::fs::read_to_string(path) {
+        match proctor_kernel::memory::read_to_string(path) {
             Ok(text) => {
                 Self::from_json(&text, &name, path.parent().unwrap_or(Path::new("")), asked)
             }

@@ -206,13 +206,15 @@ pub(super) enum RawExecutable {
 #[derive(Debug, Default, Deserialize)]
 #[serde(
     deny_unknown_fields,
-    expecting = "an object with `command` and `folder`"
+    expecting = "an object with `command`, `folder` and `timeout`"
 )]
 pub(super) struct RawSolver {
     /// Program and arguments, with {scene}, {threads} and {out}.
     pub command: Option<OneOrMany<String>>,
     /// Folder in which it works. Default: that of its results.
     pub folder: Option<String>,
+    /// Time by the clock after which it is ended [s]. Default: an hour.
+    pub timeout: Option<f64>,
 }
 
 /// One value or a list of them.
@@ -286,7 +288,9 @@ impl<'de> Visitor<'de> for ExecutableVisitor {
     type Value = RawExecutable;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the path of a proctor in quotes, or an object with `command` and `folder`")
+        f.write_str(
+            "the path of a proctor in quotes, or an object with `command`, `folder` and `timeout`",
+        )
     }
 
     fn visit_str<E: Error>(self, path: &str) -> Result<RawExecutable, E> {

@@ -36,7 +36,7 @@ impl SceneChoice {
     pub(super) fn read(path: &Path) -> Result<Self, SceneError> {
         // Read as a scene first: its problems are reported with their places.
         proctor_kernel::scene::read(path)?;
-        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let text = proctor_kernel::memory::read_to_string(path).unwrap_or_default();
         let mut value: Value =
             serde_json::from_str(text.trim_start_matches('\u{feff}')).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));

@@ -2,7 +2,7 @@
 
 use super::Point;
 use super::refine::fill;
-use crate::mortar::outline::{OutlineError, along, parts, signed_area};
+use crate::mortar::outline::{OutlineError, along, around, parts, signed_area};
 use crate::scene::Shape;
 use nalgebra::Vector2;
 use std::f64::consts::{PI, TAU};
@@ -61,6 +61,35 @@ pub fn skin(shape: &Shape, segment: f64) -> Result<Vec<[[f64; 3]; 3]>, OutlineEr
         }
     }
     Ok(out.into_iter().map(|t| t.map(Into::into)).collect())
+}
+
+/// About how many triangles [`skin`] would make, never far fewer: a number, since it may be too large to be one of them.
+/// Zero for a shape without a surface.
+#[must_use]
+pub fn triangles(shape: &Shape, segment: f64) -> f64 {
+    let parts = |length: f64| length / segment + 1.0;
+    match shape {
+        Shape::Cuboid { p1, p2 } => {
+            let n: [f64; 3] = std::array::from_fn(|axis| parts(p2[axis] - p1[axis]));
+            4.0 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0])
+        }
+        // Two for each vertex; rings have up to four more vertices than their circle is long.
+        Shape::Sphere { radius, .. } => 2.0 * parts(PI * radius) * (parts(TAU * radius) + 4.0),
+        Shape::Cylinder { p1, p2, radius } => {
+            let length = (Point::from(*p2) - Point::from(*p1)).norm();
+            let rings = parts(length) + 2.0 * parts(*radius);
+            2.0 * rings * (parts(TAU * radius) + 4.0)
+        }
+        Shape::ExtrudedPolygon { points, range, .. } => {
+            let corners: Vec<Vector2<f64>> = points.iter().map(|p| Vector2::from(*p)).collect();
+            let outline = around(&corners, segment);
+            // Inside both faces, triangles whose edges are longer than half a segment.
+            let area = signed_area(&corners).abs();
+            let faces = 2.0 * (outline + 8.0 * area / segment / segment);
+            2.0 * outline * parts(range[1] - range[0]) + faces
+        }
+        Shape::Ring { .. } | Shape::Polygon { .. } | Shape::Particles(_) => 0.0,
+    }
 }
 
 /// A parallelogram of nu x nv cells, seen from the side to which u x v points. Diagonals alternate, so that around each

@@ -41,7 +41,19 @@ impl Scene {
             TimeStep::Multiplier { multiplier, .. } => {
                 problems.positive("critical_time_step_multiplier", multiplier, "");
             }
-            TimeStep::Fixed { dt, .. } => problems.positive("time_step", dt, "s"),
+            TimeStep::Fixed { dt, .. } => {
+                // Beyond 2^53 steps the time plus a step is the time.
+                let least = self.time * f64::EPSILON;
+                if dt > 0.0 && dt < least {
+                    problems.add(
+                        "time_step",
+                        format!("{dt:e}, which is lost beside a time of {} s", self.time),
+                        format!("a number greater than {least:e} [s]"),
+                    );
+                } else {
+                    problems.positive("time_step", dt, "s");
+                }
+            }
         }
         problems.range("pic_fraction", self.transfer.pic_fraction, 0.0, 1.0);
         match self.damping {

@@ -10,6 +10,9 @@ use crate::scene::{
 };
 use crate::surface::Surface;
 
+/// Shortest segment of a boundary made from a shape, in cells.
+const FINEST_SEGMENT: f64 = 1e-3;
+
 pub(super) fn check(scene: &Scene, problems: &mut Collector) {
     let mortar = &scene.mortar;
     let nothing = mortar.contacts.is_empty()
@@ -159,7 +162,19 @@ fn check_boundary(scene: &Scene, boundary: &BodyBoundary, problems: &mut Collect
     };
     match &boundary.vertices {
         Vertices::Spacing(length) => {
-            problems.positive(format!("bodies[{i}].boundary_segment"), *length, "m");
+            let path = format!("bodies[{i}].boundary_segment");
+            let least = FINEST_SEGMENT * smallest_cell(scene);
+            if *length > 0.0 && *length < least {
+                problems.add(
+                    path,
+                    length.to_string(),
+                    format!(
+                        "a thousandth of a cell or more, {least} [m]: the grid sees nothing finer"
+                    ),
+                );
+            } else {
+                problems.positive(path, *length, "m");
+            }
         }
         Vertices::Given(chains) => {
             let path = format!("bodies[{i}].boundary");
@@ -215,8 +230,8 @@ fn check_places(scene: &Scene, i: usize, chains: &[Chain], path: &str, problems:
 }
 
 fn smallest_cell(scene: &Scene) -> f64 {
-    let cell = scene.mesh.cell;
-    cell[0].min(cell[1])
+    let cell = &scene.mesh.cell[..scene.dimension.axes()];
+    cell.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 fn check_law(contact: &MortarContact, path: &str, problems: &mut Collector) {

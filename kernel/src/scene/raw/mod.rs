@@ -32,7 +32,7 @@ pub use self::words::{listed, nearest, words_of};
 /// A file that cannot be read, and everything that [`from_json`] reports.
 pub fn read(path: &Path) -> Result<Scene, SceneError> {
     let name = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| SceneError {
+    let text = crate::memory::read_to_string(path).map_err(|error| SceneError {
         problems: vec![Problem::new(
             "",
             format!("{name} ({error})"),
@@ -56,10 +56,19 @@ pub fn from_json(text: &str, source_name: &str, folder: &Path) -> Result<Scene, 
         .file_stem()
         .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into());
     let mut problems = build.merged(scene.check());
+    // Finding the place of a problem is a walk through the text, and nobody reads thousands.
+    let more = problems.len().saturating_sub(MOST_PROBLEMS);
+    problems.truncate(MOST_PROBLEMS);
     place(&mut problems, text, source_name);
+    if more > 0 {
+        problems.push(Problem::new("", format!("{more} more problems"), "none"));
+    }
     SceneError::unless_empty(problems)?;
     Ok(scene)
 }
+
+/// Problems of a scene that are told one by one.
+const MOST_PROBLEMS: usize = 100;
 
 /// Reads a value of raw keys from JSON text, as [`from_json`] reads a scene; `source_name` stands for the text in
 /// messages. For other files in the same strict style: their raw types deny unknown keys and leave every key optional.

@@ -104,7 +104,7 @@ struct Table<'a> {
 
 impl<'a> Table<'a> {
     fn read(file: &'a Path, header: Option<bool>, names: &[&str]) -> Result<Self, SceneError> {
-        let text = std::fs::read_to_string(file).map_err(|error| SceneError {
+        let text = crate::memory::read_to_string(file).map_err(|error| SceneError {
             problems: vec![Problem::new(
                 "",
                 format!("{} ({error})", file.display()),

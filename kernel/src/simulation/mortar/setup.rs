@@ -4,14 +4,16 @@ use super::MortarState;
 use super::boundaries::Boundaries;
 use super::pair::pair;
 use super::surface::{Carrier, in_scene};
+use crate::memory::Memory;
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::elements::Elements;
-use crate::mortar::outline::outline;
+use crate::mortar::outline::{outline, vertices};
 use crate::mortar::space::facets::Facets;
-use crate::mortar::space::skin::skin;
+use crate::mortar::space::skin::{skin, triangles};
 use crate::scene::{Body, BodyBoundary, Dimension, PlaneCondition, Scene, Vector, Vertices};
 use crate::simulation::BodyRun;
 use crate::simulation::error::SetupError;
+use crate::simulation::needs;
 use std::fmt::Display;
 
 impl MortarState {
@@ -19,6 +21,7 @@ impl MortarState {
     pub(in crate::simulation) fn new(
         scene: &Scene,
         bodies: &[BodyRun],
+        memory: &mut Memory,
     ) -> Result<Self, SetupError> {
         let mut state = Self::default();
         for given in &scene.mortar.boundaries {
@@ -35,6 +38,17 @@ impl MortarState {
                     follow: given.follow,
                 },
             };
+            let path = format!("bodies[{index}].boundary_segment");
+            if let Vertices::Spacing(length) = given.vertices {
+                match scene.dimension {
+                    Dimension::Two => {
+                        needs::vertices(vertices(&body.shape, length), &path, memory)?;
+                    }
+                    Dimension::Three => {
+                        needs::triangles(triangles(&body.shape, length), &path, memory)?;
+                    }
+                }
+            }
             state.add_body(scene, given, body, carrier)?;
         }
         let origin = &scene.mesh.origin;
