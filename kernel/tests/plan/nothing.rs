@@ -137,15 +137,15 @@ fn steady(velocity: Vector) -> History {
 }
 
 /// A record on the plane X0 that lasts for ever.
-fn record(motion: fn(History) -> Motion, value: f64) -> Option<BaseMotion> {
-    Some(BaseMotion {
+fn record(scene: &mut Scene, motion: fn(History) -> Motion, value: f64) {
+    scene.base_motion = Some(BaseMotion {
         axis: 0,
         side: 0,
         motion: motion(History {
             times: vec![0.0, 1.0e3],
             values: vec![[value, 0.0, 0.0]; 2],
         }),
-    })
+    });
 }
 
 fn box_load(scene: &mut Scene, force: f64) {
@@ -327,14 +327,14 @@ const FEATURES: [Feature; 23] = [
     kept(
         "a record of no acceleration",
         "base motion",
-        |s, _| s.base_motion = record(Motion::Acceleration, 0.0),
-        Some(|s, _| s.base_motion = record(Motion::Acceleration, 5.0)),
+        |s, _| record(s, Motion::Acceleration, 0.0),
+        Some(|s, _| record(s, Motion::Acceleration, 5.0)),
     ),
     kept(
         "a record of no velocity",
         "base motion",
-        |s, _| s.base_motion = record(Motion::Velocity, 0.0),
-        Some(|s, _| s.base_motion = record(Motion::Velocity, 0.2)),
+        |s, _| record(s, Motion::Velocity, 0.0),
+        Some(|s, _| record(s, Motion::Velocity, 0.2)),
     ),
     kept(
         "a body at rest that is driven at rest",

@@ -20,6 +20,8 @@ const CELLS: [usize; 3] = [7, 6, 5];
 const H: f64 = 0.1;
 /// Pressure on the particle \[Pa\].
 const PRESSURE: f64 = 3.0;
+/// Round-off of a number near one.
+const EPS: f64 = f64::EPSILON;
 
 /// One particle at rest under pressure in a mesh that begins at `origin`. After the first step node I holds the mass
 /// m S_I and has the velocity V p grad S_I (dt/2) / (m S_I), so that its weight and gradient can be read off.
@@ -91,7 +93,6 @@ fn check_nodes(
     }
     // Sums of up to 64 terms, whose magnitudes sum to 1 (weights), 2 (slopes) and 2 times 2 cells (moments); each has
     // gone through about twenty roundings, and xi through two of a number below the number of cells.
-    const EPS: f64 = f64::EPSILON;
     let of_xi = 2.0 * EPS * CELLS[0] as f64;
     prop_assert!((unity - 1.0).abs() <= 16.0 * EPS, "sum S = {unity}");
     for k in 0..axes {
