@@ -36,7 +36,7 @@ fn a_noisy_machine_gives_no_alarm_once_its_noise_is_measured() {
     machine.outliers = 0.1;
     for _ in 0..10 {
         machine.passes = 9;
-        let bands = record(noise::bands(&machine.records(100, 1.0)).expect("bands"));
+        let bands = record(noise::bands(&machine.records(100, 1.0), 12).expect("bands"));
         machine.passes = 3;
         let [base, head] = machine.records(100, 1.0);
         let rules = Rules {
@@ -83,7 +83,7 @@ fn one_pass_that_is_not_slower_acquits() {
 fn the_tolerance_is_three_per_cent_or_twice_the_band() {
     let base = record(steady("a", 1.0));
     let judged = |factor: f64, band: Option<f64>| {
-        let mut bands = record(noise::bands(&[base.clone(), base.clone()]).expect("bands"));
+        let mut bands = record(noise::bands(&[base.clone(), base.clone()], 12).expect("bands"));
         bands.rows[0].count("noise_band", band.unwrap_or(0.0));
         let rules = Rules {
             noise: Some(&bands),
