@@ -80,13 +80,13 @@ pub struct Time {
     pub ratios: Vec<f64>,
     /// Ratio of the fastest quarters of that time, of three runs at least.
     pub fastest: f64,
-    /// Ratio of the medians of all samples by the clock on the wall.
+    /// Ratio of the medians of all its samples.
     pub median: f64,
     /// The same for CPU time.
     pub cpu: Option<f64>,
-    /// 95 % interval of the ratio of medians of the time that decides.
+    /// 95 % interval of the ratio of medians.
     pub interval: (f64, f64),
-    /// Probability of such an order of its samples by chance (Mann-Whitney).
+    /// Probability of such an order of the samples by chance (Mann-Whitney).
     pub chance: f64,
     /// Relative change below which nothing is said.
     pub tolerance: f64,
@@ -224,7 +224,7 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
         clock,
         ratios: deciding.ratios(),
         fastest: deciding.fastest(),
-        median: ratio(&head.all_wall(), &base.all_wall()).ok_or_else(none)?,
+        median: ratio(&head_all, &base_all).ok_or_else(none)?,
         cpu: ratio(&all(&head.cpu), &all(&base.cpu)),
         interval: ratio_interval(&base_all, &head_all, SEED).ok_or_else(none)?,
         chance: mann_whitney(&base_all, &head_all).ok_or_else(none)?,
