@@ -1,7 +1,7 @@
 //! Statistics against values of the literature and of SciPy 1.17.1.
 #![allow(missing_docs)]
 
-use proctor_benchmark::statistics::{Summary, mann_whitney, median, ratio_interval};
+use proctor_benchmark::statistics::{Summary, mann_whitney, median, ratio_interval, signed_rank};
 
 fn near(found: Option<f64>, expected: f64) {
     let found = found.expect("a value");
@@ -102,4 +102,23 @@ fn the_interval_covers_the_truth_about_as_often_as_it_says() {
     let share = held as f64 / pairs as f64;
     // Percentile intervals of medians of few values are known to be a little too wide, never narrow by much.
     assert!((0.90..=1.0).contains(&share), "{share}");
+}
+
+#[test]
+fn the_signed_rank_test_is_exact() {
+    // Depression scores, Hollander and Wolfe 1973, Nonparametric Statistical Methods, p. 29: p = 0.01953 = 10 / 2^9.
+    let differences = [
+        0.952, -0.147, 1.022, 0.430, 0.620, 0.590, 0.490, -0.080, 0.010,
+    ];
+    near(Some(signed_rank(&differences)), 10.0 / 512.0);
+    // All of twelve positive: one of 2^12 signs. All but the smallest: two.
+    let mut all: Vec<f64> = (1..=12).map(f64::from).collect();
+    near(Some(signed_rank(&all)), 1.0 / 4096.0);
+    all[0] = -1.0;
+    near(Some(signed_rank(&all)), 2.0 / 4096.0);
+    // Ranks 1.5, 1.5 and 3, of which 4.5 or more is reached by 4.5, 4.5 and 6.
+    near(Some(signed_rank(&[-1.0, 1.0, 2.0])), 3.0 / 8.0);
+    near(Some(signed_rank(&[0.5; 3])), 1.0 / 8.0);
+    near(Some(signed_rank(&[0.0, 0.0])), 1.0);
+    near(Some(signed_rank(&[])), 1.0);
 }

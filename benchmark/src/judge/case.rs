@@ -335,21 +335,8 @@ fn paid(base: &Cases, case: &CaseKey, changes: &[Change]) -> Paid {
 fn judge_time(time: &Time, paid: &Paid) -> (Moved, Option<String>) {
     match (time.pace, paid) {
         (Pace::Same, _) => (Moved::Same, None),
-        (Pace::Slower, _) => {
-            let least = time.ratios.iter().copied().fold(f64::INFINITY, f64::min);
-            let text = format!(
-                "slower in every pass, by {:.1} % or more (tolerance {:.1} %)",
-                100.0 * (least - 1.0),
-                100.0 * time.tolerance
-            );
-            (Moved::Worse, Some(text))
-        }
-        (Pace::Faster, Paid::Nothing) => {
-            let most = time.ratios.iter().copied().fold(0.0, f64::max);
-            let gain = 100.0 * (1.0 - most);
-            let text = format!("faster in every pass, by {gain:.1} % or more");
-            (Moved::Better, Some(text))
-        }
+        (Pace::Slower, _) => (Moved::Worse, Some(time.said("slower"))),
+        (Pace::Faster, Paid::Nothing) => (Moved::Better, Some(time.said("faster"))),
         (Pace::Faster, Paid::Unknown(key)) => (
             Moved::Same,
             Some(format!(
@@ -357,8 +344,7 @@ fn judge_time(time: &Time, paid: &Paid) -> (Moved, Option<String>) {
             )),
         ),
         (Pace::Faster, Paid::Factor(key, factor)) => {
-            let equal: Vec<f64> = time.ratios.iter().map(|ratio| ratio * factor).collect();
-            let (moved, word) = match time::pace(&equal, time.tolerance) {
+            let (moved, word) = match time.pace_at(*factor) {
                 Pace::Same => (Moved::Same, "no change"),
                 Pace::Faster => (Moved::Better, "still faster"),
                 Pace::Slower => (Moved::Worse, "slower"),

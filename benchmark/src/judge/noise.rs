@@ -1,7 +1,7 @@
 //! The noise of each case: how far two measurements of the same program lie apart.
 
 use super::machine;
-use super::time::{PASSES, ratios};
+use super::time::{Clock, PASSES, ratios, seen_by};
 use crate::record::{BY_SCENE, CaseKey, Cases, Kind, Record, Row};
 use crate::statistics::Summary;
 
@@ -9,17 +9,18 @@ use crate::statistics::Summary;
 const AGGREGATE: &str = "noise";
 /// Counter of the band.
 const BAND: &str = "noise_band";
+/// Counter of the change that a comparison sees.
+pub const SEES: &str = "noise_sees";
 
 /// Bands of all timed cases of two or more records of the same program, as rows of a record.
 ///
-/// The band of a case is the largest relative change of time, pass by pass, between any two of the records. By its
-/// double, which `compare` judges by, on a machine whose runs scatter by 4 % and are disturbed once in ten, about 3 cases
-/// in 4000 without a change are called slower if three pairs of passes were measured, and none if nine were; by 3 % alone
-/// it would be 65 (simulated, 400 000 cases).
+/// The band of a case is the largest relative change of time, pass by pass, between any two of the records: of the time
+/// that decides, on the processors for one thread and by the clock for more. Beside it stands the least change that
+/// `pairs` pairs would show in nine of ten comparisons, where there is one; it comes from resamples of these passes.
 ///
 /// # Errors
 /// Says why there is no band: too few records or passes, other programs, other machines.
-pub fn bands(records: &[Record]) -> Result<Vec<Row>, String> {
+pub fn bands(records: &[Record], pairs: usize) -> Result<Vec<Row>, String> {
     let (Some(first), true) = (records.first(), records.len() >= 2) else {
         return Err("found one record; accepted: two or more of the same program".to_owned());
     };
@@ -42,15 +43,19 @@ pub fn bands(records: &[Record]) -> Result<Vec<Row>, String> {
         if key.aggregate.is_some() || series.wall.is_empty() {
             continue;
         }
-        let mut changes = vec![];
+        let mut clock = Clock::Wall;
+        let mut all = vec![];
         for (index, first) in cases.iter().enumerate() {
             for second in &cases[index + 1..] {
                 if let (Some(first), Some(second)) = (first.get(key), second.get(key)) {
-                    let ratios = ratios(first, second);
-                    changes.extend(ratios.iter().map(|ratio| ratio.ln().abs().exp_m1()));
+                    let (of, found) = ratios(first, second);
+                    clock = of;
+                    all.extend(found);
                 }
             }
         }
+        let changes = all.iter().map(|ratio| ratio.ln().abs().exp_m1());
+        let changes: Vec<f64> = changes.collect();
         if changes.len() < PASSES {
             return Err(format!(
                 "{key}: {} pairs of passes; at least {PASSES} are needed",
@@ -62,6 +67,9 @@ pub fn bands(records: &[Record]) -> Result<Vec<Row>, String> {
             row.count(BAND, summary.maximum);
             row.count("noise_median", summary.median);
             row.count("noise_pairs", summary.count as f64);
+            if let Some(change) = seen_by(pairs, clock, &all) {
+                row.count(SEES, change);
+            }
         }
         rows.push(row);
     }

@@ -1,45 +1,157 @@
-//! Time, by interleaved passes.
+//! Time, by pairs of runs that followed each other.
+//!
+//! A pair is one pass of both records. On a machine with other things to do, the clock tells more of them than of the
+//! program, and even the time on the processors jumps between processes: one and the same program was seen 18 % slower in
+//! every second process, because of where its stack happened to begin. Two rules find what is really slower:
+//!
+//! - nearly every pair says so: the signed-rank test of the logarithms of the ratios, less the tolerance;
+//! - from twelve pairs on, the fastest quarter of HEAD is slower than that of BASE, rank by rank, by more than the
+//!   tolerance and more than twice of what these quarters spread. Whatever else goes on in a machine only adds time, so
+//!   that the fastest of many are those that show the program.
+//!
+//! A run on one thread computes and waits for nothing: its time on the processors is its time, and both rules judge it.
+//! With more threads the clock decides. The other of the two times is judged by the first rule alone.
 
 use crate::record::Series;
-use crate::statistics::{mann_whitney, median, ratio_interval};
+use crate::statistics::{mann_whitney, median, ratio_interval, signed_rank};
+use oorandom::Rand64;
+use std::collections::BTreeMap;
 
 /// Passes without which time is not judged.
 pub const PASSES: usize = 3;
 /// Smallest relative change of time that is one.
 pub const TOLERANCE: f64 = 0.03;
-/// Tolerance above which a time is not judged: to find nothing among such noise is no finding.
+/// Noise above which a time is not judged: to find nothing among such noise is no finding.
 const USELESS: f64 = 0.5;
 /// Seed of the bootstrap.
 const SEED: u64 = 1;
+/// Pairs from which on there is a fastest quarter.
+const MANY: usize = 12;
+/// Chance of the signed ranks if nearly every pair is to say it. Of few pairs every single one must.
+const NEARLY_ALL: f64 = 1e-3;
+/// The same beside the fastest quarter: most pairs must not speak against it. By the clock, which all other work reaches,
+/// more of them must speak for it.
+const MOST_CPU: f64 = 0.25;
+const MOST_WALL: f64 = 0.05;
+/// Resamples from which is said how small a change is found.
+const RESAMPLES: usize = 100;
+/// Changes that are tried for it.
+const CHANGES: [f64; 7] = [0.05, 0.07, 0.1, 0.15, 0.2, 0.3, USELESS];
+/// Share of the resamples in which a change is to be found.
+const FOUND: f64 = 0.9;
 
 /// What became of a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pace {
-    /// No change that every pass shows.
+    /// No change that the pairs show.
     Same,
-    /// Faster in every pass by more than the tolerance.
+    /// Faster by more than the tolerance.
     Faster,
-    /// Slower in every pass by more than the tolerance.
+    /// Slower by more than the tolerance.
     Slower,
+}
+
+/// Which time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// By the clock on the wall.
+    Wall,
+    /// On the processors.
+    Cpu,
+}
+
+impl Clock {
+    /// How it is called.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wall => "wall time",
+            Self::Cpu => "CPU time",
+        }
+    }
 }
 
 /// The times of a case in both records.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Time {
-    /// HEAD over BASE, pass by pass.
+    /// The time that decides.
+    pub clock: Clock,
+    /// HEAD over BASE, pair by pair, of that time.
     pub ratios: Vec<f64>,
-    /// Ratio of the medians of all samples.
+    /// Ratio of the fastest quarters of that time, of three runs at least.
+    pub fastest: f64,
+    /// Ratio of the medians of all its samples.
     pub median: f64,
     /// The same for CPU time.
     pub cpu: Option<f64>,
-    /// 95 % interval of that ratio.
+    /// 95 % interval of the ratio of medians.
     pub interval: (f64, f64),
     /// Probability of such an order of the samples by chance (Mann-Whitney).
     pub chance: f64,
     /// Relative change below which nothing is said.
     pub tolerance: f64,
-    /// What the passes say.
+    /// Least of some changes that would have been found in nine of ten such measurements; `None` with few pairs.
+    pub sees: Option<f64>,
+    /// What the pairs say.
     pub pace: Pace,
+    /// The time that shows it, of the two.
+    pub shown_by: Clock,
+    deciding: Pairs,
+    other: Option<Pairs>,
+}
+
+impl Time {
+    /// What the pairs would say if every time of HEAD were multiplied by `factor`.
+    #[must_use]
+    pub fn pace_at(&self, factor: f64) -> Pace {
+        self.told_at(factor).0
+    }
+
+    /// What the pairs show, in words: of which time, by how much, in how many of them.
+    pub(super) fn said(&self, word: &str) -> String {
+        let pairs = match &self.other {
+            Some(other) if self.shown_by != self.clock => other,
+            _ => &self.deciding,
+        };
+        let fastest = pairs.fastest();
+        let by = if word == "slower" {
+            fastest - 1.0
+        } else {
+            1.0 - fastest
+        };
+        let ratios = pairs.ratios();
+        let agree = ratios.iter().filter(|r| (**r > 1.0) == (word == "slower"));
+        format!(
+            "{word} by {:.1} % of {} in the fastest runs, and in {} of {} pairs (tolerance {:.1} %)",
+            100.0 * by,
+            self.shown_by.name(),
+            agree.count(),
+            ratios.len(),
+            100.0 * self.tolerance
+        )
+    }
+
+    fn told_at(&self, factor: f64) -> (Pace, Clock) {
+        let (own, other) = (self.clock, self.clock.other());
+        let decided = self.deciding.scaled(factor).pace(self.tolerance);
+        let beside = self.other.as_ref().map_or(Pace::Same, |pairs| {
+            pairs.scaled(factor).pace_of_pairs(self.tolerance)
+        });
+        match (decided, beside) {
+            (Pace::Slower, _) => (Pace::Slower, own),
+            (_, Pace::Slower) => (Pace::Slower, other),
+            (pace, _) => (pace, own),
+        }
+    }
+}
+
+impl Clock {
+    fn other(self) -> Self {
+        match self {
+            Self::Wall => Self::Cpu,
+            Self::Cpu => Self::Wall,
+        }
+    }
 }
 
 /// Compares the times of a case.
@@ -49,7 +161,6 @@ pub struct Time {
 /// # Errors
 /// Says why there is no answer, such as fewer than three passes in common, or noise that would hide anything.
 pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, String> {
-    let ratios = ratios(base, head);
     if !base.wall.is_empty() && !head.wall.is_empty() && base.threads != head.threads {
         let said = |series: &Series| {
             let numbers: Vec<String> = series.threads.iter().map(u64::to_string).collect();
@@ -61,63 +172,262 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
             said(head)
         ));
     }
-    if ratios.len() < PASSES {
+    let wall = Pairs::of(Clock::Wall, base, head);
+    let cpu = Pairs::of(Clock::Cpu, base, head);
+    // Where the passes of one record lack a time, it is no witness.
+    let cpu = (cpu.list.len() == wall.list.len()).then_some(cpu);
+    if wall.list.len() < PASSES {
         return Err(match (base.wall.is_empty(), head.wall.is_empty()) {
             (true, _) => "BASE has no time".to_owned(),
             (_, true) => "HEAD has no time".to_owned(),
             _ => format!(
                 "time: {} in common, at least {PASSES} are needed",
-                match ratios.len() {
+                match wall.list.len() {
                     1 => "1 pass".to_owned(),
                     n => format!("{n} passes"),
                 }
             ),
         });
     }
-    let (base_all, head_all) = (base.all_wall(), head.all_wall());
-    let none = || "a time of zero".to_owned();
-    let ratio = |head: &[f64], base: &[f64]| Some(median(head)? / median(base)?);
     let tolerance = TOLERANCE.max(2.0 * band.unwrap_or(0.0));
-    if tolerance > USELESS {
-        return Err(format!(
+    let hidden = |change: f64| {
+        Err(format!(
             "time: the noise hides every change below {:.0} %; measure on a quiet machine, or leave times out",
-            100.0 * tolerance
-        ));
+            100.0 * change
+        ))
+    };
+    if tolerance > USELESS {
+        return hidden(tolerance);
     }
-    let pace = pace(&ratios, tolerance);
-    Ok(Time {
-        median: ratio(&head_all, &base_all)
-            .filter(|r| r.is_finite())
-            .ok_or_else(none)?,
-        cpu: ratio(&head.cpu, &base.cpu).filter(|r| r.is_finite()),
+    let (clock, deciding, other) = match cpu {
+        Some(cpu) if alone(base) => (Clock::Cpu, cpu, Some(wall)),
+        cpu => (Clock::Wall, wall, cpu),
+    };
+    let all = |times: &BTreeMap<u64, Vec<f64>>| -> Vec<f64> {
+        times.values().flatten().copied().collect()
+    };
+    let (base_all, head_all) = match clock {
+        Clock::Cpu => (all(&base.cpu), all(&head.cpu)),
+        Clock::Wall => (base.all_wall(), head.all_wall()),
+    };
+    let none = || "a time of zero".to_owned();
+    let ratio = |head: &[f64], base: &[f64]| {
+        let ratio = median(head)? / median(base)?;
+        ratio.is_finite().then_some(ratio)
+    };
+    let sees = match deciding.sees(deciding.list.len(), tolerance) {
+        Sees::FewPairs => None,
+        Sees::Change(change) => Some(change),
+        Sees::Nothing => return hidden(USELESS),
+    };
+    let mut time = Time {
+        clock,
+        ratios: deciding.ratios(),
+        fastest: deciding.fastest(),
+        median: ratio(&head_all, &base_all).ok_or_else(none)?,
+        cpu: ratio(&all(&head.cpu), &all(&base.cpu)),
         interval: ratio_interval(&base_all, &head_all, SEED).ok_or_else(none)?,
         chance: mann_whitney(&base_all, &head_all).ok_or_else(none)?,
-        ratios,
         tolerance,
-        pace,
-    })
+        sees,
+        pace: Pace::Same,
+        shown_by: clock,
+        deciding,
+        other,
+    };
+    (time.pace, time.shown_by) = time.told_at(1.0);
+    Ok(time)
 }
 
-/// HEAD over BASE, pass by pass, of the fastest run of each: whatever else goes on in a machine only adds time.
-#[must_use]
-pub fn ratios(base: &Series, head: &Series) -> Vec<f64> {
-    let fastest = |times: &[f64]| times.iter().copied().fold(f64::INFINITY, f64::min);
-    base.wall
-        .iter()
-        .filter_map(|(pass, times)| Some(fastest(head.wall.get(pass)?) / fastest(times)))
-        .filter(|ratio| ratio.is_finite() && *ratio > 0.0)
-        .collect()
+/// Whether all runs had one thread, which waits for nobody.
+fn alone(series: &Series) -> bool {
+    series.threads.iter().eq(&[1])
 }
 
-/// What the passes agree on.
+/// The time that decides, and HEAD over BASE in it, pass by pass, of the fastest run of each.
 #[must_use]
-pub fn pace(ratios: &[f64], tolerance: f64) -> Pace {
-    let limit = 1.0 + tolerance;
-    if ratios.iter().all(|ratio| *ratio > limit) {
-        Pace::Slower
-    } else if ratios.iter().all(|ratio| *ratio < 1.0 / limit) {
-        Pace::Faster
+pub fn ratios(base: &Series, head: &Series) -> (Clock, Vec<f64>) {
+    let wall = Pairs::of(Clock::Wall, base, head);
+    let cpu = Pairs::of(Clock::Cpu, base, head);
+    let decides = if alone(base) && cpu.list.len() == wall.list.len() {
+        cpu
     } else {
-        Pace::Same
+        wall
+    };
+    (decides.clock, decides.ratios())
+}
+
+/// Least of some changes that `pairs` pairs of runs would show in nine of ten measurements, from HEAD over BASE in pairs
+/// of the same program; `None` where all of them are hidden, or so few pairs never tell.
+#[must_use]
+pub fn seen_by(pairs: usize, clock: Clock, ratios: &[f64]) -> Option<f64> {
+    // Each ratio as one that may stand on either side.
+    let list = ratios.iter().flat_map(|r| [(0.0, r.ln()), (r.ln(), 0.0)]);
+    let list = Pairs {
+        clock,
+        list: list.collect(),
+    };
+    match list.sees(pairs, TOLERANCE) {
+        Sees::Change(change) => Some(change),
+        Sees::FewPairs | Sees::Nothing => None,
+    }
+}
+
+/// How small a change is found.
+enum Sees {
+    /// There are too few pairs to tell.
+    FewPairs,
+    /// One as large as this, in nine of ten measurements.
+    Change(f64),
+    /// None.
+    Nothing,
+}
+
+/// Logarithms of the fastest run of BASE and of HEAD in each pass.
+#[derive(Clone, Debug, PartialEq)]
+struct Pairs {
+    clock: Clock,
+    list: Vec<(f64, f64)>,
+}
+
+impl Pairs {
+    fn of(clock: Clock, base: &Series, head: &Series) -> Self {
+        let [base, head] = [base, head].map(|series| match clock {
+            Clock::Wall => &series.wall,
+            Clock::Cpu => &series.cpu,
+        });
+        let fastest = |times: &[f64]| times.iter().copied().fold(f64::INFINITY, f64::min).ln();
+        let list = base
+            .iter()
+            .filter_map(|(pass, times)| Some((fastest(times), fastest(head.get(pass)?))))
+            .filter(|(base, head)| base.is_finite() && head.is_finite())
+            .collect();
+        Self { clock, list }
+    }
+
+    fn ratios(&self) -> Vec<f64> {
+        let ratios = self.list.iter().map(|(base, head)| (head - base).exp());
+        ratios.collect()
+    }
+
+    fn with(&self, list: Vec<(f64, f64)>) -> Self {
+        Self {
+            clock: self.clock,
+            list,
+        }
+    }
+
+    /// With the times of HEAD multiplied by `factor`.
+    fn scaled(&self, factor: f64) -> Self {
+        let list = self.list.iter().map(|&(b, h)| (b, h + factor.ln()));
+        self.with(list.collect())
+    }
+
+    /// With the two sides exchanged.
+    fn turned(&self) -> Self {
+        let list = self.list.iter().map(|&(b, h)| (h, b));
+        self.with(list.collect())
+    }
+
+    /// The fastest quarter of both sides, in order; three at least.
+    fn quarters(&self) -> [Vec<f64>; 2] {
+        let count = (self.list.len() / 4).max(PASSES);
+        let sides: [Vec<f64>; 2] = [
+            self.list.iter().map(|pair| pair.0).collect(),
+            self.list.iter().map(|pair| pair.1).collect(),
+        ];
+        sides.map(|mut side| {
+            side.sort_by(f64::total_cmp);
+            side.truncate(count);
+            side
+        })
+    }
+
+    /// Ratio of the means of the fastest quarters.
+    fn fastest(&self) -> f64 {
+        let [base, head] = self.quarters();
+        let sum: f64 = base.iter().zip(&head).map(|(base, head)| head - base).sum();
+        (sum / base.len().max(1) as f64).exp()
+    }
+
+    /// What both rules say.
+    fn pace(&self, tolerance: f64) -> Pace {
+        let slower = |pairs: &Self| {
+            pairs.nearly_all_slower(tolerance) || pairs.fastest_are_slower(tolerance)
+        };
+        self.either(slower)
+    }
+
+    /// What the first rule says.
+    fn pace_of_pairs(&self, tolerance: f64) -> Pace {
+        self.either(|pairs| pairs.nearly_all_slower(tolerance))
+    }
+
+    fn either(&self, slower: impl Fn(&Self) -> bool) -> Pace {
+        if slower(self) {
+            Pace::Slower
+        } else if slower(&self.turned()) {
+            Pace::Faster
+        } else {
+            Pace::Same
+        }
+    }
+
+    /// Chance of ranks of the differences less `limit` that are as high as these.
+    fn chance_above(&self, limit: f64) -> f64 {
+        let differences = self.list.iter().map(|(base, head)| head - base - limit);
+        signed_rank(&differences.collect::<Vec<_>>())
+    }
+
+    /// The least chance there is with so many pairs: all of them say the same.
+    fn least_chance(&self) -> f64 {
+        0.5_f64.powi(self.list.len() as i32)
+    }
+
+    fn nearly_all_slower(&self, tolerance: f64) -> bool {
+        self.chance_above(tolerance.ln_1p()) <= NEARLY_ALL.max(self.least_chance())
+    }
+
+    fn fastest_are_slower(&self, tolerance: f64) -> bool {
+        if self.list.len() < MANY {
+            return false;
+        }
+        let most = match self.clock {
+            Clock::Wall => MOST_WALL,
+            Clock::Cpu => MOST_CPU,
+        };
+        let [base, head] = self.quarters();
+        let spread = |side: &[f64]| side[side.len() - 1] - side[0];
+        let limit = tolerance
+            .ln_1p()
+            .max(2.0 * spread(&base).max(spread(&head)));
+        base.iter()
+            .zip(&head)
+            .all(|(base, head)| head - base > limit)
+            && self.chance_above(0.0) <= most
+    }
+
+    /// How small a change `pairs` pairs find, from resamples of these without the change that they show.
+    fn sees(&self, pairs: usize, tolerance: f64) -> Sees {
+        if pairs < MANY {
+            return Sees::FewPairs;
+        }
+        let level = self.scaled(1.0 / self.fastest()).list;
+        let mut random = Rand64::new(u128::from(SEED));
+        let n = level.len() as u64;
+        let resamples: Vec<Self> = (0..RESAMPLES)
+            .map(|_| {
+                let drawn = (0..pairs).map(|_| level[random.rand_range(0..n) as usize]);
+                self.with(drawn.collect())
+            })
+            .collect();
+        let found = |change: f64| {
+            let slower = |pairs: &&Self| pairs.scaled(1.0 + change).pace(tolerance) == Pace::Slower;
+            resamples.iter().filter(slower).count() as f64 >= FOUND * RESAMPLES as f64
+        };
+        match CHANGES.into_iter().find(|change| found(*change)) {
+            Some(change) => Sees::Change(change),
+            None => Sees::Nothing,
+        }
     }
 }

@@ -42,8 +42,8 @@ impl fmt::Display for CaseKey {
 pub struct Series {
     /// Clock times by pass \[s\].
     pub wall: BTreeMap<u64, Vec<f64>>,
-    /// CPU times of all passes \[s\].
-    pub cpu: Vec<f64>,
+    /// CPU times by pass \[s\].
+    pub cpu: BTreeMap<u64, Vec<f64>>,
     /// Numbers of threads that the rows were given; 0 where the scene decides.
     pub threads: BTreeSet<u64>,
     /// Every value of every counter.
@@ -61,7 +61,9 @@ impl Series {
         if let Some(wall) = row.wall() {
             self.wall.entry(row.pass()).or_default().push(wall);
         }
-        self.cpu.extend(row.cpu());
+        if let Some(cpu) = row.cpu() {
+            self.cpu.entry(row.pass()).or_default().push(cpu);
+        }
         self.threads.insert(row.threads);
         for (key, value) in row.counters.iter().filter(|(key, _)| *key != PASS) {
             self.counters.entry(key.clone()).or_default().push(*value);

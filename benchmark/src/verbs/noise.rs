@@ -16,23 +16,24 @@ use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Repetitions of short runs in a pass, as `scripts/compare-commits` has them.
-const REPETITIONS: usize = 3;
+/// Repetitions of runs in a pass, as `scripts/compare-commits` has them.
+const REPETITIONS: usize = 1;
 /// The two sides that are the same program.
 const SIDES: usize = 2;
 
 /// Measure the noise of each case: the same program against itself.
 ///
-/// Without RECORDS the short ladders are run on two sides that do not differ, pass by pass and case by case in turn: some
-/// five minutes a pass. With RECORDS (two or more of the same program, or folders of records) nothing is run. The band of
-/// a case is the largest change of time between passes; `proctor compare --noise FILE` judges by twice of it where that is
-/// more than 3 %.
+/// Without RECORDS the short ladders are run on two sides that do not differ, case by case, in the order A B B A: some two
+/// minutes a pass. With RECORDS (two or more of the same program, or folders of records) nothing is run. The band of a
+/// case is the largest change of time between passes: of CPU time where a run has one thread, else by the clock. `sees` is
+/// the least change of time that a comparison of so many pairs finds in nine of ten cases; it finds that out from its own
+/// samples too, and needs no bands. Given them, `proctor compare --noise FILE` says nothing of changes below twice the band.
 #[derive(Args)]
 #[command(after_help = "Example: proctor noise --json noise.json, then\n  \
     proctor compare base.json head.json --noise noise.json\n\
     Of two cases alone, in a minute: proctor noise --cases \"bar rotation\"\n\
-    From the records of scripts/compare-commits HEAD~1, which runs the base twice:\n  \
-    proctor noise target/compare/records/base target/compare/records/again --json noise.json")]
+    From the records with which scripts/compare-commits HEAD~1 began, of the base against itself:\n  \
+    proctor noise target/compare/records/first target/compare/records/second")]
 pub struct Noise {
     /// Records of the same program, or folders of records
     #[arg(value_name = "RECORDS")]
@@ -49,8 +50,11 @@ pub struct Noise {
     )]
     cases: Vec<String>,
     /// Interleaved passes to run
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(3..))]
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u64).range(3..))]
     passes: u64,
+    /// Pairs of the comparison of which is said what it sees
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u64).range(3..))]
+    pairs: u64,
     #[command(flatten)]
     settings: Settings,
 }
@@ -72,12 +76,12 @@ impl Noise {
             let records = records.collect::<Result<Vec<_>, _>>();
             (records.map_err(Failure::bad_input)?, false)
         };
-        let bands = match noise::bands(&records) {
+        let bands = match noise::bands(&records, self.pairs as usize) {
             Ok(bands) => bands,
             Err(_) if interrupted => vec![],
             Err(reason) => return Err(Failure::BadInput(reason)),
         };
-        show(&bands, out)?;
+        show(&bands, self.pairs, out)?;
         // Bands belong to the program and the machine that were measured.
         let mut record = records.into_iter().next().ok_or_else(|| {
             Failure::BadInput(
@@ -122,7 +126,9 @@ fn measured(
     for pass in 0..passes {
         let mut measured = vec![Record::new(options); SIDES];
         for &case in cases {
-            for one in &mut measured {
+            // A B, then B A: what grows while the machine works is on both sides.
+            for turn in 0..SIDES {
+                let one = &mut measured[(turn + pass as usize) % SIDES];
                 let ran = suite::run_while(case, Size::Quick, options, REPETITIONS, &go);
                 one.push_case(&ran, threads);
                 if interrupt.raised() {
@@ -142,8 +148,8 @@ fn measured(
     sides
 }
 
-fn show(bands: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
-    let mut table = Table::new(["case", "pairs", "median", "band"]);
+fn show(bands: &[Row], pairs: u64, out: &mut dyn Write) -> Result<(), Failure> {
+    let mut table = Table::new(["case", "pairs", "median", "band", "sees"]);
     for row in bands {
         let percent = |key: &str| {
             let value = row.counters.get(key);
@@ -155,11 +161,31 @@ fn show(bands: &[Row], out: &mut dyn Write) -> Result<(), Failure> {
             pairs.to_string(),
             percent("noise_median"),
             percent("noise_band"),
+            row.counters.get(noise::SEES).map_or_else(
+                || "nothing".to_owned(),
+                |sees| format!("{:.0} %", 100.0 * sees),
+            ),
         ]);
     }
     writeln!(
         out,
-        "change of time between two sides that do not differ\n\n{table}"
+        "change of time between two sides that do not differ, and the least that {pairs} pairs would see\n\n{table}"
+    )?;
+    let mut seen: Vec<f64> = bands
+        .iter()
+        .map(|row| {
+            row.counters
+                .get(noise::SEES)
+                .copied()
+                .unwrap_or(f64::INFINITY)
+        })
+        .collect();
+    seen.sort_by(f64::total_cmp);
+    let ten = seen.iter().filter(|sees| **sees <= 0.1).count();
+    writeln!(
+        out,
+        "{pairs} pairs would see a change of 10 % or less in {ten} of {} cases, in nine of ten comparisons",
+        seen.len()
     )?;
     Ok(())
 }

@@ -198,7 +198,7 @@ fn noise_of_another_machine_or_none_at_all() {
     };
     refused(&judged(&base()), "holds no bands");
     let mut bands = base();
-    bands.rows = noise::bands(&[base(), base()]).expect("bands");
+    bands.rows = noise::bands(&[base(), base()], 12).expect("bands");
     assert_eq!(judged(&bands).verdict(), Verdict::Fine);
     bands.context["cpu_model"] = json!("another");
     refused(&judged(&bands), "noise record: another machine");
@@ -208,7 +208,7 @@ fn noise_of_another_machine_or_none_at_all() {
 fn noise_that_would_hide_anything() {
     let judged = |band: f64| {
         let mut bands = base();
-        bands.rows = noise::bands(&[base(), base()]).expect("bands");
+        bands.rows = noise::bands(&[base(), base()], 12).expect("bands");
         bands.rows[0].count("noise_band", band);
         let rules = Rules {
             noise: Some(&bands),

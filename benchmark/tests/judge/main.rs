@@ -6,6 +6,7 @@ mod cannot_compare;
 mod equal_error;
 mod ledger;
 mod noise;
+mod recorded;
 mod synthetic;
 mod tampered;
 mod time;

@@ -16,7 +16,7 @@ fn the_band_is_the_largest_change_between_passes() {
     // Changes of 1, 2, 3, 4 and 5 %, whichever side is slower.
     let first = passes(&[1.0, 1.02, 1.0, 1.04, 1.0]);
     let second = passes(&[1.01, 1.0, 1.03, 1.0, 1.05]);
-    let rows = bands(&[first.clone(), second]).expect("bands");
+    let rows = bands(&[first.clone(), second], 12).expect("bands");
     let noise = record(rows);
     let cases = Cases::of(&first);
     let found = band(&noise, &cases.list[0].0).expect("a band");
@@ -29,7 +29,7 @@ fn the_band_is_the_largest_change_between_passes() {
 #[test]
 fn three_records_make_three_pairs() {
     let one = passes(&[1.0, 1.0, 1.0]);
-    let rows = bands(&[one.clone(), one.clone(), one]).expect("bands");
+    let rows = bands(&[one.clone(), one.clone(), one], 12).expect("bands");
     assert_eq!(rows[0].counters["noise_pairs"], 9.0);
     assert_eq!(rows[0].counters["noise_band"], 0.0);
 }
@@ -38,7 +38,7 @@ fn three_records_make_three_pairs() {
 fn what_gives_no_band_is_refused() {
     let good = record(steady("a", 1.0));
     let refused = |records: &[Record], words: &str| {
-        let reason = bands(records).expect_err("refused");
+        let reason = bands(records, 12).expect_err("refused");
         assert!(reason.contains(words), "{reason}");
     };
     refused(&[], "two or more");

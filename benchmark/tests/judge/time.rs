@@ -1,7 +1,11 @@
 //! Time: no false alarm, and real losses found.
 
 use crate::synthetic::{Machine, compare, of, record, sample, steady};
+use proctor_benchmark::judge::time::Clock;
 use proctor_benchmark::judge::{self, CaseVerdict, Comparison, Rules, Verdict, noise};
+use proctor_benchmark::measure::Spent;
+use proctor_benchmark::record::{Record, Row};
+use std::time::Duration;
 
 /// Share of cases with a verdict.
 fn share(comparison: &Comparison, verdict: CaseVerdict) -> f64 {
@@ -36,7 +40,7 @@ fn a_noisy_machine_gives_no_alarm_once_its_noise_is_measured() {
     machine.outliers = 0.1;
     for _ in 0..10 {
         machine.passes = 9;
-        let bands = record(noise::bands(&machine.records(100, 1.0)).expect("bands"));
+        let bands = record(noise::bands(&machine.records(100, 1.0), 12).expect("bands"));
         machine.passes = 3;
         let [base, head] = machine.records(100, 1.0);
         let rules = Rules {
@@ -83,7 +87,7 @@ fn one_pass_that_is_not_slower_acquits() {
 fn the_tolerance_is_three_per_cent_or_twice_the_band() {
     let base = record(steady("a", 1.0));
     let judged = |factor: f64, band: Option<f64>| {
-        let mut bands = record(noise::bands(&[base.clone(), base.clone()]).expect("bands"));
+        let mut bands = record(noise::bands(&[base.clone(), base.clone()], 12).expect("bands"));
         bands.rows[0].count("noise_band", band.unwrap_or(0.0));
         let rules = Rules {
             noise: Some(&bands),
@@ -110,4 +114,70 @@ fn the_figures_beside_the_verdict_are_those_of_the_samples() {
     assert_eq!(time.ratios, [1.25; 3]);
     assert_eq!((time.median, time.interval), (1.25, (1.25, 1.25)));
     assert!(time.chance < 1e-3);
+}
+
+/// Twelve pairs of runs on one thread that take these times by the clock and on the processors.
+fn pairs(times: impl Fn(u64) -> (f64, f64)) -> Record {
+    record((0..12).map(|pair| {
+        let (wall, cpu) = times(pair);
+        let mut row = Row::sample("a", 0, 1).timed(Spent {
+            wall: Duration::from_secs_f64(wall),
+            cpu: Duration::from_secs_f64(cpu),
+        });
+        row.set_pass(pair);
+        row
+    }))
+}
+
+#[test]
+fn one_thread_is_judged_by_its_time_on_the_processors() {
+    // The clock jumps by factors, in another order on either side.
+    let jumps = |pair: u64| [1.0, 3.0, 7.0, 2.0, 5.0][(pair % 5) as usize];
+    let base = pairs(|pair| (jumps(pair), 1.0 + 0.001 * pair as f64));
+    let head = pairs(|pair| (jumps(pair + 1), 1.06 + 0.001 * pair as f64));
+    let comparison = compare(&base, &head);
+    let (verdict, reason) = of(&comparison, "a");
+    assert_eq!(verdict, CaseVerdict::Worse);
+    assert!(reason.contains("of CPU time"), "{reason}");
+    let time = comparison.findings[0].time.as_ref().expect("judged");
+    assert_eq!((time.clock, time.sees), (Clock::Cpu, Some(0.05)));
+}
+
+#[test]
+fn what_waits_instead_of_working_is_found_by_the_clock() {
+    let base = pairs(|_| (1.0, 1.0));
+    let (verdict, reason) = of(&compare(&base, &pairs(|_| (1.1, 1.0))), "a");
+    assert_eq!(verdict, CaseVerdict::Worse);
+    assert!(reason.contains("of wall time"), "{reason}");
+}
+
+#[test]
+fn the_fastest_quarter_is_found_slower_where_every_second_process_is() {
+    // 18 % longer in every second process of BASE, in every third of HEAD.
+    let slow = |pair: u64, of: u64| if pair.is_multiple_of(of) { 1.18 } else { 1.0 };
+    let base = pairs(|pair| (1.0, slow(pair, 2) + 0.001 * pair as f64));
+    let head = |factor: f64| pairs(|pair| (1.0, factor * slow(pair + 1, 3) + 0.001 * pair as f64));
+    assert_eq!(of(&compare(&base, &head(1.0)), "a").0, CaseVerdict::Same);
+    assert_eq!(of(&compare(&base, &head(1.1)), "a").0, CaseVerdict::Worse);
+    assert_eq!(of(&compare(&head(1.1), &base), "a").0, CaseVerdict::Better);
+    // A single pair without the fast mode of the other side is no finding.
+    let rare = pairs(|pair| (1.0, if pair == 3 { 1.0 } else { 1.18 }));
+    let never = pairs(|_| (1.0, 1.18));
+    assert_eq!(of(&compare(&rare, &never), "a").0, CaseVerdict::Same);
+}
+
+#[test]
+fn noise_that_hides_a_half_is_not_green() {
+    // By the clock alone, as with several threads.
+    let noisy = |shift: u64| {
+        record((0..12).map(|pair| {
+            let jump = [1.0, 9.0, 2.0, 30.0, 4.0, 13.0, 3.0][((pair * 5 + shift) % 7) as usize];
+            let mut row = sample("a", pair, 0, jump);
+            row.threads = 2;
+            row
+        }))
+    };
+    let (verdict, reason) = of(&compare(&noisy(0), &noisy(3)), "a");
+    assert_eq!(verdict, CaseVerdict::CannotCompare);
+    assert!(reason.contains("hides every change below 50 %"), "{reason}");
 }

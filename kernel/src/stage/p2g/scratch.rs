@@ -22,6 +22,9 @@ pub(super) struct Source<'a> {
 }
 
 /// Weights and quantities of one group.
+// Lines of eight numbers are lines of the cache: half of them lay across two wherever the stack began between, which took
+// 18 % longer for *rotation*, in every second process.
+#[repr(align(64))]
 pub(super) struct Scratch<const N: usize> {
     /// Weights, `[axis][node][particle]`.
     pub w: [[[f64; 8]; N]; 3],

@@ -1,0 +1,123 @@
+//! The judge of times, on samples of a noisy machine: one program against itself, and slowed down by arithmetic.
+//!
+//! To multiply the times of one side is what a slower program does to them as long as the noise is a factor too, which
+//! other work on the same processors is.
+
+use oorandom::Rand64;
+use proctor_benchmark::judge::time::{Pace, compare};
+use proctor_benchmark::record::Series;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Pairs of a comparison, as `scripts/compare-commits` has them.
+const PAIRS: usize = 12;
+/// Comparisons drawn from each case.
+const DRAWS: usize = 200;
+
+/// Times of both sides of a pair \[s\]: by the clock and on the processors.
+type Pair = [[f64; 2]; 2];
+
+/// What was recorded of a case.
+struct Recorded {
+    name: String,
+    threads: u64,
+    pairs: Vec<Pair>,
+}
+
+fn recorded() -> Vec<Recorded> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let text = std::fs::read_to_string(root.join("fixtures/noise/busy.csv")).expect("the samples");
+    let mut cases: Vec<Recorded> = vec![];
+    for line in text.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let time = |at: usize| cells[at].parse::<f64>().expect("microseconds") * 1e-6;
+        if cases.last().is_none_or(|case| case.name != cells[0]) {
+            cases.push(Recorded {
+                name: cells[0].to_owned(),
+                threads: cells[1].parse().expect("threads"),
+                pairs: vec![],
+            });
+        }
+        let case = cases.last_mut().expect("a case");
+        case.pairs.push([[time(3), time(4)], [time(5), time(6)]]);
+    }
+    cases
+}
+
+impl Recorded {
+    /// Consecutive pairs from a random start, the sides exchanged or not.
+    fn draw(&self, random: &mut Rand64) -> Vec<Pair> {
+        let n = self.pairs.len();
+        let start = random.rand_range(0..n as u64) as usize;
+        let turned = random.rand_float() < 0.5;
+        let pairs = (start..start + PAIRS).map(|at| self.pairs[at % n]);
+        pairs
+            .map(|[a, b]| if turned { [b, a] } else { [a, b] })
+            .collect()
+    }
+
+    /// `cpu` is whether the time on the processors was recorded too.
+    fn judged(&self, pairs: &[Pair], factor: f64, cpu: bool) -> Result<Pace, String> {
+        let side = |which: usize, factor: f64| {
+            let mut series = Series {
+                threads: [self.threads].into(),
+                ..Series::default()
+            };
+            let times = |clock: usize| -> BTreeMap<u64, Vec<f64>> {
+                let times = pairs.iter().map(|pair| vec![factor * pair[which][clock]]);
+                (0..).zip(times).collect()
+            };
+            series.wall = times(0);
+            if cpu {
+                series.cpu = times(1);
+            }
+            series
+        };
+        compare(&side(0, 1.0), &side(1, factor), None).map(|time| time.pace)
+    }
+
+    /// Shares of draws that are called slower, called faster, and not judged at all.
+    fn shares(&self, factor: f64, cpu: bool) -> [f64; 3] {
+        let mut random = Rand64::new(1);
+        let mut counts = [0.0; 3];
+        for _ in 0..DRAWS {
+            match self.judged(&self.draw(&mut random), factor, cpu) {
+                Ok(Pace::Slower) => counts[0] += 1.0,
+                Ok(Pace::Faster) => counts[1] += 1.0,
+                Ok(Pace::Same) => {}
+                Err(_) => counts[2] += 1.0,
+            }
+        }
+        counts.map(|count| count / DRAWS as f64)
+    }
+}
+
+#[test]
+fn two_hundred_comparisons_of_a_program_with_itself_give_no_alarm() {
+    for case in recorded() {
+        for cpu in [true, false] {
+            let [slower, faster, hidden] = case.shares(1.0, cpu);
+            println!("{}, CPU time {cpu}: not judged {hidden:.3}", case.name);
+            assert_eq!((slower, faster), (0.0, 0.0), "{}, {cpu}", case.name);
+        }
+    }
+}
+
+#[test]
+fn ten_per_cent_are_found_in_nine_of_ten_comparisons() {
+    for case in recorded() {
+        let found: Vec<[f64; 3]> = [1.05, 1.1, 1.2].map(|f| case.shares(f, true)).to_vec();
+        let said: Vec<String> = found.iter().map(|f| format!("{:.3}", f[0])).collect();
+        let [_, [slower, _, hidden], _] = found[..] else {
+            unreachable!("three factors");
+        };
+        println!(
+            "{}: 5, 10, 20 % slower found in {}; not judged {hidden:.3}",
+            case.name,
+            said.join(", "),
+        );
+        // With two threads the clock decides. Among so much other work it shows little, which is said, and not green.
+        let stopped = slower + if case.threads > 1 { hidden } else { 0.0 };
+        assert!(stopped >= 0.9, "{}: {stopped}", case.name);
+    }
+}
