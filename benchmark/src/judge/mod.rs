@@ -120,12 +120,11 @@ pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
         );
     }
     let ladder = head.ladder().unwrap_or_default().to_owned();
-    if base.ladder() != head.ladder() {
-        let said = |record: &Record| record.ladder().unwrap_or("none").to_owned();
+    if let (Some(before), Some(after)) = (base.ladder(), head.ladder())
+        && before != after
+    {
         obstacles.push(format!(
-            "another ladder: {} in BASE, {} in HEAD",
-            said(base),
-            said(head)
+            "another ladder: {before} in BASE, {after} in HEAD"
         ));
     }
     let (base, head) = (Cases::of(base), Cases::of(head));

@@ -1,7 +1,7 @@
 //! Several records as one: the files of a folder.
 
 use super::error::{Reason, RecordError};
-use super::{Kind, Record};
+use super::{Kind, LADDERS, Record};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -89,6 +89,10 @@ impl Record {
         }
         if other.incomplete() {
             self.set_incomplete(true);
+        }
+        // A record of speed beside those of cases says nothing of ladders.
+        if let (None, Some(ladder)) = (self.ladder(), other.ladder()) {
+            self.context[LADDERS] = ladder.into();
         }
         self.rows.extend(other.rows);
         Ok(())
