@@ -197,9 +197,9 @@ fn unknown_keys_and_wrong_types_are_named_with_their_place() {
 
 #[test]
 fn more_threads_than_the_machine_has_are_warned_of() {
-    let config = parse(r#"{"threads": 4096}"#).expect("accepted");
+    let config = parse(r#"{"threads": 1024}"#).expect("accepted");
     assert!(
-        config.warnings.iter().any(|w| w.contains("4096 threads")),
+        config.warnings.iter().any(|w| w.contains("1024 threads")),
         "{:?}",
         config.warnings
     );
