@@ -1,4 +1,4 @@
-//! Judges two records: results bit by bit, counts nearly exactly, time by interleaved passes.
+//! Judges two records: results bit by bit, counts nearly exactly, time by pairs of runs.
 //!
 //! What cannot be compared is never green: it outranks everything else in the verdict.
 
@@ -123,9 +123,7 @@ pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
     if let (Some(before), Some(after)) = (base.ladder(), head.ladder())
         && before != after
     {
-        obstacles.push(format!(
-            "another ladder: {before} in BASE, {after} in HEAD"
-        ));
+        obstacles.push(format!("another ladder: {before} in BASE, {after} in HEAD"));
     }
     let (base, head) = (Cases::of(base), Cases::of(head));
     let mut findings: Vec<Finding> = head

@@ -220,9 +220,8 @@ fn csv(record: &Record) -> Result<String, ExportError> {
 fn gates(record: &Record) -> Result<String, ExportError> {
     let word = |key: &str| record.context[key].as_str().unwrap_or("unknown");
     let mut text = format!(
-        "Measured {} at commit {}, {} ladders. Units are SI, errors relative.\n",
+        "Measured until {}, {} ladders. Units are SI, errors relative.\n",
         word("date"),
-        word("commit").chars().take(10).collect::<String>(),
         record.ladder().unwrap_or("other"),
     );
     let mut before = "";

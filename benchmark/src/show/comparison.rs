@@ -93,8 +93,9 @@ pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String
         );
     }
     text.push_str(
-        "\nHEAD over BASE. Error, count: the worst of the case. Time: ratio of medians over interleaved passes; a case \
-         is slower or faster only if every pass is, by more than the tolerance. p: Mann-Whitney, two-sided.\n",
+        "\nHEAD over BASE. Error, count: the worst of the case. Time: ratio of medians over pairs of runs; a case is \
+         slower or faster if nearly all pairs are, or their fastest quarter, by more than the tolerance. p: Mann-Whitney, \
+         two-sided.\n",
     );
     text
 }

@@ -10,15 +10,19 @@ use proctor_kernel::output::atomic;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Compare two records: results bit by bit, counts nearly exactly, times by interleaved passes.
+/// Compare two records: results bit by bit, counts nearly exactly, times by pairs of runs.
 ///
 /// Results are the same on every machine. Errors, orders, balances, figures, gates and hashes that differ are listed; what
 /// is worse by more than 1e-6 of itself fails, however fast it has become, and so do a gate that became looser, a new case
 /// that fails, other failures, and 1 % more instructions or steps. What the ledger of accepted changes names is fine as
-/// long as it is not worse than the best value that was ever accepted. Time fails only if each of three or more interleaved passes is slower by more than 3 % or twice the
-/// noise that was measured for the case; a gain in time that was paid for in accuracy is judged at equal error. What
-/// cannot be compared (cases that are missing, another machine or build, too few passes, an interrupted record) is never
-/// fine: exit code 2. Nor is a number that only one of the records has.
+/// long as it is not worse than the best value that was ever accepted.
+///
+/// Time is slower if nearly all pairs of runs say so, or from twelve pairs on the fastest quarter, by more than 3 % and
+/// more than their noise; with three pairs all of them must. The time on the processors decides where a run has one
+/// thread, the clock elsewhere. A gain in time that was paid for in accuracy is judged at equal error.
+///
+/// What cannot be compared (cases or numbers that only one record has, another machine or build, too few pairs, noise
+/// that hides everything, an interrupted record) is never fine: exit code 2.
 ///
 /// BASE and HEAD are records, or folders of records: one pass per sub-folder, or per file where there are none.
 #[derive(Args)]

@@ -36,7 +36,7 @@ pub enum Verb {
     Bench(bench::Bench),
     /// Make the page of a record.
     Report(report::Report),
-    /// Compare two records: results bit by bit, counts nearly exactly, times by interleaved passes.
+    /// Compare two records: results bit by bit, counts nearly exactly, times by pairs of runs.
     Compare(compare::Compare),
     /// Take the changes between two records into the ledger of accepted changes.
     Accept(accept::Accept),
