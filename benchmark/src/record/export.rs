@@ -231,10 +231,12 @@ fn gates(record: &Record) -> Result<String, ExportError> {
             continue;
         };
         if case != before {
-            let _ = write!(
-                text,
-                "\n## {case}\n\n| gate | found | bound |\n|---|--:|--:|\n"
-            );
+            let _ = write!(text, "\n## {case}\n\n");
+            if let Some(commit) = row.labels.get("commit") {
+                let commit: String = commit.chars().take(10).collect();
+                let _ = write!(text, "Commit {commit}.\n\n");
+            }
+            text.push_str("| gate | found | bound |\n|---|--:|--:|\n");
             before = case;
         }
         let value = row.counters.get(GATE_VALUE).copied();

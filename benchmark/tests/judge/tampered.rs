@@ -75,8 +75,7 @@ fn the_number_of_threads_does_not_part_cases() {
         let head = with(|row| row.threads = threads);
         let comparison = compared(kept(), &head);
         assert_eq!(comparison.verdict(), Verdict::Fine, "{threads} threads");
-        let judged = comparison.findings.iter().filter(|f| f.judged()).count();
-        assert_eq!(judged, comparison.findings.len());
+        assert_eq!(comparison.tallies(), compared(kept(), kept()).tallies());
     }
 }
 
