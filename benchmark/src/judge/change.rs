@@ -198,12 +198,14 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
             })
         };
         let (before, after) = (of(base), of(head));
+        // A value whose error is there too is judged by that, and listed.
+        let told = tells_error(key, base) && tells_error(key, head);
         let moved = if repeats(meaning, head.counters.get(key)) {
-            let told_by_error = tells_error(key, base) && tells_error(key, head);
-            moved(meaning, better, told_by_error, &before, &after)
+            moved(meaning, better, told, &before, &after)
         } else {
             Moved::Worse
         };
+        let meaning = if told { Meaning::Information } else { meaning };
         changes.push(Change {
             number: key.clone(),
             meaning,

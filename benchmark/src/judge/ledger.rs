@@ -4,6 +4,7 @@
 //! it remembers the best value that a number ever had, so that many small steps do not add up to a large one unseen.
 
 use super::change::{Change, Found, Moved, tolerance};
+use crate::record::Meaning;
 use proctor_kernel::output::{OutputError, atomic};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -151,6 +152,9 @@ impl Ledger {
     /// Whether HEAD is worse than the best value that was ever accepted, by more than is judged; that value.
     #[must_use]
     pub fn below_best(&self, ladder: &str, case: &str, change: &Change) -> Option<f64> {
+        if change.meaning == Meaning::Information {
+            return None;
+        }
         let head = change.head.number()?;
         let best = self.best(ladder, case, change)?;
         (change.better.loss(best, head) > tolerance(change.meaning)).then_some(best)

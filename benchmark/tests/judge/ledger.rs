@@ -118,6 +118,23 @@ fn a_gain_is_kept() {
 }
 
 #[test]
+fn a_value_is_judged_by_its_error_where_it_has_one() {
+    let with_value = |value: f64, error: f64| {
+        let mut record = with("error_u", error);
+        record.rows[0].count("value_u", value);
+        record
+    };
+    // The ledger knows other values; the error became better, and the value with it.
+    let lines = vec![
+        line("error_u", 0.2, 0.1, What::Better),
+        line("value_u", 1.2, 1.1, What::Better),
+    ];
+    let comparison = compared(&with_value(1.1, 0.1), &with_value(1.05, 0.05), lines, false);
+    assert_eq!(comparison.verdict(), Verdict::Fine);
+    assert_eq!(comparison.findings[0].told.len(), 1);
+}
+
+#[test]
 fn strictly_every_difference_needs_a_line() {
     let base = with("error_u", 0.1);
     for head in [
