@@ -336,6 +336,7 @@ fn judge_time(time: &Time, paid: &Paid) -> (Moved, Option<String>) {
     match (time.pace, paid) {
         (Pace::Same, _) => (Moved::Same, None),
         (Pace::Slower, _) => (Moved::Worse, Some(time.said("slower"))),
+        (Pace::Unclear, _) => (Moved::Other, Some(time.unclear())),
         (Pace::Faster, Paid::Nothing) => (Moved::Better, Some(time.said("faster"))),
         (Pace::Faster, Paid::Unknown(key)) => (
             Moved::Same,
@@ -348,6 +349,7 @@ fn judge_time(time: &Time, paid: &Paid) -> (Moved, Option<String>) {
                 Pace::Same => (Moved::Same, "no change"),
                 Pace::Faster => (Moved::Better, "still faster"),
                 Pace::Slower => (Moved::Worse, "slower"),
+                Pace::Unclear => (Moved::Other, "too noisy to tell"),
             };
             let text = format!(
                 "time {} was paid for in accuracy ({key}); at equal error {}: {word}",

@@ -11,6 +11,9 @@
 //!
 //! A run on one thread computes and waits for nothing: its time on the processors is its time, and both rules judge it.
 //! With more threads the clock decides. The other of the two times is judged by the first rule alone.
+//!
+//! What neither rule shows is not yet the same. It is where a loss of a tenth would have been shown in nine of ten such
+//! measurements, and where the sides lie no farther apart than that; otherwise nothing can be said, which is not green.
 
 use crate::record::Series;
 use crate::statistics::{mann_whitney, median, ratio_interval, signed_rank};
@@ -21,7 +24,9 @@ use std::collections::BTreeMap;
 pub const PASSES: usize = 3;
 /// Smallest relative change of time that is one.
 pub const TOLERANCE: f64 = 0.03;
-/// Noise above which a time is not judged: to find nothing among such noise is no finding.
+/// Loss of time that is not to pass unseen: what is called the same would have shown it in nine of ten measurements.
+pub const UNSEEN: f64 = 0.1;
+/// Largest change of which is tried whether it would be seen.
 const USELESS: f64 = 0.5;
 /// Seed of the bootstrap.
 const SEED: u64 = 1;
@@ -49,6 +54,8 @@ pub enum Pace {
     Faster,
     /// Slower by more than the tolerance.
     Slower,
+    /// No change that the pairs show, but among such noise, or at such a distance, that is no finding.
+    Unclear,
 }
 
 /// Which time.
@@ -90,8 +97,8 @@ pub struct Time {
     pub chance: f64,
     /// Relative change below which nothing is said.
     pub tolerance: f64,
-    /// Least of some changes that would have been found in nine of ten such measurements; `None` with few pairs.
-    pub sees: Option<f64>,
+    /// Whether there are many pairs, and a change of [`UNSEEN`] would be found in fewer than nine of ten such measurements.
+    hides: bool,
     /// What the pairs say.
     pub pace: Pace,
     /// The time that shows it, of the two.
@@ -105,6 +112,30 @@ impl Time {
     #[must_use]
     pub fn pace_at(&self, factor: f64) -> Pace {
         self.told_at(factor).0
+    }
+
+    /// Least of some changes that would have been found in nine of ten such measurements; `None` with few pairs, and where
+    /// that is none of them.
+    #[must_use]
+    pub fn sees(&self) -> Option<f64> {
+        self.deciding.sees(self.deciding.list.len(), self.tolerance)
+    }
+
+    /// Why nothing can be said of what is [`Pace::Unclear`].
+    pub(super) fn unclear(&self) -> String {
+        let apart = self.deciding.apart();
+        let mut reasons = vec![];
+        if apart > 1.0 + UNSEEN {
+            reasons.push(format!(
+                "the pairs lie {:.1} % apart in {}, but contradict each other",
+                100.0 * (apart - 1.0),
+                self.clock.name()
+            ));
+        }
+        if self.hides {
+            reasons.push(hides(self.sees().unwrap_or(USELESS)));
+        }
+        hidden(&reasons.join(", and "))
     }
 
     /// What the pairs show, in words: of which time, by how much, in how many of them.
@@ -140,9 +171,25 @@ impl Time {
         match (decided, beside) {
             (Pace::Slower, _) => (Pace::Slower, own),
             (_, Pace::Slower) => (Pace::Slower, other),
+            (Pace::Same, _) if self.is_unclear_at(factor) => (Pace::Unclear, own),
             (pace, _) => (pace, own),
         }
     }
+
+    /// Whether a loss of [`UNSEEN`] could hide in what shows no change.
+    fn is_unclear_at(&self, factor: f64) -> bool {
+        self.hides || self.deciding.scaled(factor).apart() > 1.0 + UNSEEN
+    }
+}
+
+/// How much noise hides.
+fn hides(change: f64) -> String {
+    format!("the noise hides every change below {:.0} %", 100.0 * change)
+}
+
+/// Why a time is not judged.
+fn hidden(reason: &str) -> String {
+    format!("time: {reason}; measure more pairs or on a quiet machine, or leave times out")
 }
 
 impl Clock {
@@ -190,14 +237,8 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
         });
     }
     let tolerance = TOLERANCE.max(2.0 * band.unwrap_or(0.0));
-    let hidden = |change: f64| {
-        Err(format!(
-            "time: the noise hides every change below {:.0} %; measure on a quiet machine, or leave times out",
-            100.0 * change
-        ))
-    };
     if tolerance > USELESS {
-        return hidden(tolerance);
+        return Err(hidden(&hides(tolerance)));
     }
     let (clock, deciding, other) = match cpu {
         Some(cpu) if alone(base) => (Clock::Cpu, cpu, Some(wall)),
@@ -215,11 +256,6 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
         let ratio = median(head)? / median(base)?;
         ratio.is_finite().then_some(ratio)
     };
-    let sees = match deciding.sees(deciding.list.len(), tolerance) {
-        Sees::FewPairs => None,
-        Sees::Change(change) => Some(change),
-        Sees::Nothing => return hidden(USELESS),
-    };
     let mut time = Time {
         clock,
         ratios: deciding.ratios(),
@@ -229,7 +265,8 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
         interval: ratio_interval(&base_all, &head_all, SEED).ok_or_else(none)?,
         chance: mann_whitney(&base_all, &head_all).ok_or_else(none)?,
         tolerance,
-        sees,
+        hides: deciding.list.len() >= MANY
+            && !Pairs::finds(&deciding.resamples(deciding.list.len()), UNSEEN, tolerance),
         pace: Pace::Same,
         shown_by: clock,
         deciding,
@@ -267,20 +304,7 @@ pub fn seen_by(pairs: usize, clock: Clock, ratios: &[f64]) -> Option<f64> {
         clock,
         list: list.collect(),
     };
-    match list.sees(pairs, TOLERANCE) {
-        Sees::Change(change) => Some(change),
-        Sees::FewPairs | Sees::Nothing => None,
-    }
-}
-
-/// How small a change is found.
-enum Sees {
-    /// There are too few pairs to tell.
-    FewPairs,
-    /// One as large as this, in nine of ten measurements.
-    Change(f64),
-    /// None.
-    Nothing,
+    list.sees(pairs, TOLERANCE)
 }
 
 /// Logarithms of the fastest run of BASE and of HEAD in each pass.
@@ -350,6 +374,15 @@ impl Pairs {
         (sum / base.len().max(1) as f64).exp()
     }
 
+    /// How far apart the two sides lie: the median of the pairs, or the ratio of the fastest quarters if that is larger.
+    fn apart(&self) -> f64 {
+        let median = median(&self.ratios()).unwrap_or(1.0);
+        if self.list.len() < MANY {
+            return median;
+        }
+        median.max(self.fastest())
+    }
+
     /// What both rules say.
     fn pace(&self, tolerance: f64) -> Pace {
         let slower = |pairs: &Self| {
@@ -407,27 +440,32 @@ impl Pairs {
             && self.chance_above(0.0) <= most
     }
 
-    /// How small a change `pairs` pairs find, from resamples of these without the change that they show.
-    fn sees(&self, pairs: usize, tolerance: f64) -> Sees {
+    /// The smallest change that `pairs` pairs find in nine of ten measurements; `None` with few pairs, or if none is.
+    fn sees(&self, pairs: usize, tolerance: f64) -> Option<f64> {
         if pairs < MANY {
-            return Sees::FewPairs;
+            return None;
         }
+        let resamples = self.resamples(pairs);
+        let mut changes = CHANGES.into_iter();
+        changes.find(|change| Self::finds(&resamples, *change, tolerance))
+    }
+
+    /// Measurements of `pairs` pairs drawn from these, without the change that they show.
+    fn resamples(&self, pairs: usize) -> Vec<Self> {
         let level = self.scaled(1.0 / self.fastest()).list;
         let mut random = Rand64::new(u128::from(SEED));
         let n = level.len() as u64;
-        let resamples: Vec<Self> = (0..RESAMPLES)
+        (0..RESAMPLES)
             .map(|_| {
                 let drawn = (0..pairs).map(|_| level[random.rand_range(0..n) as usize]);
                 self.with(drawn.collect())
             })
-            .collect();
-        let found = |change: f64| {
-            let slower = |pairs: &&Self| pairs.scaled(1.0 + change).pace(tolerance) == Pace::Slower;
-            resamples.iter().filter(slower).count() as f64 >= FOUND * RESAMPLES as f64
-        };
-        match CHANGES.into_iter().find(|change| found(*change)) {
-            Some(change) => Sees::Change(change),
-            None => Sees::Nothing,
-        }
+            .collect()
+    }
+
+    /// Whether a change is found in nine of ten of them.
+    fn finds(resamples: &[Self], change: f64, tolerance: f64) -> bool {
+        let slower = |pairs: &&Self| pairs.scaled(1.0 + change).pace(tolerance) == Pace::Slower;
+        resamples.iter().filter(slower).count() as f64 >= FOUND * RESAMPLES as f64
     }
 }

@@ -19,10 +19,11 @@ use std::path::PathBuf;
 ///
 /// Time is slower if nearly all pairs of runs say so, or from twelve pairs on the fastest quarter, by more than 3 % and
 /// more than their noise; with three pairs all of them must. The time on the processors decides where a run has one
-/// thread, the clock elsewhere. A gain in time that was paid for in accuracy is judged at equal error.
+/// thread, the clock elsewhere. It is the same only where a loss of a tenth would have been seen. A gain in time that was
+/// paid for in accuracy is judged at equal error.
 ///
 /// What cannot be compared (cases or numbers that only one record has, another machine or build, too few pairs, noise
-/// that hides everything, an interrupted record) is never fine: exit code 2.
+/// in which a loss of a tenth could hide, an interrupted record) is never fine: exit code 2.
 ///
 /// BASE and HEAD are records, or folders of records: one pass per sub-folder, or per file where there are none.
 #[derive(Args)]
