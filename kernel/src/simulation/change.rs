@@ -32,10 +32,10 @@ impl Simulation {
         Ok(())
     }
 
-    /// Sets the coefficient of friction of the contact with identifier `contact` from here on.
+    /// Sets the coefficient of friction of the contact with identifier `contact` from here on, on the grid or by mortar.
     ///
     /// # Errors
-    /// No such contact, or a coefficient that is negative or not a number.
+    /// No such contact, or a coefficient that is negative or not a number; for mortar contact also an infinite one.
     pub fn set_friction(&mut self, contact: i64, friction: f64) -> Result<(), SetupError> {
         if friction.is_nan() || friction < 0.0 {
             return Err(refused(
@@ -43,17 +43,28 @@ impl Simulation {
                 &format!("{friction}; accepted: a number, 0 or greater"),
             ));
         }
-        let entry = self.scene.contacts.iter_mut().find(|c| c.id == contact);
-        let Some(entry) = entry else {
+        if let Some(entry) = self.scene.contacts.iter_mut().find(|c| c.id == contact) {
+            entry.friction = friction;
+            for pair in self.contact.pairs.iter_mut().filter(|p| p.id == contact) {
+                pair.friction = friction;
+            }
+            return Ok(());
+        }
+        let mut contacts = self.scene.mortar.contacts.iter_mut();
+        let Some(entry) = contacts.find(|c| c.id == contact) else {
             return Err(refused(
                 "contact",
                 &format!("{contact}, which no contact has as its id"),
             ));
         };
-        entry.friction = friction;
-        for pair in self.contact.pairs.iter_mut().filter(|p| p.id == contact) {
-            pair.friction = friction;
+        if friction.is_infinite() {
+            return Err(refused(
+                "friction",
+                &format!("{friction}; accepted: a finite number, 0 or greater"),
+            ));
         }
+        entry.friction = friction;
+        self.mortar.set_friction(entry);
         Ok(())
     }
 
@@ -115,9 +126,21 @@ impl Simulation {
             .found
             .speed_squared
             .max(fastest(&self.scene.bodies[index]));
-        // Pairs of two driven bodies do not act, so the pairs may be others now.
-        self.contact = State::new(&self.scene, &self.bodies);
+        // Pairs of two driven bodies do not act, so the pairs may be others now, and with them the fields.
+        let layers = std::mem::take(&mut self.contact.layers);
+        self.contact = State {
+            layers,
+            ..State::new(&self.scene, &self.bodies)
+        };
+        self.mortar
+            .set_carrier(&self.scene, &self.bodies[index], index);
         self.find_near_pairs();
+        if self.mortar.acts() {
+            self.set_mortar_layers();
+        }
+        if let Some(surfaces) = &mut self.surfaces {
+            surfaces.forget();
+        }
         Ok(())
     }
 

@@ -6,6 +6,7 @@ use super::error::StepError;
 use super::measure::Ledger;
 use super::mortar::MortarState;
 use super::passes::{Groups, bodies_onto, equation_of_motion, forces};
+use super::surfaces::Surfaces;
 use super::{BodyRun, Simulation};
 use crate::contact;
 use crate::grid::ActiveRows;
@@ -71,6 +72,7 @@ struct Kept {
     ledger: Ledger,
     contact: contact::State,
     mortar: MortarState,
+    surfaces: Option<Surfaces>,
 }
 
 /// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
@@ -101,6 +103,7 @@ impl Simulation {
             ledger: self.ledger,
             contact: self.contact.clone(),
             mortar: self.mortar.clone(),
+            surfaces: self.surfaces.clone(),
         };
         self.find_contact()?;
         let info = self.choose_time_step(f64::INFINITY)?;
@@ -188,6 +191,7 @@ impl Drop for Rehearsal<'_> {
         simulation.ledger = kept.ledger;
         simulation.contact = std::mem::take(&mut kept.contact);
         simulation.mortar = std::mem::take(&mut kept.mortar);
+        simulation.surfaces = kept.surfaces.take();
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::slope::{GRAVITY, H, Slope, dot, start};
 use proctor_kernel::plan::{Demands, Plan};
 use proctor_kernel::scene::{History, StressScheme, Transfer, TransferKind};
-use proctor_kernel::simulation::{Options, SetupError, Simulation, StepErrorKind};
+use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, StepErrorKind};
 
 const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
 
@@ -386,4 +386,30 @@ fn the_plan_keeps_it_or_says_why_not() {
     scene.surfaces.clear();
     let without = entry(&Plan::new(&scene, Demands::default()));
     assert!(!without.kept);
+}
+
+/// What a surface gave so far is no more after a rehearsal than before it.
+#[test]
+fn a_rehearsal_leaves_the_impulses_of_surfaces() {
+    for scheme in SCHEMES {
+        let slope = Slope::new(scheme, 0.2);
+        let mut plain = slope.simulation(1);
+        let mut rehearsed = slope.simulation(1);
+        for simulation in [&mut plain, &mut rehearsed] {
+            for _ in 0..20 {
+                simulation.step(slope.end).expect("a step");
+            }
+        }
+        for part in Part::ALL {
+            let mut rehearsal = rehearsed.rehearse(part).expect("a sound step");
+            for _ in 0..3 {
+                rehearsal.set().expect("a sound step");
+                rehearsal.play().expect("a sound step");
+            }
+            drop(rehearsal);
+            let of = |s: &Simulation| (s.surface_impulse(0, 0), s.contact_force(0), s.energy());
+            assert_eq!(of(&plain), of(&rehearsed), "{scheme:?} {part:?}");
+        }
+        assert_ne!(plain.surface_impulse(0, 0), [0.0; 3], "no contact");
+    }
 }

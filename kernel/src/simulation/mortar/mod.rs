@@ -5,6 +5,7 @@
 //! the vertices, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
 
 mod boundaries;
+mod change;
 mod cycle;
 mod gradients;
 mod pair;

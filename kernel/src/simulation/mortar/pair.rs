@@ -52,10 +52,7 @@ pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: u
         master,
         law: PairLaw {
             normal,
-            friction: (contact.friction > 0.0).then_some(Friction {
-                coefficient: contact.friction,
-                stiffness: contact.tangential_stiffness,
-            }),
+            friction: friction(contact),
             detection: contact.detection,
             // Beyond the critical gap for the slip before contact, and as deep as a segment is long.
             search: Search {
@@ -68,5 +65,13 @@ pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: u
         forces: PairForces::default(),
         closing: Closing::NONE,
         work: Workspace::default(),
+    })
+}
+
+/// Friction of an entry, if it has any.
+pub(super) fn friction(contact: &MortarContact) -> Option<Friction> {
+    (contact.friction > 0.0).then_some(Friction {
+        coefficient: contact.friction,
+        stiffness: contact.tangential_stiffness,
     })
 }

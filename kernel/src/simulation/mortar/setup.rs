@@ -31,13 +31,7 @@ impl MortarState {
             ) else {
                 continue;
             };
-            let carrier = match &bodies[index].motion {
-                Some(motion) => Carrier::Prescribed(Some(motion.clone())),
-                None => Carrier::Body {
-                    index,
-                    follow: given.follow,
-                },
-            };
+            let carrier = Carrier::of(&bodies[index], index, given.follow);
             let path = format!("bodies[{index}].boundary_segment");
             if let Vertices::Spacing(length) = given.vertices {
                 match scene.dimension {

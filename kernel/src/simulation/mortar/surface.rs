@@ -5,7 +5,7 @@ use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
 use crate::mortar::weights::{NODES, VertexWeights, in_patch};
 use crate::scene::{History, Vector};
-use crate::simulation::history_value;
+use crate::simulation::{BodyRun, history_value};
 
 /// What moves the vertices of a surface.
 #[derive(Clone, Debug)]
@@ -18,6 +18,16 @@ pub(super) enum Carrier {
     },
     /// A prescribed velocity.
     Prescribed(Option<History>),
+}
+
+impl Carrier {
+    /// What moves the boundary of a body: its nodes, or what its motion is prescribed to be.
+    pub(super) fn of(body: &BodyRun, index: usize, follow: Follow) -> Self {
+        match &body.motion {
+            Some(motion) => Self::Prescribed(Some(motion.clone())),
+            None => Self::Body { index, follow },
+        }
+    }
 }
 
 /// A boundary in motion; positions relative to the origin of the mesh.

@@ -27,7 +27,7 @@ const SWEEPS: usize = 50;
 
 /// What the cycle keeps of the surfaces. Nothing of it decides a result: the list of particles near a surface only
 /// spares searches, and the impulses are records.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Surfaces {
     near: Option<Near>,
     /// Touches of the last equation of motion, and those of a second mapping.
@@ -43,7 +43,7 @@ pub(crate) struct Surfaces {
 }
 
 /// Particles that touch, with where they belong, and the nodes that they reach.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Touches {
     list: Vec<Touch>,
     places: Vec<Place>,

@@ -5,7 +5,7 @@ use crate::scene::Vector;
 use crate::simulation::Simulation;
 
 /// Particles that may touch a surface until they have moved by half the margin.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Near {
     /// Surface, set and particle.
     pub(super) particles: Vec<Place>,

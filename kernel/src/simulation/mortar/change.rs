@@ -1,0 +1,64 @@
+//! Boundaries and pairs after a change between two stages.
+
+use super::MortarState;
+use super::boundaries::Boundaries;
+use super::pair::{friction, pair};
+use super::surface::Carrier;
+use crate::mortar::elements::Elements;
+use crate::scene::{MortarContact, Scene};
+use crate::simulation::BodyRun;
+
+impl MortarState {
+    /// Has the boundary of a body, if it has one, move as the body does now: with its nodes or as prescribed.
+    pub(in crate::simulation) fn set_carrier(
+        &mut self,
+        scene: &Scene,
+        body: &BodyRun,
+        index: usize,
+    ) {
+        let boundaries = &scene.mortar.boundaries;
+        let Some(given) = boundaries.iter().find(|given| given.body == body.id) else {
+            return;
+        };
+        let carrier = Carrier::of(body, index, given.follow);
+        self.plane.set_carrier(body.id, &carrier, scene);
+        self.space.set_carrier(body.id, &carrier, scene);
+    }
+
+    /// Takes up the friction of an entry of the scene.
+    pub(in crate::simulation) fn set_friction(&mut self, contact: &MortarContact) {
+        let friction = friction(contact);
+        let plane = self
+            .plane
+            .pairs
+            .iter_mut()
+            .map(|pair| (pair.id, &mut pair.law));
+        let space = self
+            .space
+            .pairs
+            .iter_mut()
+            .map(|pair| (pair.id, &mut pair.law));
+        for (_, law) in plane.chain(space).filter(|(id, _)| *id == contact.id) {
+            law.friction = friction;
+        }
+    }
+}
+
+impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
+    /// Gives the surface of a body another carrier. Two rigid surfaces make no pair, so there may be other pairs then;
+    /// those that stay keep what they remember.
+    fn set_carrier(&mut self, id: i64, carrier: &Carrier, scene: &Scene) {
+        for surface in self.surfaces.iter_mut().filter(|s| s.id == id) {
+            surface.carrier = carrier.clone();
+            surface.patches.clear();
+        }
+        let mut known = std::mem::take(&mut self.pairs);
+        for contact in &scene.mortar.contacts {
+            if let Some(new) = pair(contact, &self.surfaces) {
+                let old = known.iter().position(|old| old.id == new.id);
+                self.pairs.push(old.map_or(new, |at| known.swap_remove(at)));
+            }
+        }
+        self.pairs.sort_by_key(|pair| pair.id);
+    }
+}
