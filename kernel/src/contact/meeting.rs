@@ -2,11 +2,12 @@
 
 use super::Pair;
 use super::coulomb::{Coulomb, Law, Member, Touch};
-use super::layers::{SlabFields, joined};
+use super::faces::{SlabFields, joined};
 use super::surface::{self, Probe, Search, Side, normal};
 use crate::grid::GridShape;
 use crate::particles::ParticleSet;
 use crate::scene::{ContactNormal, Vector};
+use crate::simulation::fields::Owner;
 use crate::stage::solve::Wall;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -20,7 +21,7 @@ const TOUCHING: f64 = 1e-9;
 /// bodies that were pressed into each other by three quarters of that distance are let go.
 const PLAUSIBLE: f64 = 0.25;
 
-/// The nodes of a slab where fields meet. A field is known by its number: 0 the common one, then the layers.
+/// The nodes of a slab where fields meet. A field is known by its number in the slab.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Meetings {
     /// The nodes, increasing.
@@ -142,22 +143,24 @@ impl Meetings {
     /// Finds the nodes of a slab where fields meet, with the normals and gaps of the pairs. Masses and mass gradients
     /// of the slab must be there, folded.
     #[must_use]
-    pub fn find(fields: &mut SlabFields<'_>, bodies: &Bodies<'_>) -> Self {
+    pub fn find(fields: &mut SlabFields<'_, '_, '_>, bodies: &Bodies<'_>) -> Self {
         let mut found = Self::default();
-        let shape = fields.common.shape;
+        let shape = fields.shape();
         let sides: Vec<Option<[usize; 2]>> = bodies
             .pairs
             .iter()
             .zip(bodies.near)
             .map(|(pair, near)| {
-                let number = |body| fields.layers.iter().position(|l| l.body == body);
                 if !near {
                     return None;
                 }
-                Some([number(pair.master)? + 1, number(pair.slave)? + 1])
+                Some([
+                    fields.slab.number_of(pair.master)?,
+                    fields.slab.number_of(pair.slave)?,
+                ])
             })
             .collect();
-        for plane in fields.common.range.clone() {
+        for plane in fields.range() {
             for row in 0..shape.nodes[1] {
                 let Some(span) = shared_span(fields, plane, row) else {
                     continue;
@@ -176,15 +179,15 @@ impl Meetings {
     /// Adds a node, if fields meet there.
     fn add(
         &mut self,
-        fields: &SlabFields<'_>,
+        fields: &SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
         sides: &[Option<[usize; 2]>],
         at: [usize; 3],
     ) {
-        let shape = fields.common.shape;
-        let node = shape.index(at) - fields.common.range.start * shape.plane_nodes();
+        let shape = fields.shape();
+        let node = shape.index(at) - fields.range().start * shape.plane_nodes();
         let first = (self.fields.len(), self.touches.len());
-        for number in 0..=fields.layers.len() {
+        for number in 0..fields.count() {
             if mass(fields, number, at, node) > 0.0 {
                 self.fields.push(number);
             }
@@ -199,10 +202,14 @@ impl Meetings {
             let [Some(m), Some(s)] = numbers.map(|n| present.iter().position(|p| *p == n)) else {
                 continue;
             };
-            let [master, slave] = numbers.map(|number| Side {
-                mass: mass(fields, number, at, node),
-                surface: &fields.layers[number - 1].surface[node],
-            });
+            let [Some(master), Some(slave)] = numbers.map(|number| {
+                Some(Side {
+                    mass: mass(fields, number, at, node),
+                    surface: &fields.faces[fields.place_of(number)?].lines[node],
+                })
+            }) else {
+                continue;
+            };
             if let Some(normal) = normal(bodies.pairs[index].normal, &master, &slave, &shape.cell) {
                 self.touches.push(Touching {
                     pair: index,
@@ -244,11 +251,11 @@ impl Meetings {
     /// Measures the gaps of all pairs whose distance matters.
     fn measure(
         &mut self,
-        fields: &mut SlabFields<'_>,
+        fields: &mut SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
         sides: &[Option<[usize; 2]>],
     ) {
-        let shape = fields.common.shape;
+        let shape = fields.shape();
         for (index, (pair, numbers)) in bodies.pairs.iter().zip(sides).enumerate() {
             let Some(numbers) = numbers.filter(|_| pair.corrects_distance) else {
                 continue;
@@ -267,14 +274,15 @@ impl Meetings {
                 let touching = pair.distance_along(&normal);
                 self.touches[touch].gap = distance - touching;
                 if distance < PLAUSIBLE * touching {
-                    let local = node - fields.common.range.start * shape.plane_nodes();
-                    let [master, slave] = numbers.map(|number| {
-                        let layer = &fields.layers[number - 1];
-                        Side {
-                            mass: layer.planes.nodes[local][0],
-                            surface: &layer.surface[local],
-                        }
-                    });
+                    let local = node - fields.range().start * shape.plane_nodes();
+                    let [Some(master), Some(slave)] = numbers.map(|number| {
+                        Some(Side {
+                            mass: fields.planes(number).nodes[local][0],
+                            surface: &fields.faces[fields.place_of(number)?].lines[local],
+                        })
+                    }) else {
+                        continue;
+                    };
                     let other = match pair.normal {
                         ContactNormal::Collinear => ContactNormal::Master,
                         _ => ContactNormal::Collinear,
@@ -296,21 +304,20 @@ impl Meetings {
     }
 
     /// Joins fields without a pair and lets pairs touch, on one kind of velocity.
-    pub fn act(&mut self, fields: &mut SlabFields<'_>, bodies: &Bodies<'_>, on: On) -> Done {
-        let shape = fields.common.shape;
-        let (first_plane, per_plane) = (fields.common.range.start, shape.plane_nodes());
-        let planes = fields.common.range.len();
+    pub fn act(&mut self, fields: &mut SlabFields<'_, '_, '_>, bodies: &Bodies<'_>, on: On) -> Done {
+        let shape = fields.shape();
+        let (first_plane, per_plane) = (fields.range().start, shape.plane_nodes());
+        let planes = fields.range().len();
         let mut done = Done {
             forces: vec![[0.0; 3]; planes * bodies.pairs.len()],
             power: vec![0.0; planes],
             ..Done::default()
         };
-        let of_layers: Vec<usize> = fields.layers.iter().map(|l| l.body).collect();
-        let joined = joined(&of_layers, bodies.pairs);
-        let count = fields.layers.len() + 1;
-        let driven: Vec<bool> = std::iter::once(false)
-            .chain(fields.layers.iter().map(|l| bodies.driven[l.body]))
-            .collect();
+        let owners = fields.owners();
+        let joined = joined(&owners, bodies.pairs);
+        let count = fields.count();
+        let is_driven = |owner: &Owner| owner.body().is_some_and(|body| bodies.driven[body]);
+        let driven: Vec<bool> = owners.iter().map(is_driven).collect();
         let lane = if on == On::Remapped { 4 } else { 1 };
         let mut coulomb = Coulomb::default();
         let (mut members, mut touches, mut impulses) = (vec![], vec![], vec![]);
@@ -320,7 +327,7 @@ impl Meetings {
             let node = meeting.node - first_plane * per_plane;
             members.clear();
             members.extend(numbers.iter().map(|&number| {
-                let line = &nodes(fields, number)[node];
+                let line = &fields.planes(number).nodes[node];
                 Member {
                     mass: if driven[number] {
                         f64::INFINITY
@@ -369,7 +376,7 @@ impl Meetings {
                 && coulomb.damp_again(&mut members, is_joined, &touches, alpha, &mut impulses)
             {
                 for (&number, member) in numbers.iter().zip(&members) {
-                    let line = &mut nodes_mut(fields, number)[node];
+                    let line = &mut fields.nodes_mut(number)[node];
                     line[1..4].copy_from_slice(&member.velocity);
                     line[4..7].copy_from_slice(&member.increment);
                 }
@@ -399,7 +406,7 @@ impl Meetings {
                 if driven[number] {
                     continue;
                 }
-                let line = &mut nodes_mut(fields, number)[node];
+                let line = &mut fields.nodes_mut(number)[node];
                 for axis in 0..3 {
                     // Not where nothing changes, so that a zero keeps its sign.
                     if line[lane + axis] != member.velocity[axis] {
@@ -469,7 +476,7 @@ fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> Touched {
 /// Distances of the bodies of a pair along a normal at each of some nodes: eq. (8) along one normal, so that the position
 /// of the node drops out. Each node with the index of its touch and the normal.
 fn distances(
-    fields: &mut SlabFields<'_>,
+    fields: &mut SlabFields<'_, '_, '_>,
     bodies: &Bodies<'_>,
     numbers: [usize; 2],
     at: &[(usize, usize, Vector)],
@@ -477,10 +484,10 @@ fn distances(
     if at.is_empty() {
         return vec![];
     }
-    let shape = fields.common.shape;
+    let shape = fields.shape();
     let search = Search {
         shape,
-        planes: fields.common.range.clone(),
+        planes: fields.range(),
         stencil: bodies.stencil,
     };
     let first = search.planes.start * shape.plane_nodes();
@@ -492,11 +499,14 @@ fn distances(
                 Probe::new(node - first, shape.indices(node), normal.map(|c| sign * c))
             })
             .collect();
-        let layer = &mut fields.layers[number - 1];
+        let Some(place) = fields.place_of(number) else {
+            continue;
+        };
+        let face = &mut fields.faces[place];
         search.probe(
-            &bodies.sets[layer.body],
-            layer.interface,
-            layer.surface,
+            &bodies.sets[face.body],
+            face.interface,
+            face.lines,
             &mut probes,
         );
         for (distance, probe) in distances.iter_mut().zip(probes) {
@@ -507,12 +517,9 @@ fn distances(
 }
 
 /// From the first to the last node of a row that two fields use.
-fn shared_span(fields: &SlabFields<'_>, plane: usize, row: usize) -> Option<Range<usize>> {
-    let span = |number: usize| match number {
-        0 => fields.common.rows.span(plane, row),
-        _ => fields.layers[number - 1].planes.rows.span(plane, row),
-    };
-    (1..=fields.layers.len())
+fn shared_span(fields: &SlabFields<'_, '_, '_>, plane: usize, row: usize) -> Option<Range<usize>> {
+    let span = |number: usize| fields.planes(number).rows.span(plane, row);
+    (1..fields.count())
         .flat_map(|b| (0..b).map(move |a| (a, b)))
         .map(|(a, b)| {
             let (a, b) = (span(a), span(b));
@@ -530,28 +537,11 @@ fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {
 }
 
 /// Mass of a field at a node; zero outside the rows that the field uses, where old values lie.
-fn mass(fields: &SlabFields<'_>, number: usize, at: [usize; 3], node: usize) -> f64 {
-    let planes = match number {
-        0 => &fields.common,
-        _ => &fields.layers[number - 1].planes,
-    };
+fn mass(fields: &SlabFields<'_, '_, '_>, number: usize, at: [usize; 3], node: usize) -> f64 {
+    let planes = fields.planes(number);
     if planes.rows.span(at[0], at[1]).contains(&at[2]) {
         planes.nodes[node][0]
     } else {
         0.0
-    }
-}
-
-fn nodes<'a>(fields: &'a SlabFields<'_>, number: usize) -> &'a [crate::grid::Line] {
-    match number {
-        0 => fields.common.nodes,
-        _ => fields.layers[number - 1].planes.nodes,
-    }
-}
-
-fn nodes_mut<'a>(fields: &'a mut SlabFields<'_>, number: usize) -> &'a mut [crate::grid::Line] {
-    match number {
-        0 => fields.common.nodes,
-        _ => fields.layers[number - 1].planes.nodes,
     }
 }

@@ -1,7 +1,9 @@
 //! Slave-master contact on the grid (contact manual v0.1, section 1).
 //!
-//! - [`layers`]: a velocity field of the grid for each body that is near a partner. Bodies that are not stay in the
-//!   common field, as in a scene without contact.
+//! Each body that is near a partner has a velocity field of its own. Bodies that are not stay in that of the phase, as in
+//! a scene without contact.
+//!
+//! - [`faces`]: what is known of the surface of a body at the nodes, and of the particles near it.
 //! - [`broad`]: which pairs are near, at each sort, by boxes of nodes.
 //! - [`interface`]: the particles that partners can share a node with; no other is asked for normals and distances.
 //! - [`surface`]: normals from mass gradients, and the distance of the bodies along them.
@@ -21,15 +23,15 @@
 
 pub mod broad;
 pub mod coulomb;
+pub mod faces;
 pub mod interface;
-pub mod layers;
 pub mod meeting;
 pub mod overlap;
 pub mod surface;
 
 use crate::scene::{ContactNormal, Vector};
-use layers::Layers;
-use meeting::Meetings;
+use faces::Faces;
+use meeting::{Done, Meetings, States};
 
 /// A pair of bodies in contact, as the cycle sees it.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,10 +71,23 @@ pub struct State {
     pub pairs: Vec<Pair>,
     /// Which of them are near, as of the last sort.
     pub near: Vec<bool>,
-    /// Velocity fields of the bodies of near pairs.
-    pub layers: Layers,
-    /// Nodes where bodies meet, per slab, as of the last detection.
-    pub meetings: Vec<Meetings>,
+    /// Surfaces of the bodies of near pairs.
+    pub faces: Faces,
+    /// Where bodies met and what contact did there, per slab, as of the last equation of motion.
+    pub met: Vec<Met>,
+    /// The same of a second mapping at new positions.
+    pub again: Vec<Met>,
+    /// What pairs did at nodes before that.
+    pub states: States,
     /// Force on the slave of each pair in the last step \[N\].
     pub forces: Vec<Vector>,
+}
+
+/// Contact in one slab: where bodies meet, and what was done there.
+#[derive(Clone, Debug, Default)]
+pub struct Met {
+    /// The nodes.
+    pub meetings: Meetings,
+    /// Forces, power and warnings.
+    pub done: Done,
 }

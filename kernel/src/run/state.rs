@@ -131,9 +131,6 @@ fn save_boundaries<B: Elements<D, T>, const D: usize, const N: usize, const T: u
 fn restore_mortar(simulation: &mut Simulation, checkpoint: &Checkpoint) -> Result<(), RunError> {
     restore_boundaries(&mut simulation.mortar.plane, "mortar", checkpoint)?;
     restore_boundaries(&mut simulation.mortar.space, "mortar/space", checkpoint)?;
-    if simulation.mortar.acts() {
-        simulation.set_mortar_layers();
-    }
     Ok(())
 }
 
@@ -267,17 +264,16 @@ pub(super) fn restore(
     simulation.ledger.initial_energy = numbers[10];
     simulation.mesh_shift = [numbers[11], numbers[12], numbers[13]];
     simulation.events = restore_events(checkpoint)?;
-    simulation
-        .field
-        .resume(&simulation.sets, simulation.stencil);
+    simulation.grid.resume(&simulation.sets, simulation.stencil);
     let pairs = simulation.contact.pairs.len();
     if pairs > 0 {
         let near = checkpoint.array::<u64>("contact/near", pairs)?;
         let forces = checkpoint.array::<f64>("contact/forces", 3 * pairs)?;
-        simulation.set_near_pairs(near.iter().map(|&near| near != 0).collect());
+        simulation.contact.near = near.iter().map(|&near| near != 0).collect();
         simulation.contact.forces = forces.as_chunks().0.to_vec();
     }
     restore_mortar(simulation, checkpoint)?;
+    simulation.set_fields();
     Ok(())
 }
 

@@ -63,7 +63,7 @@ impl Simulation {
         for (set, body) in self.sets.iter().zip(&self.bodies) {
             if let (Some(motion), false) = (&body.motion, body.in_layer) {
                 let (before, after) = (history_value(motion, before), history_value(motion, after));
-                let nodes = nodes_of(set, body, &self.field.shape, self.stencil);
+                let nodes = nodes_of(set, body, &self.grid.shape, self.stencil);
                 driven.extend(nodes.into_iter().map(|node| DrivenNode {
                     node,
                     before,
@@ -130,6 +130,16 @@ impl Simulation {
         self.travel += travel;
         self.judge(&faults)
     }
+}
+
+/// Velocity half a step before and after of each body whose motion is prescribed \[m/s\].
+pub(super) fn prescribed(bodies: &[BodyRun], acting: &Acting) -> Vec<Option<[[f64; 3]; 2]>> {
+    let mut all = vec![];
+    for body in bodies {
+        let motion = body.motion.as_ref();
+        all.push(motion.map(|motion| acting.half_steps.map(|t| history_value(motion, t))));
+    }
+    all
 }
 
 /// Nodes with a positive weight of any particle of a driven body, increasing.

@@ -127,20 +127,10 @@ impl Simulation {
             .speed_squared
             .max(fastest(&self.scene.bodies[index]));
         // Pairs of two driven bodies do not act, so the pairs may be others now, and with them the fields.
-        let layers = std::mem::take(&mut self.contact.layers);
-        self.contact = State {
-            layers,
-            ..State::new(&self.scene, &self.bodies)
-        };
+        self.contact = State::new(&self.scene, &self.bodies);
         self.mortar
             .set_carrier(&self.scene, &self.bodies[index], index);
-        self.find_near_pairs();
-        if self.mortar.acts() {
-            self.set_mortar_layers();
-        }
-        if let Some(surfaces) = &mut self.surfaces {
-            surfaces.forget();
-        }
+        self.sorted();
         Ok(())
     }
 

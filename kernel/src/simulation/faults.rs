@@ -57,7 +57,7 @@ impl Simulation {
                 kind: EventKind::Removed(at),
             });
         }
-        self.sets[set].remove(&gone, &self.field.team);
+        self.sets[set].remove(&gone, &self.grid.team);
         Ok(())
     }
 

@@ -6,11 +6,14 @@ mod clock;
 mod contact;
 mod error;
 mod faults;
-pub(crate) mod field;
+pub(crate) mod fields;
 mod history;
+mod interaction;
 mod loads;
+mod mapping;
 mod measure;
 mod mortar;
+mod motion;
 mod needs;
 mod nodes;
 mod passes;
@@ -44,7 +47,7 @@ use crate::stage::Mapping;
 use crate::stage::g2p::Found;
 use crate::stage::solve::{DrivenNode, NodeForce};
 use clock::Clock;
-use field::Field;
+use fields::Grid;
 use std::fmt;
 use std::sync::Arc;
 
@@ -131,7 +134,9 @@ pub struct Simulation {
     pub(crate) lanes: Selected,
     pub(crate) sets: Vec<ParticleSet>,
     pub(crate) bodies: Vec<BodyRun>,
-    pub(crate) field: Field,
+    pub(crate) grid: Grid,
+    /// Groups of the first mapping of this step, where it is done already.
+    mapped: Option<usize>,
     pub(crate) contact: crate::contact::State,
     /// Nodes per axis of the stencil, 3 or 4.
     pub(crate) stencil: usize,
@@ -185,7 +190,7 @@ impl Simulation {
     /// Number of nodes that particles can reach until the next sort.
     #[must_use]
     pub fn nodes_active(&self) -> usize {
-        self.field.rows.count()
+        self.grid.fields[0].rows.count()
     }
 
     /// Time of positions and stresses \[s\].
@@ -209,7 +214,7 @@ impl Simulation {
     /// Number of threads in use.
     #[must_use]
     pub fn threads(&self) -> usize {
-        self.field.team.count()
+        self.grid.team.count()
     }
 
     /// Lanes in use.

@@ -1,6 +1,7 @@
 //! What lies at the nodes, for those who look at it from outside.
 
 use super::Simulation;
+use crate::contact::Met;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
 use crate::scene::{PlaneCondition, Vector};
 use std::collections::HashMap;
@@ -28,11 +29,12 @@ impl Simulation {
     #[must_use]
     pub fn nodes_with_mass(&self) -> usize {
         let mut count = 0;
-        for plane in 0..self.field.shape.nodes[0] {
-            for row in 0..self.field.shape.nodes[1] {
-                let first = self.field.shape.index([plane, row, 0]);
+        for plane in 0..self.grid.shape.nodes[0] {
+            for row in 0..self.grid.shape.nodes[1] {
+                let first = self.grid.shape.index([plane, row, 0]);
                 count += self
-                    .field
+                    .grid
+                    .fields[0]
                     .rows
                     .span(plane, row)
                     .filter(|&k| {
@@ -53,15 +55,15 @@ impl Simulation {
         let touching = self.contact_by_node();
         let mut all = vec![];
         for (body, rows, lines) in self.fields() {
-            for plane in 0..self.field.shape.nodes[0] {
-                for row in 0..self.field.shape.nodes[1] {
-                    let first = self.field.shape.index([plane, row, 0]);
+            for plane in 0..self.grid.shape.nodes[0] {
+                for row in 0..self.grid.shape.nodes[1] {
+                    let first = self.grid.shape.index([plane, row, 0]);
                     for k in rows.span(plane, row) {
                         let (node, line) = (first + k, &lines[first + k]);
                         if line[0] <= 0.0 || self.is_ghost([plane, row, k]) {
                             continue;
                         }
-                        let local = self.field.shape.position(node);
+                        let local = self.grid.shape.position(node);
                         let (contact_force, contact_gap) = touching
                             .get(&(body, node))
                             .copied()
@@ -83,9 +85,8 @@ impl Simulation {
 
     /// All fields: the body whose own field it is, rows in use, values.
     fn fields(&self) -> impl Iterator<Item = (Option<usize>, &ActiveRows, &[Line])> {
-        let common = (None, &self.field.rows, self.field.nodes.lines());
-        let layers = self.contact.layers.list.iter();
-        std::iter::once(common).chain(layers.map(|l| (Some(l.body), &l.rows, l.nodes.lines())))
+        let fields = self.grid.fields.iter();
+        fields.map(|field| (field.owner.body(), &field.rows, field.nodes.lines()))
     }
 
     /// Force and smallest gap by field (its body; `None` for the common one) and node, after the last detection.
@@ -96,7 +97,7 @@ impl Simulation {
             at.0 = std::array::from_fn(|axis| at.0[axis] + force[axis]);
             at.1 = at.1.min(gap);
         };
-        for meetings in &self.contact.meetings {
+        for Met { meetings, .. } in &self.contact.met {
             for meeting in &meetings.nodes {
                 for touch in &meetings.touches[meeting.touches.clone()] {
                     let pair = &self.contact.pairs[touch.pair];
@@ -118,7 +119,7 @@ impl Simulation {
 
     /// Whether a node lies behind a plane with a condition.
     fn is_ghost(&self, at: [usize; 3]) -> bool {
-        let shape = &self.field.shape;
+        let shape = &self.grid.shape;
         (0..shape.axes).any(|axis| {
             let index = at[shape.direction(axis)];
             let upper = GHOSTS_BELOW + shape.cells[axis];

@@ -1,16 +1,16 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
+use super::Simulation;
 use super::acting::Acting;
 use super::error::{StepError, StepErrorKind};
-use super::{BodyRun, Simulation};
-use crate::contact::interface::Interface;
-use crate::lanes::Selected;
-use crate::particles::{Layout, ParticleSet};
+use super::interaction::{Now, Visit, on_slabs};
+use super::mapping::{bodies_onto, first_carry};
+use super::motion::{at_half_step_after, solve, solve_mapped, solve_remapped, sums_after, total};
 use crate::plan::Plan;
 use crate::scene::Scene;
-use crate::stage::g2p::{self, Affine, Found, G2p, Task};
-use crate::stage::p2g::{self, Carry, P2g, P2gFn};
-use crate::stage::solve::{DrivenNode, EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
+use crate::stage::g2p::{self, Found, G2p, Task};
+use crate::stage::p2g::Carry;
+use crate::stage::solve::{EmptyNode, Forces, NodeForce, PlaneSums};
 use std::ops::Range;
 
 /// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.
@@ -38,39 +38,87 @@ impl Groups {
     }
 }
 
+/// What the visit of a slab gave: the sums of its planes, and the groups in the layers of particles that it owns.
+struct Solved {
+    sums: Vec<PlaneSums>,
+    groups: usize,
+}
+
 impl Simulation {
-    /// Sorts particles once they have travelled far enough since the last sort.
-    pub(super) fn sort_if_stale(&mut self) {
+    /// Sorts particles once they have travelled far enough since the last sort; whether it did.
+    pub(super) fn sort_if_stale(&mut self) -> bool {
         let superfluous = self.groups.superfluous as f64;
-        if self.travel > SORT_AFTER || superfluous > SORT_AFTER_GROUPS * self.particles() as f64 {
-            let (field, sets) = (&mut self.field, &mut self.sets);
-            field.sort(sets, self.stencil);
+        let stale =
+            self.travel > SORT_AFTER || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
+        if stale {
+            self.grid.sort(&mut self.sets, self.stencil);
             self.travel = 0.0;
             self.groups = Groups::default();
-            if !self.contact.pairs.is_empty() {
-                self.find_near_pairs();
-            }
-            if self.mortar.acts() {
-                self.set_mortar_layers();
-            }
-            if let Some(surfaces) = &mut self.surfaces {
-                surfaces.forget();
-            }
+            self.sorted();
+        }
+        stale
+    }
+
+    /// Mass, momentum and force to the nodes of all fields, where something looks for contact before the time step is
+    /// chosen. Elsewhere the equation of motion follows at once, and the same visit does both.
+    pub(super) fn map_to_nodes(&mut self) {
+        self.mapped = None;
+        if self.finds() {
+            let acting = self.acting(self.clock.dt_before);
+            let mapping = bodies_onto(
+                &self.plan,
+                &self.sets,
+                &self.bodies,
+                self.lanes,
+                self.stencil,
+                first_carry(&self.plan),
+            );
+            let groups = self
+                .grid
+                .visit(|mut slab| mapping.run_first(&mut slab, &acting.walls));
+            self.mapped = Some(groups.into_iter().sum());
         }
     }
 
-    /// Mass, momentum and force to the nodes, then the equation of motion, then contact; the number of nodes where a
-    /// contact force acts.
-    pub(super) fn map_to_nodes(&mut self, acting: &Acting, dt: f64) -> Result<usize, StepError> {
-        if self.mortar.acts() {
-            return self.solve_with_mortar(acting);
+    /// The equation of motion of all fields; the number of nodes or vertices where a contact force acts.
+    pub(super) fn solve_nodes(&mut self, acting: &Acting) -> Result<usize, StepError> {
+        self.load_nodes();
+        let mapped = self.mapped.take();
+        let mapping = bodies_onto(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            first_carry(&self.plan),
+        );
+        let now = Now {
+            settles: self.surfaces.is_some(),
+            ..Now::new(&self.plan, &mapping, acting, &acting.walls)
+        };
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
+        let parts = on_slabs(&mut self.contact, &self.grid, Visit::Trial);
+        let results = self.grid.visit_with(parts, |mut slab, mut parts| {
+            let groups = match mapped {
+                Some(_) => 0,
+                None => mapping.run_first(&mut slab, now.walls),
+            };
+            let sums = solve(&mut slab, &mut parts, &now, &forces)?;
+            Ok(Solved { sums, groups })
+        });
+        let mut solved = vec![];
+        for result in results {
+            solved.push(result.map_err(|EmptyNode(node)| self.load_on_empty_node(node))?);
         }
-        if !self.contact.layers.is_empty() {
-            let (groups, touching) = self.map_to_layers(acting, dt)?;
-            self.groups.count(groups);
-            self.touch_surfaces(acting)?;
-            return Ok(touching);
-        }
+        self.ledger.sums = total(solved.iter().flat_map(|slab| &slab.sums));
+        let groups = solved.iter().map(|slab| slab.groups).sum();
+        self.groups.count(mapped.unwrap_or(groups));
+        self.settle(acting)
+    }
+
+    /// The equation of motion on the sums that lie on the nodes, without contact. A load on an empty node, which a step
+    /// would report, is left to the step.
+    pub(super) fn solve_alone(&mut self, acting: &Acting) {
         let mapping = bodies_onto(
             &self.plan,
             &self.sets,
@@ -79,80 +127,66 @@ impl Simulation {
             self.stencil,
             Carry::All,
         );
+        let now = Now::new(&self.plan, &mapping, acting, &acting.walls);
         let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
-        let measure = self.plan.measure;
-        // Contact with surfaces still changes the velocities, and takes the sums after it.
-        let measured = self.surfaces.is_none().then_some(measure);
-        let results = self.field.visit(|mut planes| {
-            planes.clear();
-            let groups = mapping.run(&mut planes);
-            let sums = equation_of_motion(&mut planes, acting, &forces, measured)?;
-            Ok(Sums { sums, groups })
+        self.grid.visit(|mut slab| {
+            for planes in slab.planes() {
+                planes.fold(now.walls, true, true);
+                planes.velocities();
+            }
+            solve(&mut slab, &mut [], &now, &forces).is_ok()
         });
-        let mut sums = vec![];
-        for result in results {
-            sums.push(result.map_err(|EmptyNode(node)| self.load_on_empty_node(node))?);
-        }
-        let Mapped { total, groups } = total(sums);
-        self.ledger.sums = total;
-        self.groups.count(groups);
-        self.touch_surfaces(acting)?;
-        Ok(0)
     }
 
-    pub(super) fn load_on_empty_node(&self, node: usize) -> StepError {
-        let local = self.field.shape.position(node);
+    /// Ghost nodes and sums of the equation of motion once more, plane by plane, with the velocities that are there now.
+    pub(super) fn sums_of_planes(&mut self, acting: &Acting) -> Vec<PlaneSums> {
+        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
+        let mapping = bodies_onto(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            Carry::All,
+        );
+        let now = Now::new(&self.plan, &mapping, acting, &acting.walls);
+        let per_slab = self
+            .grid
+            .visit(|mut slab| sums_after(&mut slab, &now, &forces));
+        per_slab.into_iter().flatten().collect()
+    }
+
+    fn load_on_empty_node(&self, node: usize) -> StepError {
+        let local = self.grid.shape.position(node);
         let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
         self.error(StepErrorKind::LoadOnEmptyNode { position })
     }
 
-    /// The second mapping of MUSL: momentum of the new particle velocities at the old positions.
-    pub(super) fn remap(&mut self, acting: &Acting) {
-        if self.mortar.acts() {
-            return self.remap_with_mortar(acting);
-        }
-        if !self.contact.layers.is_empty() {
-            return self.remap_layers(acting);
-        }
+    /// The second mapping of a step, of the velocities after the kick: for MUSL at the old positions, for USF at the new
+    /// ones.
+    pub(super) fn map_again(&mut self, acting: &Acting, visit: Visit) -> Result<(), StepError> {
+        let carry = match visit {
+            Visit::Trial | Visit::Mapped => Carry::Momentum,
+            Visit::Remapped => Carry::Remap,
+        };
         let mapping = bodies_onto(
             &self.plan,
             &self.sets,
             &self.bodies,
             self.lanes,
             self.stencil,
-            Carry::Remap,
+            carry,
         );
         let still = at_half_step_after(&acting.walls);
-        self.field.visit(|mut planes| {
-            planes.clear_upper();
-            mapping.run(&mut planes);
-            settle_remapped(&mut planes, &still, &acting.driven);
-        });
-    }
-
-    /// The mapping of USF: momentum at the new positions.
-    pub(super) fn map_momentum(&mut self, acting: &Acting) {
-        if !self.contact.layers.is_empty() {
-            return self.map_momentum_to_layers(acting);
-        }
-        let mapping = bodies_onto(
-            &self.plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            Carry::Momentum,
-        );
-        let still = at_half_step_after(&acting.walls);
-        self.field.visit(|mut planes| {
-            planes.clear();
-            mapping.run(&mut planes);
-            planes.fold(&still, true, false);
-            planes.velocities();
-            planes.drive(&acting.driven, false);
-            planes.constrain(&still, false);
-            planes.unfold(&still, false);
-        });
+        let now = Now::new(&self.plan, &mapping, acting, &still);
+        let parts = on_slabs(&mut self.contact, &self.grid, visit);
+        self.grid
+            .visit_with(parts, |mut slab, mut parts| match visit {
+                Visit::Remapped => solve_remapped(&mut slab, &mut parts, &now),
+                Visit::Trial | Visit::Mapped => solve_mapped(&mut slab, &mut parts, &now),
+            });
+        let lane = if visit == Visit::Remapped { 4 } else { 1 };
+        self.settle_again(acting, lane)
     }
 
     /// Nodal values to the particles of all bodies that are not driven.
@@ -161,7 +195,6 @@ impl Simulation {
         let mesh = &self.scene.mesh;
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
-        let common = self.field.nodes.lines();
         let lanes = self.lanes;
         let mut travel = 0.0_f64;
         let mut faults = vec![];
@@ -170,14 +203,14 @@ impl Simulation {
                 continue;
             }
             let ranges: Vec<Range<usize>> = self
-                .field
+                .grid
                 .slabs
                 .iter()
                 .map(|slab| set.in_layers(slab.clone()))
                 .collect();
             let layout = set.layout;
             let run = &*body;
-            let nodes = self.contact.layers.nodes_of(index).unwrap_or(common);
+            let nodes = self.grid.fields[self.grid.number_of(index)].nodes.lines();
             let act = |mut columns: Vec<&mut [f64]>| {
                 call(
                     lanes,
@@ -194,7 +227,7 @@ impl Simulation {
                 )
             };
             let parts = set.split_mut(&ranges);
-            let found: Vec<Found> = self.field.team.map(parts, act);
+            let found: Vec<Found> = self.grid.team.map(parts, act);
             let mut all = Found::default();
             for (part, range) in found.into_iter().zip(&ranges) {
                 let fault = part.fault.map(|(p, kind)| (range.start + p, kind));
@@ -237,207 +270,5 @@ pub(super) fn forces<'a>(
         loads,
         local_damping: plan.local_damping,
         kick,
-    }
-}
-
-/// Velocities, accelerations and boundary conditions on one slab, from its masses, momenta and forces; what was
-/// measured on each plane, or without `measured` what boundary conditions did alone.
-pub(super) fn equation_of_motion(
-    planes: &mut Planes<'_>,
-    acting: &Acting,
-    forces: &Forces<'_>,
-    measured: Option<bool>,
-) -> Result<Vec<PlaneSums>, EmptyNode> {
-    planes.fold(&acting.walls, true, true);
-    planes.velocities();
-    let mut sums = vec![PlaneSums::default(); planes.range.len()];
-    trial(planes, acting, &acting.driven, forces, &mut sums)?;
-    planes.unfold(&acting.walls, true);
-    if let Some(measure) = measured {
-        planes.add_sums(forces, measure, &mut sums);
-    }
-    Ok(sums)
-}
-
-/// From sums mapped a second time to velocities that keep to driven bodies and to the walls.
-pub(super) fn settle_remapped(planes: &mut Planes<'_>, still: &[Wall], driven: &[DrivenNode]) {
-    planes.fold_remapped(still);
-    planes.remapped_velocities();
-    planes.drive_remapped(driven);
-    planes.constrain_remapped(still);
-}
-
-/// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
-pub(super) fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
-    walls
-        .iter()
-        .map(|wall| Wall {
-            before: wall.after,
-            ..*wall
-        })
-        .collect()
-}
-
-/// From mapped sums to trial velocities that keep to the walls and to driven bodies.
-pub(super) fn trial(
-    planes: &mut Planes<'_>,
-    acting: &Acting,
-    driven: &[DrivenNode],
-    forces: &Forces<'_>,
-    sums: &mut [PlaneSums],
-) -> Result<(), EmptyNode> {
-    planes.load(forces.loads)?;
-    planes.accelerate(forces);
-    planes.add_power_of_driven(driven, forces.kick, sums);
-    planes.drive(driven, true);
-    planes.add_power_of_walls(&acting.walls, forces.kick, sums);
-    planes.constrain(&acting.walls, true);
-    Ok(())
-}
-
-/// What a mapping onto one slab gave.
-pub(super) struct Sums {
-    /// Sums of each plane.
-    pub(super) sums: Vec<PlaneSums>,
-    /// Groups in the layers that the slab owns.
-    pub(super) groups: usize,
-}
-
-/// What a mapping onto all slabs gave.
-pub(super) struct Mapped {
-    pub(super) total: PlaneSums,
-    pub(super) groups: usize,
-}
-
-/// Adds up plane after plane, so that the slabs do not matter.
-pub(super) fn total(slabs: Vec<Sums>) -> Mapped {
-    let mut all = Mapped {
-        total: PlaneSums::default(),
-        groups: 0,
-    };
-    for slab in slabs {
-        all.groups += slab.groups;
-        for plane in slab.sums {
-            all.total.power += plane.power;
-            all.total.kinetic += plane.kinetic;
-            all.total.unbalanced_squared += plane.unbalanced_squared;
-        }
-    }
-    all
-}
-
-/// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
-pub(super) fn bodies_onto<'a>(
-    plan: &Plan,
-    sets: &'a [ParticleSet],
-    bodies: &'a [BodyRun],
-    lanes: Selected,
-    stencil: usize,
-    carry: Carry,
-) -> BodiesOnto<'a> {
-    BodiesOnto {
-        sets,
-        bodies,
-        lanes,
-        stencil,
-        carry,
-        affine: plan.affine != Affine::Leave,
-        call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
-    }
-}
-
-/// A mapping of bodies onto one slab after the other.
-pub(super) struct BodiesOnto<'a> {
-    sets: &'a [ParticleSet],
-    bodies: &'a [BodyRun],
-    lanes: Selected,
-    stencil: usize,
-    carry: Carry,
-    /// Whether momentum has an affine part.
-    affine: bool,
-    call: P2gFn,
-}
-
-impl<'a> BodiesOnto<'a> {
-    /// The same bodies with another carry.
-    pub(super) fn with(&self, plan: &Plan, carry: Carry) -> BodiesOnto<'a> {
-        bodies_onto(
-            plan,
-            self.sets,
-            self.bodies,
-            self.lanes,
-            self.stencil,
-            carry,
-        )
-    }
-
-    /// Maps all bodies that are not driven and have no layer onto the planes of a slab; returns the number of groups in
-    /// the layers of particles that the slab owns.
-    pub(super) fn run(&self, planes: &mut Planes<'_>) -> usize {
-        let mut groups = 0;
-        for (index, body) in self.bodies.iter().enumerate() {
-            if body.motion.is_none() && !body.in_layer {
-                groups += self.map(index, planes);
-            }
-        }
-        groups
-    }
-
-    /// Maps one body.
-    pub(super) fn map(&self, index: usize, planes: &mut Planes<'_>) -> usize {
-        let set = &self.sets[index];
-        let layers = self.layers_onto(planes);
-        let layers = (layers.start..layers.end.min(set.layers.len() - 1))
-            .map(|layer| {
-                (
-                    set.in_layers(layer..layer + 1),
-                    planes.range.contains(&layer),
-                )
-            })
-            .filter(|(particles, _)| !particles.is_empty());
-        self.map_runs(index, layers.collect(), planes)
-    }
-
-    /// Maps the particles of one body that are near its partners of contact.
-    pub(super) fn map_interface(
-        &self,
-        index: usize,
-        interface: &Interface,
-        planes: &mut Planes<'_>,
-    ) {
-        let runs = interface.in_layers(self.layers_onto(planes));
-        self.map_runs(index, runs.map(|run| (run, false)).collect(), planes);
-    }
-
-    /// Layers of particles that reach planes. A particle may have left its layer by one cell since the last sort.
-    fn layers_onto(&self, planes: &Planes<'_>) -> Range<usize> {
-        planes.range.start.saturating_sub(self.stencil)..planes.range.end + 1
-    }
-
-    fn map_runs(
-        &self,
-        index: usize,
-        layers: Vec<(Range<usize>, bool)>,
-        planes: &mut Planes<'_>,
-    ) -> usize {
-        let (set, body) = (&self.sets[index], &self.bodies[index]);
-        let layout = Layout {
-            affine: set.layout.affine.filter(|_| self.affine),
-            ..set.layout
-        };
-        (self.call)(
-            self.lanes,
-            P2g {
-                columns: &set.columns,
-                layout: &layout,
-                mapping: &body.mapping,
-                layers,
-                planes: planes.range.clone(),
-                nodes: planes.nodes,
-                carry: self.carry,
-                spin: set.layout.affine,
-                viscous_rate: body.viscous_rate,
-            },
-        )
     }
 }

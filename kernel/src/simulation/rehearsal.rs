@@ -3,21 +3,22 @@
 use super::acting::Acting;
 use super::clock::{Clock, StepInfo};
 use super::error::StepError;
+use super::fields::Owner;
+use super::interaction::Visit;
+use super::mapping::{bodies_onto, first_carry};
 use super::measure::Ledger;
 use super::mortar::MortarState;
-use super::passes::{Groups, bodies_onto, equation_of_motion, forces};
+use super::passes::Groups;
 use super::surfaces::Surfaces;
 use super::{BodyRun, Simulation};
 use crate::contact;
 use crate::grid::ActiveRows;
 use crate::particles::ParticleSet;
 use crate::stage::g2p::Task;
-use crate::stage::p2g::Carry;
 use crate::stage::weigh;
 use std::ops::Range;
 
-/// A part of a step that can be done alone. Bodies that have a layer of the grid of their own, because they are near a
-/// partner of contact, take no part in the mappings to nodes and the equation of motion.
+/// A part of a step that can be done alone. Of contact nothing takes part in the first mapping and the equation of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Weights and derivatives of all particles, which the cycle computes on the way.
@@ -63,7 +64,7 @@ impl Part {
 struct Kept {
     sets: Vec<ParticleSet>,
     bodies: Vec<BodyRun>,
-    rows: ActiveRows,
+    fields: Vec<(Owner, ActiveRows)>,
     slabs: Vec<Range<usize>>,
     travel: f64,
     groups: Groups,
@@ -94,8 +95,8 @@ impl Simulation {
         let kept = Kept {
             sets: self.sets.clone(),
             bodies: self.bodies.clone(),
-            rows: self.field.rows.clone(),
-            slabs: self.field.slabs.clone(),
+            fields: self.grid.rows(),
+            slabs: self.grid.slabs.clone(),
             travel: self.travel,
             groups: self.groups,
             stencil: self.stencil,
@@ -105,7 +106,8 @@ impl Simulation {
             mortar: self.mortar.clone(),
             surfaces: self.surfaces.clone(),
         };
-        self.find_contact()?;
+        self.map_to_nodes();
+        self.find(&mut |_| ())?;
         let info = self.choose_time_step(f64::INFINITY)?;
         let acting = self.acting(info.dt);
         let mut rehearsal = Rehearsal {
@@ -131,8 +133,9 @@ impl Rehearsal<'_> {
             Part::Weights | Part::Sort | Part::NodesFromParticles => {}
             Part::Solve => simulation.map_alone(),
             Part::Remap => {
-                simulation.find_contact()?;
-                simulation.map_to_nodes(&self.acting, self.info.dt)?;
+                simulation.map_to_nodes();
+                simulation.find(&mut |_| ())?;
+                simulation.solve_nodes(&self.acting)?;
             }
             Part::ParticlesFromNodes => {
                 for (set, was) in simulation.sets.iter_mut().zip(&kept.sets) {
@@ -140,8 +143,9 @@ impl Rehearsal<'_> {
                         column.copy_from_slice(was);
                     }
                 }
-                simulation.find_contact()?;
-                simulation.map_to_nodes(&self.acting, self.info.dt)?;
+                simulation.map_to_nodes();
+                simulation.find(&mut |_| ())?;
+                simulation.solve_nodes(&self.acting)?;
             }
         }
         Ok(())
@@ -164,7 +168,7 @@ impl Rehearsal<'_> {
                 }
                 Part::NodesFromParticles => simulation.map_alone(),
                 Part::Solve => simulation.solve_alone(acting),
-                Part::Remap => simulation.remap(acting),
+                Part::Remap => simulation.map_again(acting, Visit::Remapped)?,
                 Part::ParticlesFromNodes => {
                     simulation.interpolate(Task {
                         kick: true,
@@ -182,8 +186,8 @@ impl Drop for Rehearsal<'_> {
         let (simulation, kept) = (&mut *self.simulation, &mut self.kept);
         simulation.sets = std::mem::take(&mut kept.sets);
         simulation.bodies = std::mem::take(&mut kept.bodies);
-        simulation.field.rows = std::mem::take(&mut kept.rows);
-        simulation.field.slabs = std::mem::take(&mut kept.slabs);
+        simulation.grid.set_rows(std::mem::take(&mut kept.fields));
+        simulation.grid.slabs = std::mem::take(&mut kept.slabs);
         simulation.travel = kept.travel;
         simulation.groups = kept.groups;
         simulation.stencil = kept.stencil;
@@ -196,15 +200,6 @@ impl Drop for Rehearsal<'_> {
 }
 
 impl Simulation {
-    /// What a step with boundaries does before its time step is chosen.
-    fn find_contact(&mut self) -> Result<(), StepError> {
-        if self.mortar.acts() {
-            self.map_to_boundaries();
-            self.meet_boundaries()?;
-        }
-        Ok(())
-    }
-
     /// Particles to nodes without the equation of motion.
     fn map_alone(&mut self) {
         let mapping = bodies_onto(
@@ -213,27 +208,17 @@ impl Simulation {
             &self.bodies,
             self.lanes,
             self.stencil,
-            Carry::All,
+            first_carry(&self.plan),
         );
-        self.field.visit(|mut planes| {
-            planes.clear();
-            mapping.run(&mut planes);
+        self.grid.visit(|mut slab| {
+            mapping.run(&mut slab);
         });
-    }
-
-    /// The equation of motion on the sums that lie on the nodes. A load on an empty node, which a step would report,
-    /// is left to the step.
-    fn solve_alone(&mut self, acting: &Acting) {
-        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
-        let measured = Some(self.plan.measure);
-        self.field
-            .visit(|mut planes| equation_of_motion(&mut planes, acting, &forces, measured).is_ok());
     }
 
     /// Weights of all particles, slab by slab.
     fn weigh(&self) -> f64 {
         let (lanes, axes, stencil) = (self.lanes, self.plan.axes, self.stencil);
-        let (slabs, team) = (&self.field.slabs, &self.field.team);
+        let (slabs, team) = (&self.grid.slabs, &self.grid.team);
         let mut sum = 0.0;
         for (set, body) in self.sets.iter().zip(&self.bodies) {
             let of_slab = |slab: &Range<usize>| {

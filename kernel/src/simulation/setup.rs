@@ -1,7 +1,7 @@
 //! From a scene to a simulation at time zero.
 
 use super::error::SetupError;
-use super::field::Field;
+use super::fields::Grid;
 use super::measure::Ledger;
 use super::mortar::MortarState;
 use super::passes::Groups;
@@ -102,7 +102,8 @@ impl Simulation {
             lanes,
             sets,
             bodies,
-            field: Field::new(shape, team),
+            grid: Grid::new(shape, team),
+            mapped: None,
             contact,
             mortar,
             travel: f64::INFINITY,
@@ -119,7 +120,7 @@ impl Simulation {
             surfaces: Surfaces::new(scene),
         };
         for set in &mut simulation.sets {
-            set.sort_by_position(&simulation.field.team);
+            set.sort_by_position(&simulation.grid.team);
         }
         simulation.sort_if_stale();
         simulation.refuse_overlap()?;

@@ -3,6 +3,7 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::{Event, EventKind, StepError};
+use super::interaction::Visit;
 use super::phase::Phase;
 use crate::constitutive::Configuration;
 use crate::particles::Layout;
@@ -37,10 +38,10 @@ impl Simulation {
 
     /// Has a thread of the team do `work`; the caller does it where there is one slab, and so nothing to share.
     pub(super) fn led<R: Send>(&mut self, work: impl FnOnce(&mut Self) -> R + Send) -> R {
-        if self.field.slabs.len() == 1 {
+        if self.grid.slabs.len() == 1 {
             return work(self);
         }
-        let team = Arc::clone(&self.field.team);
+        let team = Arc::clone(&self.grid.team);
         team.lead(|| work(self))
     }
 
@@ -49,35 +50,22 @@ impl Simulation {
         stop: f64,
         ended: &mut (dyn FnMut(Phase) + Send),
     ) -> Result<StepInfo, StepError> {
-        if self.mortar.acts() {
-            self.sort_if_stale();
-            ended(Phase::Sort);
-            self.map_to_boundaries();
-            ended(Phase::NodesFromParticles);
-            self.meet_boundaries()?;
-            ended(Phase::Contact);
-        }
+        self.sort_if_stale();
+        ended(Phase::Sort);
+        self.set_body_force();
+        self.map_to_nodes();
+        self.find(ended)?;
         let mut info = self.choose_time_step(stop)?;
         ended(Phase::TimeStep);
         self.refuse_leaps(info.dt)?;
-        self.refuse_fast_closing(info.dt)?;
-        if !self.mortar.acts() {
-            self.sort_if_stale();
-            ended(Phase::Sort);
-        }
-        let acting = self.acting(info.dt);
-        self.set_body_force();
-
-        info.contact_nodes = self.map_to_nodes(&acting, info.dt)?;
+        let mut acting = self.acting(info.dt);
+        info.contact_nodes = self.solve_nodes(&acting)?;
         ended(Phase::NodesFromParticles);
         info.measured = self.measured();
         let relax = self.peak_of_kinetic_energy(&info);
         let drift = relax.unwrap_or(info.dt);
         let moved = self.mesh_velocity(&info).map(|v| v * drift);
-        if self.mortar.acts() {
-            self.move_vertices(drift, acting.half_steps[1]);
-            ended(Phase::Contact);
-        }
+        self.advance(&acting, drift, ended);
         match self.scene.scheme {
             StressScheme::Usl => {
                 self.interpolate(Task {
@@ -92,8 +80,7 @@ impl Simulation {
                     ..self.task(None, None)
                 })?;
                 ended(Phase::ParticlesFromNodes);
-                self.remap(&acting);
-                self.hold_at_surfaces(&acting, 4)?;
+                self.map_again(&acting, Visit::Remapped)?;
                 ended(Phase::Remap);
                 self.interpolate(Task {
                     gradient_of_upper: true,
@@ -109,16 +96,12 @@ impl Simulation {
                     ..self.task(Some(drift), None)
                 })?;
                 ended(Phase::ParticlesFromNodes);
-                self.sort_if_stale();
+                if self.sort_if_stale() {
+                    // A sort may give a driven body a field, or take it.
+                    acting = self.acting(info.dt);
+                }
                 ended(Phase::Sort);
-                // A sort may give a driven body a layer, or take it.
-                let acting = if self.contact.pairs.is_empty() {
-                    acting
-                } else {
-                    self.acting(info.dt)
-                };
-                self.map_momentum(&acting);
-                self.hold_at_surfaces(&acting, 1)?;
+                self.map_again(&acting, Visit::Mapped)?;
                 ended(Phase::Remap);
                 let strain = Some((drift, Configuration::End));
                 self.interpolate(Task {
@@ -175,7 +158,7 @@ impl Simulation {
                     time,
                 )
             };
-            let values: Vec<[f64; 3]> = self.field.team.collect(0..set.len(), evaluate);
+            let values: Vec<[f64; 3]> = self.grid.team.collect(0..set.len(), evaluate);
             for axis in 0..axes {
                 let masses = set.columns[Layout::MASS].clone();
                 for ((out, value), m) in set.columns[force + axis]

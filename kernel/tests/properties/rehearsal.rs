@@ -27,15 +27,15 @@ fn a_watcher_sees_the_phases_in_order_and_changes_nothing() {
         assert_eq!(alone.state_hash(), watched.state_hash(), "{scheme:?}");
         let expected = match scheme {
             StressScheme::Usl => vec![
-                Phase::TimeStep,
                 Phase::Sort,
+                Phase::TimeStep,
                 Phase::NodesFromParticles,
                 Phase::ParticlesFromNodes,
                 Phase::Finish,
             ],
             StressScheme::Musl => vec![
-                Phase::TimeStep,
                 Phase::Sort,
+                Phase::TimeStep,
                 Phase::NodesFromParticles,
                 Phase::ParticlesFromNodes,
                 Phase::Remap,
@@ -43,8 +43,8 @@ fn a_watcher_sees_the_phases_in_order_and_changes_nothing() {
                 Phase::Finish,
             ],
             StressScheme::Usf => vec![
-                Phase::TimeStep,
                 Phase::Sort,
+                Phase::TimeStep,
                 Phase::NodesFromParticles,
                 Phase::ParticlesFromNodes,
                 Phase::Sort,

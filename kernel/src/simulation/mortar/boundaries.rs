@@ -6,8 +6,6 @@ use super::surface::{
     Carrier, Mirrors, Patch, Surface, from_vector, in_scene, nodes_of_patch, velocity_at,
     velocity_of,
 };
-use crate::contact::layers::Layers;
-use crate::grid::GridShape;
 use crate::mortar::PointIn;
 use crate::mortar::bound::{Closing, NodalStiffness, allowed_approach};
 use crate::mortar::broad::Bounds;
@@ -19,12 +17,12 @@ use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::BodyRun;
 use crate::simulation::error::StepErrorKind;
+use crate::simulation::fields::Grid;
 use nalgebra::SMatrix;
 
-/// The bodies and their layers of the grid.
+/// The bodies and their velocity fields.
 pub(super) struct Hosts<'a> {
-    pub(super) shape: &'a GridShape,
-    pub(super) layers: &'a Layers,
+    pub(super) grid: &'a Grid,
     pub(super) sets: &'a [ParticleSet],
     pub(super) bodies: &'a [BodyRun],
     pub(super) stencil: usize,
@@ -132,7 +130,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     /// # Errors
     /// The first vertex without a node with mass near it.
     pub(super) fn weigh(&mut self, hosts: &Hosts<'_>, time: f64) -> Result<(), StepErrorKind> {
-        let shape = hosts.shape;
+        let shape = &hosts.grid.shape;
         for surface in &mut self.surfaces {
             let (index, follow) = match &surface.carrier {
                 Carrier::Body { index, follow } => (*index, *follow),
@@ -142,10 +140,10 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     continue;
                 }
             };
-            let Some(layer) = hosts.layers.list.iter().find(|l| l.body == index) else {
+            let Some(field) = hosts.grid.own_field(index) else {
                 continue;
             };
-            let lines = layer.nodes.lines();
+            let lines = field.nodes.lines();
             let mapping = &hosts.bodies[index].mapping;
             let half_length = mapping.half_length[..D].iter().copied().fold(0.5, f64::min);
             surface.patches.clear();
@@ -153,7 +151,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
                 let raw = VertexWeights::<D, N>::new(mapping.family, &xi, half_length);
                 let raw = hosts.mirrors.fold(raw);
-                let (nodes, masses) = nodes_of_patch::<D, N>(raw.base, shape, &layer.rows, lines);
+                let (nodes, masses) = nodes_of_patch::<D, N>(raw.base, shape, &field.rows, lines);
                 let weights = if follow == Follow::Unaugmented {
                     Ok(raw.on_mass(&masses))
                 } else {
@@ -305,15 +303,13 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Adds the contact forces to the nodes (eq. 56).
-    pub(super) fn load_nodes(&self, layers: &mut Layers) {
+    pub(super) fn load_nodes(&self, grid: &mut Grid) {
         for surface in &self.surfaces {
             let Some(index) = surface.body() else {
                 continue;
             };
-            let Some(layer) = layers.list.iter_mut().find(|l| l.body == index) else {
-                continue;
-            };
-            let lines = layer.nodes.lines_mut();
+            let number = grid.number_of(index);
+            let lines = grid.fields[number].nodes.lines_mut();
             for (patch, force) in surface.patches.iter().zip(&surface.force) {
                 if force.iter().all(|f| *f == 0.0) {
                     continue;
@@ -346,7 +342,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
     pub(super) fn advance(&mut self, hosts: &Hosts<'_>, drift: f64, half_step: f64) {
-        let shape = hosts.shape;
+        let shape = &hosts.grid.shape;
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {
             match &surface.carrier {
@@ -355,9 +351,10 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     surface.moved.fill(v * drift);
                 }
                 Carrier::Body { index, follow } => {
-                    let Some(lines) = hosts.layers.nodes_of(*index) else {
+                    let Some(field) = hosts.grid.own_field(*index) else {
                         continue;
                     };
+                    let lines = field.nodes.lines();
                     // In space a line of a node has no room for a spin, so that it is taken from the gradients.
                     let summed = match follow {
                         Follow::Unaugmented | Follow::Velocity => false,

@@ -1,8 +1,8 @@
 //! Mortar contact in the cycle: boundaries that move with bodies and rigid lines, and the part of a step in which
 //! contact is found before its time step is chosen.
 //!
-//! Each body with a boundary has a layer of the grid to itself. A step goes: mapping to the nodes, augmented weights of
-//! the vertices, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
+//! Each body with a boundary has a velocity field to itself. A step goes: mapping to the nodes, augmented weights of the
+//! vertices, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
 
 mod boundaries;
 mod change;
@@ -33,7 +33,6 @@ pub(crate) struct MortarState {
     pub(super) time_step: f64,
     /// Largest time step in which no gap closes too far \[s\].
     pub(super) closing_step: f64,
-    groups: usize,
     stiffness: NodalStiffness,
 }
 
@@ -44,7 +43,6 @@ impl Default for MortarState {
             space: Boundaries::default(),
             time_step: f64::INFINITY,
             closing_step: f64::INFINITY,
-            groups: 0,
             stiffness: NodalStiffness::default(),
         }
     }
@@ -56,7 +54,7 @@ impl MortarState {
         !(self.plane.surfaces.is_empty() && self.space.surfaces.is_empty())
     }
 
-    /// Bodies with a layer.
+    /// Bodies whose boundary moves with a velocity field of their own.
     pub(super) fn bodies(&self) -> impl Iterator<Item = usize> {
         let plane = self
             .plane
@@ -84,7 +82,7 @@ impl MortarState {
         Ok(())
     }
 
-    fn vertices_under_pressure(&self) -> usize {
+    pub(super) fn vertices_under_pressure(&self) -> usize {
         self.plane.under_pressure() + self.space.under_pressure()
     }
 }

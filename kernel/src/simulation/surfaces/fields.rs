@@ -1,80 +1,59 @@
 //! The velocity fields of the grid as surfaces see them.
 //!
-//! A body near a partner of contact has a layer of its own, which a surface pushes alone. Where a body without a pair
-//! has a layer too, or lies in the common field, both share their velocity, before and after the surface. Contact between
+//! A body near a partner of contact has a field of its own, which a surface pushes alone. Where a body without a pair
+//! has one too, or lies in the field of the phase, both share their velocity, before and after the surface. Contact between
 //! bodies acts first: at a node that both reach the surface has the last word, and what it brings partners closer by is
 //! left to their contact in the next step.
 
 use crate::contact::Pair;
-use crate::contact::layers::{Layers, joined};
-use crate::grid::{ActiveRows, Line};
-use crate::simulation::field::Field;
+use crate::contact::faces::joined;
+use crate::grid::Line;
+use crate::simulation::fields::{Grid, Owner};
 use crate::simulation::{BodyRun, Simulation};
 use crate::stage::touch::{TouchedNode, apply};
 
-/// All velocity fields, known by their numbers: 0 the common one, then the layers.
+/// All velocity fields, known by their numbers.
 pub(super) struct Fields<'a> {
-    common: &'a Field,
-    layers: &'a Layers,
+    grid: &'a Grid,
     bodies: &'a [BodyRun],
     /// Whether two fields share their velocity, row by row.
     joined: Vec<bool>,
 }
 
 impl<'a> Fields<'a> {
-    pub(super) fn new(
-        common: &'a Field,
-        layers: &'a Layers,
-        bodies: &'a [BodyRun],
-        pairs: &[Pair],
-    ) -> Self {
-        let of_layers: Vec<usize> = layers.list.iter().map(|l| l.body).collect();
+    pub(super) fn new(grid: &'a Grid, bodies: &'a [BodyRun], pairs: &[Pair]) -> Self {
+        let owners: Vec<Owner> = grid.fields.iter().map(|field| field.owner).collect();
         Self {
-            common,
-            layers,
+            grid,
             bodies,
-            joined: joined(&of_layers, pairs),
+            joined: joined(&owners, pairs),
         }
     }
 
     /// The field of a body.
     pub(super) fn of(&self, body: usize) -> usize {
-        let layer = self.layers.list.iter().position(|l| l.body == body);
-        layer.map_or(0, |layer| layer + 1)
+        self.grid.number_of(body)
     }
 
     /// Nodes of a field.
     pub(super) fn lines(&self, field: usize) -> &'a [Line] {
-        self.at(field).1
+        self.grid.fields[field].nodes.lines()
     }
 
-    fn at(&self, field: usize) -> (&'a ActiveRows, &'a [Line]) {
-        match field.checked_sub(1).map(|i| &self.layers.list[i]) {
-            None => (&self.common.rows, self.common.nodes.lines()),
-            Some(layer) => (&layer.rows, layer.nodes.lines()),
-        }
-    }
-
-    /// Mass of a field at a node \[kg\]; zero outside the rows in use, where old values lie.
+    /// Mass of a field at a node \[kg\].
     pub(super) fn mass(&self, field: usize, node: usize) -> f64 {
-        let [plane, row, k] = self.common.shape.indices(node);
-        let (rows, lines) = self.at(field);
-        if rows.span(plane, row).contains(&k) {
-            lines[node][0]
-        } else {
-            0.0
-        }
+        self.grid.fields[field].mass(&self.grid.shape, node)
     }
 
-    /// Whether the motion of the body of a layer is prescribed.
+    /// Whether the motion of the body of a field is prescribed.
     pub(super) fn is_driven(&self, field: usize) -> bool {
-        let layer = field.checked_sub(1).map(|i| &self.layers.list[i]);
-        layer.is_some_and(|layer| self.bodies[layer.body].motion.is_some())
+        let body = self.grid.fields[field].owner.body();
+        body.is_some_and(|body| self.bodies[body].motion.is_some())
     }
 
     /// The fields that share their velocity with `field` at a node, it among them, increasing.
     pub(super) fn sharing(&self, field: usize, node: usize) -> Vec<usize> {
-        let count = self.layers.list.len() + 1;
+        let count = self.grid.fields.len();
         if count == 1 {
             return vec![0];
         }
@@ -98,8 +77,7 @@ impl<'a> Fields<'a> {
 
 impl Simulation {
     pub(super) fn all_fields(&self) -> Fields<'_> {
-        let contact = &self.contact;
-        Fields::new(&self.field, &contact.layers, &self.bodies, &contact.pairs)
+        Fields::new(&self.grid, &self.bodies, &self.contact.pairs)
     }
 
     /// Adds the changes of touched nodes to the velocities of all their fields, in the lanes from `lane` on, and where
@@ -110,9 +88,8 @@ impl Simulation {
         lane: usize,
         increments: bool,
     ) {
-        apply(nodes, 0, self.field.nodes.lines_mut(), lane, increments);
-        for (i, layer) in self.contact.layers.list.iter_mut().enumerate() {
-            apply(nodes, i + 1, layer.nodes.lines_mut(), lane, increments);
+        for (number, field) in self.grid.fields.iter_mut().enumerate() {
+            apply(nodes, number, field.nodes.lines_mut(), lane, increments);
         }
     }
 }

@@ -9,10 +9,10 @@ use super::Simulation;
 use super::acting::{Acting, node_weights};
 use super::error::{StepError, StepErrorKind};
 use super::history::integral;
-use super::passes::{at_half_step_after, forces};
+use super::motion::at_half_step_after;
 use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
-use crate::stage::solve::{PlaneSums, Planes, Wall};
+use crate::stage::solve::{Planes, Wall};
 use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
 use fields::Fields;
 pub(super) use gap::local;
@@ -162,19 +162,7 @@ impl Simulation {
 
     /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
     fn sum_after_contact(&mut self, acting: &Acting, power: f64) {
-        let planes = if self.contact.layers.is_empty() {
-            let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
-            let measure = self.plan.measure;
-            let per_slab = self.field.visit(|mut planes| {
-                planes.unfold(&acting.walls, true);
-                let mut sums = vec![PlaneSums::default(); planes.range.len()];
-                planes.add_sums(&forces, measure, &mut sums);
-                sums
-            });
-            per_slab.into_iter().flatten().collect()
-        } else {
-            self.sums_of_fields(acting)
-        };
+        let planes = self.sums_of_planes(acting);
         let sums = &mut self.ledger.sums;
         sums.power += power;
         for plane in planes {
@@ -233,13 +221,7 @@ impl Simulation {
                 planes.unfold(&still, false);
             }
         };
-        let layers = &mut self.contact.layers;
-        layers.visit(&mut self.field, |mut fields| {
-            keep(&mut fields.common);
-            for layer in &mut fields.layers {
-                keep(&mut layer.planes);
-            }
-        });
+        self.grid.visit(|mut slab| slab.planes().for_each(keep));
         Ok(())
     }
 
@@ -298,7 +280,7 @@ impl Simulation {
                 depth: -nearest.distance,
             }));
         }
-        let shape = &self.field.shape;
+        let shape = &self.grid.shape;
         let weights = node_weights(&self.sets[set], &self.bodies[set], shape, self.stencil, p);
         let field = fields.of(set);
         let lines = fields.lines(field);

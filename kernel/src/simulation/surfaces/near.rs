@@ -94,7 +94,7 @@ impl Simulation {
                 .nearest(&local, within)
                 .is_some()
         };
-        let near = self.field.team.collect(0..particles.len(), is_near);
+        let near = self.grid.team.collect(0..particles.len(), is_near);
         let mut found: Vec<usize> = (0..near.len()).filter(|&p| near[p]).collect();
         found.sort_unstable_by_key(|&p| particles.id[p]);
         found

@@ -1,0 +1,163 @@
+//! What contact on the grid knows of the surface of each body that is near a partner, beside its velocity field.
+//!
+//! A second line per node holds the mass gradient, and the interface the particles that can share a node with a partner.
+//! Both are there for exactly the bodies that have a field because of this contact.
+
+use super::Pair;
+use super::interface::Interface;
+use crate::grid::{GridShape, Line, Nodes};
+use crate::particles::ParticleSet;
+use crate::simulation::fields::{Grid, Owner, Slab, split};
+use crate::stage::solve::Planes;
+use std::ops::Range;
+
+/// The surface of one body.
+#[derive(Clone, Debug)]
+pub struct Face {
+    /// Index of the body.
+    pub body: usize,
+    /// Second lines of the nodes.
+    pub lines: Nodes,
+    /// Particles that can reach a node of a partner.
+    pub interface: Interface,
+}
+
+/// The surfaces of all bodies near a partner, in order of the identifier of the body.
+#[derive(Clone, Debug, Default)]
+pub struct Faces {
+    /// The surfaces.
+    pub list: Vec<Face>,
+}
+
+/// The part of a surface that one visit owns.
+pub struct SlabFace<'a> {
+    /// Index of the body.
+    pub body: usize,
+    /// Second lines of the nodes.
+    pub lines: &'a mut [Line],
+    /// Particles that can reach a node of a partner.
+    pub interface: &'a Interface,
+}
+
+/// A slab with the surfaces of its bodies. A field is known by its number in the slab.
+pub struct SlabFields<'s, 'a, 'b> {
+    /// The fields.
+    pub slab: &'s mut Slab<'a>,
+    /// The surfaces.
+    pub faces: &'s mut [SlabFace<'b>],
+    /// Place of the surface of each field.
+    places: Vec<Option<usize>>,
+}
+
+impl<'s, 'a, 'b> SlabFields<'s, 'a, 'b> {
+    /// Brings fields and surfaces together.
+    pub fn new(slab: &'s mut Slab<'a>, faces: &'s mut [SlabFace<'b>]) -> Self {
+        let place = |owner: Owner| faces.iter().position(|f| owner == Owner::Body(f.body));
+        let places = slab.fields.iter().map(|f| place(f.owner)).collect();
+        Self {
+            slab,
+            faces,
+            places,
+        }
+    }
+
+    /// Number of fields.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.slab.fields.len()
+    }
+
+    /// Shape of the grid.
+    #[must_use]
+    pub fn shape(&self) -> &'a GridShape {
+        self.slab.shape()
+    }
+
+    /// Indices of the planes.
+    #[must_use]
+    pub fn range(&self) -> Range<usize> {
+        self.slab.range()
+    }
+
+    /// Whose fields they are.
+    #[must_use]
+    pub fn owners(&self) -> Vec<Owner> {
+        self.slab.fields.iter().map(|f| f.owner).collect()
+    }
+
+    /// Planes of a field.
+    #[must_use]
+    pub fn planes(&self, number: usize) -> &Planes<'a> {
+        &self.slab.fields[number].planes
+    }
+
+    /// Nodes of a field.
+    pub fn nodes_mut(&mut self, number: usize) -> &mut [Line] {
+        self.slab.fields[number].planes.nodes
+    }
+
+    /// Place among the surfaces of that of a field, if contact keeps one.
+    #[must_use]
+    pub fn place_of(&self, number: usize) -> Option<usize> {
+        self.places[number]
+    }
+}
+
+/// Whether two fields share their velocity where they meet: all but those of a pair. By number, row by row.
+#[must_use]
+pub fn joined(owners: &[Owner], pairs: &[Pair]) -> Vec<bool> {
+    let count = owners.len();
+    let mut joined = vec![true; count * count];
+    for pair in pairs {
+        let number = |body| owners.iter().position(|o| *o == Owner::Body(body));
+        if let (Some(m), Some(s)) = (number(pair.master), number(pair.slave)) {
+            joined[m * count + s] = false;
+            joined[s * count + m] = false;
+        }
+    }
+    joined
+}
+
+impl Faces {
+    /// Has surfaces for exactly these bodies of near pairs (indices in order of the identifier).
+    pub fn set(
+        &mut self,
+        bodies: &[usize],
+        pairs: &[Pair],
+        near: &[bool],
+        sets: &[ParticleSet],
+        grid: &Grid,
+        stencil: usize,
+    ) {
+        let mut old = std::mem::take(&mut self.list);
+        for &body in bodies {
+            let interface = Interface::new(body, pairs, near, sets, &grid.shape, stencil);
+            let lines = match old.iter().position(|face| face.body == body) {
+                Some(at) => old.swap_remove(at).lines,
+                None => Nodes::new(grid.shape.nodes.iter().product()),
+            };
+            self.list.push(Face {
+                body,
+                lines,
+                interface,
+            });
+        }
+    }
+
+    /// The surfaces of each slab.
+    pub fn split(&mut self, grid: &Grid) -> Vec<Vec<SlabFace<'_>>> {
+        let (slabs, per_plane) = (&grid.slabs, grid.shape.plane_nodes());
+        let mut parts: Vec<Vec<SlabFace<'_>>> = slabs.iter().map(|_| vec![]).collect();
+        for face in &mut self.list {
+            let lines = split(&mut face.lines, slabs, per_plane);
+            for (part, lines) in parts.iter_mut().zip(lines) {
+                part.push(SlabFace {
+                    body: face.body,
+                    lines,
+                    interface: &face.interface,
+                });
+            }
+        }
+        parts
+    }
+}

@@ -1,0 +1,134 @@
+//! Contact on the grid in one slab.
+
+use crate::contact::faces::{SlabFace, SlabFields};
+use crate::contact::meeting::{Bodies, Meetings, On, States};
+use crate::contact::{Met, Pair, State, surface};
+use crate::simulation::fields::{Grid, Slab};
+use crate::simulation::interaction::{Now, OnSlab, Parts, Visit};
+use crate::stage::solve::{PlaneSums, Planes};
+
+impl State {
+    /// What acts on each slab of a visit.
+    pub(in crate::simulation) fn on_slabs(&mut self, grid: &Grid, visit: Visit) -> Parts<'_> {
+        let met = match visit {
+            Visit::Trial => {
+                self.met.clear();
+                &mut self.met
+            }
+            // At the same nodes as in the first mapping.
+            Visit::Remapped => &mut self.met,
+            Visit::Mapped => {
+                let before = self.met.iter().flat_map(|met| met.meetings.states());
+                self.states = before.collect();
+                self.again.clear();
+                &mut self.again
+            }
+        };
+        met.resize(grid.slabs.len(), Met::default());
+        let faces = self.faces.split(grid);
+        let (pairs, near, states) = (&self.pairs[..], &self.near[..], &self.states);
+        let parts = faces.into_iter().zip(met).map(|(faces, met)| {
+            let part: Box<dyn OnSlab + '_> = Box::new(SlabContact {
+                pairs,
+                near,
+                faces,
+                met,
+                states,
+                visit,
+            });
+            vec![part]
+        });
+        parts.collect()
+    }
+}
+
+/// Contact in one slab.
+struct SlabContact<'a> {
+    pairs: &'a [Pair],
+    near: &'a [bool],
+    faces: Vec<SlabFace<'a>>,
+    /// Where bodies meet, and what contact did there.
+    met: &'a mut Met,
+    /// What pairs did at the nodes earlier in this step, where particles have moved since.
+    states: &'a States,
+    visit: Visit,
+}
+
+impl SlabContact<'_> {
+    /// What contact knows of the scene, with whether the motion of each body is prescribed.
+    fn bodies<'b>(
+        pairs: &'b [Pair],
+        near: &'b [bool],
+        now: &'b Now<'_>,
+        driven: &'b [bool],
+    ) -> Bodies<'b> {
+        Bodies {
+            pairs,
+            near,
+            sets: now.mapping.sets,
+            driven,
+            walls: now.walls,
+            stencil: now.mapping.stencil,
+        }
+    }
+}
+
+fn driven(now: &Now<'_>) -> Vec<bool> {
+    now.prescribed.iter().map(Option::is_some).collect()
+}
+
+impl OnSlab for SlabContact<'_> {
+    /// Mass gradients of the surfaces, folded.
+    fn mapped(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
+        for face in &mut self.faces {
+            let mut planes = Planes {
+                shape: slab.shape(),
+                rows: &face.interface.rows,
+                range: slab.range(),
+                nodes: face.lines,
+            };
+            planes.clear();
+            now.mapping
+                .map_gradient(face.body, face.interface, &mut planes);
+            surface::fold_gradient(&mut planes, now.walls);
+        }
+    }
+
+    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
+        let driven = driven(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
+        let mut fields = SlabFields::new(slab, &mut self.faces);
+        let mut meetings = Meetings::find(&mut fields, &bodies);
+        let damping = now.plan.local_damping;
+        let on = On::Trial {
+            kick: now.acting.kick,
+            dt: now.acting.drift,
+            damping,
+        };
+        let done = meetings.act(&mut fields, &bodies, on);
+        if damping.is_some() {
+            // Contact does not know what the planes hold, and damps it too.
+            for planes in slab.planes() {
+                planes.constrain(now.walls, true);
+            }
+        }
+        for (sums, power) in sums.iter_mut().zip(&done.power) {
+            sums.power += power;
+        }
+        *self.met = Met { meetings, done };
+    }
+
+    fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
+        let driven = driven(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
+        let mut fields = SlabFields::new(slab, &mut self.faces);
+        if self.visit == Visit::Remapped {
+            let meetings = &mut self.met.meetings;
+            meetings.act(&mut fields, &bodies, On::Remapped);
+        } else {
+            let mut meetings = Meetings::find(&mut fields, &bodies);
+            meetings.recall(self.states);
+            meetings.act(&mut fields, &bodies, On::Mapped);
+        }
+    }
+}

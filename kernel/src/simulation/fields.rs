@@ -1,0 +1,285 @@
+//! The grid as the cycle uses it: velocity fields, their active rows, and slabs of planes that threads own.
+//!
+//! All fields are equal: each has mass, momentum and force at its nodes, and one equation of motion serves them all. The
+//! first is that of the phase, which all bodies share that have none of their own. A body has a field of its own where
+//! contact asks for it. Its memory is that of the nodes which the body touches; the rest is never committed. All fields
+//! are cut into the same slabs, so that whoever owns a slab owns all fields of its nodes.
+
+use crate::grid::{ActiveRows, GridShape, Line, Nodes};
+use crate::particles::{ParticleSet, rows_of, sort_sets};
+use crate::stage::solve::Planes;
+use crate::team::Team;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Fewest planes of a slab: a slab repeats the weights of the layers at its ends.
+const THINNEST_SLAB: usize = 8;
+/// Slabs per thread, so that an uneven share can move to an idle thread.
+const SLABS_PER_THREAD: usize = 3;
+
+/// Whose velocities a field holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Owner {
+    /// All bodies without a field of their own.
+    Phase,
+    /// One body, by its index.
+    Body(usize),
+}
+
+impl Owner {
+    /// The body, if it is one.
+    #[must_use]
+    pub fn body(self) -> Option<usize> {
+        match self {
+            Self::Phase => None,
+            Self::Body(index) => Some(index),
+        }
+    }
+}
+
+/// A velocity field of the grid.
+#[derive(Clone, Debug)]
+pub struct VelocityField {
+    /// Whose it is.
+    pub owner: Owner,
+    /// Values.
+    pub nodes: Nodes,
+    /// Rows in use, as of the last sort.
+    pub rows: ActiveRows,
+}
+
+impl VelocityField {
+    /// Mass at a node \[kg\]; zero outside the rows in use, where old values lie.
+    #[must_use]
+    pub fn mass(&self, shape: &GridShape, node: usize) -> f64 {
+        let [plane, row, k] = shape.indices(node);
+        if self.rows.span(plane, row).contains(&k) {
+            self.nodes.lines()[node][0]
+        } else {
+            0.0
+        }
+    }
+}
+
+/// Velocity fields with who owns which part of them.
+#[derive(Debug)]
+pub struct Grid {
+    /// Shape of each field.
+    pub shape: GridShape,
+    /// The fields: that of the phase, then those of bodies in order of their identifiers.
+    pub fields: Vec<VelocityField>,
+    /// Planes of each slab; together all planes.
+    pub slabs: Vec<Range<usize>>,
+    /// Who shares the slabs.
+    pub team: Arc<Team>,
+}
+
+/// The part of a field that one visit owns.
+pub struct SlabField<'a> {
+    /// Whose field it is.
+    pub owner: Owner,
+    /// Nodes.
+    pub planes: Planes<'a>,
+}
+
+/// All fields of the planes that one visit owns, known by their number in [`Grid::fields`].
+pub struct Slab<'a> {
+    /// The fields.
+    pub fields: Vec<SlabField<'a>>,
+}
+
+impl<'a> Slab<'a> {
+    /// Shape of the grid.
+    #[must_use]
+    pub fn shape(&self) -> &'a GridShape {
+        self.fields[0].planes.shape
+    }
+
+    /// Indices of the planes.
+    #[must_use]
+    pub fn range(&self) -> Range<usize> {
+        self.fields[0].planes.range.clone()
+    }
+
+    /// Number of the field of a body.
+    #[must_use]
+    pub fn number_of(&self, body: usize) -> Option<usize> {
+        let of_body = |field: &SlabField<'_>| field.owner == Owner::Body(body);
+        self.fields.iter().position(of_body)
+    }
+
+    /// The planes of all fields.
+    pub fn planes(&mut self) -> impl Iterator<Item = &mut Planes<'a>> {
+        self.fields.iter_mut().map(|field| &mut field.planes)
+    }
+}
+
+impl Grid {
+    /// A grid without particles.
+    #[must_use]
+    pub fn new(shape: GridShape, team: Team) -> Self {
+        let slabs = std::iter::once(0..shape.nodes[0]).collect();
+        Self {
+            fields: vec![VelocityField {
+                owner: Owner::Phase,
+                nodes: Nodes::new(shape.nodes.iter().product()),
+                rows: ActiveRows::default(),
+            }],
+            slabs,
+            shape,
+            team: Arc::new(team),
+        }
+    }
+
+    /// Sorts the particles and cuts the planes into slabs of about equal numbers of particles.
+    pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize) {
+        self.fields[0].rows = sort_sets(sets, &self.shape, stencil, &self.team);
+        self.cut(sets);
+    }
+
+    /// Takes up sets in the order in which they are, after a restart.
+    #[cfg(feature = "frames")]
+    pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
+        self.fields[0].rows = self.rows_of(sets, stencil);
+        self.cut(sets);
+    }
+
+    /// Rows in use of particles that are not to be sorted now.
+    #[must_use]
+    pub fn rows_of(&self, sets: &[ParticleSet], stencil: usize) -> ActiveRows {
+        rows_of(sets, &self.shape, stencil, &self.team)
+    }
+
+    /// Has fields for exactly these bodies (indices in order of the identifier) beside that of the phase, with rows for
+    /// where their particles are now.
+    pub fn set_owners(&mut self, bodies: &[usize], sets: &[ParticleSet], stencil: usize) {
+        let phase = (Owner::Phase, std::mem::take(&mut self.fields[0].rows));
+        let of_body = |&body| {
+            let rows = self.rows_of(&sets[body..=body], stencil);
+            (Owner::Body(body), rows)
+        };
+        let of_bodies: Vec<_> = bodies.iter().map(of_body).collect();
+        self.set_rows(std::iter::once(phase).chain(of_bodies).collect());
+    }
+
+    /// Whose fields there are, and their rows in use.
+    #[must_use]
+    pub fn rows(&self) -> Vec<(Owner, ActiveRows)> {
+        let fields = self.fields.iter();
+        fields.map(|f| (f.owner, f.rows.clone())).collect()
+    }
+
+    /// Has these fields again.
+    pub fn set_rows(&mut self, rows: Vec<(Owner, ActiveRows)>) {
+        let mut old = std::mem::take(&mut self.fields);
+        for (owner, rows) in rows {
+            let known = old.iter().position(|field| field.owner == owner);
+            let nodes = match known {
+                Some(at) => old.swap_remove(at).nodes,
+                None => Nodes::new(self.shape.nodes.iter().product()),
+            };
+            self.fields.push(VelocityField { owner, nodes, rows });
+        }
+    }
+
+    /// Number of the field in which a body moves.
+    #[must_use]
+    pub fn number_of(&self, body: usize) -> usize {
+        let of_body = |field: &VelocityField| field.owner == Owner::Body(body);
+        self.fields.iter().position(of_body).unwrap_or(0)
+    }
+
+    /// The field of a body alone, if it has one.
+    #[must_use]
+    pub fn own_field(&self, body: usize) -> Option<&VelocityField> {
+        let number = self.number_of(body);
+        (number > 0).then(|| &self.fields[number])
+    }
+
+    /// Cuts the planes into slabs of about equal numbers of particles.
+    fn cut(&mut self, sets: &[ParticleSet]) {
+        let threads = self.team.count();
+        let planes = self.shape.nodes[0];
+        let most = (threads * SLABS_PER_THREAD)
+            .min(planes / THINNEST_SLAB)
+            .max(1);
+        self.slabs.clear();
+        if threads == 1 || most == 1 {
+            self.slabs.push(0..planes);
+            return;
+        }
+        let per_layer = |layer: usize| -> usize {
+            sets.iter()
+                .map(|set| set.in_layers(layer..layer + 1).len())
+                .sum()
+        };
+        let total: usize = sets.iter().map(ParticleSet::len).sum();
+        let share = total.div_ceil(most).max(1);
+        let (mut start, mut sum) = (0, 0);
+        for plane in 0..planes {
+            sum += per_layer(plane);
+            let thick = plane + 1 - start >= THINNEST_SLAB && planes - plane > THINNEST_SLAB;
+            if thick && sum >= share {
+                self.slabs.push(start..plane + 1);
+                start = plane + 1;
+                sum = 0;
+            }
+        }
+        self.slabs.push(start..planes);
+    }
+
+    /// Calls `act` for every slab with all its fields, shared out among the team, and returns the results in order.
+    pub fn visit<R: Send>(&mut self, act: impl Fn(Slab<'_>) -> R + Send + Sync) -> Vec<R> {
+        let parts = vec![(); self.slabs.len()];
+        self.visit_with(parts, |slab, ()| act(slab))
+    }
+
+    /// The same, where each slab brings something along.
+    pub fn visit_with<P: Send, R: Send>(
+        &mut self,
+        parts: Vec<P>,
+        act: impl Fn(Slab<'_>, P) -> R + Send + Sync,
+    ) -> Vec<R> {
+        let per_plane = self.shape.plane_nodes();
+        let (shape, slabs) = (&self.shape, &self.slabs);
+        let count = self.fields.len();
+        let mut visits: Vec<(Slab<'_>, P)> = parts
+            .into_iter()
+            .map(|part| {
+                let fields = Vec::with_capacity(count);
+                (Slab { fields }, part)
+            })
+            .collect();
+        for field in &mut self.fields {
+            let nodes = split(&mut field.nodes, slabs, per_plane);
+            for (((slab, _), nodes), range) in visits.iter_mut().zip(nodes).zip(slabs) {
+                slab.fields.push(SlabField {
+                    owner: field.owner,
+                    planes: Planes {
+                        shape,
+                        rows: &field.rows,
+                        range: range.clone(),
+                        nodes,
+                    },
+                });
+            }
+        }
+        self.team.map(visits, |(slab, part)| act(slab, part))
+    }
+}
+
+/// The nodes of each slab.
+pub fn split<'a>(
+    nodes: &'a mut Nodes,
+    slabs: &[Range<usize>],
+    per_plane: usize,
+) -> Vec<&'a mut [Line]> {
+    let mut rest = nodes.lines_mut();
+    let mut parts = Vec::with_capacity(slabs.len());
+    for slab in slabs {
+        let (own, tail) = rest.split_at_mut(slab.len() * per_plane);
+        parts.push(own);
+        rest = tail;
+    }
+    parts
+}

@@ -1,0 +1,179 @@
+//! The mapping of particles to the nodes of their velocity fields.
+
+use super::BodyRun;
+use super::fields::{Owner, Slab, SlabField};
+use crate::contact::interface::Interface;
+use crate::lanes::Selected;
+use crate::particles::{Layout, ParticleSet};
+use crate::plan::Plan;
+use crate::stage::g2p::Affine;
+use crate::stage::p2g::{self, Carry, P2g, P2gFn};
+use crate::stage::solve::{Planes, Wall};
+use std::ops::Range;
+
+/// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
+pub(super) fn bodies_onto<'a>(
+    plan: &Plan,
+    sets: &'a [ParticleSet],
+    bodies: &'a [BodyRun],
+    lanes: Selected,
+    stencil: usize,
+    carry: Carry,
+) -> BodiesOnto<'a> {
+    let instance = |carry| Carrier {
+        carry,
+        call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
+    };
+    BodiesOnto {
+        sets,
+        bodies,
+        lanes,
+        stencil,
+        affine: plan.affine != Affine::Leave,
+        free: instance(carry),
+        driven: instance(Carry::Momentum),
+        gradient: instance(Carry::MassGradient),
+    }
+}
+
+/// What the first mapping of a step carries.
+pub(super) fn first_carry(plan: &Plan) -> Carry {
+    if plan.spin {
+        Carry::AllAndSpin
+    } else {
+        Carry::All
+    }
+}
+
+/// What is carried, and the stage that does.
+#[derive(Clone, Copy)]
+struct Carrier {
+    carry: Carry,
+    call: P2gFn,
+}
+
+/// A mapping of bodies onto one slab after the other.
+pub(super) struct BodiesOnto<'a> {
+    /// Particles.
+    pub(super) sets: &'a [ParticleSet],
+    /// Their bodies.
+    pub(super) bodies: &'a [BodyRun],
+    lanes: Selected,
+    /// Nodes per axis of the stencil.
+    pub(super) stencil: usize,
+    /// Whether momentum has an affine part.
+    affine: bool,
+    /// Of bodies that move freely.
+    free: Carrier,
+    /// Of bodies with a field of their own whose motion is prescribed: their mass alone counts.
+    driven: Carrier,
+    /// Of particles near a partner of contact.
+    gradient: Carrier,
+}
+
+impl BodiesOnto<'_> {
+    /// Clears all fields of a slab and maps each body onto its own; returns the number of groups in the layers of
+    /// particles that the slab owns.
+    pub(super) fn run(&self, slab: &mut Slab<'_>) -> usize {
+        let mut groups = 0;
+        for field in &mut slab.fields {
+            field.planes.clear();
+            groups += self.run_field(field);
+        }
+        groups
+    }
+
+    /// The first mapping of a step: mass, velocity and force of all fields, what lies beyond the walls folded back.
+    pub(super) fn run_first(&self, slab: &mut Slab<'_>, walls: &[Wall]) -> usize {
+        let groups = self.run(slab);
+        for planes in slab.planes() {
+            planes.fold(walls, true, true);
+            if self.free.carry == Carry::AllAndSpin {
+                planes.fold_spins(walls);
+            }
+            planes.velocities();
+        }
+        groups
+    }
+
+    /// Maps the bodies of one field.
+    pub(super) fn run_field(&self, field: &mut SlabField<'_>) -> usize {
+        let planes = &mut field.planes;
+        match field.owner {
+            Owner::Body(body) => self.map(body, planes),
+            Owner::Phase => {
+                let mut groups = 0;
+                for (index, body) in self.bodies.iter().enumerate() {
+                    if body.motion.is_none() && !body.in_layer {
+                        groups += self.map(index, planes);
+                    }
+                }
+                groups
+            }
+        }
+    }
+
+    /// Maps one body.
+    fn map(&self, index: usize, planes: &mut Planes<'_>) -> usize {
+        let set = &self.sets[index];
+        let layers = self.layers_onto(planes);
+        let layers = (layers.start..layers.end.min(set.layers.len() - 1))
+            .map(|layer| {
+                (
+                    set.in_layers(layer..layer + 1),
+                    planes.range.contains(&layer),
+                )
+            })
+            .filter(|(particles, _)| !particles.is_empty());
+        let carrier = match self.bodies[index].motion {
+            Some(_) => self.driven,
+            None => self.free,
+        };
+        self.map_runs(index, layers.collect(), planes, carrier)
+    }
+
+    /// Maps the mass gradient of the particles of one body that are near its partners of contact.
+    pub(super) fn map_gradient(
+        &self,
+        index: usize,
+        interface: &Interface,
+        planes: &mut Planes<'_>,
+    ) {
+        let runs = interface.in_layers(self.layers_onto(planes));
+        let runs = runs.map(|run| (run, false)).collect();
+        self.map_runs(index, runs, planes, self.gradient);
+    }
+
+    /// Layers of particles that reach planes. A particle may have left its layer by one cell since the last sort.
+    fn layers_onto(&self, planes: &Planes<'_>) -> Range<usize> {
+        planes.range.start.saturating_sub(self.stencil)..planes.range.end + 1
+    }
+
+    fn map_runs(
+        &self,
+        index: usize,
+        layers: Vec<(Range<usize>, bool)>,
+        planes: &mut Planes<'_>,
+        Carrier { carry, call }: Carrier,
+    ) -> usize {
+        let (set, body) = (&self.sets[index], &self.bodies[index]);
+        let layout = Layout {
+            affine: set.layout.affine.filter(|_| self.affine),
+            ..set.layout
+        };
+        call(
+            self.lanes,
+            P2g {
+                columns: &set.columns,
+                layout: &layout,
+                mapping: &body.mapping,
+                layers,
+                planes: planes.range.clone(),
+                nodes: planes.nodes,
+                carry,
+                spin: set.layout.affine,
+                viscous_rate: body.viscous_rate,
+            },
+        )
+    }
+}
