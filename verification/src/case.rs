@@ -9,6 +9,7 @@ use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::Options;
 
 use crate::convergence::ConvergenceTable;
+use crate::study::Study;
 
 /// How much of the ladder is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -261,6 +262,12 @@ pub trait Case: Sync {
 
     /// The scene of a rung. [`Case::solve`] runs this scene and no other.
     fn scene(&self, rung: &Rung) -> Scene;
+
+    /// What of the case can be solved with any settings, most often the case itself.
+    ///
+    /// # Errors
+    /// The reason why nothing of it can.
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str>;
 
     /// Computes what the exact solution of a rung needs and keeps it, so that the time of no run holds it. What fails here
     /// fails again in [`Case::solve`], and is reported there.

@@ -3,7 +3,7 @@
 use proctor_kernel::scene::{Scene, StressScheme, TransferKind, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
-use crate::case::{Case, CaseError, Rung, Size, Solved};
+use crate::case::{self, Case, CaseError, Rung, Size, Solved};
 use crate::settings::{Method, Settings};
 
 /// What a run is doing; run time means [`Phase::Stepping`].
@@ -128,14 +128,9 @@ pub fn few(size: Size, method: Method) -> bool {
         .contains(&method)
 }
 
-/// Cases without a study, each with the reason.
+/// All studies, in the order in which their cases are shown.
 #[must_use]
-pub fn without() -> &'static [(&'static dyn Case, &'static str)] {
-    crate::cases::WITHOUT_STUDY
-}
-
-/// All studies, in the order in which they are shown.
-#[must_use]
-pub fn all() -> &'static [&'static dyn Study] {
-    crate::cases::STUDIES
+pub fn all() -> Vec<&'static dyn Study> {
+    let studies = case::all().iter().filter_map(|case| case.studies().ok());
+    studies.flatten().collect()
 }

@@ -362,24 +362,10 @@ impl Case for Cantilever {
         Rung::ladders(ladders)
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        Self::build(rung, &self.own_settings(rung))
-    }
+    with_own_settings!();
 
     fn prepare(&self, rung: &Rung) {
         let _ = self.reference(rung.variant);
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let mut observer = |share| progress(share);
-        self.run(rung, &self.scene(rung), options, &mut observer)
-            .map(|studied| studied.solved)
-            .map_err(|e| failed(self, rung, &e))
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {

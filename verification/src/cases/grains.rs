@@ -41,6 +41,7 @@ use super::{NO_RESULTS, elastic, failed};
 use crate::case::{
     Case, CaseError, Curve, CurvePoint, Gate, Relation, Rung, Size, Solved, Verdict,
 };
+use crate::study::Study;
 use watch::{
     BALANCE, BEYOND, FLOOR_SHARE, GAINED, INSIDE, LARGEST, LOADED, MOMENTUM, PHASES, SIDEWAYS,
     SMALLEST, Watch,
@@ -200,6 +201,12 @@ impl Case for Grains {
             }
         }
         scene
+    }
+
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Err(
+            "nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings",
+        )
     }
 
     fn solve(

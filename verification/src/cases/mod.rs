@@ -1,8 +1,16 @@
 //! The cases: one small file each.
 
-/// [`Case::scene`] and [`Case::solve`] of a case that is a [`Study`]: with the settings that are its own.
+/// What a [`Case`] that is a [`Study`] does with the settings that are its own. It is its own one study, but where it says
+/// what else is.
 macro_rules! with_own_settings {
     () => {
+        fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+            Ok(vec![self])
+        }
+
+        with_own_settings!(but studies);
+    };
+    (but studies) => {
         fn scene(&self, rung: &Rung) -> Scene {
             self.scene_with(rung, &self.own_settings(rung))
         }
@@ -72,7 +80,8 @@ use crate::study::{Measure, Study};
 use proctor_kernel::scene::{Law, Material, ObjectiveRate, Results};
 use proctor_kernel::simulation::{InitialState, Options};
 
-/// All cases, in the order in which they are shown.
+/// All cases, in the order in which they are shown. Whether one can be studied with any settings it says itself
+/// ([`Case::studies`]).
 pub(crate) static ALL: &[&dyn Case] = &[
     &Boussinesq::GIVEN,
     &BaseAcceleration::GIVEN,
@@ -97,38 +106,6 @@ pub(crate) static ALL: &[&dyn Case] = &[
     &Ironing::GIVEN,
     &Grains::GIVEN,
 ];
-
-/// All cases that can be studied with any settings, in the same order.
-pub(crate) static STUDIES: &[&dyn Study] = &[
-    &Boussinesq::GIVEN,
-    &BaseAcceleration::GIVEN,
-    &Bar::GIVEN,
-    &AxisAligned::PLANE,
-    &AxisAligned::SPACE,
-    &SelfWeight::GIVEN,
-    &Rotation::GIVEN,
-    &InclinedBlock::GIVEN,
-    &InclinedTwoBlocks::GIVEN,
-    &CollidingBlocks::GIVEN,
-    &BlockOnTwoBlocks::GIVEN,
-    &TiltedIncline::GIVEN,
-    &SphereOnTerrain::GIVEN,
-    &Hertz::GIVEN,
-    &RollingDisk::SLIP,
-    &RollingDisk::GIVEN,
-    &HertzSlab,
-    &HertzSphere::GIVEN,
-    &RollingDiskSlab,
-    &Cantilever::GIVEN,
-    &Rings::GIVEN,
-    &Ironing::GIVEN,
-];
-
-/// Cases without a study, each with the reason.
-pub(crate) static WITHOUT_STUDY: &[(&dyn Case, &str)] = &[(
-    &Grains::GIVEN,
-    "nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings",
-)];
 
 /// The error of the stress, where a case has one.
 const STRESS_MEASURE: Measure = Measure {

@@ -232,7 +232,11 @@ impl Case for RollingDisk {
         })
     }
 
-    with_own_settings!();
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Ok(vec![&Self::SLIP, &Self::GIVEN])
+    }
+
+    with_own_settings!(but studies);
 
     fn prepare(&self, rung: &Rung) {
         let _ = turn::expected(&self.exact(rung), rung.variant);
