@@ -6,7 +6,7 @@
 use std::fmt;
 
 use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 
 use crate::convergence::ConvergenceTable;
 use crate::study::Study;
@@ -124,6 +124,29 @@ pub struct Drawing {
     pub lines: Vec<Vec<[f64; 2]>>,
 }
 
+/// What a comparison with the exact solution found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Numbers, each named once.
+    pub quantities: Vec<Quantity>,
+    /// Pictures of the bodies, where the case has them.
+    pub drawings: Vec<Drawing>,
+    /// Picture, where the case has one.
+    pub curve: Option<Curve>,
+}
+
+impl Found {
+    /// Numbers, and the picture of them where there is one.
+    #[must_use]
+    pub fn new(quantities: Vec<Quantity>, curve: Option<Curve>) -> Self {
+        Self {
+            quantities,
+            drawings: vec![],
+            curve,
+        }
+    }
+}
+
 /// What a run of one rung gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
@@ -142,6 +165,19 @@ pub struct Solved {
 }
 
 impl Solved {
+    /// What was found of a simulation that has run.
+    #[must_use]
+    pub fn new(found: Found, simulation: &Simulation) -> Self {
+        Self {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: found.quantities,
+            drawings: found.drawings,
+            curve: found.curve,
+        }
+    }
+
     /// The quantity of that name.
     #[must_use]
     pub fn quantity(&self, name: &str) -> Option<&Quantity> {
@@ -239,6 +275,18 @@ pub struct CaseError {
     pub rung: String,
     /// What went wrong, with where and when.
     pub reason: String,
+}
+
+impl CaseError {
+    /// Why a rung of the case of that name could not be solved.
+    #[must_use]
+    pub fn new(case: &'static str, rung: &Rung, reason: &dyn fmt::Display) -> Self {
+        Self {
+            case,
+            rung: rung.label.clone(),
+            reason: reason.to_string(),
+        }
+    }
 }
 
 impl fmt::Display for CaseError {

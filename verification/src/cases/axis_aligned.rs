@@ -18,11 +18,11 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
-use super::{FIELDS, NO_RESULTS, error_gate, failed, order_gate, table};
-use crate::case::{Case, CaseError, Rung, Size, Solved, Verdict};
+use super::{FIELDS, NO_RESULTS, error_gate, order_gate, table};
+use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::exact::axis_aligned_mms::{AxisAlignedMms, Law as ExactLaw};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Side of the square or cube \[m\].
 const SIDE: f64 = 1.0;
@@ -308,18 +308,9 @@ impl Study for AxisAligned {
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    fn options(&self, rung: &Rung, options: Options) -> Options {
         let (start, force) = (self.exact(rung, 1.0), self.exact(rung, 1.0));
-        let options = Options {
+        Options {
             displacement: true,
             initial: Some(Arc::new(move |x| InitialState {
                 velocity: start.velocity(*x, 0.0),
@@ -327,32 +318,32 @@ impl Study for AxisAligned {
                 ..super::AT_REST
             })),
             body_force: Some(Arc::new(move |x0, _, t| force.body_force(*x0, t))),
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (_, steps) = settings.equal_steps(scene.time, rung.cell, Self::wave_speed());
-        advance(&mut simulation, steps, observer).map_err(|e| failed(self, rung, &e))?;
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let (_, steps) =
+            settings.equal_steps(simulation.scene().time, rung.cell, Self::wave_speed());
+        advance(simulation, steps, observer)?;
         let (exact, t) = (
             self.exact(rung, self.reference_amplitude),
             simulation.time(),
         );
         let quantities = errors(
-            &simulation,
+            simulation,
             |x| exact.displacement(x, t),
             |x| {
                 let [xx, yy, zz] = exact.stress(x, t);
                 [xx, yy, zz, 0.0, 0.0, 0.0]
             },
         );
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        Ok(Found::new(quantities, None))
     }
 }

@@ -15,11 +15,11 @@ use proctor_kernel::scene::{Body, Dimension, Mesh, PlaneCondition, Scene, Shape}
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
-use super::{FIELDS, NO_RESULTS, elastic, error_gate, failed, order_gate, table};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Rung, Size, Solved, Verdict};
+use super::{FIELDS, NO_RESULTS, elastic, error_gate, order_gate, table};
+use crate::case::{Case, Curve, CurvePoint, Found, Rung, Size, Solved, Verdict};
 use crate::exact::bar::{Bar as Exact, FarEnd};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Length \[m\].
 const LENGTH: f64 = 25.0;
@@ -202,18 +202,9 @@ impl Study for Bar {
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
         let start = Self::exact(1.0);
-        let options = Options {
+        Options {
             displacement: true,
             initial: Some(Arc::new(move |x| InitialState {
                 velocity: [start.velocity(x[0], 0.0), 0.0, 0.0],
@@ -224,27 +215,29 @@ impl Study for Bar {
                 ],
                 ..super::AT_REST
             })),
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (_, steps) = settings.equal_steps(scene.time, rung.cell, start.wave_speed());
-        advance(&mut simulation, steps, observer).map_err(|e| failed(self, rung, &e))?;
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let speed = Self::exact(1.0).wave_speed();
+        let (_, steps) = settings.equal_steps(simulation.scene().time, rung.cell, speed);
+        advance(simulation, steps, observer)?;
         let (exact, t) = (Self::exact(self.reference_stiffness), simulation.time());
         let quantities = errors(
-            &simulation,
+            simulation,
             |x| [exact.displacement(x[0], t), 0.0, 0.0],
             |x| [exact.stress(x[0], t), 0.0, 0.0, 0.0, 0.0, 0.0],
         );
-        let curve = Self::curve(&simulation, &exact, rung);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
+        Ok(Found::new(
             quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
+            Self::curve(simulation, &exact, rung),
+        ))
     }
 }

@@ -25,10 +25,9 @@ use proctor_kernel::scene::{Dimension, Scene, StressScheme, TransferKind};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{STRESS, ratio};
-use super::failed;
-use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use column::Column;
 use manual::Block;
 
@@ -197,27 +196,23 @@ impl Study for BaseAcceleration {
         }
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
-            displacement: true,
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (quantities, curve) = match Self::problem(rung, settings) {
+    ) -> Result<Found, Failure> {
+        match Self::problem(rung, settings) {
             Problem::Column(column) => {
-                let response = column
-                    .run(&mut simulation, self.reference_stiffness, observer)
-                    .map_err(|e| failed(self, rung, &e))?;
+                let response = column.run(simulation, self.reference_stiffness, observer)?;
                 let velocity = |name, [value, exact]: [f64; 2]| Quantity {
                     name,
                     value: AMPLITUDE * value,
@@ -231,28 +226,16 @@ impl Study for BaseAcceleration {
                     ratio(L2, response.l2),
                     ratio(STRESS, response.stress),
                 ];
-                (quantities, Some(response.curve))
+                Ok(Found::new(quantities, Some(response.curve)))
             }
             Problem::Block(_) => {
-                let distance = manual::run(&mut simulation, self.reference_frequency, observer)
-                    .map_err(|e| failed(self, rung, &e))?;
-                (
-                    vec![
-                        ratio(BASE, Some(distance.plane)),
-                        ratio(LOWEST, Some(distance.lowest)),
-                    ],
-                    None,
-                )
+                let distance = manual::run(simulation, self.reference_frequency, observer)?;
+                let quantities = vec![
+                    ratio(BASE, Some(distance.plane)),
+                    ratio(LOWEST, Some(distance.lowest)),
+                ];
+                Ok(Found::new(quantities, None))
             }
-        };
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
+        }
     }
 }

@@ -19,13 +19,13 @@ use proctor_kernel::scene::{
     Body, Contact, ContactNormal, Damping, Dimension, Mesh, PlaneCondition, Scene, Shape,
     StressScheme, Vector,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 
-use super::incline::run;
-use super::{NO_RESULTS, elastic, failed};
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::dynamics::run;
+use super::{NO_RESULTS, elastic};
+use crate::case::{Case, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study, few};
+use crate::study::{Failure, Measure, Observer, Study, few};
 
 /// Young's modulus \[Pa\].
 const YOUNG: f64 = 1e6;
@@ -325,28 +325,21 @@ impl Study for BlockOnTwoBlocks {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _rung: &Rung,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let up = scene.dimension.axes() - 1;
-        run(&mut simulation, SETTLING, scene.time, observer, |_| ())
-            .map_err(|e| failed(self, rung, &e))?;
-        simulation
-            .set_local_damping(None)
-            .map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
+        let up = simulation.scene().dimension.axes() - 1;
+        let end = simulation.scene().time;
+        run(simulation, SETTLING, observer, |_| ())?;
+        simulation.set_local_damping(None)?;
         let before = simulation.center(2).2[up];
         let mut kicked = simulation.velocity_time();
         let mut window = Window::default();
-        run(&mut simulation, scene.time, scene.time, observer, |s| {
+        run(simulation, end, observer, |s| {
             let kick = s.velocity_time() - kicked;
             kicked = s.velocity_time();
             window.time += kick;
@@ -365,17 +358,11 @@ impl Study for BlockOnTwoBlocks {
                 }
             }
             window.sum = sum.iter().fold(window.sum, |most, f| most.max(f.abs()));
-        })
-        .map_err(|e| failed(self, rung, &e))?;
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: self.quantities(&simulation, &window, before),
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        })?;
+        Ok(Found::new(
+            self.quantities(simulation, &window, before),
+            None,
+        ))
     }
 }
 

@@ -19,10 +19,10 @@ use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{STRESS, ratio};
 use super::statics::{most_steps, relax};
-use super::{failed, table};
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::table;
+use crate::case::{Case, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use compare::{Comparison, LEFT_OUT, half_space_table};
 use model::{Loading, POISSON, QUARTER_LOAD, SIDE};
 
@@ -191,63 +191,47 @@ impl Study for Boussinesq {
         scene
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            measure: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let exact = model::exact(Loading::of_word(rung.variant), self.reference_poisson)
-            .map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
-            displacement: true,
-            measure: true,
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
+        let exact = model::exact(Loading::of_word(rung.variant), self.reference_poisson)?;
         let most = most_steps(settings, SIDE / rung.cell);
-        let residual = relax(
-            &mut simulation,
-            QUARTER_LOAD,
-            RESIDUAL_TARGET,
-            most,
-            observer,
-        )
-        .map_err(|e| failed(self, rung, &e))?;
-        let comparison = Comparison::new(&simulation, &exact)
-            .ok_or_else(|| failed(self, rung, &"the simulation kept no displacements"))?;
+        let residual = relax(simulation, QUARTER_LOAD, RESIDUAL_TARGET, most, observer)?;
+        let comparison =
+            Comparison::new(simulation, &exact).ok_or("the simulation kept no displacements")?;
         let (computed, reference) = comparison.settlement_around([0.5; 3]);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: vec![
-                Quantity {
-                    name: SETTLEMENT,
-                    value: computed,
-                    exact: Some(reference),
-                    error: Some((computed / reference - 1.0).abs()),
-                    unit: "m",
-                },
-                ratio(L2, comparison.l2_outside(LEFT_OUT)),
-                ratio(L2_ALL, comparison.l2_outside(0.0)),
-                ratio(STRESS, comparison.stress_l2_outside(LEFT_OUT, &exact)),
-                Quantity {
-                    name: RESIDUAL,
-                    value: residual,
-                    exact: Some(0.0),
-                    error: None,
-                    unit: "1",
-                },
-            ],
-            drawings: vec![],
-            curve: Some(comparison.curve(format!("settlement on the axis, {}", rung.label))),
-        };
-        Ok(Studied::new(solved, &simulation))
+        let quantities = vec![
+            Quantity {
+                name: SETTLEMENT,
+                value: computed,
+                exact: Some(reference),
+                error: Some((computed / reference - 1.0).abs()),
+                unit: "m",
+            },
+            ratio(L2, comparison.l2_outside(LEFT_OUT)),
+            ratio(L2_ALL, comparison.l2_outside(0.0)),
+            ratio(STRESS, comparison.stress_l2_outside(LEFT_OUT, &exact)),
+            Quantity {
+                name: RESIDUAL,
+                value: residual,
+                exact: Some(0.0),
+                error: None,
+                unit: "1",
+            },
+        ];
+        let curve = comparison.curve(format!("settlement on the axis, {}", rung.label));
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

@@ -30,14 +30,14 @@ use proctor_kernel::simulation::{Options, Simulation};
 
 use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
 use super::dynamics::{at_intervals, ratio};
-use super::{NO_RESULTS, failed, table};
+use super::{NO_RESULTS, table};
 use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
+    Case, Curve, CurvePoint, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const LENGTH: f64 = 4.0;
 const HEIGHT: f64 = 1.0;
@@ -125,133 +125,6 @@ impl Cantilever {
             Box::leak(Box::new(compute()))
         };
         known.as_ref().map_err(Clone::clone)
-    }
-
-    fn build(rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let (from, to, below, above) = (-3.0, 5.0, -5.0, 2.5);
-        let cells = |length: f64| (length / h).round() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [from, below, 0.0],
-            [h, h, 1.0],
-            [cells(to - from), cells(above - below), 1],
-        );
-        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
-        let mut scene = Scene::new(Dimension::Two, mesh, Self::ends(rung.variant));
-        scene.name.clone_from(&rung.label);
-        scene.gravity = [0.0, -Self::gravity(rung.variant), 0.0];
-        scene.time_step = settings.multiplier();
-        scene.results = NO_RESULTS;
-        scene.held_boxes = vec![HeldBox {
-            p1: [-h, -h, 0.0],
-            p2: [0.0, HEIGHT + h, 0.0],
-        }];
-        scene.materials = vec![Material {
-            name: "soft".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: Law::NeoHookean {
-                young: YOUNG,
-                poisson: POISSON,
-            },
-        }];
-        scene.bodies = vec![Body {
-            name: "beam".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [LENGTH, HEIGHT, 0.0],
-            },
-            particles_per_cell: [1; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
-        settings.apply(&mut scene);
-        if scene.transfer.kind == TransferKind::Apic {
-            // The paper's: particles keep their velocity, the affine part goes to the nodes.
-            scene.transfer.pic_fraction = 0.0;
-        }
-        if rung.variant != BARE {
-            scene.mortar = Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Spacing(0.5 * h),
-                    follow: match rung.variant {
-                        GRADIENT => Follow::Gradient,
-                        NO_SPIN => Follow::Velocity,
-                        NO_AUGMENTATION => Follow::Unaugmented,
-                        _ => Follow::Spin,
-                    },
-                }],
-                ..Mortar::default()
-            };
-        }
-        scene
-    }
-
-    fn run(
-        self,
-        rung: &Rung,
-        scene: &Scene,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, String> {
-        observer.phase(Phase::SetUp);
-        scene.check().map_err(|e| e.to_string())?;
-        let options = Options {
-            displacement: true,
-            ..options.clone()
-        };
-        let mut simulation = Simulation::new(scene, &options).map_err(|e| e.to_string())?;
-        let tip = tip_particle(&simulation, rung.cell)?;
-        let starts = simulation.boundary_vertices(1);
-        let mut history = vec![];
-        let mut hanging = None;
-        at_intervals(&mut simulation, INTERVAL, observer, |simulation, k| {
-            history.push(displacement(simulation, tip)?[1]);
-            if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
-                hanging = Some(Hanging::new(simulation, starts)?);
-            }
-            Ok(())
-        })?;
-        let reference = self.reference(rung.variant)?;
-        let mut quantities = vec![];
-        let mut curve = None;
-        if scene.time == END {
-            let cell = CELLS.iter().position(|h| *h == rung.cell);
-            let exact = &reference.tips[cell.ok_or("a cell size without a reference")?];
-            quantities = tip_quantities(&history, exact);
-            curve = Some(Curve {
-                title: format!("{}: deflection of the tip", rung.label),
-                abscissa: "t in s",
-                ordinate: "u_y in m",
-                points: history
-                    .iter()
-                    .zip(exact)
-                    .enumerate()
-                    .map(|(k, (&computed, &exact))| CurvePoint {
-                        at: (k + 1) as f64 * INTERVAL,
-                        computed,
-                        exact,
-                    })
-                    .collect(),
-            });
-        }
-        if let Some(hanging) = hanging {
-            let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
-            quantities.extend(hanging.quantities(&reference.boundary, sound));
-        }
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -495,20 +368,124 @@ impl Study for Cantilever {
         .courant(Self::courant(rung.variant))
     }
 
-    /// Without the boundary, which costs time and changes nothing: there is no contact.
+    /// A study is without the boundary, which costs time and changes nothing: there is no contact.
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        Self::build(rung, settings)
+        let h = rung.cell;
+        let (from, to, below, above) = (-3.0, 5.0, -5.0, 2.5);
+        let cells = |length: f64| (length / h).round() as usize;
+        let mut mesh = Mesh::new(
+            Dimension::Two,
+            [from, below, 0.0],
+            [h, h, 1.0],
+            [cells(to - from), cells(above - below), 1],
+        );
+        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
+        let mut scene = Scene::new(Dimension::Two, mesh, Self::ends(rung.variant));
+        scene.name.clone_from(&rung.label);
+        scene.gravity = [0.0, -Self::gravity(rung.variant), 0.0];
+        scene.time_step = settings.multiplier();
+        scene.results = NO_RESULTS;
+        scene.held_boxes = vec![HeldBox {
+            p1: [-h, -h, 0.0],
+            p2: [0.0, HEIGHT + h, 0.0],
+        }];
+        scene.materials = vec![Material {
+            name: "soft".to_owned(),
+            id: 1,
+            density: DENSITY,
+            law: Law::NeoHookean {
+                young: YOUNG,
+                poisson: POISSON,
+            },
+        }];
+        scene.bodies = vec![Body {
+            name: "beam".to_owned(),
+            id: 1,
+            material: 0,
+            shape: Shape::Cuboid {
+                p1: [0.0; 3],
+                p2: [LENGTH, HEIGHT, 0.0],
+            },
+            particles_per_cell: [1; 3],
+            velocity: [0.0; 3],
+            motion: None,
+        }];
+        settings.apply(&mut scene);
+        if scene.transfer.kind == TransferKind::Apic {
+            // The paper's: particles keep their velocity, the affine part goes to the nodes.
+            scene.transfer.pic_fraction = 0.0;
+        }
+        if rung.variant != BARE {
+            scene.mortar = Mortar {
+                boundaries: vec![BodyBoundary {
+                    body: 1,
+                    vertices: Vertices::Spacing(0.5 * h),
+                    follow: match rung.variant {
+                        GRADIENT => Follow::Gradient,
+                        NO_SPIN => Follow::Velocity,
+                        NO_AUGMENTATION => Follow::Unaugmented,
+                        _ => Follow::Spin,
+                    },
+                }],
+                ..Mortar::default()
+            };
+        }
+        scene
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        let scene = self.scene_with(rung, settings);
-        self.run(rung, &scene, options, observer)
-            .map_err(|e| failed(self, rung, &e))
+    ) -> Result<Found, Failure> {
+        let tip = tip_particle(simulation, rung.cell)?;
+        let starts = simulation.boundary_vertices(1);
+        let mut history = vec![];
+        let mut hanging = None;
+        let look = |simulation: &Simulation, k: usize| {
+            history.push(displacement(simulation, tip)?[1]);
+            if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
+                hanging = Some(Hanging::new(simulation, starts)?);
+            }
+            Ok(())
+        };
+        at_intervals(simulation, INTERVAL, observer, |_| (), look)?;
+        let reference = self.reference(rung.variant)?;
+        let mut quantities = vec![];
+        let mut curve = None;
+        if simulation.scene().time == END {
+            let cell = CELLS.iter().position(|h| *h == rung.cell);
+            let exact = &reference.tips[cell.ok_or("a cell size without a reference")?];
+            quantities = tip_quantities(&history, exact);
+            curve = Some(Curve {
+                title: format!("{}: deflection of the tip", rung.label),
+                abscissa: "t in s",
+                ordinate: "u_y in m",
+                points: history
+                    .iter()
+                    .zip(exact)
+                    .enumerate()
+                    .map(|(k, (&computed, &exact))| CurvePoint {
+                        at: (k + 1) as f64 * INTERVAL,
+                        computed,
+                        exact,
+                    })
+                    .collect(),
+            });
+        }
+        if let Some(hanging) = hanging {
+            let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
+            quantities.extend(hanging.quantities(&reference.boundary, sound));
+        }
+        Ok(Found::new(quantities, curve))
     }
 }

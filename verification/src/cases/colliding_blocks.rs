@@ -18,14 +18,13 @@ mod judge;
 mod scenes;
 
 use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 
-use super::failed;
-use super::incline::run;
-use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use super::dynamics::run;
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::bar_impact::BarImpact;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use scenes::{VARIANTS, Variant};
 
 /// Name of the change of momentum among the quantities.
@@ -95,13 +94,13 @@ impl CollidingBlocks {
     fn collide(
         simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Collision, String> {
+    ) -> Result<Collision, Failure> {
         let initial = simulation.kinetic_energy() + simulation.strain_energy();
         let mut seen = Collision::default();
         let mut kicked = simulation.velocity_time();
         let mut force_at = simulation.time();
         let end = simulation.scene().time;
-        run(simulation, end, end, observer, |s| {
+        run(simulation, end, observer, |s| {
             // The force is that at the positions before the step; it kicks velocities from half step to half step.
             let kick = s.velocity_time() - kicked;
             let force = s.contact_force(1)[0];
@@ -250,27 +249,15 @@ impl Study for CollidingBlocks {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let seen = Self::collide(&mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: self.quantities(&Self::variant(rung), &simulation, &seen),
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+    ) -> Result<Found, Failure> {
+        let seen = Self::collide(simulation, observer)?;
+        let quantities = self.quantities(&Self::variant(rung), simulation, &seen);
+        Ok(Found::new(quantities, None))
     }
 }

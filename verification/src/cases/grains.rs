@@ -26,6 +26,8 @@ mod watch;
 
 pub use shapes::outlines;
 
+use std::fmt::Display;
+
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
@@ -37,9 +39,9 @@ use proctor_kernel::scene::{
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::{NO_RESULTS, elastic, failed};
+use super::{NO_RESULTS, elastic};
 use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Relation, Rung, Size, Solved, Verdict,
+    Case, CaseError, Curve, CurvePoint, Found, Gate, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::study::Study;
 use watch::{
@@ -215,32 +217,29 @@ impl Case for Grains {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
+        let failed = |reason: &dyn Display| CaseError::new(self.name(), rung, reason);
         let scene = self.scene(rung);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        scene.check().map_err(|e| failed(&e))?;
+        let mut simulation = Simulation::new(&scene, options).map_err(|e| failed(&e))?;
         let rate = self.reference_damping * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;
-        let watch =
-            Watch::run(&mut simulation, rate, progress).map_err(|e| failed(self, rung, &e))?;
+        let watch = Watch::run(&mut simulation, rate, progress).map_err(|e| failed(&e))?;
         let quantities = watch.quantities(&simulation);
         let points = watch.samples.iter().map(|s| CurvePoint {
             at: s.way,
             computed: -s.plate[1],
             exact: f64::NAN,
         });
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
+        let curve = Curve {
+            title: format!("{}: force on the plate", rung.label),
+            abscissa: "way of the plate in m",
+            ordinate: "F_y in N",
+            points: points.collect(),
+        };
+        let found = Found {
             drawings: watch.drawings,
-            curve: Some(Curve {
-                title: format!("{}: force on the plate", rung.label),
-                abscissa: "way of the plate in m",
-                ordinate: "F_y in N",
-                points: points.collect(),
-            }),
-        })
+            ..Found::new(quantities, Some(curve))
+        };
+        Ok(Solved::new(found, &simulation))
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {

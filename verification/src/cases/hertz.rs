@@ -20,17 +20,18 @@ use proctor_kernel::scene::{
     Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
     PlaneCondition, RigidLine, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 use std::f64::consts::PI;
 
-use super::{elastic, failed, table};
+use super::pressures::Pressures;
+use super::{elastic, table};
 use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
+    Case, Curve, CurvePoint, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const RADIUS: f64 = 8.0;
 const LOAD: f64 = 10.0;
@@ -75,76 +76,6 @@ impl Hertz {
 
     fn kappa(variant: &str) -> f64 {
         if variant == "paper" { 1.5e3 } else { 1.5e4 }
-    }
-
-    /// Runs a scene of the case for `case`, in the plane or as a slab of a thickness \[m\], and compares it with the
-    /// references.
-    pub(super) fn solve_scene(
-        self,
-        case: &dyn Case,
-        scene: &Scene,
-        thickness: f64,
-        rung: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        scene.check().map_err(|e| failed(case, rung, &e))?;
-        let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
-        let mut found = run(&mut simulation, observer).map_err(|e| failed(case, rung, &e))?;
-        found.force /= thickness;
-        let exact = self.exact();
-        let kappa = Self::kappa(rung.variant);
-        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
-            .map_err(|e| {
-                failed(
-                    case,
-                    rung,
-                    &format!("no reference: residual {} m", e.residual),
-                )
-            })?;
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let norm = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value),
-            unit: "1",
-        };
-        let quantities = vec![
-            of(FORCE, found.force, exact.load, "N/m"),
-            of(PEAK, found.peak(), exact.peak(), "Pa"),
-            of(WIDTH, found.half_width(), exact.half_width(), "m"),
-            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
-            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
-            norm(LAYER, layer.distance_from_hertz(&exact)),
-        ];
-        let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: Some(Curve {
-                title: format!("{}: contact pressure", rung.label),
-                abscissa: "x in m",
-                ordinate: "p in Pa",
-                points: points
-                    .map(|p| CurvePoint {
-                        at: p[0],
-                        computed: p[1],
-                        exact: exact.pressure(p[0]),
-                    })
-                    .collect(),
-            }),
-        };
-        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -388,86 +319,58 @@ impl Study for Hertz {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        self.solve_scene(self, &scene, 1.0, rung, options, observer)
-    }
-}
-
-/// Averages over the end of a run.
-struct Found {
-    /// Force on the disk \[N/m\].
-    force: f64,
-    /// Place, pressure and length of each vertex at the bottom.
-    pressures: Vec<[f64; 3]>,
-}
-
-impl Found {
-    fn peak(&self) -> f64 {
-        self.pressures.iter().map(|p| p[1]).fold(0.0, f64::max)
-    }
-
-    /// Half-width of the Hertz pressure with the same second moment.
-    fn half_width(&self) -> f64 {
-        let moment = |power| {
-            self.pressures
-                .iter()
-                .map(|[x, p, w]| w * p * x.powi(power))
-                .sum::<f64>()
+    ) -> Result<Found, Failure> {
+        // A slab is as thick as its one layer of cells, the plane 1 m.
+        let thickness = simulation.scene().mesh.cell[2];
+        let found = Pressures::averaged(simulation, AVERAGED[0], FINE, |x| x[0], observer)?;
+        let exact = self.exact();
+        let kappa = Self::kappa(rung.variant);
+        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
+            .map_err(|e| format!("no reference: residual {} m", e.residual))?;
+        let of = |name, value: f64, exact: f64, unit| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
         };
-        2.0 * (moment(2) / moment(0)).sqrt()
+        let norm = |name, value: f64| Quantity {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value),
+            unit: "1",
+        };
+        let peak = found.vertices.iter().map(|p| p[1]).fold(0.0, f64::max);
+        // Of the Hertz pressure with the same second moment.
+        let half_width = 2.0 * (found.moment(2) / found.moment(0)).sqrt();
+        let quantities = vec![
+            of(FORCE, found.force[1] / thickness, exact.load, "N/m"),
+            of(PEAK, peak, exact.peak(), "Pa"),
+            of(WIDTH, half_width, exact.half_width(), "m"),
+            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
+            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
+            norm(LAYER, layer.distance_from_hertz(&exact)),
+        ];
+        let points = found.vertices.iter().filter(|p| p[0].abs() < 1.0);
+        let curve = Curve {
+            title: format!("{}: contact pressure", rung.label),
+            abscissa: "x in m",
+            ordinate: "p in Pa",
+            points: points
+                .map(|p| CurvePoint {
+                    at: p[0],
+                    computed: p[1],
+                    exact: exact.pressure(p[0]),
+                })
+                .collect(),
+        };
+        Ok(Found::new(quantities, Some(curve)))
     }
-
-    /// L2 norm of the difference to a pressure, over that of the pressure.
-    fn distance(&self, exact: impl Fn(f64) -> f64) -> f64 {
-        let (mut off, mut all) = (0.0, 0.0);
-        for [x, p, w] in &self.pressures {
-            off += w * (p - exact(*x)).powi(2);
-            all += w * exact(*x).powi(2);
-        }
-        (off / all).sqrt()
-    }
-}
-
-fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Found, String> {
-    observer.phase(Phase::Stepping);
-    let (mut force, mut weight) = (0.0, 0.0);
-    let mut sums: Vec<[f64; 3]> = vec![];
-    while simulation.time() < AVERAGED[1] {
-        if observer.stop() {
-            return Err(STOPPED.to_owned());
-        }
-        let info = simulation.step(AVERAGED[1]).map_err(|e| e.to_string())?;
-        if info.step % 100 == 0 {
-            observer.progress((simulation.time() / AVERAGED[1]).min(1.0));
-        }
-        if simulation.time() <= AVERAGED[0] {
-            continue;
-        }
-        weight += info.dt;
-        force += info.dt * simulation.mortar_force(1).map_or(0.0, |f| f[1]);
-        let vertices = simulation.mortar_vertices(1).unwrap_or_default();
-        sums.resize(vertices.len(), [0.0; 3]);
-        for (sum, v) in sums.iter_mut().zip(&vertices) {
-            sum[0] += info.dt * v.position[0];
-            sum[1] += info.dt * v.pressure;
-            sum[2] += info.dt * v.measure;
-        }
-    }
-    observer.phase(Phase::Comparing);
-    Ok(Found {
-        force: force / weight,
-        pressures: sums
-            .into_iter()
-            .map(|sum| sum.map(|s| s / weight))
-            .filter(|[x, _, length]| x.abs() < FINE && *length > 0.0)
-            .collect(),
-    })
 }

@@ -8,14 +8,11 @@
 //! Hertz divided by ten. What differs is the projection: along interpolated normals in the plane, along the normals of
 //! triangles in space. `precision` studies the slab against Hertz, as `hertz` does the plane. `proctor verify hertz-slab`.
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
-
 use super::hertz::{FORCE, Hertz, L2_HERTZ, PEAK, WIDTH};
 use super::slab::{self, AsSlab};
 use super::table;
-use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
-use crate::study::{Observer, Studied, Study};
+use crate::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict};
+use crate::study::Study;
 
 const SAME: &str = "one layer of cells is the plane, but for how surfaces are projected";
 
@@ -98,16 +95,5 @@ impl AsSlab for HertzSlab {
             Size::Quick => ("slab", &[0.8, 0.4]),
             Size::Full => ("slab", &[0.8, 0.4, 0.2]),
         }
-    }
-
-    fn solve_scene(
-        &self,
-        scene: &Scene,
-        thickness: f64,
-        plane: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        Hertz::GIVEN.solve_scene(self, scene, thickness, plane, options, observer)
     }
 }

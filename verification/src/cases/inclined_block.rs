@@ -23,18 +23,17 @@
 mod judge;
 
 use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep};
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 
-use super::failed;
 use super::incline::{
     Block, COURANT, DENSITY, GRAVITY, Incline, POISSON, Track, YOUNG, fitted_slope, follow,
     shear_wave_speed, sliding_curve,
 };
-use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Time from the release to the end \[s\].
 const TIME: f64 = 2.0;
@@ -421,36 +420,24 @@ impl Study for InclinedBlock {
         scene
     }
 
-    fn solve_with(
+    fn options(&self, rung: &Rung, options: Options) -> Options {
+        self.incline(rung).options(options)
+    }
+
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
         let incline = self.incline(rung);
-        let mut simulation = incline
-            .released(&scene, options, observer)
-            .map_err(|e| failed(self, rung, &e))?;
-        let tracks =
-            follow(&incline, &mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
+        incline.release(simulation, observer)?;
+        let tracks = follow(&incline, simulation, observer)?;
         let problem = Self::problem(rung);
         let moved = simulation.center(1).1[0] - 0.5 * (ALONG[0] + ALONG[1]);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&tracks[0], moved, &problem, incline.height),
-            drawings: vec![],
-            curve: Some(sliding_curve(
-                &tracks[0],
-                &Self::exact(&problem),
-                &rung.label,
-            )),
-        };
-        Ok(Studied::new(solved, &simulation))
+        let quantities = Self::quantities(&tracks[0], moved, &problem, incline.height);
+        let curve = sliding_curve(&tracks[0], &Self::exact(&problem), &rung.label);
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

@@ -10,16 +10,15 @@
 //! `precision` studies the block that rubs, in two dimensions. `proctor verify inclined-two-blocks`.
 
 use proctor_kernel::scene::{Dimension, Scene, StressScheme};
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 
-use super::failed;
 use super::incline::{
     Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
 };
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study, few};
+use crate::study::{Failure, Measure, Observer, Study, few};
 
 /// Time from the release to the end \[s\].
 const TIME: f64 = 2.0;
@@ -307,30 +306,21 @@ impl Study for InclinedTwoBlocks {
         scene
     }
 
-    fn solve_with(
+    fn options(&self, rung: &Rung, options: Options) -> Options {
+        self.incline(rung).options(options)
+    }
+
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
         let incline = self.incline(rung);
-        let mut simulation = incline
-            .released(&scene, options, observer)
-            .map_err(|e| failed(self, rung, &e))?;
-        let tracks =
-            follow(&incline, &mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&tracks, Self::variant(rung).2),
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        incline.release(simulation, observer)?;
+        let tracks = follow(&incline, simulation, observer)?;
+        let quantities = Self::quantities(&tracks, Self::variant(rung).2);
+        Ok(Found::new(quantities, None))
     }
 }

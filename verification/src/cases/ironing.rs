@@ -34,14 +34,14 @@ use proctor_kernel::scene::{
     MortarContact, PlaneCondition, RigidLine, Scene, Shape, StressScheme, TransferKind, Vertices,
     Weighting,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 use std::f64::consts::PI;
 
 use super::dynamics::at_intervals;
-use super::{NO_RESULTS, PARTED, elastic, failed};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Quantity, Rung, Size, Solved, Verdict};
+use super::{NO_RESULTS, PARTED, elastic};
+use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const BLOCK: [f64; 2] = [12.0, 4.0];
 const YOUNG: f64 = 600.0;
@@ -148,13 +148,14 @@ impl Ironing {
 fn forces(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Vec<[f64; 2]>, String> {
+) -> Result<Vec<[f64; 2]>, Failure> {
     let mut forces = vec![];
-    at_intervals(simulation, INTERVAL, observer, |simulation, _| {
+    let look = |simulation: &Simulation, _| {
         let force = simulation.mortar_force(2).unwrap_or([f64::NAN; 3]);
         forces.push([force[0], force[1]]);
         Ok(())
-    })?;
+    };
+    at_intervals(simulation, INTERVAL, observer, |_| (), look)?;
     Ok(forces)
 }
 
@@ -397,40 +398,25 @@ impl Study for Ironing {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        let mut solve = || {
-            scene.check().map_err(|e| e.to_string())?;
-            let mut simulation = Simulation::new(&scene, options).map_err(|e| e.to_string())?;
-            let forces = forces(&mut simulation, observer)?;
-            let (quantities, curve) = if rung.variant == pressed::VARIANT {
-                let known = pressed::reference(self.reference_force)?;
-                (
-                    pressed::quantities(&forces, &known),
-                    pressed::curve(&rung.label, &forces, &known),
-                )
-            } else {
-                let figures = Self::reading(rung).figures;
-                let expected = figures.map(|f| f * self.reference_force);
-                (quantities(&forces, expected), curve(&rung.label, &forces))
-            };
-            let solved = Solved {
-                particles: simulation.particles(),
-                steps: simulation.steps(),
-                time: simulation.time(),
-                quantities,
-                drawings: vec![],
-                curve: Some(curve),
-            };
-            Ok(Studied::new(solved, &simulation))
+    ) -> Result<Found, Failure> {
+        let forces = forces(simulation, observer)?;
+        let (quantities, curve) = if rung.variant == pressed::VARIANT {
+            let known = pressed::reference(self.reference_force)?;
+            (
+                pressed::quantities(&forces, &known),
+                pressed::curve(&rung.label, &forces, &known),
+            )
+        } else {
+            let figures = Self::reading(rung).figures;
+            let expected = figures.map(|f| f * self.reference_force);
+            (quantities(&forces, expected), curve(&rung.label, &forces))
         };
-        solve().map_err(|e: String| failed(self, rung, &e))
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

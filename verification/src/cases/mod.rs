@@ -4,23 +4,24 @@
 /// what else is.
 macro_rules! with_own_settings {
     () => {
-        fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        fn studies(&self) -> Result<Vec<&dyn $crate::study::Study>, &'static str> {
             Ok(vec![self])
         }
 
         with_own_settings!(but studies);
     };
     (but studies) => {
-        fn scene(&self, rung: &Rung) -> Scene {
+        fn scene(&self, rung: &$crate::case::Rung) -> proctor_kernel::scene::Scene {
+            use $crate::study::Study;
             self.scene_with(rung, &self.own_settings(rung))
         }
 
         fn solve(
             &self,
-            rung: &Rung,
-            options: &Options,
+            rung: &$crate::case::Rung,
+            options: &proctor_kernel::simulation::Options,
             progress: &mut dyn FnMut(f64),
-        ) -> Result<Solved, CaseError> {
+        ) -> Result<$crate::case::Solved, $crate::case::CaseError> {
             $crate::cases::solve_own(self, rung, options, progress)
         }
     };
@@ -42,6 +43,7 @@ mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
 mod ironing;
+mod pressures;
 mod rings;
 mod rolling_disk;
 mod rolling_disk_slab;
@@ -198,15 +200,6 @@ fn error_gate(
         relation: Relation::AtMost,
         bound,
         reason,
-    }
-}
-
-/// An error of a rung.
-fn failed(case: &dyn Case, rung: &Rung, reason: &dyn std::fmt::Display) -> CaseError {
-    CaseError {
-        case: case.name(),
-        rung: rung.label.clone(),
-        reason: reason.to_string(),
     }
 }
 

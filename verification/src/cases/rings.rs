@@ -20,16 +20,17 @@ use proctor_kernel::scene::{
     Body, BodyBoundary, Dimension, DomainUpdate, Enforcement, Law, Material, Mesh, MortarContact,
     PlaneCondition, Scene, Shape, StressScheme, TransferKind, Vertices, Weighting,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 
-use super::{NO_RESULTS, PARTED, failed, table};
+use super::dynamics::at_intervals;
+use super::{NO_RESULTS, PARTED, table};
 use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
+    Case, Curve, CurvePoint, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::exact::fe::{Barrier, NeoHookean};
 use crate::exact::ring_impact::{Contact, RingImpact, Sample};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const INNER: f64 = 0.03;
 const OUTER: f64 = 0.04;
@@ -79,11 +80,11 @@ pub struct Rings {
 }
 
 /// What a run gives to be judged.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct History {
     /// Time \[s\] and contact force on the right ring \[N\], step by step.
     forces: Vec<(f64, f64)>,
-    /// Time, kinetic, strain and barrier energy of both rings \[s, J\].
+    /// At the start and at the end of each interval: see [`energies`].
     energies: Vec<[f64; 4]>,
 }
 
@@ -139,38 +140,32 @@ fn momentum_of_one() -> f64 {
     DENSITY * std::f64::consts::PI * (OUTER * OUTER - INNER * INNER) * SPEED
 }
 
-impl History {
-    fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Self, String> {
-        let mut history = Self::default();
-        history.look(simulation);
-        let count = (END / INTERVAL).round() as usize;
-        for k in 1..=count {
-            observer.phase(Phase::Stepping);
-            let time = k as f64 * INTERVAL;
-            while simulation.time() < time {
-                if observer.stop() {
-                    return Err(STOPPED.to_owned());
-                }
-                // A force acts in the step that begins now.
-                let now = simulation.time();
-                simulation.step(time).map_err(|e| e.to_string())?;
-                let force = simulation.mortar_force(2).map_or(f64::NAN, |f| f[0]);
-                history.forces.push((now, force));
-            }
-            observer.phase(Phase::Comparing);
-            observer.progress(k as f64 / count as f64);
-            history.look(simulation);
-        }
-        Ok(history)
-    }
+/// Time, kinetic, strain and barrier energy of both rings \[s, J\].
+fn energies(simulation: &Simulation) -> [f64; 4] {
+    [
+        simulation.time(),
+        simulation.kinetic_energy(),
+        simulation.strain_energy(),
+        simulation.mortar_energy(),
+    ]
+}
 
-    fn look(&mut self, simulation: &Simulation) {
-        self.energies.push([
-            simulation.time(),
-            simulation.kinetic_energy(),
-            simulation.strain_energy(),
-            simulation.mortar_energy(),
-        ]);
+impl History {
+    fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Self, Failure> {
+        let mut forces = vec![];
+        let mut energies = vec![energies(simulation)];
+        // A force acts in the step that begins at the end of the one before.
+        let mut now = simulation.time();
+        let after = |simulation: &Simulation| {
+            let force = simulation.mortar_force(2).map_or(f64::NAN, |f| f[0]);
+            forces.push((now, force));
+            now = simulation.time();
+        };
+        at_intervals(simulation, INTERVAL, observer, after, |simulation, _| {
+            energies.push(self::energies(simulation));
+            Ok(())
+        })?;
+        Ok(Self { forces, energies })
     }
 
     fn total(energies: &[f64; 4]) -> f64 {
@@ -435,33 +430,19 @@ impl Study for Rings {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        let mut solve = || {
-            scene.check().map_err(|e| e.to_string())?;
-            let mut simulation = Simulation::new(&scene, options).map_err(|e| e.to_string())?;
-            let history = History::run(&mut simulation, observer)?;
-            let reference = self.reference()?;
-            let quantities = history
-                .quantities(&simulation, reference)
-                .ok_or("the rings never touch")?;
-            let solved = Solved {
-                particles: simulation.particles(),
-                steps: simulation.steps(),
-                time: simulation.time(),
-                quantities,
-                drawings: vec![],
-                curve: Some(history.curve(&rung.label, reference)),
-            };
-            Ok(Studied::new(solved, &simulation))
-        };
-        solve().map_err(|e: String| failed(self, rung, &e))
+    ) -> Result<Found, Failure> {
+        let history = History::run(simulation, observer)?;
+        let reference = self.reference()?;
+        let quantities = history.quantities(simulation, reference);
+        Ok(Found::new(
+            quantities.ok_or("the rings never touch")?,
+            Some(history.curve(&rung.label, reference)),
+        ))
     }
 }

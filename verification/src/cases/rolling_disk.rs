@@ -26,17 +26,17 @@ use proctor_kernel::scene::{
     Body, BodyBoundary, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
     PlaneCondition, Results, RigidLine, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 use std::f64::consts::TAU;
 
-use super::incline::run;
-use super::{elastic, failed, table};
+use super::dynamics::run;
+use super::{elastic, table};
 use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
+    Case, Curve, CurvePoint, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };
 use crate::exact::rolling_disk::RollingDisk as Exact;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const GRAVITY: f64 = 9.81;
 const RADIUS: f64 = 0.5;
@@ -93,98 +93,6 @@ impl RollingDisk {
             friction: Self::friction(rung.variant),
             radius: RADIUS,
         }
-    }
-
-    /// Runs a scene of the case for `case`, in the plane or as a slab of a thickness \[m\].
-    pub(super) fn solve_scene(
-        self,
-        case: &dyn Case,
-        scene: &Scene,
-        thickness: f64,
-        rung: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        scene.check().map_err(|e| failed(case, rung, &e))?;
-        let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
-        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
-            run(
-                simulation,
-                stop,
-                2.0 * STAGE,
-                &mut *observer,
-                |simulation| {
-                    let dt = 2.0 * (simulation.time() - simulation.velocity_time());
-                    *turn += angular_velocity(simulation) * dt;
-                },
-            )
-            .map_err(|e| failed(case, rung, &e))
-        };
-        follow(&mut simulation, STAGE, &mut 0.0)?;
-        let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
-        simulation
-            .set_local_damping(None)
-            .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
-            .map_err(|e| failed(case, rung, &e))?;
-        let (_, start, _) = simulation.center(0);
-        let exact = self.exact(rung);
-        let (mut points, mut turn) = (vec![], 0.0);
-        for k in 1..=20 {
-            let time = f64::from(k) / 20.0 * STAGE;
-            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
-            follow(&mut simulation, STAGE + time, &mut turn)?;
-            points.push(CurvePoint {
-                at: time,
-                computed: simulation.center(0).1[0] - start[0],
-                exact: exact.way_and_turn(time).0,
-            });
-        }
-        let way = points.last().map_or(f64::NAN, |p| p.computed);
-        let of = |name, value: f64, exact: f64| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit: if name == WAY { "m" } else { "1" },
-        };
-        let growth = area(&simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
-        let quantities = vec![
-            of(WAY, way, exact.way_and_turn(STAGE).0),
-            of(
-                RATIO,
-                turn * RADIUS / way,
-                turn::expected(&exact, rung.variant).map_err(|e| failed(case, rung, &e))?,
-            ),
-            Quantity {
-                name: AREA,
-                value: growth,
-                exact: None,
-                error: None,
-                unit: "1",
-            },
-            Quantity {
-                name: AREA_OFF,
-                value: (growth - turn::growth(angular_velocity(&simulation), young(rung.variant)))
-                    .abs(),
-                exact: Some(0.0),
-                error: None,
-                unit: "1",
-            },
-        ];
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: Some(Curve {
-                title: format!("{}: way along the plane", rung.label),
-                abscissa: "t in s",
-                ordinate: "u_x in m",
-                points,
-            }),
-        };
-        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -439,16 +347,77 @@ impl Study for RollingDisk {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        self.solve_scene(self, &scene, 1.0, rung, options, observer)
+    ) -> Result<Found, Failure> {
+        // A slab is as thick as its one layer of cells, the plane 1 m.
+        let thickness = simulation.scene().mesh.cell[2];
+        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
+            run(simulation, stop, &mut *observer, |simulation| {
+                let dt = 2.0 * (simulation.time() - simulation.velocity_time());
+                *turn += angular_velocity(simulation) * dt;
+            })
+        };
+        follow(simulation, STAGE, &mut 0.0)?;
+        let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
+        simulation.set_local_damping(None)?;
+        simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0])?;
+        let (_, start, _) = simulation.center(0);
+        let exact = self.exact(rung);
+        let (mut points, mut turn) = (vec![], 0.0);
+        for k in 1..=20 {
+            let time = f64::from(k) / 20.0 * STAGE;
+            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
+            follow(simulation, STAGE + time, &mut turn)?;
+            points.push(CurvePoint {
+                at: time,
+                computed: simulation.center(0).1[0] - start[0],
+                exact: exact.way_and_turn(time).0,
+            });
+        }
+        let way = points.last().map_or(f64::NAN, |p| p.computed);
+        let of = |name, value: f64, exact: f64| Quantity {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit: if name == WAY { "m" } else { "1" },
+        };
+        let growth = area(simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
+        let quantities = vec![
+            of(WAY, way, exact.way_and_turn(STAGE).0),
+            of(
+                RATIO,
+                turn * RADIUS / way,
+                turn::expected(&exact, rung.variant)?,
+            ),
+            Quantity {
+                name: AREA,
+                value: growth,
+                exact: None,
+                error: None,
+                unit: "1",
+            },
+            Quantity {
+                name: AREA_OFF,
+                value: (growth - turn::growth(angular_velocity(simulation), young(rung.variant)))
+                    .abs(),
+                exact: Some(0.0),
+                error: None,
+                unit: "1",
+            },
+        ];
+        let curve = Curve {
+            title: format!("{}: way along the plane", rung.label),
+            abscissa: "t in s",
+            ordinate: "u_x in m",
+            points,
+        };
+        Ok(Found::new(quantities, Some(curve)))
     }
 }
 

@@ -4,14 +4,11 @@
 //! and whose slip has two components. The reference of the slab is the run in the plane; `precision`
 //! studies the slab that rolls against the rigid disk, as `rolling-disk` does. `proctor verify rolling-disk-slab`.
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
-
 use super::rolling_disk::{AREA, RATIO, RollingDisk, WAY};
 use super::slab::AsSlab;
 use super::table;
-use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
-use crate::study::{Observer, Studied, Study};
+use crate::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict};
+use crate::study::Study;
 
 /// Variants of the disk, and of each the plane and the slab.
 const VARIANTS: [[&str; 3]; 2] = [
@@ -107,16 +104,5 @@ impl AsSlab for RollingDiskSlab {
             Size::Quick => ("stick slab", &[0.4, 0.2]),
             Size::Full => ("stick slab", &[0.2, 0.1, 0.05]),
         }
-    }
-
-    fn solve_scene(
-        &self,
-        scene: &Scene,
-        thickness: f64,
-        plane: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        RollingDisk::GIVEN.solve_scene(self, scene, thickness, plane, options, observer)
     }
 }

@@ -17,10 +17,10 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, advance, l2, ratio};
-use super::{NO_RESULTS, elastic, error_gate, failed, table};
-use crate::case::{Case, CaseError, Rung, Size, Solved, Verdict};
+use super::{NO_RESULTS, elastic, error_gate, table};
+use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Side of the mesh \[m\].
 const MESH: f64 = 1.0;
@@ -189,17 +189,8 @@ impl Study for Rotation {
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
             displacement: true,
             initial: Some(Arc::new(|x| InitialState {
                 velocity: Self::velocity(*x, Self::spin()),
@@ -210,32 +201,31 @@ impl Study for Rotation {
                 ],
                 ..super::AT_REST
             })),
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (_, steps) = settings.equal_steps(scene.time, rung.cell, Self::fastest());
-        advance(&mut simulation, steps, observer).map_err(|e| failed(self, rung, &e))?;
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let (_, steps) = settings.equal_steps(simulation.scene().time, rung.cell, Self::fastest());
+        advance(simulation, steps, observer)?;
         let spin = self.reference_spin * Self::spin();
         let (t, before) = (simulation.time(), simulation.velocity_time());
-        let displacement = l2(&simulation, |p, x| {
+        let displacement = l2(simulation, |p, x| {
             let turned = Self::turned(x, spin * t);
             let exact = std::array::from_fn(|axis| turned[axis] - x[axis]);
             Some((simulation.displacement(0, p)?, exact))
         });
-        let velocity = l2(&simulation, |p, x| {
+        let velocity = l2(simulation, |p, x| {
             let exact = Self::velocity(Self::turned(x, spin * before), spin);
             Some((simulation.sets()[0].velocity(p), exact))
         });
         let quantities = vec![ratio(DISPLACEMENT, displacement), ratio(VELOCITY, velocity)];
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        Ok(Found::new(quantities, None))
     }
 }

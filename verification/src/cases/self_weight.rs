@@ -16,11 +16,11 @@ use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, errors};
 use super::statics::{most_steps, relax};
-use super::{FIELDS, NO_RESULTS, error_gate, failed, order_gate, table};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Rung, Size, Solved, Verdict};
+use super::{FIELDS, NO_RESULTS, error_gate, order_gate, table};
+use crate::case::{Case, Curve, CurvePoint, Found, Rung, Size, Solved, Verdict};
 use crate::exact::self_weight::{Law as ExactLaw, SelfWeightColumn};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Height \[m\].
 const HEIGHT: f64 = 1.0;
@@ -195,45 +195,36 @@ impl Study for SelfWeight {
         scene
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            measure: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
-            displacement: true,
-            measure: true,
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
         let weight = DENSITY * GRAVITY * HEIGHT * WIDTH as f64 * rung.cell;
         let most = most_steps(settings, HEIGHT / rung.cell);
-        relax(&mut simulation, weight, RESIDUAL, most, observer)
-            .map_err(|e| failed(self, rung, &e))?;
+        relax(simulation, weight, RESIDUAL, most, observer)?;
         let exact = self.exact();
         let quantities = errors(
-            &simulation,
+            simulation,
             |x| [0.0, exact.position(x[1]) - x[1], 0.0],
             |x| {
                 let lateral = exact.lateral_stress(x[1]);
                 [lateral, exact.vertical_stress(x[1]), lateral, 0.0, 0.0, 0.0]
             },
         );
-        let curve = Self::curve(&simulation, &exact, rung);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
+        Ok(Found::new(
             quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
+            Self::curve(simulation, &exact, rung),
+        ))
     }
 }

@@ -16,13 +16,12 @@
 mod height;
 mod study;
 
-use proctor_kernel::scene::{Scene, StressScheme, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::scene::{StressScheme, Vector};
+use proctor_kernel::simulation::Simulation;
 use proctor_kernel::surface::Surface;
 
 use super::incline::dot;
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
-use crate::study::Study;
+use crate::case::{Case, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
 use height::HeightField;
 
 /// The terrain of the fixtures.

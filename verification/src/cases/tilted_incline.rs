@@ -28,12 +28,13 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use proctor_kernel::surface::{Surface, parse};
 
-use super::incline::{COURANT, Track, dot, fitted_slope, follow_along, run, sliding_curve};
-use super::{AT_REST, NO_RESULTS, elastic, failed};
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::dynamics::run;
+use super::incline::{COURANT, Track, dot, fitted_slope, follow_along, sliding_curve};
+use super::{AT_REST, NO_RESULTS, elastic};
+use crate::case::{Case, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use frame::Frame;
 
 /// Angle of the plane with the horizontal \[degrees\].
@@ -113,6 +114,22 @@ struct Problem {
     turned: bool,
     friction: f64,
     young: f64,
+}
+
+impl Problem {
+    /// Whether the block settles without friction and is pulled from rest.
+    fn pulled_later(&self) -> bool {
+        matches!(self.kind, Kind::Pulled | Kind::Stick)
+    }
+
+    /// Gravity down the plane while the block settles \[m/s²\].
+    fn pull_before(&self) -> f64 {
+        if self.pulled_later() {
+            0.0
+        } else {
+            TiltedIncline::exact(self).along
+        }
+    }
 }
 
 /// Runs of a size: cell size (m), whether the plane is turned, and the frictions.
@@ -232,53 +249,26 @@ impl TiltedIncline {
     }
 
     /// Settles the block on the plane and releases it.
-    fn released(
-        scene: &Scene,
+    fn release(
         frame: &Frame,
         problem: &Problem,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Simulation, String> {
-        let words = |e: proctor_kernel::simulation::SetupError| e.to_string();
-        let slope = Self::exact(problem);
-        let pulled_later = matches!(problem.kind, Kind::Pulled | Kind::Stick);
-        let along = if pulled_later { 0.0 } else { slope.along };
-        let (down, out, foot) = (frame.down, frame.out, frame.corner);
-        // The weight of what lies above, carried by the plane.
-        let initial = move |x: &Vector| {
-            let height = dot(&std::array::from_fn(|axis| x[axis] - foot[axis]), &out);
-            let above = DENSITY * (HEIGHT - height);
-            let component = |a: usize, b: usize| {
-                above
-                    * (along * (down[a] * out[b] + out[a] * down[b]) - slope.into * out[a] * out[b])
-            };
-            let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
-            InitialState {
-                stress: pairs.map(|(a, b)| component(a, b)),
-                ..AT_REST
-            }
-        };
-        let options = Options {
-            initial: Some(Arc::new(initial)),
-            ..options.clone()
-        };
-        let mut simulation = Simulation::new(scene, &options).map_err(words)?;
-        let held = std::array::from_fn(|axis| along * down[axis] - slope.into * out[axis]);
-        simulation.set_gravity(held).map_err(words)?;
-        let friction = if pulled_later { 0.0 } else { ROUGH };
-        simulation
-            .set_surface_friction(0, friction)
-            .map_err(words)?;
-        simulation.set_local_damping(Some(DAMPING)).map_err(words)?;
-        let release = scene.time - TIME;
-        run(&mut simulation, release, scene.time, observer, |_| ())?;
+    ) -> Result<(), Failure> {
+        // As it is to be from the release on.
+        let scene = simulation.scene().clone();
+        let (slope, along) = (Self::exact(problem), problem.pull_before());
+        let held =
+            std::array::from_fn(|axis| along * frame.down[axis] - slope.into * frame.out[axis]);
+        simulation.set_gravity(held)?;
+        simulation.set_surface_friction(0, if problem.pulled_later() { 0.0 } else { ROUGH })?;
+        simulation.set_local_damping(Some(DAMPING))?;
+        run(simulation, scene.time - TIME, observer, |_| ())?;
         let after = (problem.friction == CLOSE).then_some(CLOSE_DAMPING);
-        simulation.set_local_damping(after).map_err(words)?;
-        simulation.set_gravity(scene.gravity).map_err(words)?;
-        simulation
-            .set_surface_friction(0, problem.friction)
-            .map_err(words)?;
-        Ok(simulation)
+        simulation.set_local_damping(after)?;
+        simulation.set_gravity(scene.gravity)?;
+        simulation.set_surface_friction(0, problem.friction)?;
+        Ok(())
     }
 
     fn quantities(track: &Track, deepest: f64, problem: &Problem) -> Vec<Quantity> {
@@ -464,39 +454,52 @@ impl Study for TiltedIncline {
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    fn options(&self, rung: &Rung, options: Options) -> Options {
         let problem = Self::problem(rung);
         let frame = Frame::new(rung.cell, problem.turned);
-        let mut simulation = Self::released(&scene, &frame, &problem, options, observer)
-            .map_err(|e| failed(self, rung, &e))?;
+        let (slope, along) = (Self::exact(&problem), problem.pull_before());
+        let (down, out, foot) = (frame.down, frame.out, frame.corner);
+        // The weight of what lies above, carried by the plane.
+        let initial = move |x: &Vector| {
+            let height = dot(&std::array::from_fn(|axis| x[axis] - foot[axis]), &out);
+            let above = DENSITY * (HEIGHT - height);
+            let component = |a: usize, b: usize| {
+                above
+                    * (along * (down[a] * out[b] + out[a] * down[b]) - slope.into * out[a] * out[b])
+            };
+            let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+            InitialState {
+                stress: pairs.map(|(a, b)| component(a, b)),
+                ..AT_REST
+            }
+        };
+        Options {
+            initial: Some(Arc::new(initial)),
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        _settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let problem = Self::problem(rung);
+        let frame = Frame::new(rung.cell, problem.turned);
+        Self::release(&frame, &problem, simulation, observer)?;
         let weight = GRAVITY * libm::cos(TILT.to_radians());
         let mut deepest = 0.0_f64;
         let directions = [frame.down, frame.out];
-        let tracks = follow_along(directions, &[0], weight, &mut simulation, observer, |s| {
+        let tracks = follow_along(directions, &[0], weight, simulation, observer, |s| {
             if s.steps().is_multiple_of(50) {
                 let gaps = (0..s.particles()).filter_map(|p| s.surface_gap(0, 0, p, 0.0));
                 deepest = gaps.fold(deepest, |d, (gap, _)| d.max(-gap / rung.cell));
             }
-        })
-        .map_err(|e| failed(self, rung, &e))?;
-        let exact = Self::exact(&problem);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&tracks[0], deepest, &problem),
-            drawings: vec![],
-            curve: Some(sliding_curve(&tracks[0], &exact, &rung.label)),
-        };
-        Ok(Studied::new(solved, &simulation))
+        })?;
+        let quantities = Self::quantities(&tracks[0], deepest, &problem);
+        let curve = sliding_curve(&tracks[0], &Self::exact(&problem), &rung.label);
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

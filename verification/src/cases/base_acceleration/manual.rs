@@ -7,8 +7,9 @@ use proctor_kernel::scene::{
 };
 use proctor_kernel::simulation::Simulation;
 
+use crate::cases::dynamics::step;
 use crate::exact::base_column::SineRecord;
-use crate::study::{Observer, Phase, STOPPED};
+use crate::study::{Failure, Observer, Phase};
 
 /// Cell size \[m\].
 pub const CELL: f64 = 0.1;
@@ -115,21 +116,18 @@ pub struct Distance {
 /// Runs the whole record; `frequency` times that of the record is the reference (1 for the right one).
 ///
 /// # Errors
-/// Why a step failed, in words.
+/// Why a step failed.
 pub fn run(
     simulation: &mut Simulation,
     frequency: f64,
     observer: &mut dyn Observer,
-) -> Result<Distance, String> {
+) -> Result<Distance, Failure> {
     let record = Harmonic::of_the_manual();
     let end = simulation.scene().time;
     let mut worst = Distance::default();
     while simulation.velocity_time() + 1e-9 < end {
-        if observer.stop() {
-            return Err(STOPPED.to_owned());
-        }
         observer.phase(Phase::Stepping);
-        simulation.step(end).map_err(|e| e.to_string())?;
+        step(simulation, end, observer)?;
         observer.phase(Phase::Comparing);
         let t = simulation.velocity_time();
         if t > end {
@@ -156,13 +154,13 @@ pub fn run(
 }
 
 /// Mean velocities (m/s) of the lowest layer of particles and of the one above.
-fn layers(simulation: &Simulation) -> Result<([f64; 3], [f64; 3]), String> {
+fn layers(simulation: &Simulation) -> Result<([f64; 3], [f64; 3]), Failure> {
     let set = &simulation.sets()[0];
     let mut sums = [[0.0; 4]; 2];
     for p in 0..set.len() {
         let z = simulation
             .initial_position(0, p)
-            .ok_or_else(|| "the simulation kept no initial positions".to_owned())?[2];
+            .ok_or("the simulation kept no initial positions")?[2];
         let layer = (z / (0.5 * CELL)).floor() as usize;
         if let Some(sum) = sums.get_mut(layer) {
             let v = set.velocity(p);
