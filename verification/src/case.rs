@@ -32,18 +32,33 @@ pub struct Rung {
 }
 
 impl Rung {
+    /// The rungs of a variant with so many cells over a length \[m\], which labels call `word`.
+    #[must_use]
+    pub fn counted(variant: &'static str, word: &str, length: f64, counts: &[u32]) -> Vec<Self> {
+        let of = |&count: &u32| Self {
+            label: format!("{word}={count}"),
+            cell: length / f64::from(count),
+            variant,
+        };
+        counts.iter().map(of).collect()
+    }
+
+    /// A cell size \[m\] of a variant.
+    #[must_use]
+    pub fn new(variant: &'static str, cell: f64) -> Self {
+        Self {
+            label: format!("{variant} h={cell}"),
+            cell,
+            variant,
+        }
+    }
+
     /// The rungs of several ladders, each a variant with its cell sizes \[m\].
     #[must_use]
     pub fn ladders(ladders: &[(&'static str, &[f64])]) -> Vec<Self> {
         ladders
             .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Self {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
+            .flat_map(|&(variant, cells)| cells.iter().map(move |&cell| Self::new(variant, cell)))
             .collect()
     }
 }
@@ -65,6 +80,51 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// A number with its exact value, which is not zero.
+    #[must_use]
+    pub fn compared(name: &'static str, value: f64, exact: f64, unit: &'static str) -> Self {
+        Self {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        }
+    }
+
+    /// A ratio that should be zero and so is its own error.
+    #[must_use]
+    pub fn of_zero(name: &'static str, value: f64) -> Self {
+        Self {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value.abs()),
+            unit: "1",
+        }
+    }
+
+    /// A number that should be zero and has no scale to be relative to.
+    #[must_use]
+    pub fn balance(name: &'static str, value: f64, unit: &'static str) -> Self {
+        Self {
+            exact: Some(0.0),
+            ..Self::figure(name, value, unit)
+        }
+    }
+
+    /// A number of which nothing exact is known.
+    #[must_use]
+    pub fn figure(name: &'static str, value: f64, unit: &'static str) -> Self {
+        Self {
+            name,
+            value,
+            exact: None,
+            error: None,
+            unit,
+        }
+    }
+
     /// Whether it should be zero and has no scale to be relative to.
     #[must_use]
     pub fn is_balance(&self) -> bool {
@@ -235,6 +295,27 @@ pub struct Gate {
 }
 
 impl Gate {
+    /// An upper bound.
+    #[must_use]
+    pub fn at_most(name: String, value: f64, bound: f64, reason: &'static str) -> Self {
+        Self {
+            name,
+            value,
+            relation: Relation::AtMost,
+            bound,
+            reason,
+        }
+    }
+
+    /// A lower bound.
+    #[must_use]
+    pub fn at_least(name: String, value: f64, bound: f64, reason: &'static str) -> Self {
+        Self {
+            relation: Relation::AtLeast,
+            ..Self::at_most(name, value, bound, reason)
+        }
+    }
+
     /// Whether the value keeps the bound; NaN does not.
     #[must_use]
     pub fn passed(&self) -> bool {

@@ -55,6 +55,14 @@ pub struct Measure {
     pub quantity: &'static str,
 }
 
+impl Measure {
+    /// The error of a quantity, by one word.
+    #[must_use]
+    pub const fn new(word: &'static str, quantity: &'static str) -> Self {
+        Self { word, quantity }
+    }
+}
+
 /// What a run with chosen settings gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Studied {
@@ -88,7 +96,7 @@ pub trait Study: Case {
     fn path(&self, size: Size) -> Vec<Rung>;
 
     /// Errors that are studied: displacement (or velocity) first.
-    fn measures(&self) -> &'static [Measure];
+    fn measures(&self) -> Vec<Measure>;
 
     /// Whether a study of a size tries a method. Where runs take long, the short study keeps to a few ([`few`]).
     fn tries(&self, _size: Size, _method: Method) -> bool {

@@ -11,11 +11,12 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Body, Dimension, Mesh, PlaneCondition, Scene, Shape};
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
-use super::{FIELDS, NO_RESULTS, elastic, error_gate, order_gate, table};
+use super::judging::{error_gate, order_gate, table};
+use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Case, Curve, CurvePoint, Found, Rung, Size, Solved, Verdict};
 use crate::exact::bar::{Bar as Exact, FarEnd};
 use crate::settings::{Method, Settings};
@@ -69,15 +70,8 @@ impl Bar {
         }
     }
 
-    fn rungs_of(cells: &[u32]) -> Vec<Rung> {
-        cells
-            .iter()
-            .map(|&n| Rung {
-                label: format!("L/h={n}"),
-                cell: LENGTH / f64::from(n),
-                variant: VARIANT,
-            })
-            .collect()
+    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(VARIANT, "L/h", LENGTH, counts)
     }
 
     /// Time of the comparison \[s\].
@@ -162,8 +156,8 @@ impl Study for Bar {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        FIELDS
+    fn measures(&self) -> Vec<Measure> {
+        FIELDS.to_vec()
     }
 
     fn refined_axes(&self) -> usize {
@@ -186,18 +180,7 @@ impl Study for Bar {
             .0;
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, 0.0);
-        scene.bodies = vec![Body {
-            name: "bar".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [LENGTH, h, 0.0],
-            },
-            particles_per_cell: [2, 2, 1],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body("bar", 1, cuboid([0.0; 3], [LENGTH, h, 0.0]))];
         settings.apply(&mut scene);
         scene
     }
@@ -213,7 +196,7 @@ impl Study for Bar {
                     [0.0; 3],
                     [0.0; 3],
                 ],
-                ..super::AT_REST
+                ..AT_REST
             })),
             ..options
         }

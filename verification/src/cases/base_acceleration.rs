@@ -24,6 +24,7 @@ mod manual;
 use proctor_kernel::scene::{Dimension, Scene, StressScheme, TransferKind};
 use proctor_kernel::simulation::{Options, Simulation};
 
+use super::STRESS_MEASURE;
 use super::dynamics::{STRESS, ratio};
 use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
@@ -103,13 +104,9 @@ impl BaseAcceleration {
         }
     }
 
-    /// A rung of a variant with a number of cells over the height.
-    fn rung(variant: &'static str, cells: u32) -> Rung {
-        Rung {
-            label: format!("{variant} H/h={cells}"),
-            cell: 1.0 / f64::from(cells),
-            variant,
-        }
+    /// Rungs of a variant with these numbers of cells over the height.
+    fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(variant, &format!("{variant} H/h"), 1.0, counts)
     }
 }
 
@@ -135,7 +132,7 @@ impl Case for BaseAcceleration {
         };
         let columns = ladders
             .iter()
-            .flat_map(|&(variant, cells)| cells.iter().map(move |&n| Self::rung(variant, n)));
+            .flat_map(|&(variant, counts)| Self::rungs_of(variant, counts));
         let blocks = ["text", "input"].into_iter().map(|variant| Rung {
             label: format!("manual's {variant}"),
             cell: manual::CELL,
@@ -157,17 +154,11 @@ impl Study for BaseAcceleration {
             Size::Quick => &[8, 16, 32],
             Size::Full => &[8, 16, 32, 64, 128],
         };
-        cells.iter().map(|&n| Self::rung("smooth", n)).collect()
+        Self::rungs_of("smooth", cells)
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "velocity",
-                quantity: L2,
-            },
-            super::STRESS_MEASURE,
-        ]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("velocity", L2), STRESS_MEASURE]
     }
 
     fn refined_axes(&self) -> usize {
@@ -214,11 +205,9 @@ impl Study for BaseAcceleration {
             Problem::Column(column) => {
                 let response = column.run(simulation, self.reference_stiffness, observer)?;
                 let velocity = |name, [value, exact]: [f64; 2]| Quantity {
-                    name,
                     value: AMPLITUDE * value,
                     exact: Some(AMPLITUDE * exact),
-                    error: Some((value / exact - 1.0).abs()),
-                    unit: "m/s",
+                    ..Quantity::compared(name, value, exact, "m/s")
                 };
                 let quantities = vec![
                     velocity(TOP, response.top),

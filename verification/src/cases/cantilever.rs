@@ -22,18 +22,15 @@ mod hanging;
 use std::sync::OnceLock;
 
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::scene::{
-    Body, BodyBoundary, Dimension, DomainUpdate, HeldBox, Law, Material, Mesh, Mortar,
-    PlaneCondition, Scene, Shape, StressScheme, TransferKind, Vertices, Weighting,
-};
+use proctor_kernel::scene::{BodyBoundary, Dimension, HeldBox, Law, Scene, Vertices, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
 use super::dynamics::{at_intervals, ratio};
-use super::{NO_RESULTS, table};
-use crate::case::{
-    Case, Curve, CurvePoint, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::judging::{error_at_most, table, value_of};
+use super::mortar::{PAPER, boundary, settings, without_pic};
+use super::{NO_RESULTS, body, cuboid, material, open_plane};
+use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
 use crate::settings::{Method, Settings};
@@ -77,6 +74,9 @@ pub struct Cantilever {
     /// notice.
     pub reference_gravity: f64,
 }
+
+/// [`Gate::at_most`] or [`Gate::at_least`].
+type NewGate = fn(String, f64, f64, &'static str) -> Gate;
 
 /// What the finite elements say of a gravity.
 #[derive(Debug)]
@@ -199,13 +199,7 @@ fn tip_quantities(history: &[f64], exact: &[f64]) -> Vec<Quantity> {
             (TROUGH, found.1, known.1, "m"),
             (TROUGH_TIME, found.0, known.0, "s"),
         ] {
-            quantities.push(Quantity {
-                name,
-                value,
-                exact: Some(exact),
-                error: Some((value / exact - 1.0).abs()),
-                unit,
-            });
+            quantities.push(Quantity::compared(name, value, exact, unit));
         }
     }
     quantities
@@ -242,71 +236,37 @@ impl Case for Cantilever {
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let of = |label: &str| {
-            let found = solved.iter().find(|(rung, _)| rung.label == label);
-            found.map(|(_, solved)| solved)
-        };
-        let error = |label: &str, name| of(label).map_or(f64::NAN, |s| s.error(name));
-        let value = |label: &str, name| of(label).map_or(f64::NAN, |s| s.value(name));
-        let gate = |label: &str, name: &str, value, relation, bound, reason| Gate {
-            name: format!("{label}: {name}"),
-            value,
-            relation,
-            bound,
-            reason,
-        };
-        let most = Relation::AtMost;
+        let gate = |label, name, bound, reason| error_at_most(solved, label, name, bound, reason);
         let figures = "the method's reference figures: 2.0, 0.4 and 0.02 %";
+        let half = "the method's reference figures: 0.5 %";
+        let large = "the method's reference figures: 2.6 %";
         let mut gates = vec![
-            gate(
-                "g=1 h=0.25",
-                TIP,
-                error("g=1 h=0.25", TIP),
-                most,
-                0.025,
-                figures,
-            ),
-            gate(
-                "g=10 h=0.25",
-                TIP,
-                error("g=10 h=0.25", TIP),
-                most,
-                0.05,
-                "the method's reference figures: 2.6 %",
-            ),
-            gate(
-                "g=10 h=0.25",
-                TROUGH,
-                error("g=10 h=0.25", TROUGH),
-                most,
-                0.015,
-                "the method's reference figures: 0.5 %",
-            ),
-            gate(
-                "g=10 h=0.25",
-                TROUGH_TIME,
-                error("g=10 h=0.25", TROUGH_TIME),
-                most,
-                0.01,
-                "the method's reference figures: 0.5 %",
-            ),
+            gate("g=1 h=0.25", TIP, 0.025, figures),
+            gate("g=10 h=0.25", TIP, 0.05, large),
+            gate("g=10 h=0.25", TROUGH, 0.015, half),
+            gate("g=10 h=0.25", TROUGH_TIME, 0.01, half),
         ];
-        let mut vertices = |variant: &str, relation, bound, reason| {
+        let mut vertices = |variant: &str, gate: NewGate, bound, reason| {
             let label = format!("{variant} h={JUDGED}");
-            let found = value(&label, FROM_PARTICLES);
-            gates.push(gate(&label, FROM_PARTICLES, found, relation, bound, reason));
+            let found = value_of(solved, &label, FROM_PARTICLES);
+            gates.push(gate(
+                format!("{label}: {FROM_PARTICLES}"),
+                found,
+                bound,
+                reason,
+            ));
         };
         let close = "a twelfth of a cell; the method's reference figures: 0.014 m with spin, 0.011 m with gradient";
         let far = "without its spin a vertex lags behind: 0.09 m in the method's reference figures";
         let lost = "without augmentation vertices drift: 0.16 m in the method's reference figures";
-        vertices(LARGE, most, 0.02, close);
-        vertices(NO_SPIN, Relation::AtLeast, 0.05, far);
+        vertices(LARGE, Gate::at_most, 0.02, close);
+        vertices(NO_SPIN, Gate::at_least, 0.05, far);
         if size == Size::Full {
-            vertices(GRADIENT, most, 0.02, close);
-            vertices(UNIFORM, most, 0.02, close);
-            vertices(NO_AUGMENTATION, Relation::AtLeast, 0.1, lost);
+            vertices(GRADIENT, Gate::at_most, 0.02, close);
+            vertices(UNIFORM, Gate::at_most, 0.02, close);
+            vertices(NO_AUGMENTATION, Gate::at_least, 0.1, lost);
             for (label, bound) in [("g=1 h=0.125", 0.01), ("g=1 h=0.0625", 0.005)] {
-                gates.push(gate(label, TIP, error(label, TIP), most, bound, figures));
+                gates.push(gate(label, TIP, bound, figures));
             }
         }
         let swings = [SMALL, LARGE].map(|v| (v.to_owned(), table(solved, v, &[TIP, TROUGH])));
@@ -341,11 +301,8 @@ impl Study for Cantilever {
         Rung::ladders(&[(BARE, cells)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[Measure {
-            word: "displacement",
-            quantity: TIP,
-        }]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("displacement", TIP)]
     }
 
     fn refined_axes(&self) -> usize {
@@ -353,33 +310,22 @@ impl Study for Cantilever {
     }
 
     fn own_settings(&self, rung: &Rung) -> Settings {
-        Settings {
-            particles_per_cell: 3,
-            ..Settings::new(Method {
-                weighting: if [UNIFORM, NO_AUGMENTATION].contains(&rung.variant) {
-                    Weighting::UniformGimp
-                } else {
-                    Weighting::ContiguousGimp(DomainUpdate::LeftStretch)
-                },
-                scheme: StressScheme::Musl,
-                transfer: TransferKind::Apic,
-            })
-        }
-        .courant(Self::courant(rung.variant))
+        let keeps_size = [UNIFORM, NO_AUGMENTATION].contains(&rung.variant);
+        let method = Method {
+            weighting: if keeps_size {
+                Weighting::UniformGimp
+            } else {
+                PAPER.weighting
+            },
+            ..PAPER
+        };
+        settings(method, 3).courant(Self::courant(rung.variant))
     }
 
     /// A study is without the boundary, which costs time and changes nothing: there is no contact.
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let h = rung.cell;
-        let (from, to, below, above) = (-3.0, 5.0, -5.0, 2.5);
-        let cells = |length: f64| (length / h).round() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [from, below, 0.0],
-            [h, h, 1.0],
-            [cells(to - from), cells(above - below), 1],
-        );
-        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
+        let mesh = open_plane(h, [-3.0, -5.0], [5.0, 2.5]);
         let mut scene = Scene::new(Dimension::Two, mesh, Self::ends(rung.variant));
         scene.name.clone_from(&rung.label);
         scene.gravity = [0.0, -Self::gravity(rung.variant), 0.0];
@@ -389,46 +335,24 @@ impl Study for Cantilever {
             p1: [-h, -h, 0.0],
             p2: [0.0, HEIGHT + h, 0.0],
         }];
-        scene.materials = vec![Material {
-            name: "soft".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: Law::NeoHookean {
-                young: YOUNG,
-                poisson: POISSON,
-            },
-        }];
-        scene.bodies = vec![Body {
-            name: "beam".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [LENGTH, HEIGHT, 0.0],
-            },
-            particles_per_cell: [1; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        let law = Law::NeoHookean {
+            young: YOUNG,
+            poisson: POISSON,
+        };
+        scene.materials = material("soft", DENSITY, law);
+        scene.bodies = vec![body("beam", 1, cuboid([0.0; 3], [LENGTH, HEIGHT, 0.0]))];
         settings.apply(&mut scene);
-        if scene.transfer.kind == TransferKind::Apic {
-            // The paper's: particles keep their velocity, the affine part goes to the nodes.
-            scene.transfer.pic_fraction = 0.0;
-        }
+        without_pic(&mut scene);
         if rung.variant != BARE {
-            scene.mortar = Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Spacing(0.5 * h),
-                    follow: match rung.variant {
-                        GRADIENT => Follow::Gradient,
-                        NO_SPIN => Follow::Velocity,
-                        NO_AUGMENTATION => Follow::Unaugmented,
-                        _ => Follow::Spin,
-                    },
-                }],
-                ..Mortar::default()
-            };
+            scene.mortar.boundaries = vec![BodyBoundary {
+                follow: match rung.variant {
+                    GRADIENT => Follow::Gradient,
+                    NO_SPIN => Follow::Velocity,
+                    NO_AUGMENTATION => Follow::Unaugmented,
+                    _ => Follow::Spin,
+                },
+                ..boundary(1, Vertices::Spacing(0.5 * h))
+            }];
         }
         scene
     }

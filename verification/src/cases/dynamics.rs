@@ -97,14 +97,7 @@ pub fn at_intervals(
 
 /// A quantity that is itself a relative error; NaN, which no gate passes, where there is none.
 pub fn ratio(name: &'static str, error: Option<f64>) -> Quantity {
-    let error = error.unwrap_or(f64::NAN);
-    Quantity {
-        name,
-        value: error,
-        exact: Some(0.0),
-        error: Some(error),
-        unit: "1",
-    }
+    Quantity::of_zero(name, error.unwrap_or(f64::NAN))
 }
 
 /// Relative L2 error of a particle field, weighted by mass: `field` gives computed and exact values of a particle

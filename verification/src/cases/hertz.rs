@@ -14,20 +14,17 @@
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    PlaneCondition, RigidLine, Scene, Shape, TransferKind, Vertices,
+    BoxLoad, Damping, Dimension, Mortar, Scene, Shape, TransferKind, Vertices,
 };
 use proctor_kernel::simulation::Simulation;
 use std::f64::consts::PI;
 
+use super::judging::{error_at_most, table};
+use super::mortar::rigid_line;
 use super::pressures::Pressures;
-use super::{elastic, table};
-use crate::case::{
-    Case, Curve, CurvePoint, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::{body, elastic, mortar, open_plane};
+use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
 use crate::settings::{Method, Settings};
@@ -134,17 +131,7 @@ impl Case for Hertz {
     with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let error = |label: &str, name| {
-            let run = solved.iter().find(|(rung, _)| rung.label == label);
-            run.map_or(f64::NAN, |(_, s)| s.error(name))
-        };
-        let gate = |label: &str, name, bound, reason| Gate {
-            name: format!("{label}: {name}"),
-            value: error(label, name),
-            relation: Relation::AtMost,
-            bound,
-            reason,
-        };
+        let gate = |label, name, bound, reason| error_at_most(solved, label, name, bound, reason);
         let gates = match size {
             Size::Quick => vec![
                 gate(
@@ -224,16 +211,10 @@ impl Study for Hertz {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "pressure",
-                quantity: L2_LAYER,
-            },
-            Measure {
-                word: "peak",
-                quantity: PEAK,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("pressure", L2_LAYER),
+            Measure::new("peak", PEAK),
         ]
     }
 
@@ -250,24 +231,21 @@ impl Study for Hertz {
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let h = rung.cell;
-        let (left, right, below, above) = (-8.6, 8.6, -0.6, 8.6);
-        let cells = |length: f64| (length / h).round() as usize;
+        let (left, right) = (-8.6, 8.6);
+        let mesh = open_plane(h, [left, -0.6], [right, 8.6]);
+        let kappa = Self::kappa(rung.variant);
         let top = GAP + RADIUS;
         // Vertices of the plane every 0.1 m, none of them under the middle.
-        let plane = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+        let points = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+        let plane = Chain {
+            points: points.collect(),
+            side: Side::Open,
+        };
         let mut scene = Scene {
             name: rung.label.clone(),
             time_step: settings.multiplier(),
             materials: elastic(1.0, YOUNG, POISSON),
-            bodies: vec![Body {
-                name: "half disk".into(),
-                id: 1,
-                material: 0,
-                shape: shape(),
-                particles_per_cell: [2, 2, 1],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
+            bodies: vec![body("half disk", 1, shape())],
             damping: Damping::Viscous { alpha: 0.01 },
             box_loads: vec![BoxLoad {
                 p1: [left, top - h, 0.0],
@@ -275,44 +253,12 @@ impl Study for Hertz {
                 force: [0.0, -LOAD, 0.0],
             }],
             mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Given(vec![boundary(h)]),
-                    follow: Follow::Spin,
-                }],
-                facets: vec![],
-                lines: vec![RigidLine {
-                    name: "plane".into(),
-                    id: 2,
-                    chains: vec![Chain {
-                        points: plane.collect(),
-                        side: Side::Open,
-                    }],
-                    motion: None,
-                }],
-                contacts: vec![MortarContact {
-                    name: "half disk on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
-                    friction: 0.0,
-                    critical_gap: GAP,
-                    normal_stiffness: Self::kappa(rung.variant),
-                    tangential_stiffness: 0.0,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
-                }],
+                boundaries: vec![mortar::boundary(1, Vertices::Given(vec![boundary(h)]))],
+                lines: vec![rigid_line("plane", 2, plane, None)],
+                contacts: vec![mortar::barrier("half disk on plane", [2, 1], GAP, kappa)],
+                ..Mortar::default()
             },
-            ..Scene::new(
-                Dimension::Two,
-                Mesh {
-                    origin: [left, below, 0.0],
-                    cell: [h, h, 1.0],
-                    cells: [cells(right - left), cells(above - below), 1],
-                    planes: [[PlaneCondition::Free; 2]; 3],
-                },
-                AVERAGED[1],
-            )
+            ..Scene::new(Dimension::Two, mesh, AVERAGED[1])
         };
         settings.apply(&mut scene);
         scene.transfer.pic_fraction = PIC;
@@ -333,30 +279,16 @@ impl Study for Hertz {
         let kappa = Self::kappa(rung.variant);
         let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
             .map_err(|e| format!("no reference: residual {} m", e.residual))?;
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let norm = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value),
-            unit: "1",
-        };
         let peak = found.vertices.iter().map(|p| p[1]).fold(0.0, f64::max);
         // Of the Hertz pressure with the same second moment.
         let half_width = 2.0 * (found.moment(2) / found.moment(0)).sqrt();
         let quantities = vec![
-            of(FORCE, found.force[1] / thickness, exact.load, "N/m"),
-            of(PEAK, peak, exact.peak(), "Pa"),
-            of(WIDTH, half_width, exact.half_width(), "m"),
-            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
-            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
-            norm(LAYER, layer.distance_from_hertz(&exact)),
+            Quantity::compared(FORCE, found.force[1] / thickness, exact.load, "N/m"),
+            Quantity::compared(PEAK, peak, exact.peak(), "Pa"),
+            Quantity::compared(WIDTH, half_width, exact.half_width(), "m"),
+            Quantity::of_zero(L2_HERTZ, found.distance(|x| exact.pressure(x))),
+            Quantity::of_zero(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
+            Quantity::of_zero(LAYER, layer.distance_from_hertz(&exact)),
         ];
         let points = found.vertices.iter().filter(|p| p[0].abs() < 1.0);
         let curve = Curve {

@@ -9,9 +9,9 @@
 //! triangles in space. `precision` studies the slab against Hertz, as `hertz` does the plane. `proctor verify hertz-slab`.
 
 use super::hertz::{FORCE, Hertz, L2_HERTZ, PEAK, WIDTH};
+use super::judging::{table, value_of};
 use super::slab::{self, AsSlab};
-use super::table;
-use crate::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Gate, Rung, Size, Solved, Verdict};
 use crate::study::Study;
 
 const SAME: &str = "one layer of cells is the plane, but for how surfaces are projected";
@@ -39,10 +39,7 @@ impl Case for HertzSlab {
     with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let value = |label: &str, name| {
-            let run = solved.iter().find(|(rung, _)| rung.label == label);
-            run.map_or(f64::NAN, |(_, s)| s.value(name))
-        };
+        let value = |label: &str, name| value_of(solved, label, name);
         let cell = self.rungs(size).last().map_or(f64::NAN, |rung| rung.cell);
         let (plane, slab) = (format!("plane h={cell}"), format!("slab h={cell}"));
         let (shape, why) = match size {
@@ -54,12 +51,13 @@ impl Case for HertzSlab {
         };
         let gates = [(FORCE, 0.01, SAME), (PEAK, shape, why), (WIDTH, shape, why)]
             .into_iter()
-            .map(|(name, bound, reason)| Gate {
-                name: format!("{slab}: {name} against the plane"),
-                value: (value(&slab, name) / value(&plane, name) - 1.0).abs(),
-                relation: Relation::AtMost,
-                bound,
-                reason,
+            .map(|(name, bound, reason)| {
+                Gate::at_most(
+                    format!("{slab}: {name} against the plane"),
+                    (value(&slab, name) / value(&plane, name) - 1.0).abs(),
+                    bound,
+                    reason,
+                )
             })
             .collect();
         Verdict {

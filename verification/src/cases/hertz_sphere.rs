@@ -11,20 +11,20 @@
 mod study;
 
 use libm::{asin, hypot, sin, sincos};
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::mortar::space::refine::fill;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    ParticleSeed, PlaneCondition, RigidFacets, Scene, Shape, Vertices,
+    BoxLoad, Damping, Dimension, Mesh, Mortar, ParticleSeed, PlaneCondition, RigidFacets, Scene,
+    Shape, Vertices,
 };
 use proctor_kernel::surface::{Surface, SurfaceError};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
+use super::judging::{error_at_most, table};
+use super::mortar::barrier;
 use super::pressures::Pressures;
-use super::{elastic, table};
-use crate::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict};
+use super::{body, elastic, mortar};
+use crate::case::{Case, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::contact_modulus;
 use crate::exact::hertz_sphere::HertzSphere as Exact;
 use crate::settings::Settings;
@@ -207,15 +207,11 @@ impl HertzSphere {
             name: rung.label.clone(),
             time_step: settings.multiplier(),
             materials: elastic(DENSITY, YOUNG, POISSON),
-            bodies: vec![Body {
-                name: "ball".into(),
-                id: 1,
-                material: 0,
-                shape: Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
-                particles_per_cell: [2, 2, 2],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
+            bodies: vec![body(
+                "ball",
+                1,
+                Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
+            )],
             damping: Damping::Viscous {
                 alpha: DAMPING * h / (YOUNG / DENSITY).sqrt(),
             },
@@ -225,30 +221,18 @@ impl HertzSphere {
                 force: [0.0, 0.0, -0.25 * load()],
             }],
             mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Surface(Arc::new(boundary(h)?)),
-                    follow: Follow::Spin,
-                }],
-                lines: vec![],
+                boundaries: vec![mortar::boundary(
+                    1,
+                    Vertices::Surface(Arc::new(boundary(h)?)),
+                )],
                 facets: vec![RigidFacets {
                     name: "plane".into(),
                     id: 2,
                     surface: Arc::new(plane()?),
                     motion: None,
                 }],
-                contacts: vec![MortarContact {
-                    name: "ball on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
-                    friction: 0.0,
-                    critical_gap: GAP,
-                    normal_stiffness: KAPPA,
-                    tangential_stiffness: 0.0,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
-                }],
+                contacts: vec![barrier("ball on plane", [2, 1], GAP, KAPPA)],
+                ..Mortar::default()
             },
             ..Scene::new(
                 Dimension::Three,
@@ -304,19 +288,8 @@ impl Case for HertzSphere {
     with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let finest = self.rungs(size).last().map(|rung| rung.label.clone());
-        let run = solved
-            .iter()
-            .find(|(rung, _)| Some(&rung.label) == finest.as_ref());
-        let error = |name| run.map_or(f64::NAN, |(_, s)| s.error(name));
-        let label = finest.clone().unwrap_or_default();
-        let gate = |name, bound, reason| Gate {
-            name: format!("{label}: {name}"),
-            value: error(name),
-            relation: Relation::AtMost,
-            bound,
-            reason,
-        };
+        let finest = self.rungs(size).pop().map_or_else(String::new, |r| r.label);
+        let gate = |name, bound, reason| error_at_most(solved, &finest, name, bound, reason);
         let gates = match size {
             Size::Quick => vec![
                 gate(FORCE, 0.01, "the load must arrive"),

@@ -9,14 +9,14 @@
 use std::sync::Arc;
 
 use proctor_kernel::scene::{
-    Body, Contact, ContactNormal, Damping, Dimension, History, Material, Mesh, PlaneCondition,
-    Scene, Shape, Vector,
+    Contact, ContactNormal, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene,
+    Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::run;
-use super::{AT_REST, NO_RESULTS, elastic};
-use crate::case::{Curve, CurvePoint};
+use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};
+use crate::case::{Curve, CurvePoint, Quantity};
 use crate::exact::sliding::Slope;
 use crate::study::{Failure, Observer};
 
@@ -45,6 +45,13 @@ const TILTS: u32 = 200;
 const POINTS: usize = 40;
 /// Identifier of the base.
 const BASE: i64 = 1;
+
+/// Name of the displacement among the quantities.
+pub const WAY: &str = "displacement at 2 s";
+/// Name of the fitted acceleration.
+pub const ACCELERATION: &str = "acceleration";
+/// Name of the creep.
+pub const CREEP: &str = "creep velocity over free velocity";
 
 /// A block.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,19 +141,8 @@ impl Incline {
             .map_or(Damping::None, |alpha| Damping::Local { alpha });
         scene.results = NO_RESULTS;
         scene.materials = material();
-        let mut particles = [2; 3];
-        particles[self.dimension.axes()..].fill(1);
-        let body = |name: String, id: i64, p1: Vector, p2: Vector| Body {
-            name,
-            id,
-            material: 0,
-            shape: Shape::Cuboid { p1, p2 },
-            particles_per_cell: particles,
-            velocity: [0.0; 3],
-            motion: None,
-        };
         let far = self.point(self.length, WIDTH, self.base);
-        let mut base = body("base".to_owned(), BASE, [0.0; 3], far);
+        let mut base = body("base", BASE, cuboid([0.0; 3], far));
         if self.held {
             base.motion = Some(still());
         }
@@ -154,12 +150,12 @@ impl Incline {
         for (i, block) in self.blocks.iter().enumerate() {
             let id = BASE + 1 + i as i64;
             let [near, far] = block.along;
-            scene.bodies.push(body(
-                format!("block {}", i + 1),
-                id,
+            let shape = cuboid(
                 self.point(near, ACROSS[0], self.base),
                 self.point(far, ACROSS[1], self.base + self.height),
-            ));
+            );
+            let name = format!("block {}", i + 1);
+            scene.bodies.push(body(name, id, shape));
             scene.contacts.push(Contact {
                 name: format!("block {} on base", i + 1),
                 id: i as i64 + 1,
@@ -334,6 +330,26 @@ pub fn follow_along(
         after(simulation);
     })?;
     Ok(tracks)
+}
+
+/// Acceleration along the incline against the exact one.
+pub fn acceleration(track: &Track, exact: &Slope) -> Quantity {
+    let fitted = fitted_slope(&track.velocity);
+    Quantity::compared(ACCELERATION, fitted, exact.acceleration(), "m/s²")
+}
+
+/// Creep and displacement \[m\] of a block that sticks for a time \[s\], over what a free one would do.
+pub fn stuck(track: &Track, moved: f64, exact: &Slope, time: f64) -> [Quantity; 2] {
+    let free = Slope {
+        friction: 0.0,
+        ..*exact
+    };
+    let creep = track.mean_velocity_from(0.5) / (free.acceleration() * time);
+    let way = Quantity {
+        error: Some((moved / free.displacement(time)).abs()),
+        ..Quantity::balance(WAY, moved, "m")
+    };
+    [Quantity::of_zero(CREEP, creep), way]
 }
 
 /// Displacement over time beside the exact one, for pictures.

@@ -26,8 +26,8 @@ use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, Time
 use proctor_kernel::simulation::{Options, Simulation};
 
 use super::incline::{
-    Block, COURANT, DENSITY, GRAVITY, Incline, POISSON, Track, YOUNG, fitted_slope, follow,
-    shear_wave_speed, sliding_curve,
+    ACCELERATION, Block, COURANT, CREEP, DENSITY, GRAVITY, Incline, POISSON, Track, WAY, YOUNG,
+    acceleration, follow, shear_wave_speed, sliding_curve, stuck,
 };
 use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
@@ -55,15 +55,8 @@ const TILTING: f64 = 1.0;
 const STUDIED: f64 = 0.3;
 /// Local damping of a block that is to stick.
 const STICKING_DAMPING: f64 = 0.1;
-/// Name of the displacement among the quantities.
-const WAY: &str = "displacement at 2 s";
 /// Name of the displacement against that of an elastic block.
 const ELASTIC: &str = "displacement at 2 s, elastic";
-/// Name of the fitted acceleration.
-const ACCELERATION: &str = "acceleration";
-/// Name of the creep.
-const CREEP: &str = "creep velocity over free velocity";
-
 /// The block on an incline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InclinedBlock {
@@ -278,50 +271,18 @@ impl InclinedBlock {
     fn quantities(track: &Track, moved: f64, problem: &Problem, height: f64) -> Vec<Quantity> {
         let exact = Self::exact(problem);
         if exact.sticks() {
-            let free = Slope {
-                friction: 0.0,
-                ..exact
-            };
-            let creep = track.mean_velocity_from(0.5) / (free.acceleration() * TIME);
-            return vec![
-                Quantity {
-                    name: CREEP,
-                    value: creep,
-                    exact: Some(0.0),
-                    error: Some(creep.abs()),
-                    unit: "1",
-                },
-                Quantity {
-                    name: WAY,
-                    value: moved,
-                    exact: Some(0.0),
-                    error: Some((moved / free.displacement(TIME)).abs()),
-                    unit: "m",
-                },
-            ];
+            return stuck(track, moved, &exact, TIME).into();
         }
-        let compared = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
         let end = track.way.last().map_or(f64::NAN, |w| w[0]);
         vec![
-            compared(WAY, track.end(), exact.displacement(end), "m"),
-            compared(
+            Quantity::compared(WAY, track.end(), exact.displacement(end), "m"),
+            Quantity::compared(
                 ELASTIC,
                 track.end(),
                 exact.elastic_displacement(end, height, shear_wave_speed()),
                 "m",
             ),
-            compared(
-                ACCELERATION,
-                fitted_slope(&track.velocity),
-                exact.acceleration(),
-                "m/s²",
-            ),
+            acceleration(track, &exact),
         ]
     }
 
@@ -380,16 +341,10 @@ impl Study for InclinedBlock {
             .collect()
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: ELASTIC,
-            },
-            Measure {
-                word: "acceleration",
-                quantity: ACCELERATION,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", ELASTIC),
+            Measure::new("acceleration", ACCELERATION),
         ]
     }
 

@@ -15,7 +15,8 @@ use proctor_kernel::simulation::{Options, Simulation};
 use super::incline::{
     Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
 };
-use crate::case::{Case, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::judging::error_at_most;
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study, few};
@@ -122,13 +123,6 @@ impl InclinedTwoBlocks {
     }
 
     fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
-        let compared = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
         let mut all = vec![];
         for (i, (block, track)) in BLOCKS.iter().zip(tracks).enumerate() {
             if lifts {
@@ -138,7 +132,12 @@ impl InclinedTwoBlocks {
                     .copied()
                     .filter(|v| v[0] > FREE_FROM)
                     .collect();
-                all.push(compared(LIFTS[i], fitted_slope(&free), GRAVITY, "m/s²"));
+                all.push(Quantity::compared(
+                    LIFTS[i],
+                    fitted_slope(&free),
+                    GRAVITY,
+                    "m/s²",
+                ));
                 continue;
             }
             let exact = Slope {
@@ -147,12 +146,17 @@ impl InclinedTwoBlocks {
                 friction: block.friction,
             };
             let end = track.way.last().map_or(f64::NAN, |w| w[0]);
-            all.push(compared(WAYS[i], track.end(), exact.displacement(end), "m"));
+            all.push(Quantity::compared(
+                WAYS[i],
+                track.end(),
+                exact.displacement(end),
+                "m",
+            ));
             if i == 0 {
                 let elastic = exact.elastic_displacement(end, HEIGHT, shear_wave_speed());
-                all.push(compared(ELASTIC, track.end(), elastic, "m"));
+                all.push(Quantity::compared(ELASTIC, track.end(), elastic, "m"));
             }
-            all.push(compared(
+            all.push(Quantity::compared(
                 ACCELERATIONS[i],
                 fitted_slope(&track.velocity),
                 exact.acceleration(),
@@ -164,13 +168,7 @@ impl InclinedTwoBlocks {
                 .iter()
                 .map(|t| forces(t) / t.weight)
                 .fold(0.0, f64::max);
-            Quantity {
-                name,
-                value,
-                exact: Some(0.0),
-                error: Some(value),
-                unit: "1",
-            }
+            Quantity::of_zero(name, value)
         };
         let largest = |forces: &mut dyn Iterator<Item = f64>| forces.fold(0.0, f64::max);
         all.push(over_weight(PULL, &|t| {
@@ -208,11 +206,7 @@ impl Case for InclinedTwoBlocks {
             VARIANTS
                 .into_iter()
                 .filter(move |v| v.1 == dimension)
-                .map(move |v| Rung {
-                    label: format!("{} h={cell}", v.0),
-                    cell,
-                    variant: v.0,
-                })
+                .map(move |v| Rung::new(v.0, cell))
         };
         cells.iter().flat_map(of).collect()
     }
@@ -222,16 +216,9 @@ impl Case for InclinedTwoBlocks {
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
         for rung in self.rungs(size) {
-            let found = solved.iter().find(|(other, _)| *other == rung);
-            let error = |name: &str| found.map_or(f64::NAN, |(_, s)| s.error(name));
-            let mut gate = |name: &str, bound, reason| {
-                verdict.gates.push(Gate {
-                    name: format!("{}: {name}", rung.label),
-                    value: error(name),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+            let mut gate = |name, bound, reason| {
+                let gate = error_at_most(solved, &rung.label, name, bound, reason);
+                verdict.gates.push(gate);
             };
             gate(PULL, PULL_GATE, "contact never pulls; round-off is left");
             if Self::variant(&rung).2 {
@@ -267,16 +254,10 @@ impl Study for InclinedTwoBlocks {
         Rung::ladders(&[(variant, cells)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: ELASTIC,
-            },
-            Measure {
-                word: "acceleration",
-                quantity: ACCELERATIONS[0],
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", ELASTIC),
+            Measure::new("acceleration", ACCELERATIONS[0]),
         ]
     }
 

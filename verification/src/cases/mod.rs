@@ -43,6 +43,8 @@ mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
 mod ironing;
+mod judging;
+mod mortar;
 mod pressures;
 mod rings;
 mod rolling_disk;
@@ -76,10 +78,11 @@ pub use self_weight::SelfWeight;
 pub use sphere_on_terrain::SphereOnTerrain;
 pub use tilted_incline::TiltedIncline;
 
-use crate::case::{Case, CaseError, CurvePoint, Gate, Relation, Rung, Solved};
-use crate::convergence::{ConvergenceTable, Row};
+use crate::case::{Case, CaseError, CurvePoint, Rung, Solved};
 use crate::study::{Measure, Study};
-use proctor_kernel::scene::{Law, Material, ObjectiveRate, Results};
+use proctor_kernel::scene::{
+    Body, Dimension, Law, Material, Mesh, ObjectiveRate, PlaneCondition, Results, Shape, Vector,
+};
 use proctor_kernel::simulation::{InitialState, Options};
 
 /// All cases, in the order in which they are shown. Whether one can be studied with any settings it says itself
@@ -110,17 +113,11 @@ pub(crate) static ALL: &[&dyn Case] = &[
 ];
 
 /// The error of the stress, where a case has one.
-const STRESS_MEASURE: Measure = Measure {
-    word: "stress",
-    quantity: dynamics::STRESS,
-};
+const STRESS_MEASURE: Measure = Measure::new("stress", dynamics::STRESS);
 
 /// The errors of displacement and stress.
 const FIELDS: &[Measure] = &[
-    Measure {
-        word: "displacement",
-        quantity: dynamics::DISPLACEMENT,
-    },
+    Measure::new("displacement", dynamics::DISPLACEMENT),
     STRESS_MEASURE,
 ];
 
@@ -160,75 +157,57 @@ fn solve_own(
         .map(|studied| studied.solved)
 }
 
-/// Gate on the order of a quantity between the two finest rungs of a table; NaN, which fails, where there is none.
-fn order_gate(
-    table: &ConvergenceTable,
-    quantity: &'static str,
-    bound: f64,
-    reason: &'static str,
-) -> Gate {
-    let column = table.quantities().iter().position(|q| q == quantity);
-    let last = table.rows().len().checked_sub(1);
-    let order = column
-        .zip(last)
-        .and_then(|(column, last)| table.order(column, last));
-    Gate {
-        name: format!("observed order of {quantity}"),
-        value: order.unwrap_or(f64::NAN),
-        relation: Relation::AtLeast,
-        bound,
-        reason,
+/// A linear elastic law \[Pa\].
+fn elastic_law(young: f64, poisson: f64) -> Law {
+    Law::LinearElastic {
+        young,
+        poisson,
+        rate: ObjectiveRate::HughesWinget,
     }
 }
 
-/// Gate on the error of a quantity on the finest rung that a ladder has.
-fn error_gate(
-    rungs: &[Rung],
-    solved: &[(Rung, Solved)],
-    quantity: &'static str,
-    bound: f64,
-    reason: &'static str,
-) -> Gate {
-    let finest = rungs.last();
-    let found = finest.and_then(|finest| solved.iter().find(|(rung, _)| rung == finest));
-    Gate {
-        name: format!(
-            "error of {quantity}, {}",
-            finest.map_or("no rung", |rung| &rung.label)
-        ),
-        value: found.map_or(f64::NAN, |(_, solved)| solved.error(quantity)),
-        relation: Relation::AtMost,
-        bound,
-        reason,
-    }
-}
-
-/// Errors of the named quantities over the rungs of a variant, coarse to fine.
-fn table(solved: &[(Rung, Solved)], variant: &str, names: &[&'static str]) -> ConvergenceTable {
-    let mut table = ConvergenceTable::new(names.iter().copied());
-    for (rung, solved) in solved.iter().filter(|(rung, _)| rung.variant == variant) {
-        let row = Row {
-            h: rung.cell,
-            errors: names.iter().map(|name| solved.error(name)).collect(),
-            particles: solved.particles,
-            steps: solved.steps as usize,
-        };
-        // One error per name, by construction.
-        let _ = table.push(row);
-    }
-    table
+/// The one material of a case \[kg/m³\].
+fn material(name: &str, density: f64, law: Law) -> Vec<Material> {
+    vec![Material {
+        name: name.to_owned(),
+        id: 1,
+        density,
+        law,
+    }]
 }
 
 /// The one linear elastic material of a case \[kg/m³, Pa\].
 fn elastic(density: f64, young: f64, poisson: f64) -> Vec<Material> {
-    vec![Material {
-        name: "elastic".to_owned(),
-        id: 1,
-        density,
-        law: Law::LinearElastic {
-            young,
-            poisson,
-            rate: ObjectiveRate::HughesWinget,
-        },
-    }]
+    material("elastic", density, elastic_law(young, poisson))
+}
+
+/// A body of the first material, at rest; [`Settings::apply`] gives it its particles.
+fn body(name: impl Into<String>, id: i64, shape: Shape) -> Body {
+    Body {
+        name: name.into(),
+        id,
+        material: 0,
+        shape,
+        particles_per_cell: [1; 3],
+        velocity: [0.0; 3],
+        motion: None,
+    }
+}
+
+/// A rectangle or a cuboid.
+fn cuboid(p1: Vector, p2: Vector) -> Shape {
+    Shape::Cuboid { p1, p2 }
+}
+
+/// A mesh of the plane in square cells, from one corner to the other, free at all sides \[m\].
+fn open_plane(cell: f64, [left, below]: [f64; 2], [right, above]: [f64; 2]) -> Mesh {
+    let cells = |length: f64| (length / cell).round() as usize;
+    let mut mesh = Mesh::new(
+        Dimension::Two,
+        [left, below, 0.0],
+        [cell; 3],
+        [cells(right - left), cells(above - below), 1],
+    );
+    mesh.planes[..2].fill([PlaneCondition::Free; 2]);
+    mesh
 }

@@ -14,19 +14,16 @@
 
 use std::sync::OnceLock;
 
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, Dimension, DomainUpdate, Enforcement, Law, Material, Mesh, MortarContact,
-    PlaneCondition, Scene, Shape, StressScheme, TransferKind, Vertices, Weighting,
+    Body, Dimension, Law, MortarContact, Scene, Shape, TransferKind, Vertices,
 };
 use proctor_kernel::simulation::Simulation;
 
 use super::dynamics::at_intervals;
-use super::{NO_RESULTS, PARTED, table};
-use crate::case::{
-    Case, Curve, CurvePoint, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::judging::{error_of, table, value_of};
+use super::mortar::{PAPER, barrier, boundary, settings, without_pic};
+use super::{NO_RESULTS, PARTED, body, material, open_plane};
+use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::fe::{Barrier, NeoHookean};
 use crate::exact::ring_impact::{Contact, RingImpact, Sample};
 use crate::settings::{Method, Settings};
@@ -183,28 +180,14 @@ impl History {
         let [first, last] = [self.energies.first()?, self.energies.last()?].map(Self::total);
         let largest = self.energies.iter().map(Self::total).fold(0.0, f64::max);
         let [x, y, _] = simulation.momentum();
-        let compared = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let ratio = |name, value, exact| Quantity {
-            name,
-            value,
-            exact,
-            error: None,
-            unit: "1",
-        };
         Some(vec![
-            compared(IMPULSE, found.impulse, known.impulse, "N s"),
-            compared(BEGIN, begin, TOUCHING[0], "s"),
-            compared(LAST, end, TOUCHING[1], "s"),
-            ratio(MOMENTUM, libm::hypot(x, y) / momentum_of_one(), Some(0.0)),
+            Quantity::compared(IMPULSE, found.impulse, known.impulse, "N s"),
+            Quantity::compared(BEGIN, begin, TOUCHING[0], "s"),
+            Quantity::compared(LAST, end, TOUCHING[1], "s"),
+            Quantity::balance(MOMENTUM, libm::hypot(x, y) / momentum_of_one(), "1"),
             // What APIC takes: neither more nor less of it is right.
-            ratio(LOSS, 1.0 - last / first, None),
-            ratio(GAIN, largest / first - 1.0, Some(0.0)),
+            Quantity::figure(LOSS, 1.0 - last / first, "1"),
+            Quantity::balance(GAIN, largest / first - 1.0, "1"),
         ])
     }
 
@@ -258,17 +241,11 @@ impl Case for Rings {
             let Some(finest) = rungs.iter().rfind(|rung| rung.variant == variant) else {
                 continue;
             };
-            let found = solved.iter().find(|(rung, _)| rung == finest);
-            let value = |name| found.map_or(f64::NAN, |(_, s)| s.value(name));
-            let error = |name| found.map_or(f64::NAN, |(_, s)| s.error(name));
+            let value = |name| value_of(solved, &finest.label, name);
+            let error = |name| error_of(solved, &finest.label, name);
             let mut at_most = |name: &str, value: f64, bound, reason| {
-                gates.push(Gate {
-                    name: format!("{}: {name}", finest.label),
-                    value,
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+                let name = format!("{}: {name}", finest.label);
+                gates.push(Gate::at_most(name, value, bound, reason));
             };
             at_most(
                 "error of the first contact",
@@ -338,11 +315,8 @@ impl Study for Rings {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[Measure {
-            word: "impulse",
-            quantity: IMPULSE,
-        }]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("impulse", IMPULSE)]
     }
 
     fn refined_axes(&self) -> usize {
@@ -350,83 +324,50 @@ impl Study for Rings {
     }
 
     fn own_settings(&self, rung: &Rung) -> Settings {
-        Settings {
-            particles_per_cell: 3,
-            ..Settings::new(Method {
-                weighting: Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
-                scheme: StressScheme::Musl,
-                transfer: if rung.variant == FLIP {
-                    TransferKind::Flip
-                } else {
-                    TransferKind::Apic
-                },
-            })
-        }
-        .courant(COURANT)
+        let method = Method {
+            transfer: if rung.variant == FLIP {
+                TransferKind::Flip
+            } else {
+                PAPER.transfer
+            },
+            ..PAPER
+        };
+        settings(method, 3).courant(COURANT)
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let h = rung.cell;
-        let half = [0.12, 0.08];
-        let cells = half.map(|length| (2.0 * length / h).round() as usize);
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [-half[0], -half[1], 0.0],
-            [h, h, 1.0],
-            [cells[0], cells[1], 1],
-        );
-        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
+        let mesh = open_plane(h, [-0.12, -0.08], [0.12, 0.08]);
         let mut scene = Scene::new(Dimension::Two, mesh, END);
         scene.name.clone_from(&rung.label);
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;
-        scene.materials = vec![Material {
-            name: "rubber".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: Law::NeoHookean {
-                young: 9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
-                poisson: (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
-            },
-        }];
+        let law = Law::NeoHookean {
+            young: 9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
+            poisson: (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
+        };
+        scene.materials = material("rubber", DENSITY, law);
         let segment = std::f64::consts::TAU * OUTER / VERTICES;
         for (id, side) in [(1, -1.0), (2, 1.0)] {
+            let ring = Shape::Ring {
+                center: [side * (0.5 * APART + OUTER), 0.0, 0.0],
+                inner: INNER,
+                outer: OUTER,
+            };
             scene.bodies.push(Body {
-                name: format!("ring {id}"),
-                id,
-                material: 0,
-                shape: Shape::Ring {
-                    center: [side * (0.5 * APART + OUTER), 0.0, 0.0],
-                    inner: INNER,
-                    outer: OUTER,
-                },
-                particles_per_cell: [1; 3],
                 velocity: [-side * SPEED, 0.0, 0.0],
-                motion: None,
+                ..body(format!("ring {id}"), id, ring)
             });
-            scene.mortar.boundaries.push(BodyBoundary {
-                body: id,
-                vertices: Vertices::Spacing(segment),
-                follow: Follow::Spin,
-            });
+            let boundary = boundary(id, Vertices::Spacing(segment));
+            scene.mortar.boundaries.push(boundary);
         }
         scene.mortar.contacts = vec![MortarContact {
-            name: "rings".to_owned(),
-            id: 1,
-            master: 2,
-            slave: 1,
             friction: 0.1,
-            critical_gap: GAP,
-            normal_stiffness: KAPPA,
             tangential_stiffness: KAPPA_T,
-            enforcement: Enforcement::Barrier,
-            detection: Detection::Mortar,
+            ..barrier("rings", [2, 1], GAP, KAPPA)
         }];
         settings.apply(&mut scene);
-        if scene.transfer.kind == TransferKind::Apic {
-            // The paper's: particles keep their velocity, the affine part goes to the nodes.
-            scene.transfer.pic_fraction = 0.0;
-        }
+        without_pic(&mut scene);
         scene
     }
 

@@ -4,10 +4,10 @@
 //! and whose slip has two components. The reference of the slab is the run in the plane; `precision`
 //! studies the slab that rolls against the rigid disk, as `rolling-disk` does. `proctor verify rolling-disk-slab`.
 
+use super::judging::table;
 use super::rolling_disk::{AREA, RATIO, RollingDisk, WAY};
 use super::slab::AsSlab;
-use super::table;
-use crate::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Gate, Rung, Size, Solved, Verdict};
 use crate::study::Study;
 
 /// Variants of the disk, and of each the plane and the slab.
@@ -37,11 +37,7 @@ impl Case for RollingDiskSlab {
         VARIANTS
             .iter()
             .flat_map(|names| &names[1..])
-            .map(|&variant| Rung {
-                label: format!("{variant} h={cell}"),
-                cell,
-                variant,
-            })
+            .map(|&variant| Rung::new(variant, cell))
             .collect()
     }
 
@@ -55,12 +51,13 @@ impl Case for RollingDiskSlab {
         let gates = VARIANTS
             .iter()
             .flat_map(|&[_, plane, slab]| {
-                [(WAY, 0.005), (RATIO, 0.01)].map(|(name, bound)| Gate {
-                    name: format!("{slab}: {name} against the plane"),
-                    value: (value(slab, name) / value(plane, name) - 1.0).abs(),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason: "one layer of cells is the plane, but for how surfaces are projected",
+                [(WAY, 0.005), (RATIO, 0.01)].map(|(name, bound)| {
+                    Gate::at_most(
+                        format!("{slab}: {name} against the plane"),
+                        (value(slab, name) / value(plane, name) - 1.0).abs(),
+                        bound,
+                        "one layer of cells is the plane, but for how surfaces are projected",
+                    )
                 })
             })
             .collect();

@@ -11,13 +11,12 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
-    Body, Dimension, Mesh, PlaneCondition, Scene, Shape, StressScheme, TransferKind,
-};
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme, TransferKind};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, advance, l2, ratio};
-use super::{NO_RESULTS, elastic, error_gate, table};
+use super::judging::{error_gate, table};
+use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
@@ -83,15 +82,8 @@ impl Rotation {
         [MIDDLE + cos * a - sin * b, MIDDLE + sin * a + cos * b, x[2]]
     }
 
-    fn rungs_of(cells: &[u32]) -> Vec<Rung> {
-        cells
-            .iter()
-            .map(|&n| Rung {
-                label: format!("side/h={n}"),
-                cell: 2.0 * HALF / f64::from(n),
-                variant: VARIANT,
-            })
-            .collect()
+    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(VARIANT, "side/h", 2.0 * HALF, counts)
     }
 }
 
@@ -138,16 +130,10 @@ impl Study for Rotation {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: DISPLACEMENT,
-            },
-            Measure {
-                word: "velocity",
-                quantity: VELOCITY,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", DISPLACEMENT),
+            Measure::new("velocity", VELOCITY),
         ]
     }
 
@@ -173,18 +159,14 @@ impl Study for Rotation {
         scene.time_step = settings.equal_steps(scene.time, h, Self::fastest()).0;
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
-        scene.bodies = vec![Body {
-            name: "block".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [MIDDLE - HALF, MIDDLE - HALF, 0.0],
-                p2: [MIDDLE + HALF, MIDDLE + HALF, 0.0],
-            },
-            particles_per_cell: [2, 2, 1],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body(
+            "block",
+            1,
+            cuboid(
+                [MIDDLE - HALF, MIDDLE - HALF, 0.0],
+                [MIDDLE + HALF, MIDDLE + HALF, 0.0],
+            ),
+        )];
         settings.apply(&mut scene);
         scene
     }
@@ -199,7 +181,7 @@ impl Study for Rotation {
                     [Self::spin(), 0.0, 0.0],
                     [0.0; 3],
                 ],
-                ..super::AT_REST
+                ..AT_REST
             })),
             ..options
         }

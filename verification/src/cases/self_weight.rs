@@ -9,14 +9,14 @@
 //! Linear functions need not come to rest at all. `proctor verify self-weight`.
 
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, PlaneCondition, Scene, Shape,
-    Weighting,
+    Damping, Dimension, DomainUpdate, Law, Mesh, PlaneCondition, Scene, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, errors};
+use super::judging::{error_gate, order_gate, table};
 use super::statics::{most_steps, relax};
-use super::{FIELDS, NO_RESULTS, error_gate, order_gate, table};
+use super::{FIELDS, NO_RESULTS, body, cuboid, material};
 use crate::case::{Case, Curve, CurvePoint, Found, Rung, Size, Solved, Verdict};
 use crate::exact::self_weight::{Law as ExactLaw, SelfWeightColumn};
 use crate::settings::{Method, Settings};
@@ -65,15 +65,8 @@ impl SelfWeight {
         }
     }
 
-    fn rungs_of(cells: &[u32]) -> Vec<Rung> {
-        cells
-            .iter()
-            .map(|&n| Rung {
-                label: format!("H/h={n}"),
-                cell: HEIGHT / f64::from(n),
-                variant: VARIANT,
-            })
-            .collect()
+    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(VARIANT, "H/h", HEIGHT, counts)
     }
 
     /// Vertical stress over the initial height.
@@ -146,8 +139,8 @@ impl Study for SelfWeight {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        FIELDS
+    fn measures(&self) -> Vec<Measure> {
+        FIELDS.to_vec()
     }
 
     fn refined_axes(&self) -> usize {
@@ -173,24 +166,12 @@ impl Study for SelfWeight {
         scene.damping = Damping::Kinetic;
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;
-        scene.materials = vec![Material {
-            name: "neo-Hookean".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: LAW,
-        }];
-        scene.bodies = vec![Body {
-            name: "column".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [WIDTH as f64 * h, HEIGHT, 0.0],
-            },
-            particles_per_cell: [2, 2, 1],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.materials = material("neo-Hookean", DENSITY, LAW);
+        scene.bodies = vec![body(
+            "column",
+            1,
+            cuboid([0.0; 3], [WIDTH as f64 * h, HEIGHT, 0.0]),
+        )];
         settings.apply(&mut scene);
         scene
     }

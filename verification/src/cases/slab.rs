@@ -41,7 +41,7 @@ impl<T: AsSlab> Study for T {
         Rung::ladders(&[self.studied(size)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
+    fn measures(&self) -> Vec<Measure> {
         self.in_plane().measures()
     }
 
@@ -112,12 +112,8 @@ pub(super) fn rungs(cells: &[f64]) -> Vec<Rung> {
     let both = cells
         .iter()
         .flat_map(|&cell| VARIANTS.map(|variant| (cell, variant)));
-    both.map(|(cell, variant)| Rung {
-        label: format!("{variant} h={cell}"),
-        cell,
-        variant,
-    })
-    .collect()
+    both.map(|(cell, variant)| Rung::new(variant, cell))
+        .collect()
 }
 
 /// The slab of a scene, as thick as its cells are wide; forces are those per metre times the thickness.

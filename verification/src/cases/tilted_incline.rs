@@ -23,15 +23,18 @@ mod frame;
 use std::sync::Arc;
 
 use proctor_kernel::scene::{
-    Body, Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
+    Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use proctor_kernel::surface::{Surface, parse};
 
 use super::dynamics::run;
-use super::incline::{COURANT, Track, dot, fitted_slope, follow_along, sliding_curve};
-use super::{AT_REST, NO_RESULTS, elastic};
-use crate::case::{Case, Found, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::incline::{
+    ACCELERATION, COURANT, CREEP, Track, WAY, acceleration, dot, follow_along, sliding_curve, stuck,
+};
+use super::judging::{error_at_most, run_of};
+use super::{AT_REST, NO_RESULTS, body, elastic};
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
@@ -68,12 +71,6 @@ const CLOSE_DAMPING: f64 = 0.1;
 /// Friction of the study, and of the block that is pulled from rest for the record.
 const STUDIED: f64 = 0.5;
 
-/// Name of the displacement among the quantities.
-const WAY: &str = "displacement at 2 s";
-/// Name of the fitted acceleration.
-const ACCELERATION: &str = "acceleration";
-/// Name of the creep.
-const CREEP: &str = "creep velocity over free velocity";
 /// Name of the deepest penetration.
 const DEPTH: &str = "deepest penetration over cell";
 
@@ -274,23 +271,9 @@ impl TiltedIncline {
     fn quantities(track: &Track, deepest: f64, problem: &Problem) -> Vec<Quantity> {
         let exact = Self::exact(problem);
         let end = track.way.last().map_or(f64::NAN, |w| w[0]);
-        let compared = |name, value: f64, exact: f64, error: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some(error),
-            unit,
-        };
-        let mut all = vec![compared(DEPTH, deepest, 0.0, deepest, "1")];
+        let mut all = vec![Quantity::of_zero(DEPTH, deepest)];
         if problem.kind == Kind::Stick {
-            let free = Slope {
-                friction: 0.0,
-                ..exact
-            };
-            let creep = track.mean_velocity_from(0.5) / (free.acceleration() * TIME);
-            let way = track.end() / free.displacement(TIME);
-            all.push(compared(CREEP, creep, 0.0, creep.abs(), "1"));
-            all.push(compared(WAY, track.end(), 0.0, way.abs(), "m"));
+            all.extend(stuck(track, track.end(), &exact, TIME));
         } else {
             // A block that is pulled from rest is compared with the elastic one.
             let way = if problem.kind == Kind::Pulled {
@@ -298,23 +281,8 @@ impl TiltedIncline {
             } else {
                 exact.displacement(end)
             };
-            let a = fitted_slope(&track.velocity);
-            let a_exact = exact.acceleration();
-            let error = |value: f64, exact: f64| (value / exact - 1.0).abs();
-            all.push(compared(
-                WAY,
-                track.end(),
-                way,
-                error(track.end(), way),
-                "m",
-            ));
-            all.push(compared(
-                ACCELERATION,
-                a,
-                a_exact,
-                error(a, a_exact),
-                "m/s²",
-            ));
+            all.push(Quantity::compared(WAY, track.end(), way, "m"));
+            all.push(acceleration(track, &exact));
         }
         all
     }
@@ -339,16 +307,9 @@ impl Case for TiltedIncline {
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
         for (rung, problem) in Self::ladder(size) {
-            let found = solved.iter().find(|(other, _)| *other == rung);
-            let error = |name: &str| found.map_or(f64::NAN, |(_, s)| s.error(name));
-            let mut gate = |name: &str, bound, reason| {
-                verdict.gates.push(Gate {
-                    name: format!("{}: {name}", rung.label),
-                    value: error(name),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+            let mut gate = |name, bound, reason| {
+                let gate = error_at_most(solved, &rung.label, name, bound, reason);
+                verdict.gates.push(gate);
             };
             match problem.kind {
                 Kind::Slide => {
@@ -361,7 +322,7 @@ impl Case for TiltedIncline {
                     gate(WAY, STICK_GATE, "it shears, the free block slides 10 m");
                 }
                 Kind::Pulled | Kind::Undamped => {
-                    if let Some((_, s)) = found {
+                    if let Some(s) = run_of(solved, &rung.label) {
                         let rigid = Self::exact(&problem).displacement(TIME);
                         verdict.for_the_record.push(format!(
                             "{}: displacement off by {:+.2} % from a rigid block, acceleration by {:.2} %",
@@ -389,16 +350,10 @@ impl Study for TiltedIncline {
         path.map(|(rung, _)| rung).collect()
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: WAY,
-            },
-            Measure {
-                word: "acceleration",
-                quantity: ACCELERATION,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", WAY),
+            Measure::new("acceleration", ACCELERATION),
         ]
     }
 
@@ -425,15 +380,11 @@ impl Study for TiltedIncline {
         scene.gravity = [0.0, 0.0, -self.pull * GRAVITY];
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, problem.young, POISSON);
-        scene.bodies.push(Body {
-            name: "block".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Particles(Arc::new(frame.seeds(h, settings.particles_per_cell))),
-            particles_per_cell: [2; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        });
+        scene.bodies.push(body(
+            "block",
+            1,
+            Shape::Particles(Arc::new(frame.seeds(h, settings.particles_per_cell))),
+        ));
         // The text is sound by construction; were it not, a scene without the plane fails every gate.
         let plane = parse(frame.stl().as_bytes()).ok();
         scene.surfaces.extend(plane.and_then(|corners| {

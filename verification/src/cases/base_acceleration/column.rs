@@ -2,15 +2,14 @@
 
 use std::f64::consts::PI;
 
-use crate::cases::elastic;
 use proctor_kernel::scene::{
-    BaseMotion, Body, Dimension, History, Mesh, Motion, PlaneCondition, Results, Scene, Shape,
-    TimeStep,
+    BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene, TimeStep,
 };
 use proctor_kernel::simulation::Simulation;
 
 use crate::case::{Curve, CurvePoint};
 use crate::cases::dynamics::{l2, step};
+use crate::cases::{NO_RESULTS, body, cuboid, elastic};
 use crate::convergence::relative_l2;
 use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
 use crate::settings::Settings;
@@ -146,31 +145,14 @@ impl Column {
             dt,
             allow_unstable: self.settings.allow_unstable,
         };
-        scene.results = Results {
-            print: 0,
-            fields: vec![],
-            nodal_fields: vec![],
-            checkpoint: false,
-        };
+        scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
         let mut upper = [WIDTH as f64 * h; 3];
         upper[axis] = HEIGHT;
-        let mut particles_per_cell = [2; 3];
         if self.dimension == Dimension::Two {
-            (upper[2], particles_per_cell[2]) = (0.0, 1);
+            upper[2] = 0.0;
         }
-        scene.bodies = vec![Body {
-            name: "column".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: upper,
-            },
-            particles_per_cell,
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body("column", 1, cuboid([0.0; 3], upper))];
         let rows = (scene.time / INTERVAL).ceil() as usize + 1;
         let times: Vec<f64> = (0..=rows).map(|row| row as f64 * INTERVAL).collect();
         let values = times

@@ -1,13 +1,11 @@
 //! The manual's own check: the particles at the base of its shaken block follow the record.
 
 use proctor_kernel::scene::record::{Harmonic, accelerogram};
-use proctor_kernel::scene::{
-    BaseMotion, Body, Dimension, Law, Material, Mesh, Motion, ObjectiveRate, Results, Scene, Shape,
-    TimeStep,
-};
+use proctor_kernel::scene::{BaseMotion, Dimension, Mesh, Motion, Scene, TimeStep};
 use proctor_kernel::simulation::Simulation;
 
 use crate::cases::dynamics::step;
+use crate::cases::{NO_RESULTS, body, cuboid, elastic_law, material};
 use crate::exact::base_column::SineRecord;
 use crate::study::{Failure, Observer, Phase};
 
@@ -65,35 +63,14 @@ impl Block {
             dt: self.dt,
             allow_unstable: false,
         };
-        scene.results = Results {
-            print: 0,
-            fields: vec![],
-            nodal_fields: vec![],
-            checkpoint: false,
-        };
-        scene.materials = vec![Material {
-            name: "elastic_1".to_owned(),
-            id: 1,
-            density: 2500.0,
-            law: Law::LinearElastic {
-                young: self.young,
-                poisson: 0.25,
-                rate: ObjectiveRate::HughesWinget,
-            },
-        }];
+        scene.results = NO_RESULTS;
+        scene.materials = material("elastic_1", 2500.0, elastic_law(self.young, 0.25));
         let far = self.corner + WIDTH;
-        scene.bodies = vec![Body {
-            name: "columns_1".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [self.corner, self.corner, 0.0],
-                p2: [far, far, self.height],
-            },
-            particles_per_cell: [2; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body(
+            "columns_1",
+            1,
+            cuboid([self.corner, self.corner, 0.0], [far, far, self.height]),
+        )];
         let motion = Motion::Acceleration(accelerogram(&record));
         scene.base_motion = Some(BaseMotion {
             axis: 2,

@@ -17,17 +17,8 @@ impl Study for HertzSphere {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "pressure",
-                quantity: L2,
-            },
-            Measure {
-                word: "peak",
-                quantity: PEAK,
-            },
-        ]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("pressure", L2), Measure::new("peak", PEAK)]
     }
 
     fn tries(&self, size: Size, method: Method) -> bool {
@@ -72,27 +63,14 @@ impl Study for HertzSphere {
         let from_axis = |x: &Vector| libm::hypot(x[0], x[1]);
         let found = Pressures::averaged(simulation, AVERAGED[0], FINE, from_axis, observer)?;
         let exact = self.exact();
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
         let distance = found.distance(|r| exact.pressure(r));
         // Of the Hertz pressure with the same second moment, sqrt(5/2 m_2/m_0).
         let radius = (2.5 * found.moment(2) / found.moment(0)).sqrt();
         let quantities = vec![
-            of(FORCE, 4.0 * found.force[2], exact.load, "N"),
-            of(PEAK, peak(&found, &exact), exact.peak(), "Pa"),
-            of(WIDTH, radius, exact.contact_radius(), "m"),
-            Quantity {
-                name: L2,
-                value: distance,
-                exact: Some(0.0),
-                error: Some(distance),
-                unit: "1",
-            },
+            Quantity::compared(FORCE, 4.0 * found.force[2], exact.load, "N"),
+            Quantity::compared(PEAK, peak(&found, &exact), exact.peak(), "Pa"),
+            Quantity::compared(WIDTH, radius, exact.contact_radius(), "m"),
+            Quantity::of_zero(L2, distance),
         ];
         let mut points: Vec<CurvePoint> = found
             .vertices

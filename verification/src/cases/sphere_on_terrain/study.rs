@@ -13,7 +13,7 @@ use super::{
 };
 use crate::case::{Found, Rung, Size};
 use crate::cases::dynamics::run;
-use crate::cases::{NO_RESULTS, elastic};
+use crate::cases::{NO_RESULTS, body, elastic};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study, few};
 
@@ -35,11 +35,8 @@ impl Study for SphereOnTerrain {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[Measure {
-            word: "energy",
-            quantity: KEPT,
-        }]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("energy", KEPT)]
     }
 
     fn tries(&self, size: Size, method: Method) -> bool {
@@ -83,17 +80,13 @@ impl Study for SphereOnTerrain {
         };
         scene.results = NO_RESULTS;
         scene.materials = elastic(MATERIAL[0], MATERIAL[1], MATERIAL[2]);
+        let sphere = Shape::Sphere {
+            center: CENTER,
+            radius: RADIUS,
+        };
         scene.bodies.push(Body {
-            name: "sphere".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Sphere {
-                center: CENTER,
-                radius: RADIUS,
-            },
-            particles_per_cell: [2; 3],
             velocity: VELOCITY.map(|v| factor * v),
-            motion: None,
+            ..body("sphere", 1, sphere)
         });
         // The file is part of the program; were it not sound, a scene without a terrain fails the gates.
         let corners = parse(TERRAIN).ok();
