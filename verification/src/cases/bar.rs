@@ -14,10 +14,10 @@ use std::sync::Arc;
 use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
-use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
+use super::dynamics::{DISPLACEMENT, STRESS, advance, along, errors};
 use super::judging::{error_gate, order_gate, table};
 use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, elastic};
-use crate::case::{Case, Curve, CurvePoint, Found, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Curve, Found, Rung, Size, Solved, Verdict};
 use crate::exact::bar::{Bar as Exact, FarEnd};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
@@ -83,17 +83,9 @@ impl Bar {
     fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
         let (set, t) = (&simulation.sets()[0], simulation.time());
         let scale = YOUNG * SPEED;
-        let mut points: Vec<CurvePoint> = (0..set.len())
-            .map(|p| {
-                let x = simulation.initial_position(0, p)?[0];
-                Some(CurvePoint {
-                    at: x,
-                    computed: set.stress(p)[0] / scale,
-                    exact: exact.stress(x, t) / scale,
-                })
-            })
-            .collect::<Option<_>>()?;
-        CurvePoint::one_per_place(&mut points, 1e-6 * rung.cell);
+        let points = along(simulation, 0, |p, x| {
+            [set.stress(p)[0] / scale, exact.stress(x, t) / scale]
+        })?;
         Some(Curve {
             title: format!("stress along the bar at {t:.2} s, {}", rung.label),
             abscissa: "x (m)",

@@ -29,7 +29,7 @@ use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, 
 use super::dynamics::{at_intervals, ratio};
 use super::judging::{error_at_most, table, value_of};
 use super::mortar::{PAPER, boundary, settings, without_pic};
-use super::{NO_RESULTS, body, cuboid, material, open_plane};
+use super::{NO_RESULTS, body, cuboid, material, open_plane, reference};
 use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
@@ -117,14 +117,9 @@ impl Cantilever {
     /// The reference of a variant; that of the case as it is meant is computed once.
     fn reference(self, variant: &str) -> Result<&'static Reference, String> {
         static GIVEN: [OnceLock<Result<Reference, String>>; 2] = [OnceLock::new(), OnceLock::new()];
-        let gravity = Self::gravity(variant);
-        let compute = || Reference::new(gravity * self.reference_gravity);
-        let known = if self == Self::GIVEN {
-            GIVEN[usize::from(!Self::small(variant))].get_or_init(compute)
-        } else {
-            Box::leak(Box::new(compute()))
-        };
-        known.as_ref().map_err(Clone::clone)
+        let given = &GIVEN[usize::from(!Self::small(variant))];
+        let gravity = Self::gravity(variant) * self.reference_gravity;
+        reference(given, self == Self::GIVEN, || Reference::new(gravity))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use proctor_kernel::simulation::{Simulation, StepInfo};
 
-use crate::case::Quantity;
+use crate::case::{CurvePoint, Quantity};
 use crate::convergence::relative_l2;
 use crate::study::{Failure, Observer, Phase, STOPPED};
 
@@ -113,6 +113,29 @@ pub fn l2<const N: usize>(
         })
         .collect::<Option<_>>()?;
     relative_l2(samples)
+}
+
+/// Points of a picture along one axis, one of each layer of particles: `field` gives computed and exact values of a particle
+/// of the first body by its number and its initial place (m).
+pub fn along(
+    simulation: &Simulation,
+    axis: usize,
+    field: impl Fn(usize, f64) -> [f64; 2],
+) -> Option<Vec<CurvePoint>> {
+    let point = |p| {
+        let at = simulation.initial_position(0, p)?[axis];
+        let [computed, exact] = field(p, at);
+        Some(CurvePoint {
+            at,
+            computed,
+            exact,
+        })
+    };
+    let points = (0..simulation.sets()[0].len()).map(point);
+    let mut points: Vec<_> = points.collect::<Option<_>>()?;
+    let cell = simulation.scene().mesh.cell[axis];
+    CurvePoint::one_per_place(&mut points, 1e-6 * cell);
+    Some(points)
 }
 
 /// Errors of displacement (m) and Cauchy stress (Pa: xx, yy, zz, yz, xz, xy) against exact functions of the

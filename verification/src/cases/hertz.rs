@@ -131,51 +131,41 @@ impl Case for Hertz {
     with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let gate = |label, name, bound, reason| error_at_most(solved, label, name, bound, reason);
-        let gates = match size {
-            Size::Quick => vec![
-                gate(
-                    "hertz h=0.2",
-                    FORCE,
-                    0.015,
-                    "the load must arrive; half settled at 13 s",
-                ),
-                gate("hertz h=0.2", WIDTH, 0.04, "3.4 cells over the half-width"),
-                gate(
-                    "hertz h=0.2",
-                    L2_HERTZ,
-                    0.1,
-                    "a layer 6 % off on a mesh twice as coarse as judged in full",
-                ),
-            ],
-            Size::Full => vec![
-                gate("hertz h=0.1", FORCE, 0.01, "the load must arrive"),
-                gate(
-                    "hertz h=0.1",
-                    PEAK,
-                    0.02,
-                    "the method's reference figures: 0.2 %",
-                ),
-                gate(
-                    "hertz h=0.1",
-                    WIDTH,
-                    0.02,
-                    "the method's reference figures: 0.7 %",
-                ),
-                gate(
-                    "hertz h=0.1",
-                    L2_HERTZ,
-                    0.05,
-                    "the method's reference figures: 3.3 %",
-                ),
-                gate(
-                    "paper h=0.1",
-                    L2_LAYER,
-                    0.05,
-                    "the method's reference figures: 3.1 %",
-                ),
-            ],
+        let gates: &[(&str, &str, f64, &'static str)] = match size {
+            Size::Quick => {
+                let label = "hertz h=0.2";
+                let load = "the load must arrive; half settled at 13 s";
+                let coarse = "a layer 6 % off on a mesh twice as coarse as judged in full";
+                &[
+                    (label, FORCE, 0.015, load),
+                    (label, WIDTH, 0.04, "3.4 cells over the half-width"),
+                    (label, L2_HERTZ, 0.1, coarse),
+                ]
+            }
+            Size::Full => {
+                let label = "hertz h=0.1";
+                &[
+                    (label, FORCE, 0.01, "the load must arrive"),
+                    (label, PEAK, 0.02, "the method's reference figures: 0.2 %"),
+                    (label, WIDTH, 0.02, "the method's reference figures: 0.7 %"),
+                    (
+                        label,
+                        L2_HERTZ,
+                        0.05,
+                        "the method's reference figures: 3.3 %",
+                    ),
+                    (
+                        "paper h=0.1",
+                        L2_LAYER,
+                        0.05,
+                        "the method's reference figures: 3.1 %",
+                    ),
+                ]
+            }
         };
+        let gates = gates
+            .iter()
+            .map(|&(label, name, bound, reason)| error_at_most(solved, label, name, bound, reason));
         Verdict {
             tables: ["hertz", "paper"]
                 .into_iter()
@@ -185,7 +175,7 @@ impl Case for Hertz {
                     (v.to_owned(), table(solved, v, &names))
                 })
                 .collect(),
-            gates,
+            gates: gates.collect(),
             for_the_record: solved
                 .iter()
                 .map(|(rung, s)| {

@@ -20,6 +20,11 @@ const SAME: &str = "one layer of cells is the plane, but for how surfaces are pr
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzSlab;
 
+impl HertzSlab {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self;
+}
+
 impl Case for HertzSlab {
     fn name(&self) -> &'static str {
         "hertz-slab"

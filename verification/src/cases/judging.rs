@@ -83,9 +83,7 @@ pub fn table(solved: &[(Rung, Solved)], variant: &str, names: &[&'static str]) -
 }
 
 /// A gate of a variant, which its name says first.
-pub fn of_variant(variant: &str, gate: Gate) -> Gate {
-    Gate {
-        name: format!("{variant}: {}", gate.name),
-        ..gate
-    }
+pub fn of_variant(variant: &str, mut gate: Gate) -> Gate {
+    gate.name = format!("{variant}: {}", gate.name);
+    gate
 }

@@ -20,6 +20,11 @@ const VARIANTS: [[&str; 3]; 2] = [
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDiskSlab;
 
+impl RollingDiskSlab {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self;
+}
+
 impl Case for RollingDiskSlab {
     fn name(&self) -> &'static str {
         "rolling-disk-slab"

@@ -13,11 +13,11 @@ use proctor_kernel::scene::{
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::dynamics::{DISPLACEMENT, STRESS, errors};
+use super::dynamics::{DISPLACEMENT, STRESS, along, errors};
 use super::judging::{error_gate, order_gate, table};
 use super::statics::{most_steps, relax};
 use super::{FIELDS, NO_RESULTS, body, cuboid, material};
-use crate::case::{Case, Curve, CurvePoint, Found, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Curve, Found, Rung, Size, Solved, Verdict};
 use crate::exact::self_weight::{Law as ExactLaw, SelfWeightColumn};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
@@ -72,17 +72,9 @@ impl SelfWeight {
     /// Vertical stress over the initial height.
     fn curve(simulation: &Simulation, exact: &SelfWeightColumn, rung: &Rung) -> Option<Curve> {
         let set = &simulation.sets()[0];
-        let mut points: Vec<CurvePoint> = (0..set.len())
-            .map(|p| {
-                let y = simulation.initial_position(0, p)?[1];
-                Some(CurvePoint {
-                    at: y,
-                    computed: set.stress(p)[1] / 1e3,
-                    exact: exact.vertical_stress(y) / 1e3,
-                })
-            })
-            .collect::<Option<_>>()?;
-        CurvePoint::one_per_place(&mut points, 1e-6 * rung.cell);
+        let points = along(simulation, 1, |p, y| {
+            [set.stress(p)[1] / 1e3, exact.vertical_stress(y) / 1e3]
+        })?;
         Some(Curve {
             title: format!("vertical stress over the column, {}", rung.label),
             abscissa: "initial height (m)",
