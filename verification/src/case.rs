@@ -6,9 +6,10 @@
 use std::fmt;
 
 use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 
 use crate::convergence::ConvergenceTable;
+use crate::study::Study;
 
 /// How much of the ladder is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,18 +32,33 @@ pub struct Rung {
 }
 
 impl Rung {
+    /// The rungs of a variant with so many cells over a length \[m\], which labels call `word`.
+    #[must_use]
+    pub fn counted(variant: &'static str, word: &str, length: f64, counts: &[u32]) -> Vec<Self> {
+        let of = |&count: &u32| Self {
+            label: format!("{word}={count}"),
+            cell: length / f64::from(count),
+            variant,
+        };
+        counts.iter().map(of).collect()
+    }
+
+    /// A cell size \[m\] of a variant.
+    #[must_use]
+    pub fn new(variant: &'static str, cell: f64) -> Self {
+        Self {
+            label: format!("{variant} h={cell}"),
+            cell,
+            variant,
+        }
+    }
+
     /// The rungs of several ladders, each a variant with its cell sizes \[m\].
     #[must_use]
     pub fn ladders(ladders: &[(&'static str, &[f64])]) -> Vec<Self> {
         ladders
             .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Self {
-                    label: format!("{variant} h={cell}"),
-                    cell,
-                    variant,
-                })
-            })
+            .flat_map(|&(variant, cells)| cells.iter().map(move |&cell| Self::new(variant, cell)))
             .collect()
     }
 }
@@ -64,6 +80,51 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// A number with its exact value, which is not zero.
+    #[must_use]
+    pub fn compared(name: &'static str, value: f64, exact: f64, unit: &'static str) -> Self {
+        Self {
+            name,
+            value,
+            exact: Some(exact),
+            error: Some((value / exact - 1.0).abs()),
+            unit,
+        }
+    }
+
+    /// A ratio that should be zero and so is its own error.
+    #[must_use]
+    pub fn of_zero(name: &'static str, value: f64) -> Self {
+        Self {
+            name,
+            value,
+            exact: Some(0.0),
+            error: Some(value.abs()),
+            unit: "1",
+        }
+    }
+
+    /// A number that should be zero and has no scale to be relative to.
+    #[must_use]
+    pub fn balance(name: &'static str, value: f64, unit: &'static str) -> Self {
+        Self {
+            exact: Some(0.0),
+            ..Self::figure(name, value, unit)
+        }
+    }
+
+    /// A number of which nothing exact is known.
+    #[must_use]
+    pub fn figure(name: &'static str, value: f64, unit: &'static str) -> Self {
+        Self {
+            name,
+            value,
+            exact: None,
+            error: None,
+            unit,
+        }
+    }
+
     /// Whether it should be zero and has no scale to be relative to.
     #[must_use]
     pub fn is_balance(&self) -> bool {
@@ -123,6 +184,29 @@ pub struct Drawing {
     pub lines: Vec<Vec<[f64; 2]>>,
 }
 
+/// What a comparison with the exact solution found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Numbers, each named once.
+    pub quantities: Vec<Quantity>,
+    /// Pictures of the bodies, where the case has them.
+    pub drawings: Vec<Drawing>,
+    /// Picture, where the case has one.
+    pub curve: Option<Curve>,
+}
+
+impl Found {
+    /// Numbers, and the picture of them where there is one.
+    #[must_use]
+    pub fn new(quantities: Vec<Quantity>, curve: Option<Curve>) -> Self {
+        Self {
+            quantities,
+            drawings: vec![],
+            curve,
+        }
+    }
+}
+
 /// What a run of one rung gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
@@ -141,6 +225,19 @@ pub struct Solved {
 }
 
 impl Solved {
+    /// What was found of a simulation that has run.
+    #[must_use]
+    pub fn new(found: Found, simulation: &Simulation) -> Self {
+        Self {
+            particles: simulation.particles(),
+            steps: simulation.steps(),
+            time: simulation.time(),
+            quantities: found.quantities,
+            drawings: found.drawings,
+            curve: found.curve,
+        }
+    }
+
     /// The quantity of that name.
     #[must_use]
     pub fn quantity(&self, name: &str) -> Option<&Quantity> {
@@ -198,6 +295,27 @@ pub struct Gate {
 }
 
 impl Gate {
+    /// An upper bound.
+    #[must_use]
+    pub fn at_most(name: String, value: f64, bound: f64, reason: &'static str) -> Self {
+        Self {
+            name,
+            value,
+            relation: Relation::AtMost,
+            bound,
+            reason,
+        }
+    }
+
+    /// A lower bound.
+    #[must_use]
+    pub fn at_least(name: String, value: f64, bound: f64, reason: &'static str) -> Self {
+        Self {
+            relation: Relation::AtLeast,
+            ..Self::at_most(name, value, bound, reason)
+        }
+    }
+
     /// Whether the value keeps the bound; NaN does not.
     #[must_use]
     pub fn passed(&self) -> bool {
@@ -240,6 +358,18 @@ pub struct CaseError {
     pub reason: String,
 }
 
+impl CaseError {
+    /// Why a rung of the case of that name could not be solved.
+    #[must_use]
+    pub fn new(case: &'static str, rung: &Rung, reason: &dyn fmt::Display) -> Self {
+        Self {
+            case,
+            rung: rung.label.clone(),
+            reason: reason.to_string(),
+        }
+    }
+}
+
 impl fmt::Display for CaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}, {}: {}", self.case, self.rung, self.reason)
@@ -261,6 +391,12 @@ pub trait Case: Sync {
 
     /// The scene of a rung. [`Case::solve`] runs this scene and no other.
     fn scene(&self, rung: &Rung) -> Scene;
+
+    /// What of the case can be solved with any settings, most often the case itself.
+    ///
+    /// # Errors
+    /// The reason why nothing of it can.
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str>;
 
     /// Computes what the exact solution of a rung needs and keeps it, so that the time of no run holds it. What fails here
     /// fails again in [`Case::solve`], and is reported there.

@@ -1,9 +1,14 @@
 //! What a case must offer to be studied with settings other than its own: error against run time.
+//!
+//! A case says what it needs ([`Study::scene_with`], [`Study::options`]) and what it does ([`Study::run`]); what comes before
+//! and after is the same for all and stands here, in [`Study::solve_with`].
 
 use proctor_kernel::scene::{Scene, StressScheme, TransferKind, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
-use crate::case::{Case, CaseError, Rung, Size, Solved};
+use std::error::Error;
+
+use crate::case::{self, Case, CaseError, Found, Rung, Size, Solved};
 use crate::settings::{Method, Settings};
 
 /// What a run is doing; run time means [`Phase::Stepping`].
@@ -50,6 +55,14 @@ pub struct Measure {
     pub quantity: &'static str,
 }
 
+impl Measure {
+    /// The error of a quantity, by one word.
+    #[must_use]
+    pub const fn new(word: &'static str, quantity: &'static str) -> Self {
+        Self { word, quantity }
+    }
+}
+
 /// What a run with chosen settings gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Studied {
@@ -62,17 +75,20 @@ pub struct Studied {
 }
 
 impl Studied {
-    /// With the time steps that the simulation took.
+    /// What was found of a simulation that has run, with the time steps that it took.
     #[must_use]
-    pub fn new(solved: Solved, simulation: &Simulation) -> Self {
+    pub fn new(found: Found, simulation: &Simulation) -> Self {
         let (_, dt, dt_critical) = simulation.time_steps();
         Self {
-            solved,
+            solved: Solved::new(found, simulation),
             dt,
             dt_critical,
         }
     }
 }
+
+/// Why a run has no answer, in words; [`CaseError`] says of which case and rung.
+pub type Failure = Box<dyn Error>;
 
 /// A case whose problem can be solved with any settings.
 pub trait Study: Case {
@@ -80,7 +96,7 @@ pub trait Study: Case {
     fn path(&self, size: Size) -> Vec<Rung>;
 
     /// Errors that are studied: displacement (or velocity) first.
-    fn measures(&self) -> &'static [Measure];
+    fn measures(&self) -> Vec<Measure>;
 
     /// Whether a study of a size tries a method. Where runs take long, the short study keeps to a few ([`few`]).
     fn tries(&self, _size: Size, _method: Method) -> bool {
@@ -96,18 +112,54 @@ pub trait Study: Case {
     /// The scene of a rung with settings.
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene;
 
-    /// Runs [`Study::scene_with`] and compares it with the exact solution.
+    /// The same where it takes something that might not be sound, such as a surface, or why there is none.
     ///
     /// # Errors
-    /// [`CaseError`] if the scene is refused, a step fails, a static answer is not reached, or the observer stops
-    /// the run.
+    /// What is not sound.
+    fn try_scene_with(&self, rung: &Rung, settings: &Settings) -> Result<Scene, Failure> {
+        Ok(self.scene_with(rung, settings))
+    }
+
+    /// What a run asks of the simulation beyond threads and lanes: displacements, measurements, an initial state.
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        options
+    }
+
+    /// Runs a simulation of [`Study::scene_with`] to its end and compares it with the exact solution.
+    ///
+    /// # Errors
+    /// A step that fails, a static answer that is not reached, a reference that there is not, an observer that stops the
+    /// run.
+    fn run(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure>;
+
+    /// Sets up [`Study::scene_with`] and does [`Study::run`].
+    ///
+    /// # Errors
+    /// [`CaseError`] if the scene is refused, or for what [`Study::run`] says.
     fn solve_with(
         &self,
         rung: &Rung,
         settings: &Settings,
         options: &Options,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError>;
+    ) -> Result<Studied, CaseError> {
+        observer.phase(Phase::SetUp);
+        let mut solve = || {
+            let scene = self.try_scene_with(rung, settings)?;
+            scene.check()?;
+            let options = self.options(rung, options.clone());
+            let mut simulation = Simulation::new(&scene, &options)?;
+            let found = self.run(rung, settings, &mut simulation, observer)?;
+            Ok(Studied::new(found, &simulation))
+        };
+        solve().map_err(|reason: Failure| CaseError::new(self.name(), rung, &reason))
+    }
 }
 
 /// For [`Study::tries`] where runs take long: the full study tries every method, the short one the default and MUSL
@@ -128,14 +180,9 @@ pub fn few(size: Size, method: Method) -> bool {
         .contains(&method)
 }
 
-/// Cases without a study, each with the reason.
+/// All studies, in the order in which their cases are shown.
 #[must_use]
-pub fn without() -> &'static [(&'static dyn Case, &'static str)] {
-    crate::cases::WITHOUT_STUDY
-}
-
-/// All studies, in the order in which they are shown.
-#[must_use]
-pub fn all() -> &'static [&'static dyn Study] {
-    crate::cases::STUDIES
+pub fn all() -> Vec<&'static dyn Study> {
+    let studies = case::all().iter().filter_map(|case| case.studies().ok());
+    studies.flatten().collect()
 }

@@ -7,6 +7,7 @@ use proctor_verification::case::{
 };
 use proctor_verification::cases::Bar;
 use proctor_verification::sensitivity::reactions;
+use proctor_verification::study::Study;
 
 /// A case that is judged by gates of the test's own.
 struct Made(fn(&[(Rung, Solved)]) -> Vec<Gate>);
@@ -26,6 +27,10 @@ impl Case for Made {
 
     fn scene(&self, rung: &Rung) -> Scene {
         Bar::GIVEN.scene(rung)
+    }
+
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Err("made up: there is nothing to solve")
     }
 
     fn solve(

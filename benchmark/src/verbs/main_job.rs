@@ -116,7 +116,7 @@ fn precision(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Resu
         size: Size::Quick,
         repetitions: 1,
     };
-    for &study in study::all() {
+    for study in study::all() {
         if stop.raised() {
             break;
         }

@@ -58,7 +58,7 @@ pub struct Precision {
 
 impl Precision {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let studies = names::chosen(&self.cases, study::all(), "case", Case::name)?;
+        let studies = names::chosen(&self.cases, &study::all(), "case", Case::name)?;
         let mut options = self.settings.options();
         // Small runs gain nothing from threads, and their times would say more about waiting than about work.
         let threads = *options.threads.get_or_insert(1);

@@ -12,17 +12,16 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
-    Body, Dimension, DomainUpdate, Law, Material, Mesh, Scene, Shape, Weighting,
-};
+use proctor_kernel::scene::{Dimension, DomainUpdate, Law, Mesh, Scene, Weighting};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
-use super::{FIELDS, NO_RESULTS, error_gate, failed, order_gate, table};
-use crate::case::{Case, CaseError, Rung, Size, Solved, Verdict};
+use super::judging::{error_gate, of_variant, order_gate, table};
+use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, material};
+use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::exact::axis_aligned_mms::{AxisAlignedMms, Law as ExactLaw};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Side of the square or cube \[m\].
 const SIDE: f64 = 1.0;
@@ -157,12 +156,8 @@ impl AxisAligned {
         ((LAW.lambda() + 2.0 * LAW.shear()) / DENSITY).sqrt()
     }
 
-    fn rung(variant: &'static str, cells: u32) -> Rung {
-        Rung {
-            label: format!("{variant} L/h={cells}"),
-            cell: SIDE / f64::from(cells),
-            variant,
-        }
+    fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(variant, &format!("{variant} L/h"), SIDE, counts)
     }
 
     fn is_plane(&self) -> bool {
@@ -198,7 +193,7 @@ impl Case for AxisAligned {
         };
         ladders
             .iter()
-            .flat_map(|&(variant, cells)| cells.iter().map(move |&n| Self::rung(variant, n)))
+            .flat_map(|&(variant, counts)| Self::rungs_of(variant, counts))
             .collect()
     }
 
@@ -234,14 +229,14 @@ impl Case for AxisAligned {
             // 1.9e-3 at 32 cells in one dimension, where every particle feels one phase.
             let bound = 4e-3 * (32.0 * finest.cell / SIDE).powi(2);
             let error = "twice what cpGIMP has in one dimension at 32 cells, and order 2 elsewhere";
-            for mut gate in [
+            let gates = [
                 error_gate(&rungs, solved, DISPLACEMENT, bound, error),
                 order_gate(&table, DISPLACEMENT, displacement, reason),
                 order_gate(&table, STRESS, stress, reason),
-            ] {
-                gate.name = format!("{variant}: {}", gate.name);
-                verdict.gates.push(gate);
-            }
+            ];
+            verdict
+                .gates
+                .extend(gates.map(|gate| of_variant(variant, gate)));
             let title = format!("{}, {title}, USL, FLIP, dt like h²", self.name());
             verdict.tables.push((title, table));
         }
@@ -257,11 +252,11 @@ impl Study for AxisAligned {
             (Dimension::Three, Size::Quick) => &[4, 8, 16],
             (Dimension::Three, Size::Full) => &[4, 8, 16, 32],
         };
-        cells.iter().map(|&n| Self::rung("large", n)).collect()
+        Self::rungs_of("large", cells)
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        FIELDS
+    fn measures(&self) -> Vec<Measure> {
+        FIELDS.to_vec()
     }
 
     fn refined_axes(&self) -> usize {
@@ -287,72 +282,50 @@ impl Study for AxisAligned {
         scene.name = String::from(self.name());
         scene.time_step = settings.equal_steps(end, h, Self::wave_speed()).0;
         scene.results = NO_RESULTS;
-        scene.materials = vec![Material {
-            name: "neo-Hookean".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: LAW,
-        }];
-        let mut p2 = [0.0; 3];
-        p2[..axes].fill(SIDE);
-        scene.bodies = vec![Body {
-            name: "body".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid { p1: [0.0; 3], p2 },
-            particles_per_cell: [1; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.materials = material("neo-Hookean", DENSITY, LAW);
+        let mut far = [0.0; 3];
+        far[..axes].fill(SIDE);
+        scene.bodies = vec![body("body", 1, cuboid([0.0; 3], far))];
         settings.apply(&mut scene);
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    fn options(&self, rung: &Rung, options: Options) -> Options {
         let (start, force) = (self.exact(rung, 1.0), self.exact(rung, 1.0));
-        let options = Options {
+        Options {
             displacement: true,
             initial: Some(Arc::new(move |x| InitialState {
                 velocity: start.velocity(*x, 0.0),
                 velocity_gradient: start.velocity_gradient(*x),
-                ..super::AT_REST
+                ..AT_REST
             })),
             body_force: Some(Arc::new(move |x0, _, t| force.body_force(*x0, t))),
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (_, steps) = settings.equal_steps(scene.time, rung.cell, Self::wave_speed());
-        advance(&mut simulation, steps, observer).map_err(|e| failed(self, rung, &e))?;
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let (_, steps) =
+            settings.equal_steps(simulation.scene().time, rung.cell, Self::wave_speed());
+        advance(simulation, steps, observer)?;
         let (exact, t) = (
             self.exact(rung, self.reference_amplitude),
             simulation.time(),
         );
         let quantities = errors(
-            &simulation,
+            simulation,
             |x| exact.displacement(x, t),
             |x| {
                 let [xx, yy, zz] = exact.stress(x, t);
                 [xx, yy, zz, 0.0, 0.0, 0.0]
             },
         );
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        Ok(Found::new(quantities, None))
     }
 }

@@ -11,15 +11,16 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Body, Dimension, Mesh, PlaneCondition, Scene, Shape};
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
-use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
-use super::{FIELDS, NO_RESULTS, elastic, error_gate, failed, order_gate, table};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Rung, Size, Solved, Verdict};
+use super::dynamics::{DISPLACEMENT, STRESS, advance, along, errors};
+use super::judging::{error_gate, order_gate, table};
+use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, elastic};
+use crate::case::{Case, Curve, Found, Rung, Size, Solved, Verdict};
 use crate::exact::bar::{Bar as Exact, FarEnd};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Length \[m\].
 const LENGTH: f64 = 25.0;
@@ -69,15 +70,8 @@ impl Bar {
         }
     }
 
-    fn rungs_of(cells: &[u32]) -> Vec<Rung> {
-        cells
-            .iter()
-            .map(|&n| Rung {
-                label: format!("L/h={n}"),
-                cell: LENGTH / f64::from(n),
-                variant: VARIANT,
-            })
-            .collect()
+    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(VARIANT, "L/h", LENGTH, counts)
     }
 
     /// Time of the comparison \[s\].
@@ -89,17 +83,9 @@ impl Bar {
     fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
         let (set, t) = (&simulation.sets()[0], simulation.time());
         let scale = YOUNG * SPEED;
-        let mut points: Vec<CurvePoint> = (0..set.len())
-            .map(|p| {
-                let x = simulation.initial_position(0, p)?[0];
-                Some(CurvePoint {
-                    at: x,
-                    computed: set.stress(p)[0] / scale,
-                    exact: exact.stress(x, t) / scale,
-                })
-            })
-            .collect::<Option<_>>()?;
-        CurvePoint::one_per_place(&mut points, 1e-6 * rung.cell);
+        let points = along(simulation, 0, |p, x| {
+            [set.stress(p)[0] / scale, exact.stress(x, t) / scale]
+        })?;
         Some(Curve {
             title: format!("stress along the bar at {t:.2} s, {}", rung.label),
             abscissa: "x (m)",
@@ -162,8 +148,8 @@ impl Study for Bar {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        FIELDS
+    fn measures(&self) -> Vec<Measure> {
+        FIELDS.to_vec()
     }
 
     fn refined_axes(&self) -> usize {
@@ -186,34 +172,14 @@ impl Study for Bar {
             .0;
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, 0.0);
-        scene.bodies = vec![Body {
-            name: "bar".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [LENGTH, h, 0.0],
-            },
-            particles_per_cell: [2, 2, 1],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body("bar", 1, cuboid([0.0; 3], [LENGTH, h, 0.0]))];
         settings.apply(&mut scene);
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
         let start = Self::exact(1.0);
-        let options = Options {
+        Options {
             displacement: true,
             initial: Some(Arc::new(move |x| InitialState {
                 velocity: [start.velocity(x[0], 0.0), 0.0, 0.0],
@@ -222,29 +188,31 @@ impl Study for Bar {
                     [0.0; 3],
                     [0.0; 3],
                 ],
-                ..super::AT_REST
+                ..AT_REST
             })),
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (_, steps) = settings.equal_steps(scene.time, rung.cell, start.wave_speed());
-        advance(&mut simulation, steps, observer).map_err(|e| failed(self, rung, &e))?;
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let speed = Self::exact(1.0).wave_speed();
+        let (_, steps) = settings.equal_steps(simulation.scene().time, rung.cell, speed);
+        advance(simulation, steps, observer)?;
         let (exact, t) = (Self::exact(self.reference_stiffness), simulation.time());
         let quantities = errors(
-            &simulation,
+            simulation,
             |x| [exact.displacement(x[0], t), 0.0, 0.0],
             |x| [exact.stress(x[0], t), 0.0, 0.0, 0.0, 0.0, 0.0],
         );
-        let curve = Self::curve(&simulation, &exact, rung);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
+        Ok(Found::new(
             quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
+            Self::curve(simulation, &exact, rung),
+        ))
     }
 }

@@ -24,11 +24,11 @@ mod manual;
 use proctor_kernel::scene::{Dimension, Scene, StressScheme, TransferKind};
 use proctor_kernel::simulation::{Options, Simulation};
 
+use super::STRESS_MEASURE;
 use super::dynamics::{STRESS, ratio};
-use super::failed;
-use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use column::Column;
 use manual::Block;
 
@@ -104,13 +104,9 @@ impl BaseAcceleration {
         }
     }
 
-    /// A rung of a variant with a number of cells over the height.
-    fn rung(variant: &'static str, cells: u32) -> Rung {
-        Rung {
-            label: format!("{variant} H/h={cells}"),
-            cell: 1.0 / f64::from(cells),
-            variant,
-        }
+    /// Rungs of a variant with these numbers of cells over the height.
+    fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(variant, &format!("{variant} H/h"), 1.0, counts)
     }
 }
 
@@ -136,7 +132,7 @@ impl Case for BaseAcceleration {
         };
         let columns = ladders
             .iter()
-            .flat_map(|&(variant, cells)| cells.iter().map(move |&n| Self::rung(variant, n)));
+            .flat_map(|&(variant, counts)| Self::rungs_of(variant, counts));
         let blocks = ["text", "input"].into_iter().map(|variant| Rung {
             label: format!("manual's {variant}"),
             cell: manual::CELL,
@@ -158,17 +154,11 @@ impl Study for BaseAcceleration {
             Size::Quick => &[8, 16, 32],
             Size::Full => &[8, 16, 32, 64, 128],
         };
-        cells.iter().map(|&n| Self::rung("smooth", n)).collect()
+        Self::rungs_of("smooth", cells)
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "velocity",
-                quantity: L2,
-            },
-            super::STRESS_MEASURE,
-        ]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("velocity", L2), STRESS_MEASURE]
     }
 
     fn refined_axes(&self) -> usize {
@@ -197,33 +187,27 @@ impl Study for BaseAcceleration {
         }
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
-            displacement: true,
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (quantities, curve) = match Self::problem(rung, settings) {
+    ) -> Result<Found, Failure> {
+        match Self::problem(rung, settings) {
             Problem::Column(column) => {
-                let response = column
-                    .run(&mut simulation, self.reference_stiffness, observer)
-                    .map_err(|e| failed(self, rung, &e))?;
+                let response = column.run(simulation, self.reference_stiffness, observer)?;
                 let velocity = |name, [value, exact]: [f64; 2]| Quantity {
-                    name,
                     value: AMPLITUDE * value,
                     exact: Some(AMPLITUDE * exact),
-                    error: Some((value / exact - 1.0).abs()),
-                    unit: "m/s",
+                    ..Quantity::compared(name, value, exact, "m/s")
                 };
                 let quantities = vec![
                     velocity(TOP, response.top),
@@ -231,28 +215,16 @@ impl Study for BaseAcceleration {
                     ratio(L2, response.l2),
                     ratio(STRESS, response.stress),
                 ];
-                (quantities, Some(response.curve))
+                Ok(Found::new(quantities, Some(response.curve)))
             }
             Problem::Block(_) => {
-                let distance = manual::run(&mut simulation, self.reference_frequency, observer)
-                    .map_err(|e| failed(self, rung, &e))?;
-                (
-                    vec![
-                        ratio(BASE, Some(distance.plane)),
-                        ratio(LOWEST, Some(distance.lowest)),
-                    ],
-                    None,
-                )
+                let distance = manual::run(simulation, self.reference_frequency, observer)?;
+                let quantities = vec![
+                    ratio(BASE, Some(distance.plane)),
+                    ratio(LOWEST, Some(distance.lowest)),
+                ];
+                Ok(Found::new(quantities, None))
             }
-        };
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
+        }
     }
 }

@@ -16,16 +16,16 @@
 //! by 2 mm over H/2, 1.3 %, on any mesh. `precision` studies these means. `proctor verify block-on-two-blocks`.
 
 use proctor_kernel::scene::{
-    Body, Contact, ContactNormal, Damping, Dimension, Mesh, PlaneCondition, Scene, Shape,
-    StressScheme, Vector,
+    Contact, ContactNormal, Damping, Dimension, Mesh, PlaneCondition, Scene, StressScheme, Vector,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 
-use super::incline::run;
-use super::{NO_RESULTS, elastic, failed};
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::dynamics::run;
+use super::judging::error_at_most;
+use super::{NO_RESULTS, body, cuboid, elastic};
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study, few};
+use crate::study::{Failure, Measure, Observer, Study, few};
 
 /// Young's modulus \[Pa\].
 const YOUNG: f64 = 1e6;
@@ -144,35 +144,16 @@ impl BlockOnTwoBlocks {
         let all = weight * window.time;
         let [left, right, block] = window.impulse;
         let change = mass * (velocity[up] - before);
-        let of_zero = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value.abs()),
-            unit: "1",
-        };
         let total = block / window.time / exact;
         let stress = |of: usize, exact: f64| {
             let value = window.stress[of] / f64::from(window.samples);
-            Quantity {
-                name: STRESSES[of],
-                value,
-                exact: Some(exact),
-                error: Some((value / exact - 1.0).abs()),
-                unit: "Pa",
-            }
+            Quantity::compared(STRESSES[of], value, exact, "Pa")
         };
         vec![
-            Quantity {
-                name: TOTAL,
-                value: total,
-                exact: Some(1.0),
-                error: Some((total - 1.0).abs()),
-                unit: "1",
-            },
-            of_zero(SHARES, (left - right) / all),
-            of_zero(MOMENTUM, (block - all - change) / all),
-            of_zero(SUM, window.sum / weight),
+            Quantity::compared(TOTAL, total, 1.0, "1"),
+            Quantity::of_zero(SHARES, (left - right) / all),
+            Quantity::of_zero(MOMENTUM, (block - all - change) / all),
+            Quantity::of_zero(SUM, window.sum / weight),
             stress(0, -0.5 * DENSITY * GRAVITY * (WIDTH + HEIGHT)),
             stress(1, -0.5 * DENSITY * GRAVITY * HEIGHT),
         ]
@@ -194,11 +175,8 @@ impl Case for BlockOnTwoBlocks {
             Size::Full => &[(0.1, 4), (0.05, 3)],
         };
         let of = |&(cell, count): &(f64, usize)| {
-            VARIANTS.into_iter().take(count).map(move |v| Rung {
-                label: format!("{} h={cell}", v.0),
-                cell,
-                variant: v.0,
-            })
+            let variants = VARIANTS.into_iter().take(count);
+            variants.map(move |v| Rung::new(v.0, cell))
         };
         cells.iter().flat_map(of).collect()
     }
@@ -208,16 +186,10 @@ impl Case for BlockOnTwoBlocks {
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
         for rung in self.rungs(size) {
-            let found = solved.iter().find(|(other, _)| *other == rung);
-            for (name, bound, reason) in GATES {
-                verdict.gates.push(Gate {
-                    name: format!("{}: {name}", rung.label),
-                    value: found.map_or(f64::NAN, |(_, s)| s.error(name)),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
-            }
+            let gates = GATES.map(|(name, bound, reason)| {
+                error_at_most(solved, &rung.label, name, bound, reason)
+            });
+            verdict.gates.extend(gates);
         }
         verdict
     }
@@ -233,16 +205,10 @@ impl Study for BlockOnTwoBlocks {
         Rung::ladders(&[(variant, cells)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "stress",
-                quantity: STRESSES[1],
-            },
-            Measure {
-                word: "pillar-stress",
-                quantity: STRESSES[0],
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("stress", STRESSES[1]),
+            Measure::new("pillar-stress", STRESSES[0]),
         ]
     }
 
@@ -290,23 +256,15 @@ impl Study for BlockOnTwoBlocks {
                 Dimension::Three => [x, y, z],
             }
         };
-        let body = |id: i64, name: &str, x: f64, z: f64, height: f64| Body {
-            name: name.to_owned(),
-            id,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: point(x, air, z),
-                p2: point(x + WIDTH, air + WIDTH, z + height),
-            },
-            particles_per_cell: [2, 2, if up == 1 { 1 } else { 2 }],
-            velocity: [0.0; 3],
-            motion: None,
+        let block = |id: i64, name: &str, x: f64, z: f64, height: f64| {
+            let far = point(x + WIDTH, air + WIDTH, z + height);
+            body(name, id, cuboid(point(x, air, z), far))
         };
         let middle = air + (0.5 + self.shift) * WIDTH;
         scene.bodies = vec![
-            body(1, "left", air, 0.0, WIDTH),
-            body(2, "right", air + WIDTH, 0.0, WIDTH),
-            body(3, "block", middle, WIDTH, HEIGHT),
+            block(1, "left", air, 0.0, WIDTH),
+            block(2, "right", air + WIDTH, 0.0, WIDTH),
+            block(3, "block", middle, WIDTH, HEIGHT),
         ];
         let contact = |id: i64, master: i64, slave: i64, normal| Contact {
             name: format!("bodies {master} and {slave}"),
@@ -325,28 +283,21 @@ impl Study for BlockOnTwoBlocks {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _rung: &Rung,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let up = scene.dimension.axes() - 1;
-        run(&mut simulation, SETTLING, scene.time, observer, |_| ())
-            .map_err(|e| failed(self, rung, &e))?;
-        simulation
-            .set_local_damping(None)
-            .map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
+        let up = simulation.scene().dimension.axes() - 1;
+        let end = simulation.scene().time;
+        run(simulation, SETTLING, observer, |_| ())?;
+        simulation.set_local_damping(None)?;
         let before = simulation.center(2).2[up];
         let mut kicked = simulation.velocity_time();
         let mut window = Window::default();
-        run(&mut simulation, scene.time, scene.time, observer, |s| {
+        run(simulation, end, observer, |s| {
             let kick = s.velocity_time() - kicked;
             kicked = s.velocity_time();
             window.time += kick;
@@ -365,17 +316,11 @@ impl Study for BlockOnTwoBlocks {
                 }
             }
             window.sum = sum.iter().fold(window.sum, |most, f| most.max(f.abs()));
-        })
-        .map_err(|e| failed(self, rung, &e))?;
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: self.quantities(&simulation, &window, before),
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        })?;
+        Ok(Found::new(
+            self.quantities(simulation, &window, before),
+            None,
+        ))
     }
 }
 

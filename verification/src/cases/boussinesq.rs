@@ -17,12 +17,13 @@ mod model;
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::{Options, Simulation};
 
+use super::STRESS_MEASURE;
 use super::dynamics::{STRESS, ratio};
+use super::judging::{error_of, of_variant, order_gate, table, value_of};
 use super::statics::{most_steps, relax};
-use super::{failed, table};
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use compare::{Comparison, LEFT_OUT, half_space_table};
 use model::{Loading, POISSON, QUARTER_LOAD, SIDE};
 
@@ -95,20 +96,12 @@ impl Case for Boussinesq {
         for loading in Loading::ALL {
             let variant = loading.word();
             let table = table(solved, variant, &[SETTLEMENT, L2, L2_ALL]);
-            let order = table
-                .rows()
-                .len()
-                .checked_sub(1)
-                .and_then(|last| table.order(1, last));
-            let finest = rungs.iter().rev().find(|r| r.variant == variant);
-            let finest = finest.and_then(|r| solved.iter().find(|(rung, _)| rung == r));
-            let error = finest.map_or(f64::NAN, |(_, s)| s.error(SETTLEMENT));
-            let of_variant = || rungs.iter().filter(|r| r.variant == variant);
-            let residual = of_variant().fold(0.0, |worst: f64, r| {
-                let found = solved
-                    .iter()
-                    .find(|(rung, _)| rung == r)
-                    .map_or(f64::NAN, |(_, s)| s.value(RESIDUAL));
+            let finest = rungs.iter().rfind(|r| r.variant == variant);
+            let finest = finest.map_or("no rung", |rung| &rung.label);
+            let error = error_of(solved, finest, SETTLEMENT);
+            let own = rungs.iter().filter(|r| r.variant == variant);
+            let residual = own.fold(0.0, |worst: f64, rung| {
+                let found = value_of(solved, &rung.label, RESIDUAL);
                 // `max` would drop a NaN, and with it a rung that failed.
                 if worst.is_nan() || found.is_nan() {
                     f64::NAN
@@ -126,27 +119,23 @@ impl Case for Boussinesq {
                     "four times the bound at h = 1/32, as order 2 allows at 1/16",
                 ),
             };
-            verdict.gates.push(Gate {
-                name: format!("{variant}: error of {SETTLEMENT} on the finest mesh"),
-                value: error,
-                relation: Relation::AtMost,
-                bound,
-                reason,
-            });
-            verdict.gates.push(Gate {
-                name: format!("{variant}: observed order of {L2}"),
-                value: order.unwrap_or(f64::NAN),
-                relation: Relation::AtLeast,
-                bound: ORDER_GATE,
-                reason: "order 2 is expected of uGIMP at small strain; 0.3 is left for meshes that are not yet fine",
-            });
-            verdict.gates.push(Gate {
-                name: format!("{variant}: {RESIDUAL}, unbalanced force over load, worst mesh"),
-                value: residual,
-                relation: Relation::AtMost,
-                bound: RESIDUAL_GATE,
-                reason: "far below the errors that are measured, so that they are those of the mesh",
-            });
+            let order = "order 2 is expected of uGIMP at small strain; 0.3 is left for meshes that are not yet fine";
+            let rest = "far below the errors that are measured, so that they are those of the mesh";
+            verdict.gates.extend([
+                Gate::at_most(
+                    format!("{variant}: error of {SETTLEMENT} on the finest mesh"),
+                    error,
+                    bound,
+                    reason,
+                ),
+                of_variant(variant, order_gate(&table, L2, ORDER_GATE, order)),
+                Gate::at_most(
+                    format!("{variant}: {RESIDUAL}, unbalanced force over load, worst mesh"),
+                    residual,
+                    RESIDUAL_GATE,
+                    rest,
+                ),
+            ]);
             verdict
                 .tables
                 .push((format!("boussinesq, {variant} load"), table));
@@ -166,14 +155,8 @@ impl Study for Boussinesq {
         path
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: L2,
-            },
-            super::STRESS_MEASURE,
-        ]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("displacement", L2), STRESS_MEASURE]
     }
 
     fn refined_axes(&self) -> usize {
@@ -191,63 +174,35 @@ impl Study for Boussinesq {
         scene
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            measure: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let exact = model::exact(Loading::of_word(rung.variant), self.reference_poisson)
-            .map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
-            displacement: true,
-            measure: true,
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
+        let exact = model::exact(Loading::of_word(rung.variant), self.reference_poisson)?;
         let most = most_steps(settings, SIDE / rung.cell);
-        let residual = relax(
-            &mut simulation,
-            QUARTER_LOAD,
-            RESIDUAL_TARGET,
-            most,
-            observer,
-        )
-        .map_err(|e| failed(self, rung, &e))?;
-        let comparison = Comparison::new(&simulation, &exact)
-            .ok_or_else(|| failed(self, rung, &"the simulation kept no displacements"))?;
+        let residual = relax(simulation, QUARTER_LOAD, RESIDUAL_TARGET, most, observer)?;
+        let comparison =
+            Comparison::new(simulation, &exact).ok_or("the simulation kept no displacements")?;
         let (computed, reference) = comparison.settlement_around([0.5; 3]);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: vec![
-                Quantity {
-                    name: SETTLEMENT,
-                    value: computed,
-                    exact: Some(reference),
-                    error: Some((computed / reference - 1.0).abs()),
-                    unit: "m",
-                },
-                ratio(L2, comparison.l2_outside(LEFT_OUT)),
-                ratio(L2_ALL, comparison.l2_outside(0.0)),
-                ratio(STRESS, comparison.stress_l2_outside(LEFT_OUT, &exact)),
-                Quantity {
-                    name: RESIDUAL,
-                    value: residual,
-                    exact: Some(0.0),
-                    error: None,
-                    unit: "1",
-                },
-            ],
-            drawings: vec![],
-            curve: Some(comparison.curve(format!("settlement on the axis, {}", rung.label))),
-        };
-        Ok(Studied::new(solved, &simulation))
+        let quantities = vec![
+            Quantity::compared(SETTLEMENT, computed, reference, "m"),
+            ratio(L2, comparison.l2_outside(LEFT_OUT)),
+            ratio(L2_ALL, comparison.l2_outside(0.0)),
+            ratio(STRESS, comparison.stress_l2_outside(LEFT_OUT, &exact)),
+            Quantity::balance(RESIDUAL, residual, "1"),
+        ];
+        let curve = comparison.curve(format!("settlement on the axis, {}", rung.label));
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

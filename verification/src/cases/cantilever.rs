@@ -22,22 +22,19 @@ mod hanging;
 use std::sync::OnceLock;
 
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::scene::{
-    Body, BodyBoundary, Dimension, DomainUpdate, HeldBox, Law, Material, Mesh, Mortar,
-    PlaneCondition, Scene, Shape, StressScheme, TransferKind, Vertices, Weighting,
-};
+use proctor_kernel::scene::{BodyBoundary, Dimension, HeldBox, Law, Scene, Vertices, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
 use super::dynamics::{at_intervals, ratio};
-use super::{NO_RESULTS, failed, table};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::judging::{error_at_most, table, value_of};
+use super::mortar::{PAPER, boundary, settings, without_pic};
+use super::{NO_RESULTS, body, cuboid, material, open_plane, reference};
+use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const LENGTH: f64 = 4.0;
 const HEIGHT: f64 = 1.0;
@@ -78,6 +75,9 @@ pub struct Cantilever {
     pub reference_gravity: f64,
 }
 
+/// [`Gate::at_most`] or [`Gate::at_least`].
+type NewGate = fn(String, f64, f64, &'static str) -> Gate;
+
 /// What the finite elements say of a gravity.
 #[derive(Debug)]
 struct Reference {
@@ -117,141 +117,9 @@ impl Cantilever {
     /// The reference of a variant; that of the case as it is meant is computed once.
     fn reference(self, variant: &str) -> Result<&'static Reference, String> {
         static GIVEN: [OnceLock<Result<Reference, String>>; 2] = [OnceLock::new(), OnceLock::new()];
-        let gravity = Self::gravity(variant);
-        let compute = || Reference::new(gravity * self.reference_gravity);
-        let known = if self == Self::GIVEN {
-            GIVEN[usize::from(!Self::small(variant))].get_or_init(compute)
-        } else {
-            Box::leak(Box::new(compute()))
-        };
-        known.as_ref().map_err(Clone::clone)
-    }
-
-    fn build(rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let (from, to, below, above) = (-3.0, 5.0, -5.0, 2.5);
-        let cells = |length: f64| (length / h).round() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [from, below, 0.0],
-            [h, h, 1.0],
-            [cells(to - from), cells(above - below), 1],
-        );
-        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
-        let mut scene = Scene::new(Dimension::Two, mesh, Self::ends(rung.variant));
-        scene.name.clone_from(&rung.label);
-        scene.gravity = [0.0, -Self::gravity(rung.variant), 0.0];
-        scene.time_step = settings.multiplier();
-        scene.results = NO_RESULTS;
-        scene.held_boxes = vec![HeldBox {
-            p1: [-h, -h, 0.0],
-            p2: [0.0, HEIGHT + h, 0.0],
-        }];
-        scene.materials = vec![Material {
-            name: "soft".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: Law::NeoHookean {
-                young: YOUNG,
-                poisson: POISSON,
-            },
-        }];
-        scene.bodies = vec![Body {
-            name: "beam".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [LENGTH, HEIGHT, 0.0],
-            },
-            particles_per_cell: [1; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
-        settings.apply(&mut scene);
-        if scene.transfer.kind == TransferKind::Apic {
-            // The paper's: particles keep their velocity, the affine part goes to the nodes.
-            scene.transfer.pic_fraction = 0.0;
-        }
-        if rung.variant != BARE {
-            scene.mortar = Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Spacing(0.5 * h),
-                    follow: match rung.variant {
-                        GRADIENT => Follow::Gradient,
-                        NO_SPIN => Follow::Velocity,
-                        NO_AUGMENTATION => Follow::Unaugmented,
-                        _ => Follow::Spin,
-                    },
-                }],
-                ..Mortar::default()
-            };
-        }
-        scene
-    }
-
-    fn run(
-        self,
-        rung: &Rung,
-        scene: &Scene,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, String> {
-        observer.phase(Phase::SetUp);
-        scene.check().map_err(|e| e.to_string())?;
-        let options = Options {
-            displacement: true,
-            ..options.clone()
-        };
-        let mut simulation = Simulation::new(scene, &options).map_err(|e| e.to_string())?;
-        let tip = tip_particle(&simulation, rung.cell)?;
-        let starts = simulation.boundary_vertices(1);
-        let mut history = vec![];
-        let mut hanging = None;
-        at_intervals(&mut simulation, INTERVAL, observer, |simulation, k| {
-            history.push(displacement(simulation, tip)?[1]);
-            if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
-                hanging = Some(Hanging::new(simulation, starts)?);
-            }
-            Ok(())
-        })?;
-        let reference = self.reference(rung.variant)?;
-        let mut quantities = vec![];
-        let mut curve = None;
-        if scene.time == END {
-            let cell = CELLS.iter().position(|h| *h == rung.cell);
-            let exact = &reference.tips[cell.ok_or("a cell size without a reference")?];
-            quantities = tip_quantities(&history, exact);
-            curve = Some(Curve {
-                title: format!("{}: deflection of the tip", rung.label),
-                abscissa: "t in s",
-                ordinate: "u_y in m",
-                points: history
-                    .iter()
-                    .zip(exact)
-                    .enumerate()
-                    .map(|(k, (&computed, &exact))| CurvePoint {
-                        at: (k + 1) as f64 * INTERVAL,
-                        computed,
-                        exact,
-                    })
-                    .collect(),
-            });
-        }
-        if let Some(hanging) = hanging {
-            let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
-            quantities.extend(hanging.quantities(&reference.boundary, sound));
-        }
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
+        let given = &GIVEN[usize::from(!Self::small(variant))];
+        let gravity = Self::gravity(variant) * self.reference_gravity;
+        reference(given, self == Self::GIVEN, || Reference::new(gravity))
     }
 }
 
@@ -326,13 +194,7 @@ fn tip_quantities(history: &[f64], exact: &[f64]) -> Vec<Quantity> {
             (TROUGH, found.1, known.1, "m"),
             (TROUGH_TIME, found.0, known.0, "s"),
         ] {
-            quantities.push(Quantity {
-                name,
-                value,
-                exact: Some(exact),
-                error: Some((value / exact - 1.0).abs()),
-                unit,
-            });
+            quantities.push(Quantity::compared(name, value, exact, unit));
         }
     }
     quantities
@@ -362,92 +224,44 @@ impl Case for Cantilever {
         Rung::ladders(ladders)
     }
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        Self::build(rung, &self.own_settings(rung))
-    }
+    with_own_settings!();
 
     fn prepare(&self, rung: &Rung) {
         let _ = self.reference(rung.variant);
     }
 
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let mut observer = |share| progress(share);
-        self.run(rung, &self.scene(rung), options, &mut observer)
-            .map(|studied| studied.solved)
-            .map_err(|e| failed(self, rung, &e))
-    }
-
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let of = |label: &str| {
-            let found = solved.iter().find(|(rung, _)| rung.label == label);
-            found.map(|(_, solved)| solved)
-        };
-        let error = |label: &str, name| of(label).map_or(f64::NAN, |s| s.error(name));
-        let value = |label: &str, name| of(label).map_or(f64::NAN, |s| s.value(name));
-        let gate = |label: &str, name: &str, value, relation, bound, reason| Gate {
-            name: format!("{label}: {name}"),
-            value,
-            relation,
-            bound,
-            reason,
-        };
-        let most = Relation::AtMost;
+        let gate = |label, name, bound, reason| error_at_most(solved, label, name, bound, reason);
         let figures = "the method's reference figures: 2.0, 0.4 and 0.02 %";
+        let half = "the method's reference figures: 0.5 %";
+        let large = "the method's reference figures: 2.6 %";
         let mut gates = vec![
-            gate(
-                "g=1 h=0.25",
-                TIP,
-                error("g=1 h=0.25", TIP),
-                most,
-                0.025,
-                figures,
-            ),
-            gate(
-                "g=10 h=0.25",
-                TIP,
-                error("g=10 h=0.25", TIP),
-                most,
-                0.05,
-                "the method's reference figures: 2.6 %",
-            ),
-            gate(
-                "g=10 h=0.25",
-                TROUGH,
-                error("g=10 h=0.25", TROUGH),
-                most,
-                0.015,
-                "the method's reference figures: 0.5 %",
-            ),
-            gate(
-                "g=10 h=0.25",
-                TROUGH_TIME,
-                error("g=10 h=0.25", TROUGH_TIME),
-                most,
-                0.01,
-                "the method's reference figures: 0.5 %",
-            ),
+            gate("g=1 h=0.25", TIP, 0.025, figures),
+            gate("g=10 h=0.25", TIP, 0.05, large),
+            gate("g=10 h=0.25", TROUGH, 0.015, half),
+            gate("g=10 h=0.25", TROUGH_TIME, 0.01, half),
         ];
-        let mut vertices = |variant: &str, relation, bound, reason| {
+        let mut vertices = |variant: &str, gate: NewGate, bound, reason| {
             let label = format!("{variant} h={JUDGED}");
-            let found = value(&label, FROM_PARTICLES);
-            gates.push(gate(&label, FROM_PARTICLES, found, relation, bound, reason));
+            let found = value_of(solved, &label, FROM_PARTICLES);
+            gates.push(gate(
+                format!("{label}: {FROM_PARTICLES}"),
+                found,
+                bound,
+                reason,
+            ));
         };
         let close = "a twelfth of a cell; the method's reference figures: 0.014 m with spin, 0.011 m with gradient";
         let far = "without its spin a vertex lags behind: 0.09 m in the method's reference figures";
         let lost = "without augmentation vertices drift: 0.16 m in the method's reference figures";
-        vertices(LARGE, most, 0.02, close);
-        vertices(NO_SPIN, Relation::AtLeast, 0.05, far);
+        vertices(LARGE, Gate::at_most, 0.02, close);
+        vertices(NO_SPIN, Gate::at_least, 0.05, far);
         if size == Size::Full {
-            vertices(GRADIENT, most, 0.02, close);
-            vertices(UNIFORM, most, 0.02, close);
-            vertices(NO_AUGMENTATION, Relation::AtLeast, 0.1, lost);
+            vertices(GRADIENT, Gate::at_most, 0.02, close);
+            vertices(UNIFORM, Gate::at_most, 0.02, close);
+            vertices(NO_AUGMENTATION, Gate::at_least, 0.1, lost);
             for (label, bound) in [("g=1 h=0.125", 0.01), ("g=1 h=0.0625", 0.005)] {
-                gates.push(gate(label, TIP, error(label, TIP), most, bound, figures));
+                gates.push(gate(label, TIP, bound, figures));
             }
         }
         let swings = [SMALL, LARGE].map(|v| (v.to_owned(), table(solved, v, &[TIP, TROUGH])));
@@ -482,11 +296,8 @@ impl Study for Cantilever {
         Rung::ladders(&[(BARE, cells)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[Measure {
-            word: "displacement",
-            quantity: TIP,
-        }]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("displacement", TIP)]
     }
 
     fn refined_axes(&self) -> usize {
@@ -494,35 +305,106 @@ impl Study for Cantilever {
     }
 
     fn own_settings(&self, rung: &Rung) -> Settings {
-        Settings {
-            particles_per_cell: 3,
-            ..Settings::new(Method {
-                weighting: if [UNIFORM, NO_AUGMENTATION].contains(&rung.variant) {
-                    Weighting::UniformGimp
-                } else {
-                    Weighting::ContiguousGimp(DomainUpdate::LeftStretch)
-                },
-                scheme: StressScheme::Musl,
-                transfer: TransferKind::Apic,
-            })
-        }
-        .courant(Self::courant(rung.variant))
+        let keeps_size = [UNIFORM, NO_AUGMENTATION].contains(&rung.variant);
+        let method = Method {
+            weighting: if keeps_size {
+                Weighting::UniformGimp
+            } else {
+                PAPER.weighting
+            },
+            ..PAPER
+        };
+        settings(method, 3).courant(Self::courant(rung.variant))
     }
 
-    /// Without the boundary, which costs time and changes nothing: there is no contact.
+    /// A study is without the boundary, which costs time and changes nothing: there is no contact.
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        Self::build(rung, settings)
+        let h = rung.cell;
+        let mesh = open_plane(h, [-3.0, -5.0], [5.0, 2.5]);
+        let mut scene = Scene::new(Dimension::Two, mesh, Self::ends(rung.variant));
+        scene.name.clone_from(&rung.label);
+        scene.gravity = [0.0, -Self::gravity(rung.variant), 0.0];
+        scene.time_step = settings.multiplier();
+        scene.results = NO_RESULTS;
+        scene.held_boxes = vec![HeldBox {
+            p1: [-h, -h, 0.0],
+            p2: [0.0, HEIGHT + h, 0.0],
+        }];
+        let law = Law::NeoHookean {
+            young: YOUNG,
+            poisson: POISSON,
+        };
+        scene.materials = material("soft", DENSITY, law);
+        scene.bodies = vec![body("beam", 1, cuboid([0.0; 3], [LENGTH, HEIGHT, 0.0]))];
+        settings.apply(&mut scene);
+        without_pic(&mut scene);
+        if rung.variant != BARE {
+            scene.mortar.boundaries = vec![BodyBoundary {
+                follow: match rung.variant {
+                    GRADIENT => Follow::Gradient,
+                    NO_SPIN => Follow::Velocity,
+                    NO_AUGMENTATION => Follow::Unaugmented,
+                    _ => Follow::Spin,
+                },
+                ..boundary(1, Vertices::Spacing(0.5 * h))
+            }];
+        }
+        scene
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        let scene = self.scene_with(rung, settings);
-        self.run(rung, &scene, options, observer)
-            .map_err(|e| failed(self, rung, &e))
+    ) -> Result<Found, Failure> {
+        let tip = tip_particle(simulation, rung.cell)?;
+        let starts = simulation.boundary_vertices(1);
+        let mut history = vec![];
+        let mut hanging = None;
+        let look = |simulation: &Simulation, k: usize| {
+            history.push(displacement(simulation, tip)?[1]);
+            if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
+                hanging = Some(Hanging::new(simulation, starts)?);
+            }
+            Ok(())
+        };
+        at_intervals(simulation, INTERVAL, observer, |_| (), look)?;
+        let reference = self.reference(rung.variant)?;
+        let mut quantities = vec![];
+        let mut curve = None;
+        if simulation.scene().time == END {
+            let cell = CELLS.iter().position(|h| *h == rung.cell);
+            let exact = &reference.tips[cell.ok_or("a cell size without a reference")?];
+            quantities = tip_quantities(&history, exact);
+            curve = Some(Curve {
+                title: format!("{}: deflection of the tip", rung.label),
+                abscissa: "t in s",
+                ordinate: "u_y in m",
+                points: history
+                    .iter()
+                    .zip(exact)
+                    .enumerate()
+                    .map(|(k, (&computed, &exact))| CurvePoint {
+                        at: (k + 1) as f64 * INTERVAL,
+                        computed,
+                        exact,
+                    })
+                    .collect(),
+            });
+        }
+        if let Some(hanging) = hanging {
+            let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
+            quantities.extend(hanging.quantities(&reference.boundary, sound));
+        }
+        Ok(Found::new(quantities, curve))
     }
 }

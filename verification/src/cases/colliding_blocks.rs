@@ -18,14 +18,13 @@ mod judge;
 mod scenes;
 
 use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 
-use super::failed;
-use super::incline::run;
-use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use super::dynamics::run;
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::bar_impact::BarImpact;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use scenes::{VARIANTS, Variant};
 
 /// Name of the change of momentum among the quantities.
@@ -70,12 +69,9 @@ impl CollidingBlocks {
         reference_impulse: 1.0,
     };
 
-    fn rung(variant: &Variant, cells: u32) -> Rung {
-        Rung {
-            label: format!("{} L/h={cells}", variant.name),
-            cell: scenes::LENGTH / f64::from(cells),
-            variant: variant.name,
-        }
+    fn rungs_of(variant: &Variant, size: Size) -> Vec<Rung> {
+        let word = format!("{} L/h", variant.name);
+        Rung::counted(variant.name, &word, scenes::LENGTH, variant.cells(size))
     }
 
     fn variant(rung: &Rung) -> Variant {
@@ -95,13 +91,13 @@ impl CollidingBlocks {
     fn collide(
         simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Collision, String> {
+    ) -> Result<Collision, Failure> {
         let initial = simulation.kinetic_energy() + simulation.strain_energy();
         let mut seen = Collision::default();
         let mut kicked = simulation.velocity_time();
         let mut force_at = simulation.time();
         let end = simulation.scene().time;
-        run(simulation, end, end, observer, |s| {
+        run(simulation, end, observer, |s| {
             // The force is that at the positions before the step; it kicks velocities from half step to half step.
             let kick = s.velocity_time() - kicked;
             let force = s.contact_force(1)[0];
@@ -132,46 +128,25 @@ impl CollidingBlocks {
         let now = simulation.momentum();
         let start: f64 = (0..2).map(|i| masses[i] * before[i]).sum();
         let lost = ((now[0] - start).powi(2) + now[1].powi(2) + now[2].powi(2)).sqrt() / scale;
-        let of_zero = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value.abs()),
-            unit: "1",
-        };
         let restitution = (after[1] - after[0]) / (before[0] - before[1]);
-        let plain = |name, value, unit| Quantity {
-            name,
-            value,
-            exact: None,
-            error: None,
-            unit,
-        };
         let mut all = vec![
-            of_zero(MOMENTUM, lost),
-            of_zero(ENERGY, seen.gained.max(0.0)),
-            plain(LOST, 1.0 - seen.energy, "1"),
+            Quantity::of_zero(MOMENTUM, lost),
+            Quantity::of_zero(ENERGY, seen.gained.max(0.0)),
+            Quantity::figure(LOST, 1.0 - seen.energy, "1"),
         ];
         let exact = self.exact(variant);
         let closed = exact.and_then(|e| Some((e, e.duration()?, e.restitution()?)));
         let Some((exact, duration, of_exact)) = closed else {
-            all.push(plain(RESTITUTION, restitution, "1"));
+            all.push(Quantity::figure(RESTITUTION, restitution, "1"));
             return all;
         };
-        let compared = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        all.push(compared(
+        all.push(Quantity::compared(
             DURATION,
             2.0 * seen.moment / seen.impulse,
             duration,
             "s",
         ));
-        all.push(compared(
+        all.push(Quantity::compared(
             IMPULSE,
             seen.impulse,
             self.reference_impulse
@@ -182,8 +157,8 @@ impl CollidingBlocks {
         ));
         // Of the lighter bar, since the change of a velocity is known to round-off of the velocity.
         let taken = masses[0] * (before[0] - after[0]);
-        all.push(of_zero(BALANCE, 1.0 - taken / seen.impulse));
-        all.push(compared(RESTITUTION, restitution, of_exact, "1"));
+        all.push(Quantity::of_zero(BALANCE, 1.0 - taken / seen.impulse));
+        all.push(Quantity::compared(RESTITUTION, restitution, of_exact, "1"));
         all
     }
 }
@@ -198,8 +173,8 @@ impl Case for CollidingBlocks {
     }
 
     fn rungs(&self, size: Size) -> Vec<Rung> {
-        let of = |v: Variant| v.cells(size).iter().map(move |&n| Self::rung(&v, n));
-        VARIANTS.into_iter().flat_map(of).collect()
+        let of = |variant| Self::rungs_of(variant, size);
+        VARIANTS.iter().flat_map(of).collect()
     }
 
     with_own_settings!();
@@ -211,21 +186,13 @@ impl Case for CollidingBlocks {
 
 impl Study for CollidingBlocks {
     fn path(&self, size: Size) -> Vec<Rung> {
-        let bars = VARIANTS[0];
-        let cells = bars.cells(size).iter();
-        cells.map(|&n| Self::rung(&bars, n)).collect()
+        Self::rungs_of(&VARIANTS[0], size)
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "velocity",
-                quantity: RESTITUTION,
-            },
-            Measure {
-                word: "duration",
-                quantity: DURATION,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("velocity", RESTITUTION),
+            Measure::new("duration", DURATION),
         ]
     }
 
@@ -250,27 +217,15 @@ impl Study for CollidingBlocks {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let seen = Self::collide(&mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: self.quantities(&Self::variant(rung), &simulation, &seen),
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+    ) -> Result<Found, Failure> {
+        let seen = Self::collide(simulation, observer)?;
+        let quantities = self.quantities(&Self::variant(rung), simulation, &seen);
+        Ok(Found::new(quantities, None))
     }
 }

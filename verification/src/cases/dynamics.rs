@@ -1,10 +1,10 @@
-//! Motion to a fixed time in equal steps, and the fields at its end.
+//! Motion to a fixed time, and the fields at its end.
 
-use proctor_kernel::simulation::Simulation;
+use proctor_kernel::simulation::{Simulation, StepInfo};
 
-use crate::case::Quantity;
+use crate::case::{CurvePoint, Quantity};
 use crate::convergence::relative_l2;
-use crate::study::{Observer, Phase, STOPPED};
+use crate::study::{Failure, Observer, Phase, STOPPED};
 
 /// Number of times, about, that progress is told.
 const REPORTS: u64 = 100;
@@ -14,23 +14,35 @@ pub const DISPLACEMENT: &str = "L2(u)";
 /// Name of the error of the stress.
 pub const STRESS: &str = "L2(stress)";
 
+/// Does a step, no further than `stop` (s), unless the observer ends the run.
+///
+/// # Errors
+/// Why the step failed, or that the run was stopped.
+pub fn step(
+    simulation: &mut Simulation,
+    stop: f64,
+    observer: &dyn Observer,
+) -> Result<StepInfo, Failure> {
+    if observer.stop() {
+        return Err(STOPPED.into());
+    }
+    Ok(simulation.step(stop)?)
+}
+
 /// Does `steps` equal steps.
 ///
 /// # Errors
-/// Why a step failed, in words.
+/// As [`step`].
 pub fn advance(
     simulation: &mut Simulation,
     steps: u64,
     observer: &mut dyn Observer,
-) -> Result<(), String> {
+) -> Result<(), Failure> {
     let every = (steps / REPORTS).max(1);
     let end = simulation.scene().time;
     observer.phase(Phase::Stepping);
     while simulation.steps() < steps {
-        if observer.stop() {
-            return Err(STOPPED.to_owned());
-        }
-        simulation.step(end).map_err(|e| e.to_string())?;
+        step(simulation, end, observer)?;
         if simulation.steps().is_multiple_of(every) {
             observer.progress(simulation.steps() as f64 / steps as f64);
         }
@@ -39,28 +51,44 @@ pub fn advance(
     Ok(())
 }
 
-/// Runs to the end of the scene and looks at it at the end of each interval \[s\]; `look` also gets the number of the
-/// interval, from 1.
+/// Steps until `stop` (s), telling progress towards the end of the scene; `after` sees the simulation after each step.
 ///
 /// # Errors
-/// Why a step failed or what `look` says, in words.
+/// As [`step`].
+pub fn run(
+    simulation: &mut Simulation,
+    stop: f64,
+    observer: &mut dyn Observer,
+    mut after: impl FnMut(&Simulation),
+) -> Result<(), Failure> {
+    let end = simulation.scene().time;
+    observer.phase(Phase::Stepping);
+    while simulation.time() < stop {
+        step(simulation, stop, observer)?;
+        after(simulation);
+        if simulation.steps().is_multiple_of(50) {
+            observer.progress((simulation.time() / end).min(1.0));
+        }
+    }
+    observer.phase(Phase::Comparing);
+    Ok(())
+}
+
+/// Runs to the end of the scene: `after` sees the simulation after each step, and `look` at the end of each interval
+/// \[s\]; it also gets the number of the interval, from 1.
+///
+/// # Errors
+/// As [`step`], or what `look` says.
 pub fn at_intervals(
     simulation: &mut Simulation,
     interval: f64,
     observer: &mut dyn Observer,
-    mut look: impl FnMut(&Simulation, usize) -> Result<(), String>,
-) -> Result<(), String> {
+    mut after: impl FnMut(&Simulation),
+    mut look: impl FnMut(&Simulation, usize) -> Result<(), Failure>,
+) -> Result<(), Failure> {
     let count = (simulation.scene().time / interval).round() as usize;
     for k in 1..=count {
-        observer.phase(Phase::Stepping);
-        let time = k as f64 * interval;
-        while simulation.time() < time {
-            if observer.stop() {
-                return Err(STOPPED.to_owned());
-            }
-            simulation.step(time).map_err(|e| e.to_string())?;
-        }
-        observer.phase(Phase::Comparing);
+        run(simulation, k as f64 * interval, observer, &mut after)?;
         observer.progress(k as f64 / count as f64);
         look(simulation, k)?;
     }
@@ -69,14 +97,7 @@ pub fn at_intervals(
 
 /// A quantity that is itself a relative error; NaN, which no gate passes, where there is none.
 pub fn ratio(name: &'static str, error: Option<f64>) -> Quantity {
-    let error = error.unwrap_or(f64::NAN);
-    Quantity {
-        name,
-        value: error,
-        exact: Some(0.0),
-        error: Some(error),
-        unit: "1",
-    }
+    Quantity::of_zero(name, error.unwrap_or(f64::NAN))
 }
 
 /// Relative L2 error of a particle field, weighted by mass: `field` gives computed and exact values of a particle
@@ -92,6 +113,29 @@ pub fn l2<const N: usize>(
         })
         .collect::<Option<_>>()?;
     relative_l2(samples)
+}
+
+/// Points of a picture along one axis, one of each layer of particles: `field` gives computed and exact values of a particle
+/// of the first body by its number and its initial place (m).
+pub fn along(
+    simulation: &Simulation,
+    axis: usize,
+    field: impl Fn(usize, f64) -> [f64; 2],
+) -> Option<Vec<CurvePoint>> {
+    let point = |p| {
+        let at = simulation.initial_position(0, p)?[axis];
+        let [computed, exact] = field(p, at);
+        Some(CurvePoint {
+            at,
+            computed,
+            exact,
+        })
+    };
+    let points = (0..simulation.sets()[0].len()).map(point);
+    let mut points: Vec<_> = points.collect::<Option<_>>()?;
+    let cell = simulation.scene().mesh.cell[axis];
+    CurvePoint::one_per_place(&mut points, 1e-6 * cell);
+    Some(points)
 }
 
 /// Errors of displacement (m) and Cauchy stress (Pa: xx, yy, zz, yz, xz, xy) against exact functions of the

@@ -26,21 +26,21 @@ mod watch;
 
 pub use shapes::outlines;
 
+use std::fmt::Display;
+
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, Damping, Dimension, DomainUpdate, Enforcement, History, Mesh,
-    MortarContact, PlaneCondition, RigidLine, Scene, Shape, StressScheme, TransferKind, Vertices,
-    Weighting,
+    Body, Damping, Dimension, History, Mesh, MortarContact, PlaneCondition, RigidLine, Scene,
+    Shape, Vertices,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::{NO_RESULTS, elastic, failed};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Relation, Rung, Size, Solved, Verdict,
-};
+use super::judging::value_of;
+use super::mortar::{PAPER, barrier, boundary, rigid_line};
+use super::{NO_RESULTS, body, elastic};
+use crate::case::{Case, CaseError, Curve, CurvePoint, Found, Gate, Rung, Size, Solved, Verdict};
+use crate::study::Study;
 use watch::{
     BALANCE, BEYOND, FLOOR_SHARE, GAINED, INSIDE, LARGEST, LOADED, MOMENTUM, PHASES, SIDEWAYS,
     SMALLEST, Watch,
@@ -88,17 +88,13 @@ impl Grains {
 fn line(id: i64, name: &str, ends: [[f64; 2]; 2], motion: Option<History>) -> RigidLine {
     let [a, b] = ends.map(Point::from);
     let count = ((b - a).norm() / 0.25).ceil() as usize;
-    RigidLine {
-        name: name.to_owned(),
-        id,
-        chains: vec![Chain {
-            points: (0..=count)
-                .map(|k| a + (b - a) * (k as f64 / count as f64))
-                .collect(),
-            side: Side::Open,
-        }],
-        motion,
-    }
+    let chain = Chain {
+        points: (0..=count)
+            .map(|k| a + (b - a) * (k as f64 / count as f64))
+            .collect(),
+        side: Side::Open,
+    };
+    rigid_line(name, id, chain, motion)
 }
 
 impl Case for Grains {
@@ -139,9 +135,9 @@ impl Case for Grains {
         let mut scene = Scene::new(Dimension::Two, mesh, WAY * height / SPEED);
         scene.name.clone_from(&rung.label);
         scene.results = NO_RESULTS;
-        scene.weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
-        scene.scheme = StressScheme::Musl;
-        scene.transfer.kind = TransferKind::Apic;
+        scene.weighting = PAPER.weighting;
+        scene.scheme = PAPER.scheme;
+        scene.transfer.kind = PAPER.transfer;
         scene.transfer.pic_fraction = 0.1;
         scene.damping = Damping::Viscous { alpha: DAMPING };
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
@@ -163,43 +159,37 @@ impl Case for Grains {
         ];
         for (k, outline) in outlines(side).into_iter().enumerate() {
             let id = k as i64 + 1;
+            let shape = Shape::Polygon {
+                points: outline.iter().map(|p| [p[0], p[1], 0.0]).collect(),
+            };
             scene.bodies.push(Body {
-                name: format!("grain {id}"),
-                id,
-                material: 0,
-                shape: Shape::Polygon {
-                    points: outline.iter().map(|p| [p[0], p[1], 0.0]).collect(),
-                },
                 particles_per_cell: [per_cell, per_cell, 1],
-                velocity: [0.0; 3],
-                motion: None,
+                ..body(format!("grain {id}"), id, shape)
             });
-            scene.mortar.boundaries.push(BodyBoundary {
-                body: id,
-                vertices: Vertices::Given(vec![Chain {
-                    points: outline.into_iter().map(Point::from).collect(),
-                    side: Side::Outer,
-                }]),
-                follow: Follow::Spin,
-            });
+            let chain = Chain {
+                points: outline.into_iter().map(Point::from).collect(),
+                side: Side::Outer,
+            };
+            let vertices = Vertices::Given(vec![chain]);
+            scene.mortar.boundaries.push(boundary(id, vertices));
             let masters = (1..id).chain([PLATE, FLOOR, WALLS[0], WALLS[1]]);
             for master in masters {
                 let smooth = master == FLOOR || WALLS.contains(&master);
                 scene.mortar.contacts.push(MortarContact {
-                    name: format!("grain {id} and {master}"),
                     id: scene.mortar.contacts.len() as i64 + 1,
-                    master,
-                    slave: id,
                     friction: if smooth { 0.0 } else { FRICTION },
-                    critical_gap: GAP,
-                    normal_stiffness: KAPPA,
                     tangential_stiffness: KAPPA_T,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
+                    ..barrier(format!("grain {id} and {master}"), [master, id], GAP, KAPPA)
                 });
             }
         }
         scene
+    }
+
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Err(
+            "nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings",
+        )
     }
 
     fn solve(
@@ -208,46 +198,38 @@ impl Case for Grains {
         options: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
+        let failed = |reason: &dyn Display| CaseError::new(self.name(), rung, reason);
         let scene = self.scene(rung);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
+        scene.check().map_err(|e| failed(&e))?;
+        let mut simulation = Simulation::new(&scene, options).map_err(|e| failed(&e))?;
         let rate = self.reference_damping * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;
-        let watch =
-            Watch::run(&mut simulation, rate, progress).map_err(|e| failed(self, rung, &e))?;
+        let watch = Watch::run(&mut simulation, rate, progress).map_err(|e| failed(&e))?;
         let quantities = watch.quantities(&simulation);
         let points = watch.samples.iter().map(|s| CurvePoint {
             at: s.way,
             computed: -s.plate[1],
             exact: f64::NAN,
         });
-        Ok(Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
+        let curve = Curve {
+            title: format!("{}: force on the plate", rung.label),
+            abscissa: "way of the plate in m",
+            ordinate: "F_y in N",
+            points: points.collect(),
+        };
+        let found = Found {
             drawings: watch.drawings,
-            curve: Some(Curve {
-                title: format!("{}: force on the plate", rung.label),
-                abscissa: "way of the plate in m",
-                ordinate: "F_y in N",
-                points: points.collect(),
-            }),
-        })
+            ..Found::new(quantities, Some(curve))
+        };
+        Ok(Solved::new(found, &simulation))
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut gates = vec![];
         for rung in self.rungs(size) {
-            let found = solved.iter().find(|(other, _)| *other == rung);
-            let mut at_most = |name: &'static str, bound, reason| {
-                gates.push(Gate {
-                    name: format!("{}: {name}", rung.label),
-                    value: found.map_or(f64::NAN, |(_, s)| s.value(name)),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+            let mut at_most = |name: &str, bound, reason| {
+                let value = value_of(solved, &rung.label, name);
+                let name = format!("{}: {name}", rung.label);
+                gates.push(Gate::at_most(name, value, bound, reason));
             };
             at_most(INSIDE, 0.0, "grains do not penetrate each other");
             at_most(BEYOND, 0.0, "nor what holds them");

@@ -14,23 +14,21 @@
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    PlaneCondition, RigidLine, Scene, Shape, TransferKind, Vertices,
+    BoxLoad, Damping, Dimension, Mortar, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 use std::f64::consts::PI;
 
-use super::{elastic, failed, table};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::judging::{error_at_most, table};
+use super::mortar::rigid_line;
+use super::pressures::Pressures;
+use super::{body, elastic, mortar, open_plane};
+use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const RADIUS: f64 = 8.0;
 const LOAD: f64 = 10.0;
@@ -75,76 +73,6 @@ impl Hertz {
 
     fn kappa(variant: &str) -> f64 {
         if variant == "paper" { 1.5e3 } else { 1.5e4 }
-    }
-
-    /// Runs a scene of the case for `case`, in the plane or as a slab of a thickness \[m\], and compares it with the
-    /// references.
-    pub(super) fn solve_scene(
-        self,
-        case: &dyn Case,
-        scene: &Scene,
-        thickness: f64,
-        rung: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        scene.check().map_err(|e| failed(case, rung, &e))?;
-        let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
-        let mut found = run(&mut simulation, observer).map_err(|e| failed(case, rung, &e))?;
-        found.force /= thickness;
-        let exact = self.exact();
-        let kappa = Self::kappa(rung.variant);
-        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
-            .map_err(|e| {
-                failed(
-                    case,
-                    rung,
-                    &format!("no reference: residual {} m", e.residual),
-                )
-            })?;
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let norm = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value),
-            unit: "1",
-        };
-        let quantities = vec![
-            of(FORCE, found.force, exact.load, "N/m"),
-            of(PEAK, found.peak(), exact.peak(), "Pa"),
-            of(WIDTH, found.half_width(), exact.half_width(), "m"),
-            norm(L2_HERTZ, found.distance(|x| exact.pressure(x))),
-            norm(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
-            norm(LAYER, layer.distance_from_hertz(&exact)),
-        ];
-        let points = found.pressures.iter().filter(|p| p[0].abs() < 1.0);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: Some(Curve {
-                title: format!("{}: contact pressure", rung.label),
-                abscissa: "x in m",
-                ordinate: "p in Pa",
-                points: points
-                    .map(|p| CurvePoint {
-                        at: p[0],
-                        computed: p[1],
-                        exact: exact.pressure(p[0]),
-                    })
-                    .collect(),
-            }),
-        };
-        Ok(Studied::new(solved, &simulation))
     }
 }
 
@@ -203,61 +131,41 @@ impl Case for Hertz {
     with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let error = |label: &str, name| {
-            let run = solved.iter().find(|(rung, _)| rung.label == label);
-            run.map_or(f64::NAN, |(_, s)| s.error(name))
+        let gates: &[(&str, &str, f64, &'static str)] = match size {
+            Size::Quick => {
+                let label = "hertz h=0.2";
+                let load = "the load must arrive; half settled at 13 s";
+                let coarse = "a layer 6 % off on a mesh twice as coarse as judged in full";
+                &[
+                    (label, FORCE, 0.015, load),
+                    (label, WIDTH, 0.04, "3.4 cells over the half-width"),
+                    (label, L2_HERTZ, 0.1, coarse),
+                ]
+            }
+            Size::Full => {
+                let label = "hertz h=0.1";
+                &[
+                    (label, FORCE, 0.01, "the load must arrive"),
+                    (label, PEAK, 0.02, "the method's reference figures: 0.2 %"),
+                    (label, WIDTH, 0.02, "the method's reference figures: 0.7 %"),
+                    (
+                        label,
+                        L2_HERTZ,
+                        0.05,
+                        "the method's reference figures: 3.3 %",
+                    ),
+                    (
+                        "paper h=0.1",
+                        L2_LAYER,
+                        0.05,
+                        "the method's reference figures: 3.1 %",
+                    ),
+                ]
+            }
         };
-        let gate = |label: &str, name, bound, reason| Gate {
-            name: format!("{label}: {name}"),
-            value: error(label, name),
-            relation: Relation::AtMost,
-            bound,
-            reason,
-        };
-        let gates = match size {
-            Size::Quick => vec![
-                gate(
-                    "hertz h=0.2",
-                    FORCE,
-                    0.015,
-                    "the load must arrive; half settled at 13 s",
-                ),
-                gate("hertz h=0.2", WIDTH, 0.04, "3.4 cells over the half-width"),
-                gate(
-                    "hertz h=0.2",
-                    L2_HERTZ,
-                    0.1,
-                    "a layer 6 % off on a mesh twice as coarse as judged in full",
-                ),
-            ],
-            Size::Full => vec![
-                gate("hertz h=0.1", FORCE, 0.01, "the load must arrive"),
-                gate(
-                    "hertz h=0.1",
-                    PEAK,
-                    0.02,
-                    "the method's reference figures: 0.2 %",
-                ),
-                gate(
-                    "hertz h=0.1",
-                    WIDTH,
-                    0.02,
-                    "the method's reference figures: 0.7 %",
-                ),
-                gate(
-                    "hertz h=0.1",
-                    L2_HERTZ,
-                    0.05,
-                    "the method's reference figures: 3.3 %",
-                ),
-                gate(
-                    "paper h=0.1",
-                    L2_LAYER,
-                    0.05,
-                    "the method's reference figures: 3.1 %",
-                ),
-            ],
-        };
+        let gates = gates
+            .iter()
+            .map(|&(label, name, bound, reason)| error_at_most(solved, label, name, bound, reason));
         Verdict {
             tables: ["hertz", "paper"]
                 .into_iter()
@@ -267,7 +175,7 @@ impl Case for Hertz {
                     (v.to_owned(), table(solved, v, &names))
                 })
                 .collect(),
-            gates,
+            gates: gates.collect(),
             for_the_record: solved
                 .iter()
                 .map(|(rung, s)| {
@@ -293,16 +201,10 @@ impl Study for Hertz {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "pressure",
-                quantity: L2_LAYER,
-            },
-            Measure {
-                word: "peak",
-                quantity: PEAK,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("pressure", L2_LAYER),
+            Measure::new("peak", PEAK),
         ]
     }
 
@@ -319,24 +221,21 @@ impl Study for Hertz {
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let h = rung.cell;
-        let (left, right, below, above) = (-8.6, 8.6, -0.6, 8.6);
-        let cells = |length: f64| (length / h).round() as usize;
+        let (left, right) = (-8.6, 8.6);
+        let mesh = open_plane(h, [left, -0.6], [right, 8.6]);
+        let kappa = Self::kappa(rung.variant);
         let top = GAP + RADIUS;
         // Vertices of the plane every 0.1 m, none of them under the middle.
-        let plane = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+        let points = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+        let plane = Chain {
+            points: points.collect(),
+            side: Side::Open,
+        };
         let mut scene = Scene {
             name: rung.label.clone(),
             time_step: settings.multiplier(),
             materials: elastic(1.0, YOUNG, POISSON),
-            bodies: vec![Body {
-                name: "half disk".into(),
-                id: 1,
-                material: 0,
-                shape: shape(),
-                particles_per_cell: [2, 2, 1],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
+            bodies: vec![body("half disk", 1, shape())],
             damping: Damping::Viscous { alpha: 0.01 },
             box_loads: vec![BoxLoad {
                 p1: [left, top - h, 0.0],
@@ -344,130 +243,56 @@ impl Study for Hertz {
                 force: [0.0, -LOAD, 0.0],
             }],
             mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Given(vec![boundary(h)]),
-                    follow: Follow::Spin,
-                }],
-                facets: vec![],
-                lines: vec![RigidLine {
-                    name: "plane".into(),
-                    id: 2,
-                    chains: vec![Chain {
-                        points: plane.collect(),
-                        side: Side::Open,
-                    }],
-                    motion: None,
-                }],
-                contacts: vec![MortarContact {
-                    name: "half disk on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
-                    friction: 0.0,
-                    critical_gap: GAP,
-                    normal_stiffness: Self::kappa(rung.variant),
-                    tangential_stiffness: 0.0,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
-                }],
+                boundaries: vec![mortar::boundary(1, Vertices::Given(vec![boundary(h)]))],
+                lines: vec![rigid_line("plane", 2, plane, None)],
+                contacts: vec![mortar::barrier("half disk on plane", [2, 1], GAP, kappa)],
+                ..Mortar::default()
             },
-            ..Scene::new(
-                Dimension::Two,
-                Mesh {
-                    origin: [left, below, 0.0],
-                    cell: [h, h, 1.0],
-                    cells: [cells(right - left), cells(above - below), 1],
-                    planes: [[PlaneCondition::Free; 2]; 3],
-                },
-                AVERAGED[1],
-            )
+            ..Scene::new(Dimension::Two, mesh, AVERAGED[1])
         };
         settings.apply(&mut scene);
         scene.transfer.pic_fraction = PIC;
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        self.solve_scene(self, &scene, 1.0, rung, options, observer)
-    }
-}
-
-/// Averages over the end of a run.
-struct Found {
-    /// Force on the disk \[N/m\].
-    force: f64,
-    /// Place, pressure and length of each vertex at the bottom.
-    pressures: Vec<[f64; 3]>,
-}
-
-impl Found {
-    fn peak(&self) -> f64 {
-        self.pressures.iter().map(|p| p[1]).fold(0.0, f64::max)
-    }
-
-    /// Half-width of the Hertz pressure with the same second moment.
-    fn half_width(&self) -> f64 {
-        let moment = |power| {
-            self.pressures
-                .iter()
-                .map(|[x, p, w]| w * p * x.powi(power))
-                .sum::<f64>()
+    ) -> Result<Found, Failure> {
+        // A slab is as thick as its one layer of cells, the plane 1 m.
+        let thickness = simulation.scene().mesh.cell[2];
+        let found = Pressures::averaged(simulation, AVERAGED[0], FINE, |x| x[0], observer)?;
+        let exact = self.exact();
+        let kappa = Self::kappa(rung.variant);
+        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
+            .map_err(|e| format!("no reference: residual {} m", e.residual))?;
+        let peak = found.vertices.iter().map(|p| p[1]).fold(0.0, f64::max);
+        // Of the Hertz pressure with the same second moment.
+        let half_width = 2.0 * (found.moment(2) / found.moment(0)).sqrt();
+        let quantities = vec![
+            Quantity::compared(FORCE, found.force[1] / thickness, exact.load, "N/m"),
+            Quantity::compared(PEAK, peak, exact.peak(), "Pa"),
+            Quantity::compared(WIDTH, half_width, exact.half_width(), "m"),
+            Quantity::of_zero(L2_HERTZ, found.distance(|x| exact.pressure(x))),
+            Quantity::of_zero(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
+            Quantity::of_zero(LAYER, layer.distance_from_hertz(&exact)),
+        ];
+        let points = found.vertices.iter().filter(|p| p[0].abs() < 1.0);
+        let curve = Curve {
+            title: format!("{}: contact pressure", rung.label),
+            abscissa: "x in m",
+            ordinate: "p in Pa",
+            points: points
+                .map(|p| CurvePoint {
+                    at: p[0],
+                    computed: p[1],
+                    exact: exact.pressure(p[0]),
+                })
+                .collect(),
         };
-        2.0 * (moment(2) / moment(0)).sqrt()
+        Ok(Found::new(quantities, Some(curve)))
     }
-
-    /// L2 norm of the difference to a pressure, over that of the pressure.
-    fn distance(&self, exact: impl Fn(f64) -> f64) -> f64 {
-        let (mut off, mut all) = (0.0, 0.0);
-        for [x, p, w] in &self.pressures {
-            off += w * (p - exact(*x)).powi(2);
-            all += w * exact(*x).powi(2);
-        }
-        (off / all).sqrt()
-    }
-}
-
-fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Found, String> {
-    observer.phase(Phase::Stepping);
-    let (mut force, mut weight) = (0.0, 0.0);
-    let mut sums: Vec<[f64; 3]> = vec![];
-    while simulation.time() < AVERAGED[1] {
-        if observer.stop() {
-            return Err(STOPPED.to_owned());
-        }
-        let info = simulation.step(AVERAGED[1]).map_err(|e| e.to_string())?;
-        if info.step % 100 == 0 {
-            observer.progress((simulation.time() / AVERAGED[1]).min(1.0));
-        }
-        if simulation.time() <= AVERAGED[0] {
-            continue;
-        }
-        weight += info.dt;
-        force += info.dt * simulation.mortar_force(1).map_or(0.0, |f| f[1]);
-        let vertices = simulation.mortar_vertices(1).unwrap_or_default();
-        sums.resize(vertices.len(), [0.0; 3]);
-        for (sum, v) in sums.iter_mut().zip(&vertices) {
-            sum[0] += info.dt * v.position[0];
-            sum[1] += info.dt * v.pressure;
-            sum[2] += info.dt * v.measure;
-        }
-    }
-    observer.phase(Phase::Comparing);
-    Ok(Found {
-        force: force / weight,
-        pressures: sums
-            .into_iter()
-            .map(|sum| sum.map(|s| s / weight))
-            .filter(|[x, _, length]| x.abs() < FINE && *length > 0.0)
-            .collect(),
-    })
 }

@@ -8,20 +8,22 @@
 //! Hertz divided by ten. What differs is the projection: along interpolated normals in the plane, along the normals of
 //! triangles in space. `precision` studies the slab against Hertz, as `hertz` does the plane. `proctor verify hertz-slab`.
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
-
 use super::hertz::{FORCE, Hertz, L2_HERTZ, PEAK, WIDTH};
+use super::judging::{table, value_of};
 use super::slab::{self, AsSlab};
-use super::table;
-use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
-use crate::study::{Observer, Studied, Study};
+use crate::case::{Case, Gate, Rung, Size, Solved, Verdict};
+use crate::study::Study;
 
 const SAME: &str = "one layer of cells is the plane, but for how surfaces are projected";
 
 /// The half disk as a slab.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzSlab;
+
+impl HertzSlab {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self;
+}
 
 impl Case for HertzSlab {
     fn name(&self) -> &'static str {
@@ -42,10 +44,7 @@ impl Case for HertzSlab {
     with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let value = |label: &str, name| {
-            let run = solved.iter().find(|(rung, _)| rung.label == label);
-            run.map_or(f64::NAN, |(_, s)| s.value(name))
-        };
+        let value = |label: &str, name| value_of(solved, label, name);
         let cell = self.rungs(size).last().map_or(f64::NAN, |rung| rung.cell);
         let (plane, slab) = (format!("plane h={cell}"), format!("slab h={cell}"));
         let (shape, why) = match size {
@@ -57,12 +56,13 @@ impl Case for HertzSlab {
         };
         let gates = [(FORCE, 0.01, SAME), (PEAK, shape, why), (WIDTH, shape, why)]
             .into_iter()
-            .map(|(name, bound, reason)| Gate {
-                name: format!("{slab}: {name} against the plane"),
-                value: (value(&slab, name) / value(&plane, name) - 1.0).abs(),
-                relation: Relation::AtMost,
-                bound,
-                reason,
+            .map(|(name, bound, reason)| {
+                Gate::at_most(
+                    format!("{slab}: {name} against the plane"),
+                    (value(&slab, name) / value(&plane, name) - 1.0).abs(),
+                    bound,
+                    reason,
+                )
             })
             .collect();
         Verdict {
@@ -98,16 +98,5 @@ impl AsSlab for HertzSlab {
             Size::Quick => ("slab", &[0.8, 0.4]),
             Size::Full => ("slab", &[0.8, 0.4, 0.2]),
         }
-    }
-
-    fn solve_scene(
-        &self,
-        scene: &Scene,
-        thickness: f64,
-        plane: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        Hertz::GIVEN.solve_scene(self, scene, thickness, plane, options, observer)
     }
 }

@@ -11,24 +11,23 @@
 mod study;
 
 use libm::{asin, hypot, sin, sincos};
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::mortar::space::refine::fill;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    ParticleSeed, PlaneCondition, RigidFacets, Scene, Shape, Vertices,
+    BoxLoad, Damping, Dimension, Mesh, Mortar, ParticleSeed, PlaneCondition, RigidFacets, Scene,
+    Shape, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::surface::{Surface, SurfaceError};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use super::{elastic, table};
-use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
+use super::judging::{error_at_most, table};
+use super::mortar::barrier;
+use super::pressures::Pressures;
+use super::{body, elastic, mortar};
+use crate::case::{Case, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::contact_modulus;
 use crate::exact::hertz_sphere::HertzSphere as Exact;
 use crate::settings::Settings;
-use crate::study::{Observer, Phase, STOPPED, Study};
 
 const RADIUS: f64 = 8.0;
 /// Contact radius that the load is chosen for \[m\].
@@ -208,15 +207,11 @@ impl HertzSphere {
             name: rung.label.clone(),
             time_step: settings.multiplier(),
             materials: elastic(DENSITY, YOUNG, POISSON),
-            bodies: vec![Body {
-                name: "ball".into(),
-                id: 1,
-                material: 0,
-                shape: Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
-                particles_per_cell: [2, 2, 2],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
+            bodies: vec![body(
+                "ball",
+                1,
+                Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
+            )],
             damping: Damping::Viscous {
                 alpha: DAMPING * h / (YOUNG / DENSITY).sqrt(),
             },
@@ -226,30 +221,18 @@ impl HertzSphere {
                 force: [0.0, 0.0, -0.25 * load()],
             }],
             mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Surface(Arc::new(boundary(h)?)),
-                    follow: Follow::Spin,
-                }],
-                lines: vec![],
+                boundaries: vec![mortar::boundary(
+                    1,
+                    Vertices::Surface(Arc::new(boundary(h)?)),
+                )],
                 facets: vec![RigidFacets {
                     name: "plane".into(),
                     id: 2,
                     surface: Arc::new(plane()?),
                     motion: None,
                 }],
-                contacts: vec![MortarContact {
-                    name: "ball on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
-                    friction: 0.0,
-                    critical_gap: GAP,
-                    normal_stiffness: KAPPA,
-                    tangential_stiffness: 0.0,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
-                }],
+                contacts: vec![barrier("ball on plane", [2, 1], GAP, KAPPA)],
+                ..Mortar::default()
             },
             ..Scene::new(
                 Dimension::Three,
@@ -305,19 +288,8 @@ impl Case for HertzSphere {
     with_own_settings!();
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let finest = self.rungs(size).last().map(|rung| rung.label.clone());
-        let run = solved
-            .iter()
-            .find(|(rung, _)| Some(&rung.label) == finest.as_ref());
-        let error = |name| run.map_or(f64::NAN, |(_, s)| s.error(name));
-        let label = finest.clone().unwrap_or_default();
-        let gate = |name, bound, reason| Gate {
-            name: format!("{label}: {name}"),
-            value: error(name),
-            relation: Relation::AtMost,
-            bound,
-            reason,
-        };
+        let finest = self.rungs(size).pop().map_or_else(String::new, |r| r.label);
+        let gate = |name, bound, reason| error_at_most(solved, &finest, name, bound, reason);
         let gates = match size {
             Size::Quick => vec![
                 gate(FORCE, 0.01, "the load must arrive"),
@@ -342,77 +314,10 @@ impl Case for HertzSphere {
     }
 }
 
-/// Averages over the end of a run.
-struct Found {
-    /// Force on the whole ball \[N\].
-    force: f64,
-    /// Distance from the axis, pressure and area of each vertex at the bottom.
-    pressures: Vec<[f64; 3]>,
-}
-
-impl Found {
-    /// Peak pressure with the mean over the middle, as Hertz has it.
-    fn peak(&self, exact: &Exact) -> f64 {
-        let within = MIDDLE * exact.contact_radius();
-        let inner = self.pressures.iter().filter(|p| p[0] <= within);
-        let (force, area) = inner.fold((0.0, 0.0), |(f, a), [_, p, w]| (f + p * w, a + w));
-        force / area * exact.peak() / exact.mean_within(within)
-    }
-
-    /// Radius of the Hertz pressure with the same second moment, sqrt(5/2 m_2/m_0).
-    fn radius(&self) -> f64 {
-        let moment = |power| {
-            self.pressures
-                .iter()
-                .map(|[r, p, w]| w * p * r.powi(power))
-                .sum::<f64>()
-        };
-        (2.5 * moment(2) / moment(0)).sqrt()
-    }
-
-    /// L2 norm of the difference to a pressure, over that of the pressure.
-    fn distance(&self, exact: impl Fn(f64) -> f64) -> f64 {
-        let (mut off, mut all) = (0.0, 0.0);
-        for [r, p, w] in &self.pressures {
-            off += w * (p - exact(*r)).powi(2);
-            all += w * exact(*r).powi(2);
-        }
-        (off / all).sqrt()
-    }
-}
-
-fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Found, String> {
-    observer.phase(Phase::Stepping);
-    let (mut force, mut weight) = (0.0, 0.0);
-    let mut sums: Vec<[f64; 3]> = vec![];
-    while simulation.time() < AVERAGED[1] {
-        if observer.stop() {
-            return Err(STOPPED.to_owned());
-        }
-        let info = simulation.step(AVERAGED[1]).map_err(|e| e.to_string())?;
-        if info.step % 20 == 0 {
-            observer.progress((simulation.time() / AVERAGED[1]).min(1.0));
-        }
-        if simulation.time() <= AVERAGED[0] {
-            continue;
-        }
-        weight += info.dt;
-        force += info.dt * 4.0 * simulation.mortar_force(1).map_or(0.0, |f| f[2]);
-        let vertices = simulation.mortar_vertices(1).unwrap_or_default();
-        sums.resize(vertices.len(), [0.0; 3]);
-        for (sum, v) in sums.iter_mut().zip(&vertices) {
-            sum[0] += info.dt * hypot(v.position[0], v.position[1]);
-            sum[1] += info.dt * v.pressure;
-            sum[2] += info.dt * v.measure;
-        }
-    }
-    observer.phase(Phase::Comparing);
-    Ok(Found {
-        force: force / weight,
-        pressures: sums
-            .into_iter()
-            .map(|sum| sum.map(|s| s / weight))
-            .filter(|[r, _, area]| *r < FINE && *area > 0.0)
-            .collect(),
-    })
+/// Peak pressure with the mean over the middle, as Hertz has it.
+fn peak(found: &Pressures, exact: &Exact) -> f64 {
+    let within = MIDDLE * exact.contact_radius();
+    let inner = found.vertices.iter().filter(|p| p[0] <= within);
+    let (force, area) = inner.fold((0.0, 0.0), |(f, a), [_, p, w]| (f + p * w, a + w));
+    force / area * exact.peak() / exact.mean_within(within)
 }

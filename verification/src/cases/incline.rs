@@ -9,15 +9,16 @@
 use std::sync::Arc;
 
 use proctor_kernel::scene::{
-    Body, Contact, ContactNormal, Damping, Dimension, History, Material, Mesh, PlaneCondition,
-    Scene, Shape, Vector,
+    Contact, ContactNormal, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene,
+    Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
-use super::{AT_REST, NO_RESULTS, elastic};
-use crate::case::{Curve, CurvePoint};
+use super::dynamics::run;
+use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};
+use crate::case::{Curve, CurvePoint, Quantity};
 use crate::exact::sliding::Slope;
-use crate::study::{Observer, Phase, STOPPED};
+use crate::study::{Failure, Observer};
 
 /// Young's modulus of the manual \[Pa\]; Poisson's ratio is [`POISSON`].
 pub const YOUNG: f64 = 100e6;
@@ -44,6 +45,13 @@ const TILTS: u32 = 200;
 const POINTS: usize = 40;
 /// Identifier of the base.
 const BASE: i64 = 1;
+
+/// Name of the displacement among the quantities.
+pub const WAY: &str = "displacement at 2 s";
+/// Name of the fitted acceleration.
+pub const ACCELERATION: &str = "acceleration";
+/// Name of the creep.
+pub const CREEP: &str = "creep velocity over free velocity";
 
 /// A block.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,19 +141,8 @@ impl Incline {
             .map_or(Damping::None, |alpha| Damping::Local { alpha });
         scene.results = NO_RESULTS;
         scene.materials = material();
-        let mut particles = [2; 3];
-        particles[self.dimension.axes()..].fill(1);
-        let body = |name: String, id: i64, p1: Vector, p2: Vector| Body {
-            name,
-            id,
-            material: 0,
-            shape: Shape::Cuboid { p1, p2 },
-            particles_per_cell: particles,
-            velocity: [0.0; 3],
-            motion: None,
-        };
         let far = self.point(self.length, WIDTH, self.base);
-        let mut base = body("base".to_owned(), BASE, [0.0; 3], far);
+        let mut base = body("base", BASE, cuboid([0.0; 3], far));
         if self.held {
             base.motion = Some(still());
         }
@@ -153,12 +150,12 @@ impl Incline {
         for (i, block) in self.blocks.iter().enumerate() {
             let id = BASE + 1 + i as i64;
             let [near, far] = block.along;
-            scene.bodies.push(body(
-                format!("block {}", i + 1),
-                id,
+            let shape = cuboid(
                 self.point(near, ACROSS[0], self.base),
                 self.point(far, ACROSS[1], self.base + self.height),
-            ));
+            );
+            let name = format!("block {}", i + 1);
+            scene.bodies.push(body(name, id, shape));
             scene.contacts.push(Contact {
                 name: format!("block {} on base", i + 1),
                 id: i as i64 + 1,
@@ -171,22 +168,14 @@ impl Incline {
         scene
     }
 
-    /// A simulation of `scene`, which is that of this incline, settled where the base is held, and just released.
-    ///
-    /// # Errors
-    /// Why it was refused or failed, in words.
-    pub fn released(
-        &self,
-        scene: &Scene,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Simulation, String> {
+    /// What settling asks of a simulation: the stress of the weight of what lies above, where the base is held.
+    pub fn options(&self, options: Options) -> Options {
         if !self.held {
-            return Simulation::new(scene, options).map_err(|e| e.to_string());
+            return options;
         }
         let (up, base, top) = (self.up(), self.base, self.base + self.height);
         let into = self.gravity[1].abs();
-        let options = Options {
+        Options {
             initial: Some(Arc::new(move |x| {
                 let mut state: InitialState = AT_REST;
                 if x[up] > base {
@@ -194,38 +183,46 @@ impl Incline {
                 }
                 state
             })),
-            ..options.clone()
-        };
-        let words = |e: proctor_kernel::simulation::SetupError| e.to_string();
-        let mut simulation = Simulation::new(scene, &options).map_err(words)?;
-        simulation
-            .set_gravity(self.inclined([0.0, into]))
-            .map_err(words)?;
-        simulation.set_local_damping(Some(DAMPING)).map_err(words)?;
+            ..options
+        }
+    }
+
+    /// Settles the blocks of a simulation of this incline where the base is held, and releases them.
+    ///
+    /// # Errors
+    /// Why a step failed.
+    pub fn release(
+        &self,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<(), Failure> {
+        if !self.held {
+            return Ok(());
+        }
+        // As it is to be from the release on.
+        let scene = simulation.scene().clone();
+        let into = self.gravity[1].abs();
+        simulation.set_gravity(self.inclined([0.0, into]))?;
+        simulation.set_local_damping(Some(DAMPING))?;
         for contact in &scene.contacts {
-            simulation.set_friction(contact.id, 0.0).map_err(words)?;
+            simulation.set_friction(contact.id, 0.0)?;
         }
         let settled = self.settling();
-        run(&mut simulation, settled, scene.time, observer, |_| ())?;
+        run(simulation, settled, observer, |_| ())?;
         for contact in &scene.contacts {
-            simulation
-                .set_friction(contact.id, contact.friction)
-                .map_err(words)?;
+            simulation.set_friction(contact.id, contact.friction)?;
         }
         if let Some(tilting) = self.tilting {
             // By steps that are small beside the periods of the blocks.
             for stage in 1..=TILTS {
                 let share = f64::from(stage) / f64::from(TILTS);
-                simulation
-                    .set_gravity(self.inclined([share * self.gravity[0], into]))
-                    .map_err(words)?;
-                let until = settled + share * tilting;
-                run(&mut simulation, until, scene.time, observer, |_| ())?;
+                simulation.set_gravity(self.inclined([share * self.gravity[0], into]))?;
+                run(simulation, settled + share * tilting, observer, |_| ())?;
             }
         }
-        simulation.set_local_damping(self.damping).map_err(words)?;
-        simulation.set_gravity(scene.gravity).map_err(words)?;
-        Ok(simulation)
+        simulation.set_local_damping(self.damping)?;
+        simulation.set_gravity(scene.gravity)?;
+        Ok(())
     }
 }
 
@@ -245,32 +242,6 @@ fn still() -> History {
         times: vec![0.0],
         values: vec![[0.0; 3]],
     }
-}
-
-/// Steps until `stop` (s), telling progress towards `end` (s); `after` sees the simulation after each step.
-///
-/// # Errors
-/// Why a step failed, in words.
-pub fn run(
-    simulation: &mut Simulation,
-    stop: f64,
-    end: f64,
-    observer: &mut dyn Observer,
-    mut after: impl FnMut(&Simulation),
-) -> Result<(), String> {
-    observer.phase(Phase::Stepping);
-    while simulation.time() < stop {
-        if observer.stop() {
-            return Err(STOPPED.to_owned());
-        }
-        simulation.step(stop).map_err(|e| e.to_string())?;
-        after(simulation);
-        if simulation.steps().is_multiple_of(50) {
-            observer.progress((simulation.time() / end).min(1.0));
-        }
-    }
-    observer.phase(Phase::Comparing);
-    Ok(())
 }
 
 /// The way of a block after its release.
@@ -308,12 +279,12 @@ impl Track {
 /// release is at that time. One track per block.
 ///
 /// # Errors
-/// Why a step failed, in words.
+/// Why a step failed.
 pub fn follow(
     incline: &Incline,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Vec<Track>, String> {
+) -> Result<Vec<Track>, Failure> {
     let mut directions = [[0.0; 3]; 2];
     directions[0][0] = 1.0;
     directions[1][incline.up()] = 1.0;
@@ -326,7 +297,7 @@ pub fn follow(
 /// bodies, `into` gravity into the incline (m/s²); `after` sees the simulation after each step.
 ///
 /// # Errors
-/// Why a step failed, in words.
+/// Why a step failed.
 pub fn follow_along(
     directions: [Vector; 2],
     blocks: &[usize],
@@ -334,7 +305,7 @@ pub fn follow_along(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
     mut after: impl FnMut(&Simulation),
-) -> Result<Vec<Track>, String> {
+) -> Result<Vec<Track>, Failure> {
     let [along, out] = directions.map(|d| move |v: &Vector| dot(v, &d));
     let release = simulation.velocity_time();
     let end = simulation.scene().time;
@@ -343,7 +314,7 @@ pub fn follow_along(
         .map(|&body| along(&simulation.center(body).1))
         .collect();
     let mut tracks = vec![Track::default(); start.len()];
-    run(simulation, end, end, observer, |simulation| {
+    run(simulation, end, observer, |simulation| {
         let (t, t_v) = (
             simulation.time() - release,
             simulation.velocity_time() - release,
@@ -359,6 +330,26 @@ pub fn follow_along(
         after(simulation);
     })?;
     Ok(tracks)
+}
+
+/// Acceleration along the incline against the exact one.
+pub fn acceleration(track: &Track, exact: &Slope) -> Quantity {
+    let fitted = fitted_slope(&track.velocity);
+    Quantity::compared(ACCELERATION, fitted, exact.acceleration(), "m/s²")
+}
+
+/// Creep and displacement \[m\] of a block that sticks for a time \[s\], over what a free one would do.
+pub fn stuck(track: &Track, moved: f64, exact: &Slope, time: f64) -> [Quantity; 2] {
+    let free = Slope {
+        friction: 0.0,
+        ..*exact
+    };
+    let creep = track.mean_velocity_from(0.5) / (free.acceleration() * time);
+    let way = Quantity {
+        error: Some((moved / free.displacement(time)).abs()),
+        ..Quantity::balance(WAY, moved, "m")
+    };
+    [Quantity::of_zero(CREEP, creep), way]
 }
 
 /// Displacement over time beside the exact one, for pictures.

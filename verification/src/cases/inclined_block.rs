@@ -23,18 +23,17 @@
 mod judge;
 
 use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep};
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 
-use super::failed;
 use super::incline::{
-    Block, COURANT, DENSITY, GRAVITY, Incline, POISSON, Track, YOUNG, fitted_slope, follow,
-    shear_wave_speed, sliding_curve,
+    ACCELERATION, Block, COURANT, CREEP, DENSITY, GRAVITY, Incline, POISSON, Track, WAY, YOUNG,
+    acceleration, follow, shear_wave_speed, sliding_curve, stuck,
 };
-use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Time from the release to the end \[s\].
 const TIME: f64 = 2.0;
@@ -56,15 +55,8 @@ const TILTING: f64 = 1.0;
 const STUDIED: f64 = 0.3;
 /// Local damping of a block that is to stick.
 const STICKING_DAMPING: f64 = 0.1;
-/// Name of the displacement among the quantities.
-const WAY: &str = "displacement at 2 s";
 /// Name of the displacement against that of an elastic block.
 const ELASTIC: &str = "displacement at 2 s, elastic";
-/// Name of the fitted acceleration.
-const ACCELERATION: &str = "acceleration";
-/// Name of the creep.
-const CREEP: &str = "creep velocity over free velocity";
-
 /// The block on an incline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InclinedBlock {
@@ -279,50 +271,18 @@ impl InclinedBlock {
     fn quantities(track: &Track, moved: f64, problem: &Problem, height: f64) -> Vec<Quantity> {
         let exact = Self::exact(problem);
         if exact.sticks() {
-            let free = Slope {
-                friction: 0.0,
-                ..exact
-            };
-            let creep = track.mean_velocity_from(0.5) / (free.acceleration() * TIME);
-            return vec![
-                Quantity {
-                    name: CREEP,
-                    value: creep,
-                    exact: Some(0.0),
-                    error: Some(creep.abs()),
-                    unit: "1",
-                },
-                Quantity {
-                    name: WAY,
-                    value: moved,
-                    exact: Some(0.0),
-                    error: Some((moved / free.displacement(TIME)).abs()),
-                    unit: "m",
-                },
-            ];
+            return stuck(track, moved, &exact, TIME).into();
         }
-        let compared = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
         let end = track.way.last().map_or(f64::NAN, |w| w[0]);
         vec![
-            compared(WAY, track.end(), exact.displacement(end), "m"),
-            compared(
+            Quantity::compared(WAY, track.end(), exact.displacement(end), "m"),
+            Quantity::compared(
                 ELASTIC,
                 track.end(),
                 exact.elastic_displacement(end, height, shear_wave_speed()),
                 "m",
             ),
-            compared(
-                ACCELERATION,
-                fitted_slope(&track.velocity),
-                exact.acceleration(),
-                "m/s²",
-            ),
+            acceleration(track, &exact),
         ]
     }
 
@@ -381,16 +341,10 @@ impl Study for InclinedBlock {
             .collect()
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: ELASTIC,
-            },
-            Measure {
-                word: "acceleration",
-                quantity: ACCELERATION,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", ELASTIC),
+            Measure::new("acceleration", ACCELERATION),
         ]
     }
 
@@ -421,36 +375,24 @@ impl Study for InclinedBlock {
         scene
     }
 
-    fn solve_with(
+    fn options(&self, rung: &Rung, options: Options) -> Options {
+        self.incline(rung).options(options)
+    }
+
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
         let incline = self.incline(rung);
-        let mut simulation = incline
-            .released(&scene, options, observer)
-            .map_err(|e| failed(self, rung, &e))?;
-        let tracks =
-            follow(&incline, &mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
+        incline.release(simulation, observer)?;
+        let tracks = follow(&incline, simulation, observer)?;
         let problem = Self::problem(rung);
         let moved = simulation.center(1).1[0] - 0.5 * (ALONG[0] + ALONG[1]);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&tracks[0], moved, &problem, incline.height),
-            drawings: vec![],
-            curve: Some(sliding_curve(
-                &tracks[0],
-                &Self::exact(&problem),
-                &rung.label,
-            )),
-        };
-        Ok(Studied::new(solved, &simulation))
+        let quantities = Self::quantities(&tracks[0], moved, &problem, incline.height);
+        let curve = sliding_curve(&tracks[0], &Self::exact(&problem), &rung.label);
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

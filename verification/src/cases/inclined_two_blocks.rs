@@ -10,16 +10,16 @@
 //! `precision` studies the block that rubs, in two dimensions. `proctor verify inclined-two-blocks`.
 
 use proctor_kernel::scene::{Dimension, Scene, StressScheme};
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 
-use super::failed;
 use super::incline::{
     Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
 };
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::judging::error_at_most;
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study, few};
+use crate::study::{Failure, Measure, Observer, Study, few};
 
 /// Time from the release to the end \[s\].
 const TIME: f64 = 2.0;
@@ -123,13 +123,6 @@ impl InclinedTwoBlocks {
     }
 
     fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
-        let compared = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
         let mut all = vec![];
         for (i, (block, track)) in BLOCKS.iter().zip(tracks).enumerate() {
             if lifts {
@@ -139,7 +132,12 @@ impl InclinedTwoBlocks {
                     .copied()
                     .filter(|v| v[0] > FREE_FROM)
                     .collect();
-                all.push(compared(LIFTS[i], fitted_slope(&free), GRAVITY, "m/s²"));
+                all.push(Quantity::compared(
+                    LIFTS[i],
+                    fitted_slope(&free),
+                    GRAVITY,
+                    "m/s²",
+                ));
                 continue;
             }
             let exact = Slope {
@@ -148,12 +146,17 @@ impl InclinedTwoBlocks {
                 friction: block.friction,
             };
             let end = track.way.last().map_or(f64::NAN, |w| w[0]);
-            all.push(compared(WAYS[i], track.end(), exact.displacement(end), "m"));
+            all.push(Quantity::compared(
+                WAYS[i],
+                track.end(),
+                exact.displacement(end),
+                "m",
+            ));
             if i == 0 {
                 let elastic = exact.elastic_displacement(end, HEIGHT, shear_wave_speed());
-                all.push(compared(ELASTIC, track.end(), elastic, "m"));
+                all.push(Quantity::compared(ELASTIC, track.end(), elastic, "m"));
             }
-            all.push(compared(
+            all.push(Quantity::compared(
                 ACCELERATIONS[i],
                 fitted_slope(&track.velocity),
                 exact.acceleration(),
@@ -165,13 +168,7 @@ impl InclinedTwoBlocks {
                 .iter()
                 .map(|t| forces(t) / t.weight)
                 .fold(0.0, f64::max);
-            Quantity {
-                name,
-                value,
-                exact: Some(0.0),
-                error: Some(value),
-                unit: "1",
-            }
+            Quantity::of_zero(name, value)
         };
         let largest = |forces: &mut dyn Iterator<Item = f64>| forces.fold(0.0, f64::max);
         all.push(over_weight(PULL, &|t| {
@@ -209,11 +206,7 @@ impl Case for InclinedTwoBlocks {
             VARIANTS
                 .into_iter()
                 .filter(move |v| v.1 == dimension)
-                .map(move |v| Rung {
-                    label: format!("{} h={cell}", v.0),
-                    cell,
-                    variant: v.0,
-                })
+                .map(move |v| Rung::new(v.0, cell))
         };
         cells.iter().flat_map(of).collect()
     }
@@ -223,16 +216,9 @@ impl Case for InclinedTwoBlocks {
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
         for rung in self.rungs(size) {
-            let found = solved.iter().find(|(other, _)| *other == rung);
-            let error = |name: &str| found.map_or(f64::NAN, |(_, s)| s.error(name));
-            let mut gate = |name: &str, bound, reason| {
-                verdict.gates.push(Gate {
-                    name: format!("{}: {name}", rung.label),
-                    value: error(name),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+            let mut gate = |name, bound, reason| {
+                let gate = error_at_most(solved, &rung.label, name, bound, reason);
+                verdict.gates.push(gate);
             };
             gate(PULL, PULL_GATE, "contact never pulls; round-off is left");
             if Self::variant(&rung).2 {
@@ -268,16 +254,10 @@ impl Study for InclinedTwoBlocks {
         Rung::ladders(&[(variant, cells)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: ELASTIC,
-            },
-            Measure {
-                word: "acceleration",
-                quantity: ACCELERATIONS[0],
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", ELASTIC),
+            Measure::new("acceleration", ACCELERATIONS[0]),
         ]
     }
 
@@ -307,30 +287,21 @@ impl Study for InclinedTwoBlocks {
         scene
     }
 
-    fn solve_with(
+    fn options(&self, rung: &Rung, options: Options) -> Options {
+        self.incline(rung).options(options)
+    }
+
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
         let incline = self.incline(rung);
-        let mut simulation = incline
-            .released(&scene, options, observer)
-            .map_err(|e| failed(self, rung, &e))?;
-        let tracks =
-            follow(&incline, &mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&tracks, Self::variant(rung).2),
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        incline.release(simulation, observer)?;
+        let tracks = follow(&incline, simulation, observer)?;
+        let quantities = Self::quantities(&tracks, Self::variant(rung).2);
+        Ok(Found::new(quantities, None))
     }
 }

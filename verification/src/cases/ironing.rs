@@ -27,21 +27,18 @@ mod pressed;
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, Damping, Dimension, DomainUpdate, Enforcement, History, Law, Mesh,
-    MortarContact, PlaneCondition, RigidLine, Scene, Shape, StressScheme, TransferKind, Vertices,
-    Weighting,
+    Damping, Dimension, History, Law, MortarContact, PlaneCondition, Scene, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 use std::f64::consts::PI;
 
 use super::dynamics::at_intervals;
-use super::{NO_RESULTS, PARTED, elastic, failed};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Quantity, Rung, Size, Solved, Verdict};
-use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use super::mortar::{PAPER, barrier, boundary, rigid_line, settings};
+use super::{NO_RESULTS, PARTED, body, cuboid, elastic, open_plane};
+use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
+use crate::settings::Settings;
+use crate::study::{Failure, Measure, Observer, Study};
 
 const BLOCK: [f64; 2] = [12.0, 4.0];
 const YOUNG: f64 = 600.0;
@@ -148,13 +145,14 @@ impl Ironing {
 fn forces(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Vec<[f64; 2]>, String> {
+) -> Result<Vec<[f64; 2]>, Failure> {
     let mut forces = vec![];
-    at_intervals(simulation, INTERVAL, observer, |simulation, _| {
+    let look = |simulation: &Simulation, _| {
         let force = simulation.mortar_force(2).unwrap_or([f64::NAN; 3]);
         forces.push([force[0], force[1]]);
         Ok(())
-    })?;
+    };
+    at_intervals(simulation, INTERVAL, observer, |_| (), look)?;
     Ok(forces)
 }
 
@@ -215,32 +213,24 @@ fn ripple(values: &[f64]) -> f64 {
 
 /// Quantities from the forces on the indenter at each interval \[N\].
 fn quantities(forces: &[[f64; 2]], expected: [f64; 3]) -> Vec<Quantity> {
-    let compared = |name, value: f64, exact: f64, unit| Quantity {
-        name,
-        value,
-        exact: Some(exact),
-        error: Some((value / exact - 1.0).abs()),
-        unit,
-    };
     let at = |time: f64| (time / INTERVAL) as usize - 1;
     let mut found = vec![];
     if let Some(force) = forces.get(at(DOWN)) {
-        found.push(compared(PRESSED, force[1], expected[0], "N"));
+        found.push(Quantity::compared(PRESSED, force[1], expected[0], "N"));
     }
     if let Some(plateau) = forces.get(at(PLATEAU[0])..=at(PLATEAU[1])) {
         let of = |axis: usize| plateau.iter().map(|f| f[axis]).collect::<Vec<_>>();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let [along, down] = [0, 1].map(|axis| mean(&of(axis)));
-        found.push(compared(MEAN, down, expected[1], "N"));
-        found.push(compared(ACROSS, along, expected[2], "N"));
-        found.push(compared(OVER, along / down, expected[2] / expected[1], "1"));
-        found.push(Quantity {
-            name: RIPPLE,
-            value: ripple(&of(1)),
-            exact: Some(0.0),
-            error: None,
-            unit: "1",
-        });
+        found.push(Quantity::compared(MEAN, down, expected[1], "N"));
+        found.push(Quantity::compared(ACROSS, along, expected[2], "N"));
+        found.push(Quantity::compared(
+            OVER,
+            along / down,
+            expected[2] / expected[1],
+            "1",
+        ));
+        found.push(Quantity::balance(RIPPLE, ripple(&of(1)), "1"));
     }
     found
 }
@@ -303,11 +293,8 @@ impl Study for Ironing {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[Measure {
-            word: "force",
-            quantity: pressed::HISTORY,
-        }]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("force", pressed::HISTORY)]
     }
 
     fn refined_axes(&self) -> usize {
@@ -315,28 +302,13 @@ impl Study for Ironing {
     }
 
     fn own_settings(&self, _rung: &Rung) -> Settings {
-        Settings {
-            particles_per_cell: 3,
-            ..Settings::new(Method {
-                weighting: Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
-                scheme: StressScheme::Musl,
-                transfer: TransferKind::Apic,
-            })
-        }
+        settings(PAPER, 3)
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let h = rung.cell;
         let reading = Self::reading(rung);
-        let (from, to, above) = (-2.0, 14.0, 8.0);
-        let cells = |length: f64| (length / h).round() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [from, 0.0, 0.0],
-            [h, h, 1.0],
-            [cells(to - from), cells(above), 1],
-        );
-        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
+        let mut mesh = open_plane(h, [-2.0, 0.0], [14.0, 8.0]);
         mesh.planes[1][0] = PlaneCondition::Fixed;
         let mut scene = Scene::new(Dimension::Two, mesh, Self::end(rung));
         scene.name.clone_from(&rung.label);
@@ -357,80 +329,47 @@ impl Study for Ironing {
                 alpha: DAMPING * h / CELL,
             };
         }
-        scene.bodies = vec![Body {
-            name: "block".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [BLOCK[0], BLOCK[1], 0.0],
-            },
-            particles_per_cell: [1; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
-        scene.mortar.boundaries = vec![BodyBoundary {
-            body: 1,
-            vertices: Vertices::Spacing(SEGMENT),
-            follow: Follow::Spin,
-        }];
-        scene.mortar.lines = vec![RigidLine {
-            name: "indenter".to_owned(),
-            id: 2,
-            chains: vec![indenter()],
-            motion: Some(motion()),
-        }];
+        scene.bodies = vec![body(
+            "block",
+            1,
+            cuboid([0.0; 3], [BLOCK[0], BLOCK[1], 0.0]),
+        )];
+        scene.mortar.boundaries = vec![boundary(1, Vertices::Spacing(SEGMENT))];
+        scene.mortar.lines = vec![rigid_line("indenter", 2, indenter(), Some(motion()))];
         scene.mortar.contacts = vec![MortarContact {
-            name: "indenter in block".to_owned(),
-            id: 1,
-            master: 1,
-            slave: 2,
             friction: reading.friction,
-            critical_gap: CRITICAL_GAP,
-            normal_stiffness: KAPPA * reading.stiffness,
             tangential_stiffness: 1e4 * reading.stiffness,
-            enforcement: Enforcement::Barrier,
-            detection: Detection::Mortar,
+            ..barrier(
+                "indenter in block",
+                [1, 2],
+                CRITICAL_GAP,
+                KAPPA * reading.stiffness,
+            )
         }];
         settings.apply(&mut scene);
         scene.transfer.pic_fraction = PIC;
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        let mut solve = || {
-            scene.check().map_err(|e| e.to_string())?;
-            let mut simulation = Simulation::new(&scene, options).map_err(|e| e.to_string())?;
-            let forces = forces(&mut simulation, observer)?;
-            let (quantities, curve) = if rung.variant == pressed::VARIANT {
-                let known = pressed::reference(self.reference_force)?;
-                (
-                    pressed::quantities(&forces, &known),
-                    pressed::curve(&rung.label, &forces, &known),
-                )
-            } else {
-                let figures = Self::reading(rung).figures;
-                let expected = figures.map(|f| f * self.reference_force);
-                (quantities(&forces, expected), curve(&rung.label, &forces))
-            };
-            let solved = Solved {
-                particles: simulation.particles(),
-                steps: simulation.steps(),
-                time: simulation.time(),
-                quantities,
-                drawings: vec![],
-                curve: Some(curve),
-            };
-            Ok(Studied::new(solved, &simulation))
+    ) -> Result<Found, Failure> {
+        let forces = forces(simulation, observer)?;
+        let (quantities, curve) = if rung.variant == pressed::VARIANT {
+            let known = pressed::reference(self.reference_force)?;
+            (
+                pressed::quantities(&forces, &known),
+                pressed::curve(&rung.label, &forces, &known),
+            )
+        } else {
+            let figures = Self::reading(rung).figures;
+            let expected = figures.map(|f| f * self.reference_force);
+            (quantities(&forces, expected), curve(&rung.label, &forces))
         };
-        solve().map_err(|e: String| failed(self, rung, &e))
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

@@ -1,18 +1,27 @@
 //! The cases: one small file each.
 
-/// [`Case::scene`] and [`Case::solve`] of a case that is a [`Study`]: with the settings that are its own.
+/// What a [`Case`] that is a [`Study`] does with the settings that are its own. It is its own one study, but where it says
+/// what else is.
 macro_rules! with_own_settings {
     () => {
-        fn scene(&self, rung: &Rung) -> Scene {
+        fn studies(&self) -> Result<Vec<&dyn $crate::study::Study>, &'static str> {
+            Ok(vec![self])
+        }
+
+        with_own_settings!(but studies);
+    };
+    (but studies) => {
+        fn scene(&self, rung: &$crate::case::Rung) -> proctor_kernel::scene::Scene {
+            use $crate::study::Study;
             self.scene_with(rung, &self.own_settings(rung))
         }
 
         fn solve(
             &self,
-            rung: &Rung,
-            options: &Options,
+            rung: &$crate::case::Rung,
+            options: &proctor_kernel::simulation::Options,
             progress: &mut dyn FnMut(f64),
-        ) -> Result<Solved, CaseError> {
+        ) -> Result<$crate::case::Solved, $crate::case::CaseError> {
             $crate::cases::solve_own(self, rung, options, progress)
         }
     };
@@ -34,6 +43,10 @@ mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
 mod ironing;
+mod judging;
+mod mortar;
+mod parts;
+mod pressures;
 mod rings;
 mod rolling_disk;
 mod rolling_disk_slab;
@@ -44,128 +57,66 @@ mod sphere_on_terrain;
 mod statics;
 mod tilted_incline;
 
-pub use axis_aligned::AxisAligned;
-pub use bar::Bar;
-pub use base_acceleration::BaseAcceleration;
-pub use block_on_two_blocks::BlockOnTwoBlocks;
-pub use boussinesq::Boussinesq;
-pub use cantilever::Cantilever;
-pub use colliding_blocks::CollidingBlocks;
-pub use grains::{Grains, apart as grains_apart, outlines as grain_outlines};
-pub use hertz::Hertz;
-pub use hertz_slab::HertzSlab;
-pub use hertz_sphere::HertzSphere;
-pub use inclined_block::InclinedBlock;
-pub use inclined_two_blocks::InclinedTwoBlocks;
-pub use ironing::Ironing;
-pub use rings::Rings;
-pub use rolling_disk::RollingDisk;
-pub use rolling_disk_slab::RollingDiskSlab;
-pub use rotation::Rotation;
-pub use self_weight::SelfWeight;
-pub use sphere_on_terrain::SphereOnTerrain;
-pub use tilted_incline::TiltedIncline;
+pub use grains::{apart as grains_apart, outlines as grain_outlines};
 
-use crate::case::{Case, CaseError, CurvePoint, Gate, Relation, Rung, Solved};
-use crate::convergence::{ConvergenceTable, Row};
+use std::sync::OnceLock;
+
+use proctor_kernel::simulation::Options;
+
+use crate::case::{Case, CaseError, CurvePoint, Rung, Solved};
 use crate::study::{Measure, Study};
-use proctor_kernel::scene::{Law, Material, ObjectiveRate, Results};
-use proctor_kernel::simulation::{InitialState, Options};
+use parts::{AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material, open_plane};
 
-/// All cases, in the order in which they are shown.
-pub(crate) static ALL: &[&dyn Case] = &[
-    &Boussinesq::GIVEN,
-    &BaseAcceleration::GIVEN,
-    &Bar::GIVEN,
-    &AxisAligned::PLANE,
-    &AxisAligned::SPACE,
-    &SelfWeight::GIVEN,
-    &Rotation::GIVEN,
-    &InclinedBlock::GIVEN,
-    &InclinedTwoBlocks::GIVEN,
-    &CollidingBlocks::GIVEN,
-    &BlockOnTwoBlocks::GIVEN,
-    &TiltedIncline::GIVEN,
-    &SphereOnTerrain::GIVEN,
-    &Hertz::GIVEN,
-    &RollingDisk::GIVEN,
-    &HertzSlab,
-    &HertzSphere::GIVEN,
-    &RollingDiskSlab,
-    &Cantilever::GIVEN,
-    &Rings::GIVEN,
-    &Ironing::GIVEN,
-    &Grains::GIVEN,
-];
+/// Makes the types of the cases public, and the one list of them.
+macro_rules! list {
+    ($($module:ident :: $case:ident [$($given:ident),+]),+ $(,)?) => {
+        $(pub use $module::$case;)+
 
-/// All cases that can be studied with any settings, in the same order.
-pub(crate) static STUDIES: &[&dyn Study] = &[
-    &Boussinesq::GIVEN,
-    &BaseAcceleration::GIVEN,
-    &Bar::GIVEN,
-    &AxisAligned::PLANE,
-    &AxisAligned::SPACE,
-    &SelfWeight::GIVEN,
-    &Rotation::GIVEN,
-    &InclinedBlock::GIVEN,
-    &InclinedTwoBlocks::GIVEN,
-    &CollidingBlocks::GIVEN,
-    &BlockOnTwoBlocks::GIVEN,
-    &TiltedIncline::GIVEN,
-    &SphereOnTerrain::GIVEN,
-    &Hertz::GIVEN,
-    &RollingDisk::SLIP,
-    &RollingDisk::GIVEN,
-    &HertzSlab,
-    &HertzSphere::GIVEN,
-    &RollingDiskSlab,
-    &Cantilever::GIVEN,
-    &Rings::GIVEN,
-    &Ironing::GIVEN,
-];
+        /// All cases, in the order in which they are shown. Whether one can be studied with any settings it says itself
+        /// ([`Case::studies`]).
+        pub(crate) static ALL: &[&dyn Case] = &[$($(&$case::$given),+),+];
+    };
+}
 
-/// Cases without a study, each with the reason.
-pub(crate) static WITHOUT_STUDY: &[(&dyn Case, &str)] = &[(
-    &Grains::GIVEN,
-    "nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings",
-)];
+// A new case is a file, declared above, where the formatter finds it, and a line here.
+list! {
+    boussinesq::Boussinesq[GIVEN],
+    base_acceleration::BaseAcceleration[GIVEN],
+    bar::Bar[GIVEN],
+    axis_aligned::AxisAligned[PLANE, SPACE],
+    self_weight::SelfWeight[GIVEN],
+    rotation::Rotation[GIVEN],
+    inclined_block::InclinedBlock[GIVEN],
+    inclined_two_blocks::InclinedTwoBlocks[GIVEN],
+    colliding_blocks::CollidingBlocks[GIVEN],
+    block_on_two_blocks::BlockOnTwoBlocks[GIVEN],
+    tilted_incline::TiltedIncline[GIVEN],
+    sphere_on_terrain::SphereOnTerrain[GIVEN],
+    hertz::Hertz[GIVEN],
+    rolling_disk::RollingDisk[GIVEN],
+    hertz_slab::HertzSlab[GIVEN],
+    hertz_sphere::HertzSphere[GIVEN],
+    rolling_disk_slab::RollingDiskSlab[GIVEN],
+    cantilever::Cantilever[GIVEN],
+    rings::Rings[GIVEN],
+    ironing::Ironing[GIVEN],
+    grains::Grains[GIVEN],
+}
 
 /// The error of the stress, where a case has one.
-const STRESS_MEASURE: Measure = Measure {
-    word: "stress",
-    quantity: dynamics::STRESS,
-};
+const STRESS_MEASURE: Measure = Measure::new("stress", dynamics::STRESS);
 
 /// The errors of displacement and stress.
 const FIELDS: &[Measure] = &[
-    Measure {
-        word: "displacement",
-        quantity: dynamics::DISPLACEMENT,
-    },
+    Measure::new("displacement", dynamics::DISPLACEMENT),
     STRESS_MEASURE,
 ];
-
-/// Nothing is written: a case reads the simulation itself.
-const NO_RESULTS: Results = Results {
-    print: 0,
-    fields: Vec::new(),
-    nodal_fields: Vec::new(),
-    checkpoint: false,
-};
 
 /// Parts two lines of a curve.
 const PARTED: CurvePoint = CurvePoint {
     at: f64::NAN,
     computed: f64::NAN,
     exact: f64::NAN,
-};
-
-/// A body at rest and without stress.
-const AT_REST: InitialState = InitialState {
-    velocity: [0.0; 3],
-    velocity_gradient: [[0.0; 3]; 3],
-    stress: [0.0; 6],
-    deformation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
 };
 
 /// Runs a rung with its own settings.
@@ -181,84 +132,17 @@ fn solve_own(
         .map(|studied| studied.solved)
 }
 
-/// Gate on the order of a quantity between the two finest rungs of a table; NaN, which fails, where there is none.
-fn order_gate(
-    table: &ConvergenceTable,
-    quantity: &'static str,
-    bound: f64,
-    reason: &'static str,
-) -> Gate {
-    let column = table.quantities().iter().position(|q| q == quantity);
-    let last = table.rows().len().checked_sub(1);
-    let order = column
-        .zip(last)
-        .and_then(|(column, last)| table.order(column, last));
-    Gate {
-        name: format!("observed order of {quantity}"),
-        value: order.unwrap_or(f64::NAN),
-        relation: Relation::AtLeast,
-        bound,
-        reason,
-    }
-}
-
-/// Gate on the error of a quantity on the finest rung that a ladder has.
-fn error_gate(
-    rungs: &[Rung],
-    solved: &[(Rung, Solved)],
-    quantity: &'static str,
-    bound: f64,
-    reason: &'static str,
-) -> Gate {
-    let finest = rungs.last();
-    let found = finest.and_then(|finest| solved.iter().find(|(rung, _)| rung == finest));
-    Gate {
-        name: format!(
-            "error of {quantity}, {}",
-            finest.map_or("no rung", |rung| &rung.label)
-        ),
-        value: found.map_or(f64::NAN, |(_, solved)| solved.error(quantity)),
-        relation: Relation::AtMost,
-        bound,
-        reason,
-    }
-}
-
-/// An error of a rung.
-fn failed(case: &dyn Case, rung: &Rung, reason: &dyn std::fmt::Display) -> CaseError {
-    CaseError {
-        case: case.name(),
-        rung: rung.label.clone(),
-        reason: reason.to_string(),
-    }
-}
-
-/// Errors of the named quantities over the rungs of a variant, coarse to fine.
-fn table(solved: &[(Rung, Solved)], variant: &str, names: &[&'static str]) -> ConvergenceTable {
-    let mut table = ConvergenceTable::new(names.iter().copied());
-    for (rung, solved) in solved.iter().filter(|(rung, _)| rung.variant == variant) {
-        let row = Row {
-            h: rung.cell,
-            errors: names.iter().map(|name| solved.error(name)).collect(),
-            particles: solved.particles,
-            steps: solved.steps as usize,
-        };
-        // One error per name, by construction.
-        let _ = table.push(row);
-    }
-    table
-}
-
-/// The one linear elastic material of a case \[kg/m³, Pa\].
-fn elastic(density: f64, young: f64, poisson: f64) -> Vec<Material> {
-    vec![Material {
-        name: "elastic".to_owned(),
-        id: 1,
-        density,
-        law: Law::LinearElastic {
-            young,
-            poisson,
-            rate: ObjectiveRate::HughesWinget,
-        },
-    }]
+/// A reference that takes long. That of the case as it is meant is computed once and kept; a wrong one is for a test, which
+/// asks for it once.
+fn reference<T>(
+    given: &'static OnceLock<Result<T, String>>,
+    is_given: bool,
+    compute: impl FnOnce() -> Result<T, String>,
+) -> Result<&'static T, String> {
+    let known = if is_given {
+        given.get_or_init(compute)
+    } else {
+        Box::leak(Box::new(compute()))
+    };
+    known.as_ref().map_err(Clone::clone)
 }

@@ -14,22 +14,20 @@
 
 use std::sync::OnceLock;
 
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, Dimension, DomainUpdate, Enforcement, Law, Material, Mesh, MortarContact,
-    PlaneCondition, Scene, Shape, StressScheme, TransferKind, Vertices, Weighting,
+    Body, Dimension, Law, MortarContact, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 
-use super::{NO_RESULTS, PARTED, failed, table};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::dynamics::at_intervals;
+use super::judging::{error_of, table, value_of};
+use super::mortar::{PAPER, barrier, boundary, settings, without_pic};
+use super::{NO_RESULTS, PARTED, body, material, open_plane, reference};
+use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::fe::{Barrier, NeoHookean};
 use crate::exact::ring_impact::{Contact, RingImpact, Sample};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, STOPPED, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const INNER: f64 = 0.03;
 const OUTER: f64 = 0.04;
@@ -79,11 +77,11 @@ pub struct Rings {
 }
 
 /// What a run gives to be judged.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct History {
     /// Time \[s\] and contact force on the right ring \[N\], step by step.
     forces: Vec<(f64, f64)>,
-    /// Time, kinetic, strain and barrier energy of both rings \[s, J\].
+    /// At the start and at the end of each interval: see [`energies`].
     energies: Vec<[f64; 4]>,
 }
 
@@ -112,12 +110,7 @@ impl Rings {
             ring.history(ELEMENTS, INTERVAL, count)
                 .map_err(|e| format!("the reference: {e}"))
         };
-        let known = if self == Self::GIVEN {
-            GIVEN.get_or_init(compute)
-        } else {
-            Box::leak(Box::new(compute()))
-        };
-        known.as_deref().map_err(Clone::clone)
+        reference(&GIVEN, self == Self::GIVEN, compute).map(Vec::as_slice)
     }
 
     fn rungs_of(cells: &[(&'static str, &[f64])]) -> Vec<Rung> {
@@ -139,38 +132,32 @@ fn momentum_of_one() -> f64 {
     DENSITY * std::f64::consts::PI * (OUTER * OUTER - INNER * INNER) * SPEED
 }
 
-impl History {
-    fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Self, String> {
-        let mut history = Self::default();
-        history.look(simulation);
-        let count = (END / INTERVAL).round() as usize;
-        for k in 1..=count {
-            observer.phase(Phase::Stepping);
-            let time = k as f64 * INTERVAL;
-            while simulation.time() < time {
-                if observer.stop() {
-                    return Err(STOPPED.to_owned());
-                }
-                // A force acts in the step that begins now.
-                let now = simulation.time();
-                simulation.step(time).map_err(|e| e.to_string())?;
-                let force = simulation.mortar_force(2).map_or(f64::NAN, |f| f[0]);
-                history.forces.push((now, force));
-            }
-            observer.phase(Phase::Comparing);
-            observer.progress(k as f64 / count as f64);
-            history.look(simulation);
-        }
-        Ok(history)
-    }
+/// Time, kinetic, strain and barrier energy of both rings \[s, J\].
+fn energies(simulation: &Simulation) -> [f64; 4] {
+    [
+        simulation.time(),
+        simulation.kinetic_energy(),
+        simulation.strain_energy(),
+        simulation.mortar_energy(),
+    ]
+}
 
-    fn look(&mut self, simulation: &Simulation) {
-        self.energies.push([
-            simulation.time(),
-            simulation.kinetic_energy(),
-            simulation.strain_energy(),
-            simulation.mortar_energy(),
-        ]);
+impl History {
+    fn run(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Self, Failure> {
+        let mut forces = vec![];
+        let mut energies = vec![energies(simulation)];
+        // A force acts in the step that begins at the end of the one before.
+        let mut now = simulation.time();
+        let after = |simulation: &Simulation| {
+            let force = simulation.mortar_force(2).map_or(f64::NAN, |f| f[0]);
+            forces.push((now, force));
+            now = simulation.time();
+        };
+        at_intervals(simulation, INTERVAL, observer, after, |simulation, _| {
+            energies.push(self::energies(simulation));
+            Ok(())
+        })?;
+        Ok(Self { forces, energies })
     }
 
     fn total(energies: &[f64; 4]) -> f64 {
@@ -188,28 +175,14 @@ impl History {
         let [first, last] = [self.energies.first()?, self.energies.last()?].map(Self::total);
         let largest = self.energies.iter().map(Self::total).fold(0.0, f64::max);
         let [x, y, _] = simulation.momentum();
-        let compared = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
-        let ratio = |name, value, exact| Quantity {
-            name,
-            value,
-            exact,
-            error: None,
-            unit: "1",
-        };
         Some(vec![
-            compared(IMPULSE, found.impulse, known.impulse, "N s"),
-            compared(BEGIN, begin, TOUCHING[0], "s"),
-            compared(LAST, end, TOUCHING[1], "s"),
-            ratio(MOMENTUM, libm::hypot(x, y) / momentum_of_one(), Some(0.0)),
+            Quantity::compared(IMPULSE, found.impulse, known.impulse, "N s"),
+            Quantity::compared(BEGIN, begin, TOUCHING[0], "s"),
+            Quantity::compared(LAST, end, TOUCHING[1], "s"),
+            Quantity::balance(MOMENTUM, libm::hypot(x, y) / momentum_of_one(), "1"),
             // What APIC takes: neither more nor less of it is right.
-            ratio(LOSS, 1.0 - last / first, None),
-            ratio(GAIN, largest / first - 1.0, Some(0.0)),
+            Quantity::figure(LOSS, 1.0 - last / first, "1"),
+            Quantity::balance(GAIN, largest / first - 1.0, "1"),
         ])
     }
 
@@ -263,17 +236,11 @@ impl Case for Rings {
             let Some(finest) = rungs.iter().rfind(|rung| rung.variant == variant) else {
                 continue;
             };
-            let found = solved.iter().find(|(rung, _)| rung == finest);
-            let value = |name| found.map_or(f64::NAN, |(_, s)| s.value(name));
-            let error = |name| found.map_or(f64::NAN, |(_, s)| s.error(name));
+            let value = |name| value_of(solved, &finest.label, name);
+            let error = |name| error_of(solved, &finest.label, name);
             let mut at_most = |name: &str, value: f64, bound, reason| {
-                gates.push(Gate {
-                    name: format!("{}: {name}", finest.label),
-                    value,
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+                let name = format!("{}: {name}", finest.label);
+                gates.push(Gate::at_most(name, value, bound, reason));
             };
             at_most(
                 "error of the first contact",
@@ -343,11 +310,8 @@ impl Study for Rings {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[Measure {
-            word: "impulse",
-            quantity: IMPULSE,
-        }]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("impulse", IMPULSE)]
     }
 
     fn refined_axes(&self) -> usize {
@@ -355,113 +319,66 @@ impl Study for Rings {
     }
 
     fn own_settings(&self, rung: &Rung) -> Settings {
-        Settings {
-            particles_per_cell: 3,
-            ..Settings::new(Method {
-                weighting: Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
-                scheme: StressScheme::Musl,
-                transfer: if rung.variant == FLIP {
-                    TransferKind::Flip
-                } else {
-                    TransferKind::Apic
-                },
-            })
-        }
-        .courant(COURANT)
+        let method = Method {
+            transfer: if rung.variant == FLIP {
+                TransferKind::Flip
+            } else {
+                PAPER.transfer
+            },
+            ..PAPER
+        };
+        settings(method, 3).courant(COURANT)
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let h = rung.cell;
-        let half = [0.12, 0.08];
-        let cells = half.map(|length| (2.0 * length / h).round() as usize);
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [-half[0], -half[1], 0.0],
-            [h, h, 1.0],
-            [cells[0], cells[1], 1],
-        );
-        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
+        let mesh = open_plane(h, [-0.12, -0.08], [0.12, 0.08]);
         let mut scene = Scene::new(Dimension::Two, mesh, END);
         scene.name.clone_from(&rung.label);
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;
-        scene.materials = vec![Material {
-            name: "rubber".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: Law::NeoHookean {
-                young: 9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
-                poisson: (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
-            },
-        }];
+        let law = Law::NeoHookean {
+            young: 9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
+            poisson: (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
+        };
+        scene.materials = material("rubber", DENSITY, law);
         let segment = std::f64::consts::TAU * OUTER / VERTICES;
         for (id, side) in [(1, -1.0), (2, 1.0)] {
+            let ring = Shape::Ring {
+                center: [side * (0.5 * APART + OUTER), 0.0, 0.0],
+                inner: INNER,
+                outer: OUTER,
+            };
             scene.bodies.push(Body {
-                name: format!("ring {id}"),
-                id,
-                material: 0,
-                shape: Shape::Ring {
-                    center: [side * (0.5 * APART + OUTER), 0.0, 0.0],
-                    inner: INNER,
-                    outer: OUTER,
-                },
-                particles_per_cell: [1; 3],
                 velocity: [-side * SPEED, 0.0, 0.0],
-                motion: None,
+                ..body(format!("ring {id}"), id, ring)
             });
-            scene.mortar.boundaries.push(BodyBoundary {
-                body: id,
-                vertices: Vertices::Spacing(segment),
-                follow: Follow::Spin,
-            });
+            let boundary = boundary(id, Vertices::Spacing(segment));
+            scene.mortar.boundaries.push(boundary);
         }
         scene.mortar.contacts = vec![MortarContact {
-            name: "rings".to_owned(),
-            id: 1,
-            master: 2,
-            slave: 1,
             friction: 0.1,
-            critical_gap: GAP,
-            normal_stiffness: KAPPA,
             tangential_stiffness: KAPPA_T,
-            enforcement: Enforcement::Barrier,
-            detection: Detection::Mortar,
+            ..barrier("rings", [2, 1], GAP, KAPPA)
         }];
         settings.apply(&mut scene);
-        if scene.transfer.kind == TransferKind::Apic {
-            // The paper's: particles keep their velocity, the affine part goes to the nodes.
-            scene.transfer.pic_fraction = 0.0;
-        }
+        without_pic(&mut scene);
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        let mut solve = || {
-            scene.check().map_err(|e| e.to_string())?;
-            let mut simulation = Simulation::new(&scene, options).map_err(|e| e.to_string())?;
-            let history = History::run(&mut simulation, observer)?;
-            let reference = self.reference()?;
-            let quantities = history
-                .quantities(&simulation, reference)
-                .ok_or("the rings never touch")?;
-            let solved = Solved {
-                particles: simulation.particles(),
-                steps: simulation.steps(),
-                time: simulation.time(),
-                quantities,
-                drawings: vec![],
-                curve: Some(history.curve(&rung.label, reference)),
-            };
-            Ok(Studied::new(solved, &simulation))
-        };
-        solve().map_err(|e: String| failed(self, rung, &e))
+    ) -> Result<Found, Failure> {
+        let history = History::run(simulation, observer)?;
+        let reference = self.reference()?;
+        let quantities = history.quantities(simulation, reference);
+        Ok(Found::new(
+            quantities.ok_or("the rings never touch")?,
+            Some(history.curve(&rung.label, reference)),
+        ))
     }
 }

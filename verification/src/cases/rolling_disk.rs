@@ -20,23 +20,20 @@ mod turn;
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    Body, BodyBoundary, Damping, Dimension, Enforcement, Mesh, Mortar, MortarContact,
-    PlaneCondition, Results, RigidLine, Scene, Shape, TransferKind, Vertices,
+    Damping, Dimension, Mortar, MortarContact, Results, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 use std::f64::consts::TAU;
 
-use super::incline::run;
-use super::{elastic, failed, table};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
-};
+use super::dynamics::run;
+use super::judging::{error_of, table, value_of};
+use super::mortar::{barrier, boundary, rigid_line, settings};
+use super::{body, elastic, open_plane};
+use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::rolling_disk::RollingDisk as Exact;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 const GRAVITY: f64 = 9.81;
 const RADIUS: f64 = 0.5;
@@ -94,98 +91,6 @@ impl RollingDisk {
             radius: RADIUS,
         }
     }
-
-    /// Runs a scene of the case for `case`, in the plane or as a slab of a thickness \[m\].
-    pub(super) fn solve_scene(
-        self,
-        case: &dyn Case,
-        scene: &Scene,
-        thickness: f64,
-        rung: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        scene.check().map_err(|e| failed(case, rung, &e))?;
-        let mut simulation = Simulation::new(scene, options).map_err(|e| failed(case, rung, &e))?;
-        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
-            run(
-                simulation,
-                stop,
-                2.0 * STAGE,
-                &mut *observer,
-                |simulation| {
-                    let dt = 2.0 * (simulation.time() - simulation.velocity_time());
-                    *turn += angular_velocity(simulation) * dt;
-                },
-            )
-            .map_err(|e| failed(case, rung, &e))
-        };
-        follow(&mut simulation, STAGE, &mut 0.0)?;
-        let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
-        simulation
-            .set_local_damping(None)
-            .and_then(|()| simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0]))
-            .map_err(|e| failed(case, rung, &e))?;
-        let (_, start, _) = simulation.center(0);
-        let exact = self.exact(rung);
-        let (mut points, mut turn) = (vec![], 0.0);
-        for k in 1..=20 {
-            let time = f64::from(k) / 20.0 * STAGE;
-            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
-            follow(&mut simulation, STAGE + time, &mut turn)?;
-            points.push(CurvePoint {
-                at: time,
-                computed: simulation.center(0).1[0] - start[0],
-                exact: exact.way_and_turn(time).0,
-            });
-        }
-        let way = points.last().map_or(f64::NAN, |p| p.computed);
-        let of = |name, value: f64, exact: f64| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit: if name == WAY { "m" } else { "1" },
-        };
-        let growth = area(&simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
-        let quantities = vec![
-            of(WAY, way, exact.way_and_turn(STAGE).0),
-            of(
-                RATIO,
-                turn * RADIUS / way,
-                turn::expected(&exact, rung.variant).map_err(|e| failed(case, rung, &e))?,
-            ),
-            Quantity {
-                name: AREA,
-                value: growth,
-                exact: None,
-                error: None,
-                unit: "1",
-            },
-            Quantity {
-                name: AREA_OFF,
-                value: (growth - turn::growth(angular_velocity(&simulation), young(rung.variant)))
-                    .abs(),
-                exact: Some(0.0),
-                error: None,
-                unit: "1",
-            },
-        ];
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: Some(Curve {
-                title: format!("{}: way along the plane", rung.label),
-                abscissa: "t in s",
-                ordinate: "u_x in m",
-                points,
-            }),
-        };
-        Ok(Studied::new(solved, &simulation))
-    }
 }
 
 /// Young's modulus of a variant \[Pa\].
@@ -232,29 +137,26 @@ impl Case for RollingDisk {
         })
     }
 
-    with_own_settings!();
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Ok(vec![&Self::SLIP, &Self::GIVEN])
+    }
+
+    with_own_settings!(but studies);
 
     fn prepare(&self, rung: &Rung) {
         let _ = turn::expected(&self.exact(rung), rung.variant);
     }
 
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let of = |label: &str| {
-            solved
-                .iter()
-                .find(|(r, _)| r.label == label)
-                .map(|(_, s)| s)
-        };
-        let error = |label: &str, name| of(label).map_or(f64::NAN, |s| s.error(name));
+        let error = |label: &str, name| error_of(solved, label, name);
         let mut gates = vec![];
         let mut at_most = |label: &str, what: &str, value: f64, bound: f64, reason| {
-            gates.push(Gate {
-                name: format!("{label}: {what}"),
+            gates.push(Gate::at_most(
+                format!("{label}: {what}"),
                 value,
-                relation: Relation::AtMost,
                 bound,
                 reason,
-            });
+            ));
         };
         let on_way = format!("error of the {WAY}");
         at_most(
@@ -272,7 +174,7 @@ impl Case for RollingDisk {
             "the method's reference figures: 1.3 %",
         );
         for label in ["slip h=0.1", "stick h=0.1"] {
-            let off = of(label).map_or(f64::NAN, |s| s.value(AREA_OFF));
+            let off = value_of(solved, label, AREA_OFF);
             at_most(
                 label,
                 AREA_OFF,
@@ -339,16 +241,10 @@ impl Study for RollingDisk {
         Rung::ladders(&[(self.studied, cells)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: WAY,
-            },
-            Measure {
-                word: "turn",
-                quantity: RATIO,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", WAY),
+            Measure::new("turn", RATIO),
         ]
     }
 
@@ -357,94 +253,107 @@ impl Study for RollingDisk {
     }
 
     fn own_settings(&self, _rung: &Rung) -> Settings {
-        Settings {
-            particles_per_cell: 5,
-            ..Settings::new(Method {
-                transfer: TransferKind::Apic,
-                ..Method::DEFAULT
-            })
-        }
+        let method = Method {
+            transfer: TransferKind::Apic,
+            ..Method::DEFAULT
+        };
+        settings(method, 5)
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let h = rung.cell;
-        let (from, to, below, above) = (-1.2, 9.6, -0.4, 1.4);
-        let cells = |length: f64| (length / h).round() as usize;
+        let (from, to) = (-1.2, 9.6);
+        let mesh = open_plane(h, [from, -0.4], [to, 1.4]);
         let normal = GRAVITY * libm::cos(INCLINATION_DEGREES.to_radians());
         let mut scene = Scene {
             name: rung.label.clone(),
             time_step: settings.multiplier(),
             gravity: [0.0, -normal, 0.0],
             materials: elastic(DENSITY, young(rung.variant), POISSON),
-            bodies: vec![Body {
-                name: "disk".into(),
-                id: 1,
-                material: 0,
-                shape: Shape::Sphere {
+            bodies: vec![body(
+                "disk",
+                1,
+                Shape::Sphere {
                     center: [0.0, RADIUS + 0.5 * GAP, 0.0],
                     radius: RADIUS,
                 },
-                particles_per_cell: [5, 5, 1],
-                velocity: [0.0; 3],
-                motion: None,
-            }],
+            )],
             damping: Damping::Local { alpha: SETTLING },
             mortar: Mortar {
-                boundaries: vec![BodyBoundary {
-                    body: 1,
-                    vertices: Vertices::Spacing(TAU * RADIUS / 64.0),
-                    follow: Follow::Spin,
-                }],
-                facets: vec![],
-                lines: vec![RigidLine {
-                    name: "plane".into(),
-                    id: 2,
-                    chains: vec![plane(0.1, from + 0.2, to - 0.2)],
-                    motion: None,
-                }],
+                boundaries: vec![boundary(1, Vertices::Spacing(TAU * RADIUS / 64.0))],
+                lines: vec![rigid_line(
+                    "plane",
+                    2,
+                    plane(0.1, from + 0.2, to - 0.2),
+                    None,
+                )],
                 contacts: vec![MortarContact {
-                    name: "disk on plane".into(),
-                    id: 1,
-                    master: 2,
-                    slave: 1,
                     friction: Self::friction(rung.variant),
-                    critical_gap: GAP,
-                    normal_stiffness: KAPPA,
                     tangential_stiffness: KAPPA_T,
-                    enforcement: Enforcement::Barrier,
-                    detection: Detection::Mortar,
+                    ..barrier("disk on plane", [2, 1], GAP, KAPPA)
                 }],
+                ..Mortar::default()
             },
             results: Results {
                 print: 0,
                 ..Results::default()
             },
-            ..Scene::new(
-                Dimension::Two,
-                Mesh {
-                    origin: [from, below, 0.0],
-                    cell: [h, h, 1.0],
-                    cells: [cells(to - from), cells(above - below), 1],
-                    planes: [[PlaneCondition::Free; 2]; 3],
-                },
-                2.0 * STAGE,
-            )
+            ..Scene::new(Dimension::Two, mesh, 2.0 * STAGE)
         };
         settings.apply(&mut scene);
         scene.transfer.pic_fraction = PIC;
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        self.solve_scene(self, &scene, 1.0, rung, options, observer)
+    ) -> Result<Found, Failure> {
+        // A slab is as thick as its one layer of cells, the plane 1 m.
+        let thickness = simulation.scene().mesh.cell[2];
+        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
+            run(simulation, stop, &mut *observer, |simulation| {
+                let dt = 2.0 * (simulation.time() - simulation.velocity_time());
+                *turn += angular_velocity(simulation) * dt;
+            })
+        };
+        follow(simulation, STAGE, &mut 0.0)?;
+        let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
+        simulation.set_local_damping(None)?;
+        simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0])?;
+        let (_, start, _) = simulation.center(0);
+        let exact = self.exact(rung);
+        let (mut points, mut turn) = (vec![], 0.0);
+        for k in 1..=20 {
+            let time = f64::from(k) / 20.0 * STAGE;
+            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
+            follow(simulation, STAGE + time, &mut turn)?;
+            points.push(CurvePoint {
+                at: time,
+                computed: simulation.center(0).1[0] - start[0],
+                exact: exact.way_and_turn(time).0,
+            });
+        }
+        let way = points.last().map_or(f64::NAN, |p| p.computed);
+        let growth = area(simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
+        let expected = turn::expected(&exact, rung.variant)?;
+        let of_spin = turn::growth(angular_velocity(simulation), young(rung.variant));
+        let quantities = vec![
+            Quantity::compared(WAY, way, exact.way_and_turn(STAGE).0, "m"),
+            Quantity::compared(RATIO, turn * RADIUS / way, expected, "1"),
+            Quantity::figure(AREA, growth, "1"),
+            Quantity::balance(AREA_OFF, (growth - of_spin).abs(), "1"),
+        ];
+        let curve = Curve {
+            title: format!("{}: way along the plane", rung.label),
+            abscissa: "t in s",
+            ordinate: "u_x in m",
+            points,
+        };
+        Ok(Found::new(quantities, Some(curve)))
     }
 }
 

@@ -4,14 +4,11 @@
 //! and whose slip has two components. The reference of the slab is the run in the plane; `precision`
 //! studies the slab that rolls against the rigid disk, as `rolling-disk` does. `proctor verify rolling-disk-slab`.
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
-
+use super::judging::table;
 use super::rolling_disk::{AREA, RATIO, RollingDisk, WAY};
 use super::slab::AsSlab;
-use super::table;
-use crate::case::{Case, CaseError, Gate, Relation, Rung, Size, Solved, Verdict};
-use crate::study::{Observer, Studied, Study};
+use crate::case::{Case, Gate, Rung, Size, Solved, Verdict};
+use crate::study::Study;
 
 /// Variants of the disk, and of each the plane and the slab.
 const VARIANTS: [[&str; 3]; 2] = [
@@ -22,6 +19,11 @@ const VARIANTS: [[&str; 3]; 2] = [
 /// The rolling disk as a slab.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDiskSlab;
+
+impl RollingDiskSlab {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self;
+}
 
 impl Case for RollingDiskSlab {
     fn name(&self) -> &'static str {
@@ -40,11 +42,7 @@ impl Case for RollingDiskSlab {
         VARIANTS
             .iter()
             .flat_map(|names| &names[1..])
-            .map(|&variant| Rung {
-                label: format!("{variant} h={cell}"),
-                cell,
-                variant,
-            })
+            .map(|&variant| Rung::new(variant, cell))
             .collect()
     }
 
@@ -58,12 +56,13 @@ impl Case for RollingDiskSlab {
         let gates = VARIANTS
             .iter()
             .flat_map(|&[_, plane, slab]| {
-                [(WAY, 0.005), (RATIO, 0.01)].map(|(name, bound)| Gate {
-                    name: format!("{slab}: {name} against the plane"),
-                    value: (value(slab, name) / value(plane, name) - 1.0).abs(),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason: "one layer of cells is the plane, but for how surfaces are projected",
+                [(WAY, 0.005), (RATIO, 0.01)].map(|(name, bound)| {
+                    Gate::at_most(
+                        format!("{slab}: {name} against the plane"),
+                        (value(slab, name) / value(plane, name) - 1.0).abs(),
+                        bound,
+                        "one layer of cells is the plane, but for how surfaces are projected",
+                    )
                 })
             })
             .collect();
@@ -107,16 +106,5 @@ impl AsSlab for RollingDiskSlab {
             Size::Quick => ("stick slab", &[0.4, 0.2]),
             Size::Full => ("stick slab", &[0.2, 0.1, 0.05]),
         }
-    }
-
-    fn solve_scene(
-        &self,
-        scene: &Scene,
-        thickness: f64,
-        plane: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        RollingDisk::GIVEN.solve_scene(self, scene, thickness, plane, options, observer)
     }
 }

@@ -11,16 +11,15 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
-    Body, Dimension, Mesh, PlaneCondition, Scene, Shape, StressScheme, TransferKind,
-};
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme, TransferKind};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, advance, l2, ratio};
-use super::{NO_RESULTS, elastic, error_gate, failed, table};
-use crate::case::{Case, CaseError, Rung, Size, Solved, Verdict};
+use super::judging::{error_gate, table};
+use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};
+use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Side of the mesh \[m\].
 const MESH: f64 = 1.0;
@@ -83,15 +82,8 @@ impl Rotation {
         [MIDDLE + cos * a - sin * b, MIDDLE + sin * a + cos * b, x[2]]
     }
 
-    fn rungs_of(cells: &[u32]) -> Vec<Rung> {
-        cells
-            .iter()
-            .map(|&n| Rung {
-                label: format!("side/h={n}"),
-                cell: 2.0 * HALF / f64::from(n),
-                variant: VARIANT,
-            })
-            .collect()
+    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(VARIANT, "side/h", 2.0 * HALF, counts)
     }
 }
 
@@ -138,16 +130,10 @@ impl Study for Rotation {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: DISPLACEMENT,
-            },
-            Measure {
-                word: "velocity",
-                quantity: VELOCITY,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", DISPLACEMENT),
+            Measure::new("velocity", VELOCITY),
         ]
     }
 
@@ -173,33 +159,20 @@ impl Study for Rotation {
         scene.time_step = settings.equal_steps(scene.time, h, Self::fastest()).0;
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
-        scene.bodies = vec![Body {
-            name: "block".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [MIDDLE - HALF, MIDDLE - HALF, 0.0],
-                p2: [MIDDLE + HALF, MIDDLE + HALF, 0.0],
-            },
-            particles_per_cell: [2, 2, 1],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body(
+            "block",
+            1,
+            cuboid(
+                [MIDDLE - HALF, MIDDLE - HALF, 0.0],
+                [MIDDLE + HALF, MIDDLE + HALF, 0.0],
+            ),
+        )];
         settings.apply(&mut scene);
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
             displacement: true,
             initial: Some(Arc::new(|x| InitialState {
                 velocity: Self::velocity(*x, Self::spin()),
@@ -208,34 +181,33 @@ impl Study for Rotation {
                     [Self::spin(), 0.0, 0.0],
                     [0.0; 3],
                 ],
-                ..super::AT_REST
+                ..AT_REST
             })),
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
-        let (_, steps) = settings.equal_steps(scene.time, rung.cell, Self::fastest());
-        advance(&mut simulation, steps, observer).map_err(|e| failed(self, rung, &e))?;
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let (_, steps) = settings.equal_steps(simulation.scene().time, rung.cell, Self::fastest());
+        advance(simulation, steps, observer)?;
         let spin = self.reference_spin * Self::spin();
         let (t, before) = (simulation.time(), simulation.velocity_time());
-        let displacement = l2(&simulation, |p, x| {
+        let displacement = l2(simulation, |p, x| {
             let turned = Self::turned(x, spin * t);
             let exact = std::array::from_fn(|axis| turned[axis] - x[axis]);
             Some((simulation.displacement(0, p)?, exact))
         });
-        let velocity = l2(&simulation, |p, x| {
+        let velocity = l2(simulation, |p, x| {
             let exact = Self::velocity(Self::turned(x, spin * before), spin);
             Some((simulation.sets()[0].velocity(p), exact))
         });
         let quantities = vec![ratio(DISPLACEMENT, displacement), ratio(VELOCITY, velocity)];
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        Ok(Found::new(quantities, None))
     }
 }

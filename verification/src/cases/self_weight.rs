@@ -9,18 +9,18 @@
 //! Linear functions need not come to rest at all. `proctor verify self-weight`.
 
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, PlaneCondition, Scene, Shape,
-    Weighting,
+    Damping, Dimension, DomainUpdate, Law, Mesh, PlaneCondition, Scene, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
-use super::dynamics::{DISPLACEMENT, STRESS, errors};
+use super::dynamics::{DISPLACEMENT, STRESS, along, errors};
+use super::judging::{error_gate, order_gate, table};
 use super::statics::{most_steps, relax};
-use super::{FIELDS, NO_RESULTS, error_gate, failed, order_gate, table};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Rung, Size, Solved, Verdict};
+use super::{FIELDS, NO_RESULTS, body, cuboid, material};
+use crate::case::{Case, Curve, Found, Rung, Size, Solved, Verdict};
 use crate::exact::self_weight::{Law as ExactLaw, SelfWeightColumn};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// Height \[m\].
 const HEIGHT: f64 = 1.0;
@@ -65,31 +65,16 @@ impl SelfWeight {
         }
     }
 
-    fn rungs_of(cells: &[u32]) -> Vec<Rung> {
-        cells
-            .iter()
-            .map(|&n| Rung {
-                label: format!("H/h={n}"),
-                cell: HEIGHT / f64::from(n),
-                variant: VARIANT,
-            })
-            .collect()
+    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
+        Rung::counted(VARIANT, "H/h", HEIGHT, counts)
     }
 
     /// Vertical stress over the initial height.
     fn curve(simulation: &Simulation, exact: &SelfWeightColumn, rung: &Rung) -> Option<Curve> {
         let set = &simulation.sets()[0];
-        let mut points: Vec<CurvePoint> = (0..set.len())
-            .map(|p| {
-                let y = simulation.initial_position(0, p)?[1];
-                Some(CurvePoint {
-                    at: y,
-                    computed: set.stress(p)[1] / 1e3,
-                    exact: exact.vertical_stress(y) / 1e3,
-                })
-            })
-            .collect::<Option<_>>()?;
-        CurvePoint::one_per_place(&mut points, 1e-6 * rung.cell);
+        let points = along(simulation, 1, |p, y| {
+            [set.stress(p)[1] / 1e3, exact.vertical_stress(y) / 1e3]
+        })?;
         Some(Curve {
             title: format!("vertical stress over the column, {}", rung.label),
             abscissa: "initial height (m)",
@@ -146,8 +131,8 @@ impl Study for SelfWeight {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        FIELDS
+    fn measures(&self) -> Vec<Measure> {
+        FIELDS.to_vec()
     }
 
     fn refined_axes(&self) -> usize {
@@ -173,67 +158,46 @@ impl Study for SelfWeight {
         scene.damping = Damping::Kinetic;
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;
-        scene.materials = vec![Material {
-            name: "neo-Hookean".to_owned(),
-            id: 1,
-            density: DENSITY,
-            law: LAW,
-        }];
-        scene.bodies = vec![Body {
-            name: "column".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: [WIDTH as f64 * h, HEIGHT, 0.0],
-            },
-            particles_per_cell: [2, 2, 1],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.materials = material("neo-Hookean", DENSITY, LAW);
+        scene.bodies = vec![body(
+            "column",
+            1,
+            cuboid([0.0; 3], [WIDTH as f64 * h, HEIGHT, 0.0]),
+        )];
         settings.apply(&mut scene);
         scene
     }
 
-    fn solve_with(
+    fn options(&self, _rung: &Rung, options: Options) -> Options {
+        Options {
+            displacement: true,
+            measure: true,
+            ..options
+        }
+    }
+
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let options = Options {
-            displacement: true,
-            measure: true,
-            ..options.clone()
-        };
-        let mut simulation =
-            Simulation::new(&scene, &options).map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
         let weight = DENSITY * GRAVITY * HEIGHT * WIDTH as f64 * rung.cell;
         let most = most_steps(settings, HEIGHT / rung.cell);
-        relax(&mut simulation, weight, RESIDUAL, most, observer)
-            .map_err(|e| failed(self, rung, &e))?;
+        relax(simulation, weight, RESIDUAL, most, observer)?;
         let exact = self.exact();
         let quantities = errors(
-            &simulation,
+            simulation,
             |x| [0.0, exact.position(x[1]) - x[1], 0.0],
             |x| {
                 let lateral = exact.lateral_stress(x[1]);
                 [lateral, exact.vertical_stress(x[1]), lateral, 0.0, 0.0, 0.0]
             },
         );
-        let curve = Self::curve(&simulation, &exact, rung);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
+        Ok(Found::new(
             quantities,
-            drawings: vec![],
-            curve,
-        };
-        Ok(Studied::new(solved, &simulation))
+            Self::curve(simulation, &exact, rung),
+        ))
     }
 }

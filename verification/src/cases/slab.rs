@@ -11,15 +11,14 @@ use proctor_kernel::scene::{
     Body, BodyBoundary, BoxLoad, Dimension, Mesh, Mortar, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,
 };
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::surface::{Surface, SurfaceError};
 use std::fmt;
 use std::sync::Arc;
 
-use super::failed;
-use crate::case::{Case, CaseError, Rung, Size};
+use crate::case::{Case, Found, Rung, Size};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 
 /// The variant of a rung that is solved in the plane, and that which is solved as a slab.
 pub(super) const VARIANTS: [&str; 2] = ["plane", "slab"];
@@ -35,19 +34,6 @@ pub(super) trait AsSlab: Case {
 
     /// The variant that is studied, and the cells of a size, coarse to fine \[m\].
     fn studied(&self, size: Size) -> (&'static str, &'static [f64]);
-
-    /// Runs a scene of a thickness \[m\] and compares it as that of the rung in the plane.
-    ///
-    /// # Errors
-    /// As [`Study::solve_with`].
-    fn solve_scene(
-        &self,
-        scene: &Scene,
-        thickness: f64,
-        plane: &Rung,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError>;
 }
 
 impl<T: AsSlab> Study for T {
@@ -55,7 +41,7 @@ impl<T: AsSlab> Study for T {
         Rung::ladders(&[self.studied(size)])
     }
 
-    fn measures(&self) -> &'static [Measure] {
+    fn measures(&self) -> Vec<Measure> {
         self.in_plane().measures()
     }
 
@@ -73,31 +59,31 @@ impl<T: AsSlab> Study for T {
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let (plane_rung, is_slab) = self.of(rung);
-        let plane = self.in_plane().scene_with(&plane_rung, settings);
-        if is_slab {
-            // The scene is known and has a slab; what has none is reported by `solve_with`.
-            slab(&plane).unwrap_or(plane)
-        } else {
-            plane
-        }
+        // The scene is known and has a slab; what has none is reported by `try_scene_with`.
+        let plane = || self.in_plane().scene_with(&self.of(rung).0, settings);
+        self.try_scene_with(rung, settings)
+            .unwrap_or_else(|_| plane())
     }
 
-    fn solve_with(
+    fn try_scene_with(&self, rung: &Rung, settings: &Settings) -> Result<Scene, Failure> {
+        let (plane_rung, is_slab) = self.of(rung);
+        let plane = self.in_plane().scene_with(&plane_rung, settings);
+        Ok(if is_slab { slab(&plane)? } else { plane })
+    }
+
+    fn options(&self, rung: &Rung, options: Options) -> Options {
+        self.in_plane().options(&self.of(rung).0, options)
+    }
+
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let (plane_rung, is_slab) = self.of(rung);
-        let mut scene = self.in_plane().scene_with(&plane_rung, settings);
-        if is_slab {
-            scene = slab(&scene).map_err(|e| failed(self, rung, &e))?;
-        }
-        let thickness = if is_slab { rung.cell } else { 1.0 };
-        self.solve_scene(&scene, thickness, &plane_rung, options, observer)
+    ) -> Result<Found, Failure> {
+        let plane = &self.of(rung).0;
+        self.in_plane().run(plane, settings, simulation, observer)
     }
 }
 
@@ -109,6 +95,8 @@ pub enum NoSlab {
     /// An extruded boundary is no surface.
     Surface(SurfaceError),
 }
+
+impl std::error::Error for NoSlab {}
 
 impl fmt::Display for NoSlab {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -124,12 +112,8 @@ pub(super) fn rungs(cells: &[f64]) -> Vec<Rung> {
     let both = cells
         .iter()
         .flat_map(|&cell| VARIANTS.map(|variant| (cell, variant)));
-    both.map(|(cell, variant)| Rung {
-        label: format!("{variant} h={cell}"),
-        cell,
-        variant,
-    })
-    .collect()
+    both.map(|(cell, variant)| Rung::new(variant, cell))
+        .collect()
 }
 
 /// The slab of a scene, as thick as its cells are wide; forces are those per metre times the thickness.

@@ -16,13 +16,13 @@
 mod height;
 mod study;
 
-use proctor_kernel::scene::{Scene, StressScheme, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::scene::{StressScheme, Vector};
+use proctor_kernel::simulation::Simulation;
 use proctor_kernel::surface::Surface;
 
 use super::incline::dot;
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
-use crate::study::Study;
+use super::judging::error_at_most;
+use crate::case::{Case, Quantity, Rung, Size, Solved, Verdict};
 use height::HeightField;
 
 /// The terrain of the fixtures.
@@ -218,13 +218,6 @@ impl SphereOnTerrain {
         start: &Start,
         touch: Option<f64>,
     ) -> Vec<Quantity> {
-        let of_zero = |name, value: f64| Quantity {
-            name,
-            value,
-            exact: Some(0.0),
-            error: Some(value.abs()),
-            unit: "1",
-        };
         let m = simulation.center(0).0;
         let momentum = simulation.momentum();
         let impulse = simulation.surface_impulse(0, 0);
@@ -238,25 +231,19 @@ impl SphereOnTerrain {
             .fold(0.0_f64, |worst, lost| worst.max(lost.abs()));
         let (touched, dt) = seen.touched.unwrap_or((f64::NAN, f64::NAN));
         let mut all = vec![
-            of_zero(DEPTH, seen.deepest),
-            of_zero(BELOW, seen.below as f64),
-            of_zero(FREE_FALL, seen.fall),
+            Quantity::of_zero(DEPTH, seen.deepest),
+            Quantity::of_zero(BELOW, seen.below as f64),
+            Quantity::of_zero(FREE_FALL, seen.fall),
         ];
-        all.extend(touch.map(|touch| of_zero(TOUCH, (touched - touch) / dt)));
+        all.extend(touch.map(|touch| Quantity::of_zero(TOUCH, (touched - touch) / dt)));
         all.extend([
-            of_zero(MOMENTUM, lost / given),
-            of_zero(GAINED, seen.gained),
-            of_zero(DOWNWARD, seen.pull.max(0.0)),
+            Quantity::of_zero(MOMENTUM, lost / given),
+            Quantity::of_zero(GAINED, seen.gained),
+            Quantity::of_zero(DOWNWARD, seen.pull.max(0.0)),
         ]);
         if rung.variant == BOUNCE.0 {
             let kept = seen.last / seen.first.unwrap_or(f64::NAN);
-            all.push(Quantity {
-                name: KEPT,
-                value: kept,
-                exact: Some(1.0),
-                error: Some((kept - 1.0).abs()),
-                unit: "1",
-            });
+            all.push(Quantity::compared(KEPT, kept, 1.0, "1"));
         }
         all
     }
@@ -298,14 +285,7 @@ impl Case for SphereOnTerrain {
             Size::Quick => &[0.1],
             Size::Full => &[0.1, 0.05],
         };
-        let of = |&(variant, ..): &Variant| {
-            cells.iter().map(move |&cell| Rung {
-                label: format!("{variant} h={cell}"),
-                cell,
-                variant,
-            })
-        };
-        VARIANTS.iter().flat_map(of).collect()
+        Rung::ladders(&VARIANTS.map(|(variant, ..)| (variant, cells)))
     }
 
     with_own_settings!();
@@ -314,16 +294,9 @@ impl Case for SphereOnTerrain {
         let mut verdict = Verdict::default();
         for rung in self.rungs(size) {
             let (.., smooth) = Self::variant(&rung);
-            let found = solved.iter().find(|(other, _)| *other == rung);
-            let error = |name: &str| found.map_or(f64::NAN, |(_, s)| s.error(name));
-            let mut gate = |name: &str, bound, reason| {
-                verdict.gates.push(Gate {
-                    name: format!("{}: {name}", rung.label),
-                    value: error(name),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+            let mut gate = |name, bound, reason| {
+                let gate = error_at_most(solved, &rung.label, name, bound, reason);
+                verdict.gates.push(gate);
             };
             gate(DEPTH, DEPTH_GATE, "half a cell, what the project promises");
             gate(BELOW, 0.0, "no particle passes the terrain unnoticed");

@@ -1,11 +1,10 @@
 //! Equilibrium by dynamic relaxation: steps until the nodes are at rest.
 
-use std::fmt;
+use proctor_kernel::simulation::Simulation;
 
-use proctor_kernel::simulation::{Simulation, StepError};
-
+use super::dynamics::step;
 use crate::settings::Settings;
-use crate::study::{Observer, Phase, STOPPED};
+use crate::study::{Failure, Observer, Phase};
 
 /// Steps after which the relaxation of a case's own settings that has not come to rest is given up: twenty times what
 /// the finest rung of any case takes.
@@ -29,66 +28,25 @@ const END: f64 = 1e6;
 /// Steps between two calls of the progress function.
 const REPORT_EVERY: u64 = 20;
 
-/// Why equilibrium was not reached.
-#[derive(Debug)]
-pub enum Unrest {
-    /// A step failed.
-    Step(StepError),
-    /// The residual did not fall far enough.
-    Slow {
-        /// Smallest norm of the unbalanced nodal forces over the load, dimensionless.
-        residual: f64,
-        /// What it had to reach.
-        tolerance: f64,
-        /// Steps that were given.
-        steps: u64,
-    },
-    /// The observer stopped it.
-    Stopped,
-    /// The simulation measures no residual.
-    NotMeasured,
-}
-
-impl fmt::Display for Unrest {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Step(error) => error.fmt(f),
-            Self::Slow {
-                residual,
-                tolerance,
-                steps,
-            } => write!(
-                f,
-                "no equilibrium in {steps} steps: unbalanced force over load {residual:.3e}, wanted {tolerance:.3e}"
-            ),
-            Self::Stopped => f.write_str(STOPPED),
-            Self::NotMeasured => {
-                f.write_str("the simulation was not asked to measure the residual")
-            }
-        }
-    }
-}
-
 /// Steps, at most `most`, until the norm of the unbalanced forces on the free nodes is at most `tolerance` times
 /// `load` (N); returns their ratio.
 ///
 /// # Errors
-/// [`Unrest`].
+/// As [`step`], and where the residual does not fall so far in as many steps.
 pub fn relax(
     simulation: &mut Simulation,
     load: f64,
     tolerance: f64,
     most: u64,
     observer: &mut dyn Observer,
-) -> Result<f64, Unrest> {
+) -> Result<f64, Failure> {
     let mut least = f64::INFINITY;
     observer.phase(Phase::Stepping);
     while simulation.steps() < most {
-        if observer.stop() {
-            return Err(Unrest::Stopped);
-        }
-        let info = simulation.step(END).map_err(Unrest::Step)?;
-        let residual = info.measured.ok_or(Unrest::NotMeasured)?.1 / load;
+        let info = step(simulation, END, observer)?;
+        let measured = info.measured;
+        let (_, force) = measured.ok_or("the simulation was not asked to measure the residual")?;
+        let residual = force / load;
         least = least.min(residual);
         if residual <= tolerance {
             observer.phase(Phase::Comparing);
@@ -100,9 +58,8 @@ pub fn relax(
             observer.progress((libm::log(least) / libm::log(tolerance)).clamp(0.0, 1.0));
         }
     }
-    Err(Unrest::Slow {
-        residual: least,
-        tolerance,
-        steps: most,
-    })
+    Err(format!(
+        "no equilibrium in {most} steps: unbalanced force over load {least:.3e}, wanted {tolerance:.3e}"
+    )
+    .into())
 }

@@ -23,17 +23,21 @@ mod frame;
 use std::sync::Arc;
 
 use proctor_kernel::scene::{
-    Body, Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
+    Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use proctor_kernel::surface::{Surface, parse};
 
-use super::incline::{COURANT, Track, dot, fitted_slope, follow_along, run, sliding_curve};
-use super::{AT_REST, NO_RESULTS, elastic, failed};
-use crate::case::{Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use super::dynamics::run;
+use super::incline::{
+    ACCELERATION, COURANT, CREEP, Track, WAY, acceleration, dot, follow_along, sliding_curve, stuck,
+};
+use super::judging::{error_at_most, run_of};
+use super::{AT_REST, NO_RESULTS, body, elastic};
+use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Measure, Observer, Study};
 use frame::Frame;
 
 /// Angle of the plane with the horizontal \[degrees\].
@@ -67,12 +71,6 @@ const CLOSE_DAMPING: f64 = 0.1;
 /// Friction of the study, and of the block that is pulled from rest for the record.
 const STUDIED: f64 = 0.5;
 
-/// Name of the displacement among the quantities.
-const WAY: &str = "displacement at 2 s";
-/// Name of the fitted acceleration.
-const ACCELERATION: &str = "acceleration";
-/// Name of the creep.
-const CREEP: &str = "creep velocity over free velocity";
 /// Name of the deepest penetration.
 const DEPTH: &str = "deepest penetration over cell";
 
@@ -113,6 +111,22 @@ struct Problem {
     turned: bool,
     friction: f64,
     young: f64,
+}
+
+impl Problem {
+    /// Whether the block settles without friction and is pulled from rest.
+    fn pulled_later(&self) -> bool {
+        matches!(self.kind, Kind::Pulled | Kind::Stick)
+    }
+
+    /// Gravity down the plane while the block settles \[m/s²\].
+    fn pull_before(&self) -> f64 {
+        if self.pulled_later() {
+            0.0
+        } else {
+            TiltedIncline::exact(self).along
+        }
+    }
 }
 
 /// Runs of a size: cell size (m), whether the plane is turned, and the frictions.
@@ -232,75 +246,34 @@ impl TiltedIncline {
     }
 
     /// Settles the block on the plane and releases it.
-    fn released(
-        scene: &Scene,
+    fn release(
         frame: &Frame,
         problem: &Problem,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Simulation, String> {
-        let words = |e: proctor_kernel::simulation::SetupError| e.to_string();
-        let slope = Self::exact(problem);
-        let pulled_later = matches!(problem.kind, Kind::Pulled | Kind::Stick);
-        let along = if pulled_later { 0.0 } else { slope.along };
-        let (down, out, foot) = (frame.down, frame.out, frame.corner);
-        // The weight of what lies above, carried by the plane.
-        let initial = move |x: &Vector| {
-            let height = dot(&std::array::from_fn(|axis| x[axis] - foot[axis]), &out);
-            let above = DENSITY * (HEIGHT - height);
-            let component = |a: usize, b: usize| {
-                above
-                    * (along * (down[a] * out[b] + out[a] * down[b]) - slope.into * out[a] * out[b])
-            };
-            let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
-            InitialState {
-                stress: pairs.map(|(a, b)| component(a, b)),
-                ..AT_REST
-            }
-        };
-        let options = Options {
-            initial: Some(Arc::new(initial)),
-            ..options.clone()
-        };
-        let mut simulation = Simulation::new(scene, &options).map_err(words)?;
-        let held = std::array::from_fn(|axis| along * down[axis] - slope.into * out[axis]);
-        simulation.set_gravity(held).map_err(words)?;
-        let friction = if pulled_later { 0.0 } else { ROUGH };
-        simulation
-            .set_surface_friction(0, friction)
-            .map_err(words)?;
-        simulation.set_local_damping(Some(DAMPING)).map_err(words)?;
-        let release = scene.time - TIME;
-        run(&mut simulation, release, scene.time, observer, |_| ())?;
+    ) -> Result<(), Failure> {
+        // As it is to be from the release on.
+        let scene = simulation.scene().clone();
+        let (slope, along) = (Self::exact(problem), problem.pull_before());
+        let held =
+            std::array::from_fn(|axis| along * frame.down[axis] - slope.into * frame.out[axis]);
+        simulation.set_gravity(held)?;
+        simulation.set_surface_friction(0, if problem.pulled_later() { 0.0 } else { ROUGH })?;
+        simulation.set_local_damping(Some(DAMPING))?;
+        run(simulation, scene.time - TIME, observer, |_| ())?;
         let after = (problem.friction == CLOSE).then_some(CLOSE_DAMPING);
-        simulation.set_local_damping(after).map_err(words)?;
-        simulation.set_gravity(scene.gravity).map_err(words)?;
-        simulation
-            .set_surface_friction(0, problem.friction)
-            .map_err(words)?;
-        Ok(simulation)
+        simulation.set_local_damping(after)?;
+        simulation.set_gravity(scene.gravity)?;
+        simulation.set_surface_friction(0, problem.friction)?;
+        Ok(())
     }
 
     fn quantities(track: &Track, deepest: f64, problem: &Problem) -> Vec<Quantity> {
         let exact = Self::exact(problem);
         let end = track.way.last().map_or(f64::NAN, |w| w[0]);
-        let compared = |name, value: f64, exact: f64, error: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some(error),
-            unit,
-        };
-        let mut all = vec![compared(DEPTH, deepest, 0.0, deepest, "1")];
+        let mut all = vec![Quantity::of_zero(DEPTH, deepest)];
         if problem.kind == Kind::Stick {
-            let free = Slope {
-                friction: 0.0,
-                ..exact
-            };
-            let creep = track.mean_velocity_from(0.5) / (free.acceleration() * TIME);
-            let way = track.end() / free.displacement(TIME);
-            all.push(compared(CREEP, creep, 0.0, creep.abs(), "1"));
-            all.push(compared(WAY, track.end(), 0.0, way.abs(), "m"));
+            all.extend(stuck(track, track.end(), &exact, TIME));
         } else {
             // A block that is pulled from rest is compared with the elastic one.
             let way = if problem.kind == Kind::Pulled {
@@ -308,23 +281,8 @@ impl TiltedIncline {
             } else {
                 exact.displacement(end)
             };
-            let a = fitted_slope(&track.velocity);
-            let a_exact = exact.acceleration();
-            let error = |value: f64, exact: f64| (value / exact - 1.0).abs();
-            all.push(compared(
-                WAY,
-                track.end(),
-                way,
-                error(track.end(), way),
-                "m",
-            ));
-            all.push(compared(
-                ACCELERATION,
-                a,
-                a_exact,
-                error(a, a_exact),
-                "m/s²",
-            ));
+            all.push(Quantity::compared(WAY, track.end(), way, "m"));
+            all.push(acceleration(track, &exact));
         }
         all
     }
@@ -349,16 +307,9 @@ impl Case for TiltedIncline {
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
         for (rung, problem) in Self::ladder(size) {
-            let found = solved.iter().find(|(other, _)| *other == rung);
-            let error = |name: &str| found.map_or(f64::NAN, |(_, s)| s.error(name));
-            let mut gate = |name: &str, bound, reason| {
-                verdict.gates.push(Gate {
-                    name: format!("{}: {name}", rung.label),
-                    value: error(name),
-                    relation: Relation::AtMost,
-                    bound,
-                    reason,
-                });
+            let mut gate = |name, bound, reason| {
+                let gate = error_at_most(solved, &rung.label, name, bound, reason);
+                verdict.gates.push(gate);
             };
             match problem.kind {
                 Kind::Slide => {
@@ -371,7 +322,7 @@ impl Case for TiltedIncline {
                     gate(WAY, STICK_GATE, "it shears, the free block slides 10 m");
                 }
                 Kind::Pulled | Kind::Undamped => {
-                    if let Some((_, s)) = found {
+                    if let Some(s) = run_of(solved, &rung.label) {
                         let rigid = Self::exact(&problem).displacement(TIME);
                         verdict.for_the_record.push(format!(
                             "{}: displacement off by {:+.2} % from a rigid block, acceleration by {:.2} %",
@@ -399,16 +350,10 @@ impl Study for TiltedIncline {
         path.map(|(rung, _)| rung).collect()
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "displacement",
-                quantity: WAY,
-            },
-            Measure {
-                word: "acceleration",
-                quantity: ACCELERATION,
-            },
+    fn measures(&self) -> Vec<Measure> {
+        vec![
+            Measure::new("displacement", WAY),
+            Measure::new("acceleration", ACCELERATION),
         ]
     }
 
@@ -435,15 +380,11 @@ impl Study for TiltedIncline {
         scene.gravity = [0.0, 0.0, -self.pull * GRAVITY];
         scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, problem.young, POISSON);
-        scene.bodies.push(Body {
-            name: "block".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Particles(Arc::new(frame.seeds(h, settings.particles_per_cell))),
-            particles_per_cell: [2; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        });
+        scene.bodies.push(body(
+            "block",
+            1,
+            Shape::Particles(Arc::new(frame.seeds(h, settings.particles_per_cell))),
+        ));
         // The text is sound by construction; were it not, a scene without the plane fails every gate.
         let plane = parse(frame.stl().as_bytes()).ok();
         scene.surfaces.extend(plane.and_then(|corners| {
@@ -464,39 +405,52 @@ impl Study for TiltedIncline {
         scene
     }
 
-    fn solve_with(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
+    fn options(&self, rung: &Rung, options: Options) -> Options {
         let problem = Self::problem(rung);
         let frame = Frame::new(rung.cell, problem.turned);
-        let mut simulation = Self::released(&scene, &frame, &problem, options, observer)
-            .map_err(|e| failed(self, rung, &e))?;
+        let (slope, along) = (Self::exact(&problem), problem.pull_before());
+        let (down, out, foot) = (frame.down, frame.out, frame.corner);
+        // The weight of what lies above, carried by the plane.
+        let initial = move |x: &Vector| {
+            let height = dot(&std::array::from_fn(|axis| x[axis] - foot[axis]), &out);
+            let above = DENSITY * (HEIGHT - height);
+            let component = |a: usize, b: usize| {
+                above
+                    * (along * (down[a] * out[b] + out[a] * down[b]) - slope.into * out[a] * out[b])
+            };
+            let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+            InitialState {
+                stress: pairs.map(|(a, b)| component(a, b)),
+                ..AT_REST
+            }
+        };
+        Options {
+            initial: Some(Arc::new(initial)),
+            ..options
+        }
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        _settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let problem = Self::problem(rung);
+        let frame = Frame::new(rung.cell, problem.turned);
+        Self::release(&frame, &problem, simulation, observer)?;
         let weight = GRAVITY * libm::cos(TILT.to_radians());
         let mut deepest = 0.0_f64;
         let directions = [frame.down, frame.out];
-        let tracks = follow_along(directions, &[0], weight, &mut simulation, observer, |s| {
+        let tracks = follow_along(directions, &[0], weight, simulation, observer, |s| {
             if s.steps().is_multiple_of(50) {
                 let gaps = (0..s.particles()).filter_map(|p| s.surface_gap(0, 0, p, 0.0));
                 deepest = gaps.fold(deepest, |d, (gap, _)| d.max(-gap / rung.cell));
             }
-        })
-        .map_err(|e| failed(self, rung, &e))?;
-        let exact = Self::exact(&problem);
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(&tracks[0], deepest, &problem),
-            drawings: vec![],
-            curve: Some(sliding_curve(&tracks[0], &exact, &rung.label)),
-        };
-        Ok(Studied::new(solved, &simulation))
+        })?;
+        let quantities = Self::quantities(&tracks[0], deepest, &problem);
+        let curve = sliding_curve(&tracks[0], &Self::exact(&problem), &rung.label);
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

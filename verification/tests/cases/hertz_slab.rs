@@ -5,5 +5,5 @@ use proctor_verification::cases::HertzSlab;
 
 #[test]
 fn gates_hold() {
-    holds(&HertzSlab);
+    holds(&HertzSlab::GIVEN);
 }

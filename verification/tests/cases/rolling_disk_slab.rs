@@ -5,5 +5,5 @@ use proctor_verification::cases::RollingDiskSlab;
 
 #[test]
 fn gates_hold() {
-    holds(&RollingDiskSlab);
+    holds(&RollingDiskSlab::GIVEN);
 }

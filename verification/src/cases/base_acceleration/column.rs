@@ -2,19 +2,18 @@
 
 use std::f64::consts::PI;
 
-use crate::cases::elastic;
 use proctor_kernel::scene::{
-    BaseMotion, Body, Dimension, History, Mesh, Motion, PlaneCondition, Results, Scene, Shape,
-    TimeStep,
+    BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene, TimeStep,
 };
 use proctor_kernel::simulation::Simulation;
 
 use crate::case::{Curve, CurvePoint};
-use crate::cases::dynamics::l2;
+use crate::cases::dynamics::{l2, step};
+use crate::cases::{NO_RESULTS, body, cuboid, elastic};
 use crate::convergence::relative_l2;
 use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
 use crate::settings::Settings;
-use crate::study::{Observer, Phase, STOPPED};
+use crate::study::{Failure, Observer, Phase};
 
 /// Height of the column \[m\].
 const HEIGHT: f64 = 1.0;
@@ -146,31 +145,14 @@ impl Column {
             dt,
             allow_unstable: self.settings.allow_unstable,
         };
-        scene.results = Results {
-            print: 0,
-            fields: vec![],
-            nodal_fields: vec![],
-            checkpoint: false,
-        };
+        scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
         let mut upper = [WIDTH as f64 * h; 3];
         upper[axis] = HEIGHT;
-        let mut particles_per_cell = [2; 3];
         if self.dimension == Dimension::Two {
-            (upper[2], particles_per_cell[2]) = (0.0, 1);
+            upper[2] = 0.0;
         }
-        scene.bodies = vec![Body {
-            name: "column".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [0.0; 3],
-                p2: upper,
-            },
-            particles_per_cell,
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body("column", 1, cuboid([0.0; 3], upper))];
         let rows = (scene.time / INTERVAL).ceil() as usize + 1;
         let times: Vec<f64> = (0..=rows).map(|row| row as f64 * INTERVAL).collect();
         let values = times
@@ -195,13 +177,13 @@ impl Column {
     /// of the scene (1 for the right reference).
     ///
     /// # Errors
-    /// Why a step failed, in words.
+    /// Why a step failed.
     pub fn run(
         &self,
         simulation: &mut Simulation,
         stiffness: f64,
         observer: &mut dyn Observer,
-    ) -> Result<Response, String> {
+    ) -> Result<Response, Failure> {
         let (_, steps) = self.time_step();
         let every = (steps / SAMPLES).max(1);
         let exact = BaseColumn {
@@ -213,12 +195,7 @@ impl Column {
         let mut samples = vec![];
         observer.phase(Phase::Stepping);
         while simulation.steps() < steps {
-            if observer.stop() {
-                return Err(STOPPED.to_owned());
-            }
-            simulation
-                .step(simulation.scene().time)
-                .map_err(|e| e.to_string())?;
+            step(simulation, simulation.scene().time, observer)?;
             if (steps - simulation.steps()).is_multiple_of(every) {
                 observer.phase(Phase::Comparing);
                 let t = simulation.velocity_time();
@@ -231,7 +208,7 @@ impl Column {
         }
         observer.phase(Phase::Comparing);
         let t = simulation.velocity_time();
-        let layer = |depth: f64| -> Result<f64, String> {
+        let layer = |depth: f64| -> Result<f64, Failure> {
             let (mut count, mut sum) = (0.0, 0.0);
             for [z, v, _] in self.particles(simulation)? {
                 if (HEIGHT - z - depth).abs() < 0.1 * self.cell {
@@ -280,7 +257,7 @@ impl Column {
     }
 
     /// Initial height (m), velocity along the column (m/s) and volume (m³) of the particles.
-    fn particles(&self, simulation: &Simulation) -> Result<Vec<[f64; 3]>, String> {
+    fn particles(&self, simulation: &Simulation) -> Result<Vec<[f64; 3]>, Failure> {
         let (set, axis) = (&simulation.sets()[0], self.axis());
         (0..set.len())
             .map(|p| {
@@ -288,6 +265,6 @@ impl Column {
                 Some([z, set.velocity(p)[axis], simulation.mass_and_volume(0, p).1])
             })
             .collect::<Option<_>>()
-            .ok_or_else(|| "the simulation kept no initial positions".to_owned())
+            .ok_or_else(|| "the simulation kept no initial positions".into())
     }
 }

@@ -1,8 +1,8 @@
 //! Gates and tables of the shaken column and of the manual's block.
 
 use super::{BASE, L2, LOWEST, TOP, UPPERMOST};
-use crate::case::{Gate, Relation, Rung, Size, Solved, Verdict};
-use crate::cases::table;
+use crate::case::{Gate, Rung, Size, Solved, Verdict};
+use crate::cases::judging::{error_at_most, error_of, of_variant, order_gate, run_of, table};
 
 /// Largest relative error of the top velocity at H/h = 32.
 const TOP_GATE: f64 = 0.01;
@@ -31,50 +31,29 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
             table(solved, variant, &[TOP, UPPERMOST, L2]),
         ));
     }
-    let find = |label: &str| {
-        solved
-            .iter()
-            .find(|(rung, _)| rung.label == label)
-            .map(|(_, s)| s)
-    };
-    let of = |label: &str, name| find(label).map_or(f64::NAN, |s| s.error(name));
-
     let columns: &[&str] = match size {
         Size::Quick => &["p-wave"],
         Size::Full => &["p-wave", "p-wave-3d"],
     };
     for variant in columns {
-        verdict.gates.push(Gate {
-            name: format!("{variant}: error of {TOP}, {JUDGED}"),
-            value: of(&format!("{variant} {JUDGED}"), TOP),
-            relation: Relation::AtMost,
-            bound: TOP_GATE,
-            reason: "one percent at 32 cells is what the project promises",
-        });
+        verdict.gates.push(Gate::at_most(
+            format!("{variant}: error of {TOP}, {JUDGED}"),
+            error_of(solved, &format!("{variant} {JUDGED}"), TOP),
+            TOP_GATE,
+            "one percent at 32 cells is what the project promises",
+        ));
     }
     let smooth = &verdict.tables[1].1;
-    let order = smooth
-        .rows()
-        .len()
-        .checked_sub(1)
-        .and_then(|last| smooth.order(2, last));
-    verdict.gates.push(Gate {
-        name: format!("smooth: observed order of {L2}"),
-        value: order.unwrap_or(f64::NAN),
-        relation: Relation::AtLeast,
-        bound: ORDER_GATE,
-        reason: "order 2 is expected of uGIMP at small strain with dt like h²; 0.3 is left for coarse meshes",
-    });
+    let order = "order 2 is expected of uGIMP at small strain with dt like h²; 0.3 is left for coarse meshes";
+    let gate = order_gate(smooth, L2, ORDER_GATE, order);
+    verdict.gates.push(of_variant("smooth", gate));
     for variant in ["text", "input"] {
         let label = format!("manual's {variant}");
-        verdict.gates.push(Gate {
-            name: format!("{label}: {BASE}"),
-            value: of(&label, BASE),
-            relation: Relation::AtMost,
-            bound: BASE_GATE,
-            reason: "the base is prescribed: a time label wrong by half a step alone is 0.16 % of A with the input",
-        });
-        if let Some(s) = find(&label) {
+        let reason = "the base is prescribed: a time label wrong by half a step alone is 0.16 % of A with the input";
+        verdict
+            .gates
+            .push(error_at_most(solved, &label, BASE, BASE_GATE, reason));
+        if let Some(s) = run_of(solved, &label) {
             verdict.for_the_record.push(format!(
                 "{label}: {LOWEST} {:.3} % (h/4 above the base; the block is elastic)",
                 100.0 * s.error(LOWEST)
@@ -85,7 +64,7 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         ("flip", "FLIP with USL, c dt/h = 0.1"),
         ("linear", "the base shaken with 3e-4 m/s, scaled to 0.3 m/s"),
     ] {
-        if let Some(s) = find(&format!("{variant} {JUDGED}")) {
+        if let Some(s) = run_of(solved, &format!("{variant} {JUDGED}")) {
             verdict.for_the_record.push(format!(
                 "{what}, {JUDGED}: {TOP} off by {:.2} %, {L2} {:.2} %",
                 100.0 * s.error(TOP),

@@ -1,14 +1,13 @@
 //! The manual's own check: the particles at the base of its shaken block follow the record.
 
 use proctor_kernel::scene::record::{Harmonic, accelerogram};
-use proctor_kernel::scene::{
-    BaseMotion, Body, Dimension, Law, Material, Mesh, Motion, ObjectiveRate, Results, Scene, Shape,
-    TimeStep,
-};
+use proctor_kernel::scene::{BaseMotion, Dimension, Mesh, Motion, Scene, TimeStep};
 use proctor_kernel::simulation::Simulation;
 
+use crate::cases::dynamics::step;
+use crate::cases::{NO_RESULTS, body, cuboid, elastic_law, material};
 use crate::exact::base_column::SineRecord;
-use crate::study::{Observer, Phase, STOPPED};
+use crate::study::{Failure, Observer, Phase};
 
 /// Cell size \[m\].
 pub const CELL: f64 = 0.1;
@@ -64,35 +63,14 @@ impl Block {
             dt: self.dt,
             allow_unstable: false,
         };
-        scene.results = Results {
-            print: 0,
-            fields: vec![],
-            nodal_fields: vec![],
-            checkpoint: false,
-        };
-        scene.materials = vec![Material {
-            name: "elastic_1".to_owned(),
-            id: 1,
-            density: 2500.0,
-            law: Law::LinearElastic {
-                young: self.young,
-                poisson: 0.25,
-                rate: ObjectiveRate::HughesWinget,
-            },
-        }];
+        scene.results = NO_RESULTS;
+        scene.materials = material("elastic_1", 2500.0, elastic_law(self.young, 0.25));
         let far = self.corner + WIDTH;
-        scene.bodies = vec![Body {
-            name: "columns_1".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Cuboid {
-                p1: [self.corner, self.corner, 0.0],
-                p2: [far, far, self.height],
-            },
-            particles_per_cell: [2; 3],
-            velocity: [0.0; 3],
-            motion: None,
-        }];
+        scene.bodies = vec![body(
+            "columns_1",
+            1,
+            cuboid([self.corner, self.corner, 0.0], [far, far, self.height]),
+        )];
         let motion = Motion::Acceleration(accelerogram(&record));
         scene.base_motion = Some(BaseMotion {
             axis: 2,
@@ -115,21 +93,18 @@ pub struct Distance {
 /// Runs the whole record; `frequency` times that of the record is the reference (1 for the right one).
 ///
 /// # Errors
-/// Why a step failed, in words.
+/// Why a step failed.
 pub fn run(
     simulation: &mut Simulation,
     frequency: f64,
     observer: &mut dyn Observer,
-) -> Result<Distance, String> {
+) -> Result<Distance, Failure> {
     let record = Harmonic::of_the_manual();
     let end = simulation.scene().time;
     let mut worst = Distance::default();
     while simulation.velocity_time() + 1e-9 < end {
-        if observer.stop() {
-            return Err(STOPPED.to_owned());
-        }
         observer.phase(Phase::Stepping);
-        simulation.step(end).map_err(|e| e.to_string())?;
+        step(simulation, end, observer)?;
         observer.phase(Phase::Comparing);
         let t = simulation.velocity_time();
         if t > end {
@@ -156,13 +131,13 @@ pub fn run(
 }
 
 /// Mean velocities (m/s) of the lowest layer of particles and of the one above.
-fn layers(simulation: &Simulation) -> Result<([f64; 3], [f64; 3]), String> {
+fn layers(simulation: &Simulation) -> Result<([f64; 3], [f64; 3]), Failure> {
     let set = &simulation.sets()[0];
     let mut sums = [[0.0; 4]; 2];
     for p in 0..set.len() {
         let z = simulation
             .initial_position(0, p)
-            .ok_or_else(|| "the simulation kept no initial positions".to_owned())?[2];
+            .ok_or("the simulation kept no initial positions")?[2];
         let layer = (z / (0.5 * CELL)).floor() as usize;
         if let Some(sum) = sums.get_mut(layer) {
             let v = set.velocity(p);

@@ -1,11 +1,10 @@
 //! The scene of the quarter box, and the exact solution of the whole one.
 
-use crate::cases::elastic;
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, Mesh, PlaneCondition, PointLoad, Results, Scene, Shape, StressScheme,
-    Traction,
+    Damping, Dimension, Mesh, PlaneCondition, PointLoad, Scene, StressScheme, Traction,
 };
 
+use crate::cases::{NO_RESULTS, body, cuboid, elastic};
 use crate::exact::boussinesq_box::{BoxProblem, BoxSolution, InvalidBox};
 
 /// Side of the cube \[m\].
@@ -71,25 +70,13 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
     scene.name = format!("boussinesq_{}", loading.word());
     scene.scheme = StressScheme::Usl;
     scene.damping = Damping::Kinetic;
-    scene.results = Results {
-        print: 0,
-        fields: vec![],
-        nodal_fields: vec![],
-        checkpoint: false,
-    };
+    scene.results = NO_RESULTS;
     scene.materials = elastic(DENSITY, YOUNG, POISSON);
-    scene.bodies = vec![Body {
-        name: "quarter box".to_owned(),
-        id: 1,
-        material: 0,
-        shape: Shape::Cuboid {
-            p1: [MIDDLE, MIDDLE, 0.0],
-            p2: [SIDE; 3],
-        },
-        particles_per_cell: [2; 3],
-        velocity: [0.0; 3],
-        motion: None,
-    }];
+    scene.bodies = vec![body(
+        "quarter box",
+        1,
+        cuboid([MIDDLE, MIDDLE, 0.0], [SIDE; 3]),
+    )];
     match loading {
         Loading::Node => {
             scene.point_loads = vec![PointLoad {

@@ -2,8 +2,8 @@
 
 use super::CollidingBlocks;
 use super::{BALANCE, DURATION, ENERGY, IMPULSE, LOST, MOMENTUM, RESTITUTION};
-use crate::case::{Gate, Relation, Rung, Solved, Verdict};
-use crate::cases::{order_gate, table};
+use crate::case::{Rung, Solved, Verdict};
+use crate::cases::judging::{error_at_most, of_variant, order_gate, run_of, table};
 
 /// Largest change of momentum over that of both bodies.
 const MOMENTUM_GATE: f64 = 1e-12;
@@ -17,24 +17,10 @@ const ORDER_GATE: f64 = 0.6;
 /// Tables, gates and lines for the record.
 pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
     let mut verdict = Verdict::default();
-    let of = |rung: &Rung| {
-        solved
-            .iter()
-            .find(|(other, _)| other == rung)
-            .map(|(_, s)| s)
-    };
     for (i, rung) in rungs.iter().enumerate() {
-        let found = of(rung);
-        let error = |name: &str| found.map_or(f64::NAN, |s| s.error(name));
         let gates = &mut verdict.gates;
-        let mut gate = |name: &str, bound, reason| {
-            gates.push(Gate {
-                name: format!("{}: {name}", rung.label),
-                value: error(name),
-                relation: Relation::AtMost,
-                bound,
-                reason,
-            });
+        let mut gate = |name, bound, reason| {
+            gates.push(error_at_most(solved, &rung.label, name, bound, reason));
         };
         gate(
             MOMENTUM,
@@ -71,13 +57,11 @@ pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
             let names = [DURATION, IMPULSE, RESTITUTION];
             let table = table(solved, rung.variant, &names);
             if rungs.iter().filter(|r| r.variant == rung.variant).count() > 1 {
-                let mut order =
-                    order_gate(&table, DURATION, ORDER_GATE, "2/3, as the front spreads");
-                order.name = format!("{}: {}", rung.variant, order.name);
-                verdict.gates.push(order);
+                let order = order_gate(&table, DURATION, ORDER_GATE, "2/3, as the front spreads");
+                verdict.gates.push(of_variant(rung.variant, order));
             }
             verdict.tables.push((rung.variant.to_owned(), table));
-        } else if let Some(s) = found {
+        } else if let Some(s) = run_of(solved, &rung.label) {
             verdict.for_the_record.push(format!(
                 "{}: restitution {:.3}, energy dissipated {:.2} %",
                 rung.label,

@@ -1,12 +1,12 @@
 //! Bars between rollers and blocks in the open.
 
 use proctor_kernel::scene::{
-    Body, Contact, ContactNormal, Dimension, Law, Material, Mesh, ObjectiveRate, PlaneCondition,
-    Scene, Shape, StressScheme, TransferKind,
+    Body, Contact, ContactNormal, Dimension, Material, Mesh, PlaneCondition, Scene, StressScheme,
+    TransferKind,
 };
 
 use crate::case::Size;
-use crate::cases::NO_RESULTS;
+use crate::cases::{NO_RESULTS, body, cuboid, elastic_law};
 use crate::exact::bar_impact::{BarImpact, MovingBar};
 
 /// Length of the first body \[m\].
@@ -185,11 +185,7 @@ impl Variant {
                 name: format!("elastic {}", i + 1),
                 id: i as i64 + 1,
                 density: DENSITY * ratio,
-                law: Law::LinearElastic {
-                    young: YOUNG * ratio,
-                    poisson,
-                    rate: ObjectiveRate::HughesWinget,
-                },
+                law: elastic_law(YOUNG * ratio, poisson),
             })
             .collect();
         let flat = self.dimension == Dimension::Two;
@@ -205,17 +201,12 @@ impl Variant {
                     }
                 };
                 let far = starts[i] + self.lengths()[i];
+                let deep = |height: f64| if flat { 0.0 } else { height };
+                let shape = cuboid([starts[i], low, deep(low)], [far, high, deep(high)]);
                 Body {
-                    name: format!("body {}", i + 1),
-                    id: i as i64 + 1,
                     material: i,
-                    shape: Shape::Cuboid {
-                        p1: [starts[i], low, if flat { 0.0 } else { low }],
-                        p2: [far, high, if flat { 0.0 } else { high }],
-                    },
-                    particles_per_cell: [2, 2, if flat { 1 } else { 2 }],
                     velocity: [self.velocities()[i], 0.0, 0.0],
-                    motion: None,
+                    ..body(format!("body {}", i + 1), i as i64 + 1, shape)
                 }
             })
             .collect();

@@ -137,16 +137,7 @@ impl Watch {
         let largest = largest.fold(0.0, f64::max);
         let sideways = self.samples.iter().map(|s| s.plate[0]).sum::<f64>();
         let sideways = sideways / self.samples.len() as f64;
-        let number = |exact| {
-            move |name, value, unit| Quantity {
-                name,
-                value,
-                exact,
-                error: None,
-                unit,
-            }
-        };
-        let (balance, figure) = (number(Some(0.0)), number(None));
+        let (balance, figure) = (Quantity::balance, Quantity::figure);
         vec![
             balance(INSIDE, self.inside as f64, "1"),
             balance(BEYOND, self.beyond as f64, "1"),

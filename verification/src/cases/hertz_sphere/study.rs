@@ -1,13 +1,13 @@
 //! The ball with any settings.
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, TransferKind};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, TransferKind, Vector};
+use proctor_kernel::simulation::Simulation;
 
-use super::{FINE, FORCE, HertzSphere, L2, PEAK, WIDTH, run, rungs};
-use crate::case::{CaseError, Curve, CurvePoint, Quantity, Rung, Size, Solved};
-use crate::cases::failed;
+use super::{AVERAGED, FINE, FORCE, HertzSphere, L2, PEAK, WIDTH, peak, rungs};
+use crate::case::{Curve, CurvePoint, Found, Quantity, Rung, Size};
+use crate::cases::pressures::Pressures;
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study, few};
+use crate::study::{Failure, Measure, Observer, Study, few};
 
 impl Study for HertzSphere {
     fn path(&self, size: Size) -> Vec<Rung> {
@@ -17,17 +17,8 @@ impl Study for HertzSphere {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[
-            Measure {
-                word: "pressure",
-                quantity: L2,
-            },
-            Measure {
-                word: "peak",
-                quantity: PEAK,
-            },
-        ]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("pressure", L2), Measure::new("peak", PEAK)]
     }
 
     fn tries(&self, size: Size, method: Method) -> bool {
@@ -46,7 +37,7 @@ impl Study for HertzSphere {
     }
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        // The surfaces are sound at every cell size; one that is not is reported by `solve_with`.
+        // The surfaces are sound at every cell size; one that is not is reported by `try_scene_with`.
         Self::build(rung, settings).unwrap_or_else(|_| {
             let mesh = Mesh {
                 origin: [0.0; 3],
@@ -58,42 +49,31 @@ impl Study for HertzSphere {
         })
     }
 
-    fn solve_with(
+    fn try_scene_with(&self, rung: &Rung, settings: &Settings) -> Result<Scene, Failure> {
+        Ok(Self::build(rung, settings)?)
+    }
+
+    fn run(
         &self,
         rung: &Rung,
-        settings: &Settings,
-        options: &Options,
+        _settings: &Settings,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = Self::build(rung, settings).map_err(|e| failed(self, rung, &e))?;
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let found = run(&mut simulation, observer).map_err(|e| failed(self, rung, &e))?;
+    ) -> Result<Found, Failure> {
+        let from_axis = |x: &Vector| libm::hypot(x[0], x[1]);
+        let found = Pressures::averaged(simulation, AVERAGED[0], FINE, from_axis, observer)?;
         let exact = self.exact();
-        let of = |name, value: f64, exact: f64, unit| Quantity {
-            name,
-            value,
-            exact: Some(exact),
-            error: Some((value / exact - 1.0).abs()),
-            unit,
-        };
         let distance = found.distance(|r| exact.pressure(r));
+        // Of the Hertz pressure with the same second moment, sqrt(5/2 m_2/m_0).
+        let radius = (2.5 * found.moment(2) / found.moment(0)).sqrt();
         let quantities = vec![
-            of(FORCE, found.force, exact.load, "N"),
-            of(PEAK, found.peak(&exact), exact.peak(), "Pa"),
-            of(WIDTH, found.radius(), exact.contact_radius(), "m"),
-            Quantity {
-                name: L2,
-                value: distance,
-                exact: Some(0.0),
-                error: Some(distance),
-                unit: "1",
-            },
+            Quantity::compared(FORCE, 4.0 * found.force[2], exact.load, "N"),
+            Quantity::compared(PEAK, peak(&found, &exact), exact.peak(), "Pa"),
+            Quantity::compared(WIDTH, radius, exact.contact_radius(), "m"),
+            Quantity::of_zero(L2, distance),
         ];
         let mut points: Vec<CurvePoint> = found
-            .pressures
+            .vertices
             .iter()
             .filter(|p| p[0] < FINE)
             .map(|p| CurvePoint {
@@ -103,19 +83,12 @@ impl Study for HertzSphere {
             })
             .collect();
         points.sort_by(|a, b| a.at.total_cmp(&b.at));
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities,
-            drawings: vec![],
-            curve: Some(Curve {
-                title: format!("{}: contact pressure", rung.label),
-                abscissa: "r in m",
-                ordinate: "p in Pa",
-                points,
-            }),
+        let curve = Curve {
+            title: format!("{}: contact pressure", rung.label),
+            abscissa: "r in m",
+            ordinate: "p in Pa",
+            points,
         };
-        Ok(Studied::new(solved, &simulation))
+        Ok(Found::new(quantities, Some(curve)))
     }
 }

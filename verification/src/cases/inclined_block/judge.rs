@@ -1,7 +1,8 @@
 //! Gates of the inclined block, and what is said of the manual's own scene.
 
 use super::{ACCELERATION, CREEP, GRAVITY, InclinedBlock, Kind, Problem, TIME, WAY};
-use crate::case::{Curve, CurvePoint, Gate, Relation, Rung, Solved, Verdict};
+use crate::case::{Curve, CurvePoint, Gate, Rung, Solved, Verdict};
+use crate::cases::judging::{error_of, run_of};
 
 /// Largest relative error of acceleration and displacement.
 const SLIDING_GATE: f64 = 5e-3;
@@ -12,12 +13,6 @@ const STICK_GATE: f64 = 5e-3;
 
 /// Gates over the rungs of a ladder, each with its problem.
 pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict {
-    let find = |rung: &Rung| {
-        solved
-            .iter()
-            .find(|(other, _)| other == rung)
-            .map(|(_, s)| s)
-    };
     let mut verdict = Verdict::default();
     // One group per variant and cell size, in the order of the ladder.
     let mut groups: Vec<(&'static str, f64)> = vec![];
@@ -34,7 +29,7 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
             all.filter(|(_, problem)| !matches!(problem.kind, Kind::Walk(_)))
         };
         for (rung, problem) in ladder.iter().filter(of_group) {
-            if let (Kind::Walk(_), Some(s)) = (problem.kind, find(rung)) {
+            if let (Kind::Walk(_), Some(s)) = (problem.kind, run_of(solved, &rung.label)) {
                 let elements = InclinedBlock::by_elements(rung, problem).map(|slid| {
                     let creep = slid.creep / (GRAVITY * TIME);
                     format!("; finite elements {creep:.1e}, {:.2} m", slid.way)
@@ -53,18 +48,15 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
         };
         let worst = |name: &str| {
             group()
-                .map(|(rung, _)| find(rung).map_or(f64::NAN, |s| s.error(name)))
+                .map(|(rung, _)| error_of(solved, &rung.label, name))
                 .reduce(|a, b| if a >= b || a.is_nan() { a } else { b })
                 .unwrap_or(f64::NAN)
         };
         let mut gate = |quantity: &str, of: &str, bound, reason| {
-            verdict.gates.push(Gate {
-                name: format!("{variant} h={cell}: {quantity}, largest of {of}"),
-                value: worst(quantity),
-                relation: Relation::AtMost,
-                bound,
-                reason,
-            });
+            let name = format!("{variant} h={cell}: {quantity}, largest of {of}");
+            verdict
+                .gates
+                .push(Gate::at_most(name, worst(quantity), bound, reason));
         };
         let of = "all mu";
         match first.kind {
@@ -90,7 +82,7 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
             }
             Kind::Printed => {
                 for (rung, problem) in group() {
-                    if let Some(s) = find(rung) {
+                    if let Some(s) = run_of(solved, &rung.label) {
                         verdict.for_the_record.push(format!(
                             "as printed, mu = {}: displacement at 2 s off by {:+.2} %, fitted acceleration by {:.2} %",
                             problem.friction,

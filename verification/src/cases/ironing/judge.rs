@@ -1,8 +1,8 @@
 //! Gates and tables of the indenter in the block.
 
 use super::{ACROSS, Ironing, MEAN, OVER, PRESSED, READINGS, RIPPLE, Reading, pressed};
-use crate::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict};
-use crate::cases::table;
+use crate::case::{Case, Gate, Rung, Size, Solved, Verdict};
+use crate::cases::judging::table;
 
 /// What friction adds to each of the figures, from runs of the other implementation with one and the same slave, and how
 /// far off it may be \[N\]. Without friction it is none: half of it is the most that tells the two apart.
@@ -26,13 +26,8 @@ pub fn verdict(case: Ironing, size: Size, solved: &[(Rung, Solved)]) -> Verdict 
         let error = |name| found.map_or(f64::NAN, |(_, s)| s.error(name));
         let value = |of: Option<&(Rung, Solved)>, name| of.map_or(f64::NAN, |(_, s)| s.value(name));
         let mut at_most = |name: String, value, bound, reason| {
-            gates.push(Gate {
-                name: format!("{}: {name}", rung.label),
-                value,
-                relation: Relation::AtMost,
-                bound,
-                reason,
-            });
+            let name = format!("{}: {name}", rung.label);
+            gates.push(Gate::at_most(name, value, bound, reason));
         };
         let figures = "5 % of what another implementation of the method gave";
         at_most(

@@ -4,7 +4,8 @@ use super::{
     APART, BLOCK, CELL, CRITICAL_GAP, DAMPING, DENSITY, DEPTH, DOWN, INTERVAL, KAPPA, POISSON,
     RADIUS, RAMP, YOUNG,
 };
-use crate::case::{Curve, CurvePoint, Gate, Quantity, Relation, Rung, Solved};
+use crate::case::{Curve, CurvePoint, Gate, Quantity, Rung, Solved};
+use crate::cases::judging::error_of;
 use crate::exact::fe::{Barrier, Indenter, NeoHookean};
 use crate::exact::indented_block::IndentedBlock;
 use std::sync::OnceLock;
@@ -74,14 +75,7 @@ pub fn quantities(forces: &[[f64; 2]], known: &[f64]) -> Vec<Quantity> {
         left += (force[1] - exact).powi(2);
         all += exact * exact;
     }
-    let error = (left / all).sqrt();
-    vec![Quantity {
-        name: HISTORY,
-        value: error,
-        exact: Some(0.0),
-        error: Some(error),
-        unit: "1",
-    }]
+    vec![Quantity::of_zero(HISTORY, (left / all).sqrt())]
 }
 
 /// Both forces over time.
@@ -107,14 +101,10 @@ pub fn gates(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Vec<Gate> {
     let judged = own.filter_map(|rung| {
         let bound = [(CELL, 0.05), (0.5 * CELL, 0.025)];
         let bound = bound.iter().find(|(cell, _)| *cell == rung.cell)?.1;
-        let found = solved.iter().find(|(other, _)| other == rung);
-        Some(Gate {
-            name: format!("{}: error of {HISTORY}", rung.label),
-            value: found.map_or(f64::NAN, |(_, s)| s.error(HISTORY)),
-            relation: Relation::AtMost,
-            bound,
-            reason: "5 % at the paper's cells, first order as in the other cases of contact",
-        })
+        let error = error_of(solved, &rung.label, HISTORY);
+        let name = format!("{}: error of {HISTORY}", rung.label);
+        let reason = "5 % at the paper's cells, first order as in the other cases of contact";
+        Some(Gate::at_most(name, error, bound, reason))
     });
     judged.collect()
 }

@@ -7,7 +7,7 @@ use super::{
     DENSITY, GAP, GRAVITY, INCLINATION_DEGREES, KAPPA, KAPPA_T, POISSON, RADIUS, RATIO,
     RollingDisk, YOUNG, young,
 };
-use crate::case::{Gate, Relation, Rung, Solved};
+use crate::case::{Gate, Rung, Solved};
 use crate::exact::fe::Barrier;
 use crate::exact::hertz::{Hertz, contact_modulus};
 use crate::exact::hertz_layer::LayerContact;
@@ -141,11 +141,8 @@ pub(super) fn order(solved: &[(Rung, Solved)]) -> Gate {
         }
         _ => f64::NAN,
     };
-    Gate {
-        name: format!("slip: observed order of {RATIO}, beyond the flattening"),
-        value: order,
-        relation: Relation::AtLeast,
-        bound: 0.9,
-        reason: "forces act up to a part of a cell inside: first order; a tenth is left for coarse meshes",
-    }
+    let reason =
+        "forces act up to a part of a cell inside: first order; a tenth is left for coarse meshes";
+    let name = format!("slip: observed order of {RATIO}, beyond the flattening");
+    Gate::at_least(name, order, 0.9, reason)
 }

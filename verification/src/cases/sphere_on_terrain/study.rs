@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use proctor_kernel::scene::{Body, Dimension, Mesh, RigidSurface, Scene, Shape, TimeStep, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::Simulation;
 use proctor_kernel::surface::{Surface, parse};
 
 use super::height::HeightField;
@@ -11,11 +11,11 @@ use super::{
     BOUNCE, CENTER, FRICTION, GRAVITY, KEPT, RADIUS, STEP, Seen, SphereOnTerrain, Start, TERRAIN,
     TIME, TIME_BOUNCE, TIME_FAST, VELOCITY,
 };
-use crate::case::{CaseError, Rung, Size, Solved};
-use crate::cases::incline::run;
-use crate::cases::{NO_RESULTS, elastic, failed};
+use crate::case::{Found, Rung, Size};
+use crate::cases::dynamics::run;
+use crate::cases::{NO_RESULTS, body, elastic};
 use crate::settings::{Method, Settings};
-use crate::study::{Measure, Observer, Phase, Studied, Study, few};
+use crate::study::{Failure, Measure, Observer, Study, few};
 
 /// Density \[kg/m³\], Young's modulus \[Pa\] and Poisson's ratio of the scene.
 const MATERIAL: [f64; 3] = [1000.0, 1e7, 0.3];
@@ -35,11 +35,8 @@ impl Study for SphereOnTerrain {
         })
     }
 
-    fn measures(&self) -> &'static [Measure] {
-        &[Measure {
-            word: "energy",
-            quantity: KEPT,
-        }]
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("energy", KEPT)]
     }
 
     fn tries(&self, size: Size, method: Method) -> bool {
@@ -83,17 +80,13 @@ impl Study for SphereOnTerrain {
         };
         scene.results = NO_RESULTS;
         scene.materials = elastic(MATERIAL[0], MATERIAL[1], MATERIAL[2]);
+        let sphere = Shape::Sphere {
+            center: CENTER,
+            radius: RADIUS,
+        };
         scene.bodies.push(Body {
-            name: "sphere".to_owned(),
-            id: 1,
-            material: 0,
-            shape: Shape::Sphere {
-                center: CENTER,
-                radius: RADIUS,
-            },
-            particles_per_cell: [2; 3],
             velocity: VELOCITY.map(|v| factor * v),
-            motion: None,
+            ..body("sphere", 1, sphere)
         });
         // The file is part of the program; were it not sound, a scene without a terrain fails the gates.
         let corners = parse(TERRAIN).ok();
@@ -111,23 +104,16 @@ impl Study for SphereOnTerrain {
         scene
     }
 
-    fn solve_with(
+    fn run(
         &self,
         rung: &Rung,
         settings: &Settings,
-        options: &Options,
+        simulation: &mut Simulation,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let scene = self.scene_with(rung, settings);
-        scene.check().map_err(|e| failed(self, rung, &e))?;
-        let Some(rigid) = scene.surfaces.first() else {
-            return Err(failed(self, rung, &"there is no terrain"));
-        };
-        let surface = rigid.surface.clone();
-        let mut simulation =
-            Simulation::new(&scene, options).map_err(|e| failed(self, rung, &e))?;
-        let velocity = scene.bodies[0].velocity;
+    ) -> Result<Found, Failure> {
+        let rigid = simulation.scene().surfaces.first();
+        let surface = rigid.ok_or("there is no terrain")?.surface.clone();
+        let velocity = simulation.scene().bodies[0].velocity;
         let seeds: Vec<Vector> = (0..simulation.particles())
             .map(|p| simulation.position(0, p))
             .collect();
@@ -139,22 +125,11 @@ impl Study for SphereOnTerrain {
         let start = Start { center, velocity };
         let terrain = HeightField::new(&surface);
         let mut seen = Seen::default();
-        run(
-            &mut simulation,
-            scene.time,
-            scene.time,
-            observer,
-            |simulation| Self::look(simulation, &terrain, &start, &mut seen),
-        )
-        .map_err(|e| failed(self, rung, &e))?;
-        let solved = Solved {
-            particles: simulation.particles(),
-            steps: simulation.steps(),
-            time: simulation.time(),
-            quantities: Self::quantities(rung, &simulation, &seen, &start, touch),
-            drawings: vec![],
-            curve: None,
-        };
-        Ok(Studied::new(solved, &simulation))
+        let end = simulation.scene().time;
+        run(simulation, end, observer, |simulation| {
+            Self::look(simulation, &terrain, &start, &mut seen);
+        })?;
+        let quantities = Self::quantities(rung, simulation, &seen, &start, touch);
+        Ok(Found::new(quantities, None))
     }
 }

@@ -1,0 +1,74 @@
+//! What cases of mortar contact share: boundaries that move with their particles, contact through a barrier, and the method
+//! of Liang et al. 2024.
+
+use proctor_kernel::mortar::boundary::Chain;
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::points::Detection;
+use proctor_kernel::scene::{
+    BodyBoundary, DomainUpdate, Enforcement, History, MortarContact, RigidLine, Scene,
+    StressScheme, TransferKind, Vertices, Weighting,
+};
+
+use crate::settings::{Method, Settings};
+
+/// The paper's method.
+pub const PAPER: Method = Method {
+    weighting: Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
+    scheme: StressScheme::Musl,
+    transfer: TransferKind::Apic,
+};
+
+/// The paper's APIC: particles keep their velocity, the affine part goes to the nodes.
+pub fn without_pic(scene: &mut Scene) {
+    if scene.transfer.kind == TransferKind::Apic {
+        scene.transfer.pic_fraction = 0.0;
+    }
+}
+
+/// A method with so many particles per cell and axis.
+pub fn settings(method: Method, particles_per_cell: usize) -> Settings {
+    Settings {
+        particles_per_cell,
+        ..Settings::new(method)
+    }
+}
+
+/// The boundary of a body, which follows its particles with their spin.
+pub fn boundary(body: i64, vertices: Vertices) -> BodyBoundary {
+    BodyBoundary {
+        body,
+        vertices,
+        follow: Follow::Spin,
+    }
+}
+
+/// A rigid line.
+pub fn rigid_line(name: &str, id: i64, chain: Chain, motion: Option<History>) -> RigidLine {
+    RigidLine {
+        name: name.to_owned(),
+        id,
+        chains: vec![chain],
+        motion,
+    }
+}
+
+/// Contact of two boundaries without friction, through a barrier below the critical gap \[m\] of a stiffness \[Pa/m\].
+pub fn barrier(
+    name: impl Into<String>,
+    [master, slave]: [i64; 2],
+    critical_gap: f64,
+    normal_stiffness: f64,
+) -> MortarContact {
+    MortarContact {
+        name: name.into(),
+        id: 1,
+        master,
+        slave,
+        friction: 0.0,
+        critical_gap,
+        normal_stiffness,
+        tangential_stiffness: 0.0,
+        enforcement: Enforcement::Barrier,
+        detection: Detection::Mortar,
+    }
+}
