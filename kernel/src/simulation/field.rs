@@ -49,7 +49,6 @@ impl Field {
     }
 
     /// Takes up sets in the order in which they are, after a restart.
-    #[cfg(feature = "frames")]
     pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
         self.rows = self.rows_of(sets, stencil);
         self.cut(sets);
