@@ -28,8 +28,6 @@ pub use error::{
 };
 pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
-#[cfg(feature = "frames")]
-pub(crate) use mortar::Boundaries;
 pub use mortar::{BoundaryVertex, VertexState};
 pub use nodes::NodeValues;
 pub use phase::Phase;

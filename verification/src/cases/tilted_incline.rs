@@ -22,11 +22,12 @@ mod frame;
 
 use std::sync::Arc;
 
+use proctor_files::stl::parse;
 use proctor_kernel::scene::{
     Body, Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
-use proctor_kernel::surface::{Surface, parse};
+use proctor_kernel::surface::Surface;
 
 use super::incline::{COURANT, Track, dot, fitted_slope, follow_along, run, sliding_curve};
 use super::{AT_REST, NO_RESULTS, elastic, failed};
