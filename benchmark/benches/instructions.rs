@@ -1,8 +1,8 @@
 //! Instructions per particle and step, counted by valgrind: the same number on every run, whatever else the machine
 //! does.
 //!
-//! `cargo bench --bench instructions [-- [--features] [--json FILE]]`. The example `counted` of the kernel is built for
-//! x86-64-v3 and run under callgrind (which runs the AVX2 lanes). Then features that do nothing are counted against the
+//! `cargo bench --bench instructions [-- [--features] [--json FILE]]`. The example `counted` of proctor-files is built
+//! for x86-64-v3 and run under callgrind (which runs the AVX2 lanes). Then features that do nothing are counted against the
 //! same scene without them: they may cost 0.1 % and must change no bit. `--features` does only that.
 //!
 //! Exit code 0 fine, 1 if a count does not repeat or a feature costs something, and 0 with the words "left out" where
@@ -98,7 +98,7 @@ fn build() -> Result<PathBuf, Box<dyn Error>> {
             "--release",
             "--quiet",
             "--package",
-            "proctor-kernel",
+            "proctor-files",
             "--example",
             "counted",
         ])

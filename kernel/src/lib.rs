@@ -1,7 +1,11 @@
 //! The explicit MPM/GIMP cycle and what it needs.
 //!
 //! Flow: [`scene::Scene`] (checked values) -> [`plan::Plan`] (only what is needed) ->
-//! [`simulation::Simulation`] (state and explicit cycle) -> frames, history, summary.
+//! [`simulation::Simulation`] (state and explicit cycle) -> what can be asked of it, and
+//! [`simulation::Saved`], its state as one plain value.
+//!
+//! It reads and writes no files: `proctor-files`, the package beside it, does, and needs nothing of the kernel that another
+//! user of the library could not have.
 
 #![deny(unsafe_code)]
 // What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
@@ -14,12 +18,8 @@ pub mod grid;
 pub mod lanes;
 pub mod memory;
 pub mod mortar;
-#[cfg(feature = "frames")]
-pub mod output;
 pub mod particles;
 pub mod plan;
-#[cfg(feature = "frames")]
-pub mod run;
 pub mod scene;
 pub mod simulation;
 pub mod stage;

@@ -1,10 +1,8 @@
-//! What there is of memory, from files like those of Linux, and what a file may be.
+//! What there is of memory, from files like those of Linux.
 #![allow(missing_docs)]
 
-use proctor_kernel::memory::{Memory, read_within, words};
+use proctor_kernel::memory::{Memory, words};
 use std::fs;
-use std::io::ErrorKind;
-use std::path::Path;
 use tempfile::TempDir;
 
 /// A system of files with these contents.
@@ -114,25 +112,4 @@ fn bytes_have_readable_units() {
     assert_eq!(words(512.0), "512 B");
     assert_eq!(words(1536.0), "1.5 KiB");
     assert_eq!(words(1e30), "8.271806125530277e5 YiB");
-}
-
-#[test]
-fn a_file_that_is_too_large_is_not_read() {
-    let root = system(&[("small", "12345678"), ("large", &"x".repeat(1000))]);
-    let memory = Memory::of(4096);
-    assert_eq!(
-        read_within(&root.path().join("small"), memory).expect("fits"),
-        b"12345678"
-    );
-    let error = read_within(&root.path().join("large"), memory).expect_err("too large");
-    assert_eq!(error.kind(), ErrorKind::OutOfMemory);
-    assert!(error.to_string().contains("4.0 KiB"), "{error}");
-}
-
-/// A device has no length and no end.
-#[cfg(target_os = "linux")]
-#[test]
-fn a_device_without_end_is_not_read_for_ever() {
-    let error = read_within(Path::new("/dev/zero"), Memory::of(1 << 20)).expect_err("no end");
-    assert_eq!(error.kind(), ErrorKind::OutOfMemory);
 }

@@ -24,7 +24,7 @@ pub fn last(folder: &Path) -> Option<(PathBuf, Option<f64>)> {
         .filter_map(|pvd| {
             Some((
                 pvd.parent()?.to_owned(),
-                proctor_kernel::memory::read_to_string(pvd).ok()?,
+                proctor_files::reading::read_to_string(pvd).ok()?,
             ))
         })
         .flat_map(|(folder, text)| {

@@ -42,7 +42,7 @@ impl Frame {
 /// # Errors
 /// Why it cannot be read, with the name of the file.
 pub fn read(path: &Path) -> Result<Frame, String> {
-    let bytes = proctor_kernel::memory::read(path)
+    let bytes = proctor_files::reading::read(path)
         .map_err(|error| format!("{}: {error}", path.display()))?;
     parse(&bytes).map_err(|reason| format!("{}: {reason}", path.display()))
 }

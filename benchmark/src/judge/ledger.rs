@@ -5,7 +5,7 @@
 
 use super::change::{Change, Found, Moved, tolerance};
 use crate::record::Meaning;
-use proctor_kernel::output::{OutputError, atomic};
+use proctor_files::output::{OutputError, atomic};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -25,7 +25,7 @@ impl Record {
             reason,
         };
         let text =
-            proctor_kernel::memory::read(path).map_err(|e| fault(None, Reason::Unreadable(e)))?;
+            proctor_files::reading::read(path).map_err(|e| fault(None, Reason::Unreadable(e)))?;
         if text.trim_ascii().is_empty() {
             return Err(fault(None, Reason::Empty));
         }

@@ -1,7 +1,7 @@
 //! A record as a table of comma-separated values: one line per row, one column per counter or label.
 
 use super::{Kind, Record, Row};
-use proctor_kernel::output::{OutputError, atomic};
+use proctor_files::output::{OutputError, atomic};
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;

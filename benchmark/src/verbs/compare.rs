@@ -6,7 +6,7 @@ use crate::judge::{self, Rules, Verdict};
 use crate::record::Record;
 use crate::show::comparison as show;
 use clap::Args;
-use proctor_kernel::output::atomic;
+use proctor_files::output::atomic;
 use std::io::Write;
 use std::path::PathBuf;
 

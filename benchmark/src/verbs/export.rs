@@ -4,7 +4,7 @@ use crate::exit::{Failure, Outcome};
 use crate::record::Record;
 use crate::record::export::{self, Format};
 use clap::{Args, ValueEnum};
-use proctor_kernel::output::atomic;
+use proctor_files::output::atomic;
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -17,7 +17,8 @@ mod verify;
 
 use crate::exit::{Failure, Outcome};
 use clap::Subcommand;
-use proctor_kernel::scene::{self, Scene};
+use proctor_files::json;
+use proctor_kernel::scene::Scene;
 use std::io::Write;
 use std::path::Path;
 
@@ -68,5 +69,5 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
 
 /// A scene from a file, or all that is wrong with it.
 fn scene(path: &Path) -> Result<Scene, Failure> {
-    scene::read(path).map_err(Failure::bad_input)
+    json::read(path).map_err(Failure::bad_input)
 }

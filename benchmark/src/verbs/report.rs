@@ -4,7 +4,7 @@ use crate::exit::{Failure, Outcome};
 use crate::record::Record;
 use crate::report;
 use clap::Args;
-use proctor_kernel::output::atomic;
+use proctor_files::output::atomic;
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -2,7 +2,7 @@
 
 use crate::exit::{Failure, Outcome};
 use clap::Args;
-use proctor_kernel::scene;
+use proctor_files::json;
 use std::io::Write;
 
 /// Print the JSON Schema of scene files, for editors.
@@ -18,7 +18,7 @@ impl Schema {
         reason = "a verb is run through its options, also where it has none"
     )]
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let text = serde_json::to_string_pretty(&scene::schema()).map_err(std::io::Error::from)?;
+        let text = serde_json::to_string_pretty(&json::schema()).map_err(std::io::Error::from)?;
         writeln!(out, "{text}")?;
         Ok(Outcome::Fine)
     }

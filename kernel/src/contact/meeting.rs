@@ -304,7 +304,12 @@ impl Meetings {
     }
 
     /// Joins fields without a pair and lets pairs touch, on one kind of velocity.
-    pub fn act(&mut self, fields: &mut SlabFields<'_, '_, '_>, bodies: &Bodies<'_>, on: On) -> Done {
+    pub fn act(
+        &mut self,
+        fields: &mut SlabFields<'_, '_, '_>,
+        bodies: &Bodies<'_>,
+        on: On,
+    ) -> Done {
         let shape = fields.shape();
         let (first_plane, per_plane) = (fields.range().start, shape.plane_nodes());
         let planes = fields.range().len();

@@ -1,8 +1,7 @@
 //! The scene: what is simulated, as checked values.
 //!
-//! A [`Scene`] is plain data in SI units. It is built in one of two ways: by a library user, who fills the
-//! fields and calls [`Scene::check`], or from a JSON file (feature `json`) through the raw stage, which also
-//! calls `check`. Nothing behind this module sees a value that was not checked.
+//! A [`Scene`] is plain data in SI units. Whoever fills its fields, a library user or a reader of files, calls
+//! [`Scene::check`]. Nothing behind this module sees a value that was not checked.
 //!
 //! Vectors always have three components; in two dimensions (plane strain, x-y) the third is zero.
 
@@ -15,9 +14,6 @@ mod material;
 mod mesh;
 mod method;
 mod mortar;
-#[cfg(feature = "json")]
-mod raw;
-pub mod record;
 mod results;
 mod surface;
 
@@ -33,8 +29,6 @@ pub use method::{
 pub use mortar::{
     BodyBoundary, Enforcement, Mortar, MortarContact, RigidFacets, RigidLine, Vertices,
 };
-#[cfg(feature = "json")]
-pub use raw::{from_json, listed, nearest, parse, place, read, schema, words_of};
 pub use results::{Field, NodalField, Outside, Probe, Results};
 pub use surface::RigidSurface;
 

@@ -138,7 +138,6 @@ impl Grid {
     }
 
     /// Takes up sets in the order in which they are, after a restart.
-    #[cfg(feature = "frames")]
     pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
         self.fields[0].rows = self.rows_of(sets, stencil);
         self.cut(sets);

@@ -20,22 +20,24 @@ mod passes;
 mod phase;
 mod rehearsal;
 mod relaxation;
+mod saved;
 mod setup;
 mod step;
 mod surfaces;
 
-pub use clock::{Bound, StepInfo, has_safe_step, stability_number};
+pub use clock::{Bound, Clock, StepInfo, has_safe_step, stability_number};
 pub use error::{
     Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
 };
 pub use history::{BaseVelocity, value as history_value};
 pub use measure::{Energy, state_hash};
-#[cfg(feature = "frames")]
-pub(crate) use mortar::Boundaries;
 pub use mortar::{BoundaryVertex, VertexState};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
+pub use saved::{
+    RestoreError, Saved, SavedBody, SavedBoundary, SavedMortar, SavedPair, SavedSurfaces,
+};
 
 use crate::constitutive::Parameters;
 use crate::lanes::{LaneChoice, Selected};
@@ -46,7 +48,6 @@ use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
 use crate::stage::solve::{DrivenNode, NodeForce};
-use clock::Clock;
 use fields::Grid;
 use std::fmt;
 use std::sync::Arc;

@@ -32,9 +32,7 @@ impl Simulation {
         for plane in 0..self.grid.shape.nodes[0] {
             for row in 0..self.grid.shape.nodes[1] {
                 let first = self.grid.shape.index([plane, row, 0]);
-                count += self
-                    .grid
-                    .fields[0]
+                count += self.grid.fields[0]
                     .rows
                     .span(plane, row)
                     .filter(|&k| {

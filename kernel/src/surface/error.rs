@@ -2,44 +2,19 @@
 
 use super::Point;
 use std::fmt;
-use std::path::PathBuf;
 
-/// A surface cannot be read or used. Triangles are counted from 1, as in the file.
+/// A surface cannot be used. Triangles are counted from 1, as in files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceError {
-    /// File that the triangles came from; `None` for triangles that a library user gave.
-    pub file: Option<PathBuf>,
-    /// What is wrong.
+    /// What is wrong. By itself it says what was found, and with the error around it also what is accepted.
     pub kind: SurfaceErrorKind,
 }
 
 /// What is wrong with a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SurfaceErrorKind {
-    /// The file could not be read.
-    Unreadable(String),
     /// There is no triangle.
     Empty,
-    /// A binary file is shorter or longer than its number of triangles says.
-    Length {
-        /// Triangles that the header announces.
-        triangles: u32,
-        /// Bytes that such a file has.
-        expected: u64,
-        /// Bytes that the file has.
-        found: u64,
-    },
-    /// A line of an ASCII file is not what the format has there.
-    Line {
-        /// Line, from 1.
-        line: usize,
-        /// Triangle that it belongs to, from 1.
-        triangle: usize,
-        /// What was found.
-        found: String,
-        /// What the format has there.
-        accepted: &'static str,
-    },
     /// More triangles than can be numbered.
     TooMany {
         /// How many.
@@ -85,23 +60,11 @@ pub enum SurfaceErrorKind {
 }
 
 impl SurfaceErrorKind {
-    /// The error without a file.
-    #[must_use]
-    pub fn anywhere(self) -> SurfaceError {
-        SurfaceError {
-            file: None,
-            kind: self,
-        }
-    }
-
     /// What would be accepted in the place of what was found.
     #[must_use]
     pub fn accepted(&self) -> &'static str {
         match self {
-            Self::Unreadable(_) => "an STL file, ASCII or binary, that can be read",
             Self::Empty => "a surface of at least one triangle",
-            Self::Length { .. } => "a whole file: 84 bytes and 50 for each triangle",
-            Self::Line { accepted, .. } => accepted,
             Self::TooMany { .. } => "at most 2^31 triangles",
             Self::NotFinite { .. } => "finite coordinates [m]",
             Self::Degenerate { .. } => "triangles with an area",
@@ -131,22 +94,7 @@ fn edge_words(f: &mut fmt::Formatter<'_>, [a, b]: &[Point; 2]) -> fmt::Result {
 impl fmt::Display for SurfaceErrorKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unreadable(reason) => write!(f, "{reason}"),
             Self::Empty => write!(f, "no triangle"),
-            Self::Length {
-                triangles,
-                expected,
-                found,
-            } => write!(
-                f,
-                "{found} bytes where {triangles} triangles take {expected}"
-            ),
-            Self::Line {
-                line,
-                triangle,
-                found,
-                ..
-            } => write!(f, "line {line} (triangle {triangle}): {found}"),
             Self::TooMany { triangles } => write!(f, "{triangles} triangles"),
             Self::NotFinite {
                 triangle,
@@ -200,11 +148,14 @@ impl fmt::Display for SurfaceErrorKind {
 
 impl fmt::Display for SurfaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(file) = &self.file {
-            write!(f, "{}: ", file.display())?;
-        }
         write!(f, "found {}; accepted: {}", self.kind, self.kind.accepted())
     }
 }
 
 impl std::error::Error for SurfaceError {}
+
+impl From<SurfaceErrorKind> for SurfaceError {
+    fn from(kind: SurfaceErrorKind) -> Self {
+        Self { kind }
+    }
+}

@@ -1,22 +1,18 @@
-//! Rigid surfaces made of triangles: reading, checks, and the search for the nearest triangle.
+//! Rigid surfaces made of triangles: checks, and the search for the nearest triangle.
 //!
 //! A surface has two sides. Its outside is where the normals of its triangles point, (b - a) x (c - a) for corners
-//! a, b, c as the file lists them; the normals that an STL file holds beside the corners are redundant, often zero,
-//! and not used.
+//! a, b, c as they are listed.
 //!
-//! The reader and the tree are our own. A reader from elsewhere gives neither the line nor the triangle of a fault
-//! and rounds ASCII coordinates to 32 bits; a library of collision shapes would bring a second algebra into a kernel
-//! that depends on nalgebra and rayon alone, for the two hundred lines of `tree`.
+//! The tree is our own: a library of collision shapes would bring a second algebra into a kernel that depends on nalgebra
+//! and rayon alone, for the two hundred lines of `tree`.
 
 mod error;
 mod nearest;
-mod stl;
 mod topology;
 mod tree;
 
 pub use error::{SurfaceError, SurfaceErrorKind};
 pub use nearest::{Feature, Nearest};
-pub use stl::{parse, read};
 pub use topology::OpenEdges;
 
 use std::fmt;
@@ -54,7 +50,7 @@ impl Surface {
     /// No triangle, coordinates that are not finite, triangles without area, edges of more than two triangles,
     /// neighbours that are turned against each other.
     pub fn new(corners: &[[Point; 3]]) -> Result<Self, SurfaceError> {
-        let topology = topology::Topology::new(corners).map_err(SurfaceErrorKind::anywhere)?;
+        let topology = topology::Topology::new(corners)?;
         let tree = Tree::new(&topology.vertices, &topology.triangles);
         Ok(Self {
             vertices: topology.vertices,
@@ -133,7 +129,7 @@ impl Surface {
                 triangle: open.triangle,
                 edge: open.first,
             }
-            .anywhere())
+            .into())
         })
     }
 

@@ -4,8 +4,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-#[cfg(feature = "json")]
-mod inactive;
 mod nothing;
 
 use common::{

@@ -11,6 +11,7 @@ mod far_origin;
 mod mapping;
 mod motion;
 mod rehearsal;
+mod saved;
 mod scaling;
 mod symmetry;
 mod touching;

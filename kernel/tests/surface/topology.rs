@@ -1,6 +1,6 @@
 //! Checks of vertices and edges.
 
-use proctor_kernel::surface::{Point, Surface, SurfaceErrorKind};
+use proctor_kernel::surface::{Point, Surface, SurfaceError, SurfaceErrorKind};
 
 const A: Point = [0.0, 0.0, 0.0];
 const B: Point = [1.0, 0.0, 0.0];
@@ -109,7 +109,7 @@ fn edges_of_three_triangles_and_triangles_that_are_there_twice() {
 
 #[test]
 fn a_message_names_place_and_way_out() {
-    let text = fault(&[[A, B, C], [B, C, D]]).anywhere().to_string();
+    let text = SurfaceError::from(fault(&[[A, B, C], [B, C, D]])).to_string();
     assert_eq!(
         text,
         "found triangles 1 and 2 turned against each other at the edge from (1, 0, 0) to (0, 1, 0) m; accepted: \

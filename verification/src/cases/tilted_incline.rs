@@ -22,11 +22,12 @@ mod frame;
 
 use std::sync::Arc;
 
+use proctor_files::stl::parse;
 use proctor_kernel::scene::{
     Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
-use proctor_kernel::surface::{Surface, parse};
+use proctor_kernel::surface::Surface;
 
 use super::dynamics::run;
 use super::incline::{

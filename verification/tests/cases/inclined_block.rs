@@ -30,7 +30,7 @@ fn a_wrong_scene_breaks_every_gate_on_sliding() {
 #[test]
 fn the_printed_scene_is_that_of_the_file() {
     let path = "../fixtures/scenes/manual/inclined_block.json";
-    let file = proctor_kernel::scene::read(std::path::Path::new(path)).expect("it is sound");
+    let file = proctor_files::json::read(std::path::Path::new(path)).expect("it is sound");
     let case = InclinedBlock::GIVEN;
     let rungs = case.rungs(Size::Full);
     let rung = rungs.iter().find(|r| r.label == "printed h=1 mu=0.5");

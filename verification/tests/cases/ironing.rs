@@ -1,7 +1,7 @@
 //! The indenter in the block.
 
 use super::{failing, holds, solve};
-use proctor_kernel::scene::read;
+use proctor_files::json::read;
 use proctor_verification::case::{Case, Quantity, Rung, Size, Solved};
 use proctor_verification::cases::Ironing;
 use proctor_verification::sensitivity::{Reaction, reactions};

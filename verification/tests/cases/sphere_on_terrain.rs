@@ -40,7 +40,7 @@ fn a_wrong_scene_breaks_the_gates_on_motion() {
 #[test]
 fn the_scene_is_that_of_the_file() {
     let path = "../fixtures/scenes/sphere_on_terrain.json";
-    let file = proctor_kernel::scene::read(std::path::Path::new(path)).expect("it is sound");
+    let file = proctor_files::json::read(std::path::Path::new(path)).expect("it is sound");
     let case = SphereOnTerrain::GIVEN;
     let own = case.scene(&case.rungs(Size::Quick)[0]);
     let physics = |s: &Scene| {

@@ -11,7 +11,8 @@ pub use manual::{ManualTest, TestScene};
 pub use scene::{Method, SceneChoice};
 
 use check::Check;
-use proctor_kernel::scene::{Problem, SceneError, parse, place};
+use proctor_files::json::{parse, place};
+use proctor_kernel::scene::{Problem, SceneError};
 use proctor_kernel::simulation::Part;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -86,7 +87,7 @@ impl Config {
     /// All problems of the file at once; see [`Config::from_json`].
     pub fn read(path: &Path, asked: &Asked) -> Result<Self, SceneError> {
         let name = path.display().to_string();
-        match proctor_kernel::memory::read_to_string(path) {
+        match proctor_files::reading::read_to_string(path) {
             Ok(text) => {
                 Self::from_json(&text, &name, path.parent().unwrap_or(Path::new("")), asked)
             }

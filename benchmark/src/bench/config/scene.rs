@@ -1,7 +1,8 @@
 //! A scene that is measured: one of the built-in ones, or a file.
 
 use crate::bench::scenes::{BuiltIn, Made};
-use proctor_kernel::scene::{Scene, SceneError, from_json};
+use proctor_files::json::from_json;
+use proctor_kernel::scene::{Scene, SceneError};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -35,8 +36,8 @@ impl SceneChoice {
     /// Reads a scene file; relative names of other files in it are taken from its folder.
     pub(super) fn read(path: &Path) -> Result<Self, SceneError> {
         // Read as a scene first: its problems are reported with their places.
-        proctor_kernel::scene::read(path)?;
-        let text = proctor_kernel::memory::read_to_string(path).unwrap_or_default();
+        proctor_files::json::read(path)?;
+        let text = proctor_files::reading::read_to_string(path).unwrap_or_default();
         let mut value: Value =
             serde_json::from_str(text.trim_start_matches('\u{feff}')).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));

@@ -1,8 +1,8 @@
 //! What a run prints when it is over.
 
 use crate::show::{grouped, number, seconds};
-use proctor_kernel::output::Summary;
-use proctor_kernel::output::summary::Status;
+use proctor_files::output::Summary;
+use proctor_files::output::summary::Status;
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::path::Path;

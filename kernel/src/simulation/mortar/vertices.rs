@@ -47,6 +47,12 @@ pub struct BoundaryVertex {
 }
 
 impl Simulation {
+    /// Whether anything has a boundary: a body, or a rigid line or surface.
+    #[must_use]
+    pub fn has_boundaries(&self) -> bool {
+        self.mortar.acts()
+    }
+
     /// The vertices of all boundaries, rigid lines and rigid surfaces, one after the other, and the segments or edges of
     /// triangles between them, each once. Contact is as of the last detection.
     #[must_use]

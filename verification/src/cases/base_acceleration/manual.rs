@@ -1,6 +1,6 @@
 //! The manual's own check: the particles at the base of its shaken block follow the record.
 
-use proctor_kernel::scene::record::{Harmonic, accelerogram};
+use proctor_files::records::{Harmonic, accelerogram};
 use proctor_kernel::scene::{BaseMotion, Dimension, Mesh, Motion, Scene, TimeStep};
 use proctor_kernel::simulation::Simulation;
 

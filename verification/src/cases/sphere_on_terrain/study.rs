@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use proctor_files::stl::parse;
 use proctor_kernel::scene::{Body, Dimension, Mesh, RigidSurface, Scene, Shape, TimeStep, Vector};
 use proctor_kernel::simulation::Simulation;
-use proctor_kernel::surface::{Surface, parse};
+use proctor_kernel::surface::Surface;
 
 use super::height::HeightField;
 use super::{

@@ -1,0 +1,135 @@
+//! Bodies from their keys.
+
+use super::build::Build;
+use super::keys::{RawBody, RawScene};
+use super::lists::{Counts, VectorOrTable};
+use super::materials::entry_path;
+use super::words::listed;
+use proctor_kernel::scene::{Body, Dimension, History, Material};
+
+impl Build<'_> {
+    pub(super) fn bodies(&mut self, raw: &RawScene, materials: &[Material]) -> Vec<Body> {
+        let mut counts = [2; 3];
+        if self.dimension == Dimension::Two {
+            counts[2] = 1;
+        }
+        if let Some(given) = &raw.particles_per_cell {
+            counts = self.counts("particles_per_cell", given, counts);
+        }
+        let given = self.either(
+            "",
+            ("body", raw.body.as_ref()),
+            ("bodies", raw.bodies.as_ref()),
+        );
+        let Some((key, entries)) = given else {
+            self.missing("body", "a list or an object of bodies");
+            self.spelt("bodies", "body");
+            return Vec::new();
+        };
+        self.spelt("bodies", key);
+        let mut bodies = Vec::new();
+        for (i, (name, raw)) in entries.0.iter().enumerate() {
+            let path = entry_path(key, i, name.as_deref());
+            self.spelt(format!("bodies[{i}]"), path.clone());
+            let name = name.clone().unwrap_or_else(|| path.clone());
+            bodies.push(self.body(&path, name, i, raw, counts, materials));
+        }
+        bodies
+    }
+
+    fn body(
+        &mut self,
+        path: &str,
+        name: String,
+        i: usize,
+        raw: &RawBody,
+        counts: [usize; 3],
+        materials: &[Material],
+    ) -> Body {
+        let key = |key: &str| format!("{path}.{key}");
+        let particles_per_cell = match &raw.particles_per_cell {
+            Some(given) => self.counts(&key("particles_per_cell"), given, counts),
+            None => counts,
+        };
+        Body {
+            name,
+            id: self.id(path, raw.id, i),
+            material: self.material_index(&key("material_id"), raw.material_id, materials),
+            shape: self.shape(path, raw),
+            particles_per_cell,
+            velocity: self.vector_or_zero(&key("initial_velocity"), raw.initial_velocity.as_ref()),
+            motion: raw
+                .prescribed_velocity
+                .as_ref()
+                .map(|given| self.motion(&key("prescribed_velocity"), given)),
+        }
+    }
+
+    /// Particles per cell and axis. The default stands in where they are wrong: there may be no place for them in
+    /// the body.
+    fn counts(&mut self, path: &str, given: &Counts, default: [usize; 3]) -> [usize; 3] {
+        let axes = self.dimension.axes();
+        let mut counts = [1; 3];
+        match given {
+            Counts::One(n) => counts[..axes].fill(*n),
+            Counts::PerAxis(list) if self.length(path, list, axes) => {
+                counts[..axes].copy_from_slice(list);
+            }
+            Counts::PerAxis(_) => return default,
+        }
+        if counts.contains(&0) {
+            self.add(path, "0", "whole numbers, 1 or more");
+            return default;
+        }
+        counts
+    }
+
+    fn material_index(&mut self, path: &str, id: Option<i64>, materials: &[Material]) -> usize {
+        let ids = || {
+            materials
+                .iter()
+                .map(|m| m.id.to_string())
+                .collect::<Vec<_>>()
+        };
+        let Some(id) = id else {
+            self.missing(path, "the id of a material");
+            return usize::MAX;
+        };
+        if materials.is_empty() {
+            // That there are none is reported once, not for each body.
+            self.stands_in(path);
+            return usize::MAX;
+        }
+        materials
+            .iter()
+            .position(|m| m.id == id)
+            .unwrap_or_else(|| {
+                let accepted = format!(
+                    "the id of a material: {}",
+                    listed(ids().iter().map(String::as_str))
+                );
+                self.add(path, format!("{id}, which no material has"), accepted);
+                usize::MAX
+            })
+    }
+
+    pub(super) fn motion(&mut self, path: &str, given: &VectorOrTable) -> History {
+        match given {
+            VectorOrTable::Vector(vector) => History {
+                times: vec![0.0],
+                values: vec![self.components(path, vector)],
+            },
+            VectorOrTable::Table(rows) => {
+                let (mut times, mut values) = (Vec::new(), Vec::new());
+                for (i, row) in rows.iter().enumerate() {
+                    let path = format!("{path}[{i}]");
+                    if self.length(&path, row, self.dimension.axes() + 1) {
+                        times.push(row[0]);
+                        values.push(self.components(&path, &row[1..]));
+                    }
+                }
+                History { times, values }
+            }
+        }
+    }
+}

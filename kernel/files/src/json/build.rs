@@ -1,0 +1,257 @@
+//! Building a scene from its keys: what is missing or contradicts itself is collected, and its place is taken by
+//! a value (NaN, nothing) that no check accepts, so that everything else is still checked.
+
+use std::path::Path;
+
+use super::keys::RawScene;
+use super::words::{Words, listed, meaning, nearest};
+use proctor_kernel::scene::{Dimension, Problem, Scene, SceneError, Vector};
+
+/// A scene under construction.
+pub(super) struct Build<'a> {
+    /// Folder of the files that the scene names.
+    pub folder: &'a Path,
+    /// Number of dimensions.
+    pub dimension: Dimension,
+    problems: Vec<Problem>,
+    /// How paths of the checked scene are spelt in the file, where that differs.
+    spellings: Vec<(String, String)>,
+    /// Paths that hold a stand-in, about which the check is not to speak.
+    stand_ins: Vec<String>,
+}
+
+impl<'a> Build<'a> {
+    pub fn new(folder: &'a Path) -> Self {
+        Self {
+            folder,
+            dimension: Dimension::Three,
+            problems: Vec::new(),
+            spellings: Vec::new(),
+            stand_ins: Vec::new(),
+        }
+    }
+
+    /// The whole scene; [`Build::merged`] says whether it is one.
+    pub fn scene(&mut self, raw: &RawScene) -> Scene {
+        self.dimension = match raw.dimension {
+            None | Some(3) => Dimension::Three,
+            Some(2) => Dimension::Two,
+            Some(other) => {
+                self.add("dimension", other.to_string(), "2 or 3");
+                Dimension::Three
+            }
+        };
+        self.refuse_what_is_not_built(raw);
+        let mesh = self.mesh(raw.mesh.as_ref());
+        let time = self.number(
+            "time",
+            raw.time,
+            "the end time, a number greater than 0 [s]",
+        );
+        let mut scene = Scene::new(self.dimension, mesh, time);
+        self.method(raw, &mut scene);
+        self.results(raw, &mut scene);
+        scene.threads = raw.n_threads;
+        scene.materials = self.materials(raw);
+        scene.bodies = self.bodies(raw, &scene.materials);
+        self.loads(raw, &mut scene);
+        self.boundaries(raw, &mut scene);
+        self.contacts(raw, &mut scene);
+        scene.surfaces = self.surfaces(raw, &scene.mesh);
+        scene
+    }
+
+    /// A second phase is part of the manuals' language, so it is refused by name rather than as
+    /// unknown keys, and only where they would act.
+    fn refuse_what_is_not_built(&mut self, raw: &RawScene) {
+        if let Some(phases) = raw.n_phases.filter(|n| *n != 1) {
+            self.add(
+                "n_phases",
+                format!("{phases}: a second phase is not built yet"),
+                "1",
+            );
+        }
+    }
+
+    /// Adds a problem.
+    pub fn add(
+        &mut self,
+        path: impl Into<String>,
+        found: impl Into<String>,
+        accepted: impl Into<String>,
+    ) {
+        self.problems.push(Problem::new(path, found, accepted));
+    }
+
+    /// Adds a hint to the last problem.
+    pub fn hint(&mut self, hint: impl Into<String>) {
+        if let Some(last) = self.problems.last_mut() {
+            last.hint = Some(hint.into());
+        }
+    }
+
+    /// Adds the problems of a file that the scene names at `path`.
+    pub fn add_all(&mut self, path: &str, error: SceneError) {
+        for mut problem in error.problems {
+            path.clone_into(&mut problem.path);
+            self.problems.push(problem);
+        }
+    }
+
+    /// Adds a key that is not there.
+    pub fn missing(&mut self, path: impl Into<String>, accepted: impl Into<String>) {
+        self.add(path, "nothing: the key is missing", accepted);
+    }
+
+    /// Says that the checked scene's path `checked` is spelt `written` in the file.
+    pub fn spelt(&mut self, checked: impl Into<String>, written: impl Into<String>) {
+        self.spellings.push((checked.into(), written.into()));
+    }
+
+    /// Says that a stand-in takes the place of what is at `path`, for a reason that is reported elsewhere.
+    pub fn stands_in(&mut self, path: impl Into<String>) {
+        self.stand_ins.push(path.into());
+    }
+
+    /// A number that must be there; NaN if it is not.
+    pub fn number(&mut self, path: &str, value: Option<f64>, accepted: &str) -> f64 {
+        value.unwrap_or_else(|| {
+            self.missing(path, accepted);
+            f64::NAN
+        })
+    }
+
+    /// A vector that must be there; NaN if it is not.
+    pub fn vector(&mut self, path: &str, value: Option<&Vec<f64>>, accepted: &str) -> Vector {
+        let Some(value) = value else {
+            let n = self.dimension.axes();
+            self.missing(path, format!("{accepted}, {n} numbers"));
+            return [f64::NAN; 3];
+        };
+        self.components(path, value)
+    }
+
+    /// A vector that is zero where it is not given.
+    pub fn vector_or_zero(&mut self, path: &str, value: Option<&Vec<f64>>) -> Vector {
+        value.map_or([0.0; 3], |value| self.components(path, value))
+    }
+
+    /// As many components as there are axes, the rest zero; NaN if there are more or fewer.
+    pub fn components(&mut self, path: &str, value: &[f64]) -> Vector {
+        if self.length(path, value, self.dimension.axes()) {
+            std::array::from_fn(|axis| value.get(axis).copied().unwrap_or(0.0))
+        } else {
+            [f64::NAN; 3]
+        }
+    }
+
+    /// Whether a list has the length that it should have.
+    pub fn length<T: std::fmt::Debug>(&mut self, path: &str, list: &[T], length: usize) -> bool {
+        if list.len() == length {
+            return true;
+        }
+        self.add(
+            path,
+            format!("a list of length {}", list.len()),
+            format!("{length} numbers in {} dimensions", self.dimension.axes()),
+        );
+        false
+    }
+
+    /// The meaning of a word, or `None` and a problem.
+    pub fn word<T: Copy>(&mut self, path: &str, word: &str, words: Words<T>) -> Option<T> {
+        let meaning = meaning(word, words);
+        if meaning.is_none() {
+            let known = || words.iter().map(|(known, _)| *known);
+            let mut problem = Problem::new(path, format!("{word:?}"), listed(known()));
+            if let Some(near) = nearest(word, known()) {
+                problem = problem.hint(format!("did you mean `{near}`?"));
+            }
+            self.problems.push(problem);
+        }
+        meaning
+    }
+
+    /// The meaning of a word with a default, which also stands in for a word that is not known.
+    pub fn word_or<T: Copy>(
+        &mut self,
+        path: &str,
+        word: Option<&String>,
+        words: Words<T>,
+        default: T,
+    ) -> T {
+        word.and_then(|word| self.word(path, word, words))
+            .unwrap_or(default)
+    }
+
+    /// The one of two spellings of a key that is given, with the spelling; both at once are a problem.
+    pub fn either<'v, V>(
+        &mut self,
+        parent: &str,
+        first: (&'static str, Option<&'v V>),
+        second: (&'static str, Option<&'v V>),
+    ) -> Option<(&'static str, &'v V)> {
+        match (first.1, second.1) {
+            (Some(value), None) => Some((first.0, value)),
+            (None, Some(value)) => Some((second.0, value)),
+            (Some(value), Some(_)) => {
+                self.add(
+                    join(parent, second.0),
+                    format!("`{}` and `{}` together", first.0, second.0),
+                    "one of them: they are two spellings of one key",
+                );
+                Some((first.0, value))
+            }
+            (None, None) => None,
+        }
+    }
+
+    /// All problems, those of the check spelt as in the file. A problem of the check is left out where building
+    /// already reported the same place: its value is only a stand-in.
+    pub fn merged(self, check: Result<(), SceneError>) -> Vec<Problem> {
+        let mut problems = self.problems;
+        let built = problems.len();
+        for mut problem in check.err().map(|error| error.problems).unwrap_or_default() {
+            // Twice: first the entry as it is spelt in the file, then a key within it.
+            for _ in 0..2 {
+                problem.path = respelt(&problem.path, &self.spellings);
+            }
+            let is_shadowed = problems[..built]
+                .iter()
+                .map(|p| &p.path)
+                .chain(&self.stand_ins)
+                .any(|path| reaches(path, &problem.path) || reaches(&problem.path, path));
+            if !is_shadowed {
+                problems.push(problem);
+            }
+        }
+        problems
+    }
+}
+
+/// A key in its parent.
+pub(super) fn join(parent: &str, key: &str) -> String {
+    if parent.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{parent}.{key}")
+    }
+}
+
+/// Whether `path` is `prefix` or lies below it.
+fn reaches(prefix: &str, path: &str) -> bool {
+    path.strip_prefix(prefix)
+        .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}
+
+/// The path with its longest respelt beginning replaced.
+fn respelt(path: &str, spellings: &[(String, String)]) -> String {
+    spellings
+        .iter()
+        .filter(|(checked, _)| reaches(checked, path))
+        .max_by_key(|(checked, _)| checked.len())
+        .map_or_else(
+            || path.to_owned(),
+            |(checked, written)| format!("{written}{}", &path[checked.len()..]),
+        )
+}

@@ -1,0 +1,107 @@
+//! What acts from outside, from its keys.
+
+use super::build::Build;
+use super::keys::{RawEarthquake, RawScene};
+use super::words::{PLANES, QUANTITIES, Quantity};
+use crate::records;
+use proctor_kernel::scene::{BaseMotion, BoxLoad, HeldBox, Motion, PointLoad, Scene, Traction};
+
+impl Build<'_> {
+    pub(super) fn loads(&mut self, raw: &RawScene, scene: &mut Scene) {
+        scene.base_motion = raw
+            .earthquake
+            .as_ref()
+            .and_then(|raw| self.base_motion(raw));
+        for (i, pair) in raw.nodal_point_load.iter().flatten().enumerate() {
+            let path = format!("nodal_point_load[{i}]");
+            if let [position, force] = &pair[..] {
+                scene.point_loads.push(PointLoad {
+                    position: self.components(&format!("{path}[0]"), position),
+                    force: self.components(&format!("{path}[1]"), force),
+                });
+            } else {
+                // Keeps the numbers of the loads behind it.
+                scene.point_loads.push(PointLoad {
+                    position: [f64::NAN; 3],
+                    force: [f64::NAN; 3],
+                });
+                let found = format!("a list of length {}", pair.len());
+                self.add(path, found, "a pair: a position [m] and a force [N]");
+            }
+        }
+        let (lower, upper) = ("the lower corner [m]", "the upper corner [m]");
+        for (i, raw) in raw.held_box.iter().flatten().enumerate() {
+            let key = |key: &str| format!("held_box[{i}].{key}");
+            scene.held_boxes.push(HeldBox {
+                p1: self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower),
+                p2: self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper),
+            });
+        }
+        for (i, raw) in raw.traction.iter().flatten().enumerate() {
+            let key = |key: &str| format!("traction[{i}].{key}");
+            scene.tractions.push(Traction {
+                p1: self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower),
+                p2: self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper),
+                traction: self.vector(&key("traction"), raw.traction.as_ref(), "the traction [Pa]"),
+            });
+        }
+        for (i, raw) in raw.box_load.iter().flatten().enumerate() {
+            let key = |key: &str| format!("box_load[{i}].{key}");
+            scene.box_loads.push(BoxLoad {
+                p1: self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower),
+                p2: self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper),
+                force: self.vector(&key("force"), raw.force.as_ref(), "the total force [N]"),
+            });
+        }
+    }
+
+    /// The motion of a plane, if it is active and its record can be read.
+    fn base_motion(&mut self, raw: &RawEarthquake) -> Option<BaseMotion> {
+        // The manuals' program takes a missing switch for `false`; a record that is silently not used is worth
+        // an error.
+        match raw.active {
+            Some(true) => {}
+            Some(false) => return None,
+            None => {
+                self.missing("earthquake.active", "true or false");
+                return None;
+            }
+        }
+        let axes = self.dimension.axes();
+        let mut plane = (axes - 1, 0);
+        if let Some(word) = &raw.plane {
+            plane = self.word_or("earthquake.plane", Some(word), PLANES, plane);
+            if plane.0 >= axes {
+                self.add(
+                    "earthquake.plane",
+                    format!("{word:?}, a plane of z in two dimensions"),
+                    "planes of x and y",
+                );
+            }
+        }
+        let quantity = self.word_or(
+            "earthquake.quantity",
+            raw.quantity.as_ref(),
+            QUANTITIES,
+            Quantity::Acceleration,
+        );
+        let Some(file) = &raw.file else {
+            self.missing("earthquake.file", "the path of a record");
+            return None;
+        };
+        match records::read(&self.folder.join(file), raw.header, self.dimension) {
+            Ok(history) => Some(BaseMotion {
+                axis: plane.0,
+                side: plane.1,
+                motion: match quantity {
+                    Quantity::Acceleration => Motion::Acceleration(history),
+                    Quantity::Velocity => Motion::Velocity(history),
+                },
+            }),
+            Err(error) => {
+                self.add_all("earthquake.file", error);
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! The raw stage: from JSON text to a checked scene, with a place in the text for every problem.
+
+mod bodies;
+mod build;
+mod contact;
+mod keys;
+mod lists;
+mod loads;
+mod materials;
+mod mesh;
+mod message;
+mod method;
+mod mortar;
+mod position;
+mod shapes;
+mod surfaces;
+mod words;
+
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+
+use self::build::Build;
+use self::keys::RawScene;
+use proctor_kernel::scene::{Problem, Scene, SceneError};
+
+pub use self::words::{listed, nearest, words_of};
+
+/// Reads a scene from a JSON file; files that it names are looked for in its folder.
+///
+/// # Errors
+/// A file that cannot be read, and everything that [`from_json`] reports.
+pub fn read(path: &Path) -> Result<Scene, SceneError> {
+    let name = path.display().to_string();
+    let text = crate::reading::read_to_string(path).map_err(|error| SceneError {
+        problems: vec![Problem::new(
+            "",
+            format!("{name} ({error})"),
+            "a scene in JSON that can be read",
+        )],
+    })?;
+    from_json(&text, &name, path.parent().unwrap_or_else(|| Path::new("")))
+}
+
+/// Reads a scene from JSON text. `source_name` stands for the text in messages, and its stem becomes the name of
+/// the scene; files that the scene names are looked for in `folder`.
+///
+/// # Errors
+/// The first place where the text is not JSON, holds an unknown key or a value of another type; otherwise all
+/// problems at once: keys that are missing or contradict each other, and all that [`Scene::check`] finds.
+pub fn from_json(text: &str, source_name: &str, folder: &Path) -> Result<Scene, SceneError> {
+    let raw: RawScene = parse(text, source_name)?;
+    let mut build = Build::new(folder);
+    let mut scene = build.scene(&raw);
+    scene.name = Path::new(source_name)
+        .file_stem()
+        .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into());
+    let mut problems = build.merged(scene.check());
+    // Finding the place of a problem is a walk through the text, and nobody reads thousands.
+    let more = problems.len().saturating_sub(MOST_PROBLEMS);
+    problems.truncate(MOST_PROBLEMS);
+    place(&mut problems, text, source_name);
+    if more > 0 {
+        problems.push(Problem::new("", format!("{more} more problems"), "none"));
+    }
+    SceneError::unless_empty(problems)?;
+    Ok(scene)
+}
+
+/// Problems of a scene that are told one by one.
+const MOST_PROBLEMS: usize = 100;
+
+/// Reads a value of raw keys from JSON text, as [`from_json`] reads a scene; `source_name` stands for the text in
+/// messages. For other files in the same strict style: their raw types deny unknown keys and leave every key optional.
+///
+/// # Errors
+/// The first place where the text is not JSON, holds an unknown key or a value of another type.
+pub fn parse<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<T, SceneError> {
+    // A byte order mark is no JSON, but some editors write it.
+    let text = text.trim_start_matches('\u{feff}');
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let raw = serde_path_to_error::deserialize(&mut parser).map_err(|error| SceneError {
+        problems: vec![message::problem(source_name, text, &error)],
+    })?;
+    parser.end().map_err(|error| {
+        let at = position::offset(text, error.line(), error.column());
+        let problem = Problem::new("", "more text behind its end", "the end of the file")
+            .at(position::location(source_name, text, at));
+        SceneError {
+            problems: vec![problem],
+        }
+    })?;
+    Ok(raw)
+}
+
+/// Gives problems that have a path and no place their place in the text, and sorts them in the order of the text.
+pub fn place(problems: &mut [Problem], text: &str, source_name: &str) {
+    let text = text.trim_start_matches('\u{feff}');
+    for problem in &mut *problems {
+        if problem.location.is_none()
+            && let Some(place) = position::find(text, &problem.path)
+        {
+            let at = if place.exact { place.value } else { place.key };
+            problem.location = Some(position::location(source_name, text, at));
+        }
+    }
+    // In the order of the text; a stable sort keeps problems of other files where they are among their like.
+    problems.sort_by_key(|problem| {
+        problem
+            .location
+            .as_ref()
+            .map(|at| (at.file != source_name, at.file.clone(), at.line, at.column))
+    });
+}
+
+/// The JSON Schema of a scene file, for editors.
+#[must_use]
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(RawScene).to_value()
+}

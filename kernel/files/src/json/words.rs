@@ -1,0 +1,270 @@
+//! Words of the scene language, and the nearest known one to a word that is not.
+
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::points::Detection;
+use proctor_kernel::scene::{
+    ContactNormal, Dimension, DomainUpdate, Enforcement, Field, NodalField, ObjectiveRate, Outside,
+    PlaneCondition, StressScheme, TransferKind,
+};
+
+/// A word and what it means.
+pub(super) type Words<T> = &'static [(&'static str, T)];
+
+/// Weighting functions; cpGIMP still lacks its domain update.
+#[derive(Clone, Copy)]
+pub(super) enum ShapeFunction {
+    Linear,
+    UniformGimp,
+    ContiguousGimp,
+    QuadraticBSpline,
+}
+
+/// `GIMP` is what the manuals' program makes of it: domains keep their initial size.
+pub(super) const SHAPE_FUNCTIONS: Words<ShapeFunction> = &[
+    ("linear", ShapeFunction::Linear),
+    ("GIMP", ShapeFunction::UniformGimp),
+    ("uGIMP", ShapeFunction::UniformGimp),
+    ("cpGIMP", ShapeFunction::ContiguousGimp),
+    ("quadratic_bspline", ShapeFunction::QuadraticBSpline),
+];
+
+pub(super) const DOMAIN_UPDATES: Words<DomainUpdate> = &[
+    ("determinant", DomainUpdate::Determinant),
+    ("stretch", DomainUpdate::Stretch),
+    ("left_stretch", DomainUpdate::LeftStretch),
+];
+
+pub(super) const SCHEMES: Words<StressScheme> = &[
+    ("USF", StressScheme::Usf),
+    ("USL", StressScheme::Usl),
+    ("MUSL", StressScheme::Musl),
+];
+
+pub(super) const TRANSFERS: Words<TransferKind> = &[
+    ("FLIP", TransferKind::Flip),
+    ("APIC", TransferKind::Apic),
+    ("TPIC", TransferKind::Tpic),
+];
+
+pub(super) const PLANE_CONDITIONS: Words<PlaneCondition> = &[
+    ("free", PlaneCondition::Free),
+    ("sliding", PlaneCondition::Sliding),
+    ("fixed", PlaneCondition::Fixed),
+];
+
+/// Kinds of damping.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum DampingKind {
+    None,
+    Local,
+    Kinetic,
+    Viscous,
+}
+
+pub(super) const DAMPINGS: Words<DampingKind> = &[
+    ("none", DampingKind::None),
+    ("local", DampingKind::Local),
+    ("kinetic", DampingKind::Kinetic),
+    ("viscous", DampingKind::Viscous),
+];
+
+/// Kinds of material.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum MaterialKind {
+    Elastic,
+    NeoHookean,
+}
+
+pub(super) const MATERIALS: Words<MaterialKind> = &[
+    ("elastic", MaterialKind::Elastic),
+    ("neo_hookean", MaterialKind::NeoHookean),
+];
+
+pub(super) const RATES: Words<ObjectiveRate> = &[
+    ("hughes_winget", ObjectiveRate::HughesWinget),
+    ("jaumann", ObjectiveRate::JaumannForward),
+];
+
+/// Kinds of shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum ShapeKind {
+    Cuboid,
+    Rectangle,
+    Sphere,
+    Disc,
+    Ring,
+    Cylinder,
+    Polygon,
+    ExtrudedPolygon,
+    Particles,
+}
+
+/// Shapes in three dimensions.
+const SHAPES_3: Words<ShapeKind> = &[
+    ("cuboid", ShapeKind::Cuboid),
+    ("sphere", ShapeKind::Sphere),
+    ("cylinder", ShapeKind::Cylinder),
+    ("extruded_polygon", ShapeKind::ExtrudedPolygon),
+    ("particles", ShapeKind::Particles),
+];
+
+/// Shapes in two dimensions.
+const SHAPES_2: Words<ShapeKind> = &[
+    ("cuboid", ShapeKind::Cuboid),
+    ("rectangle", ShapeKind::Rectangle),
+    ("disc", ShapeKind::Disc),
+    ("ring", ShapeKind::Ring),
+    ("polygon", ShapeKind::Polygon),
+    ("particles", ShapeKind::Particles),
+];
+
+/// Shapes that exist in a number of dimensions.
+pub(super) fn shapes(dimension: Dimension) -> Words<ShapeKind> {
+    match dimension {
+        Dimension::Two => SHAPES_2,
+        Dimension::Three => SHAPES_3,
+    }
+}
+
+pub(super) const AXES: Words<usize> = &[("x", 0), ("y", 1), ("z", 2)];
+
+/// Planes by axis and side.
+pub(super) const PLANES: Words<(usize, usize)> = &[
+    ("X0", (0, 0)),
+    ("Xn", (0, 1)),
+    ("Y0", (1, 0)),
+    ("Yn", (1, 1)),
+    ("Z0", (2, 0)),
+    ("Zn", (2, 1)),
+];
+
+/// What a base record holds.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Quantity {
+    Acceleration,
+    Velocity,
+}
+
+pub(super) const QUANTITIES: Words<Quantity> = &[
+    ("acceleration", Quantity::Acceleration),
+    ("velocity", Quantity::Velocity),
+];
+
+pub(super) const OUTSIDES: Words<Outside> = &[("stop", Outside::Stop), ("remove", Outside::Remove)];
+
+/// Fields of frames; `all` and `none` stand for lists.
+pub(super) const FIELDS: Words<&[Field]> = &[
+    ("id", &[Field::Id]),
+    ("material", &[Field::Material]),
+    ("body", &[Field::Body]),
+    ("active", &[Field::Active]),
+    ("mass", &[Field::Mass]),
+    ("volume", &[Field::Volume]),
+    ("density", &[Field::Density]),
+    ("displacement", &[Field::Displacement]),
+    ("velocity", &[Field::Velocity]),
+    ("stress", &[Field::Stress]),
+    ("pressure", &[Field::Pressure]),
+    ("deformation_gradient", &[Field::DeformationGradient]),
+    ("external_force", &[Field::ExternalForce]),
+    ("all", &Field::ALL),
+    ("none", &[]),
+];
+
+/// Fields of grid frames.
+pub(super) const NODAL_FIELDS: Words<&[NodalField]> = &[
+    ("mass", &[NodalField::Mass]),
+    ("velocity", &[NodalField::Velocity]),
+    ("body", &[NodalField::Body]),
+    ("contact_force", &[NodalField::ContactForce]),
+    ("contact_gap", &[NodalField::ContactGap]),
+    ("all", &NodalField::ALL),
+    ("none", &[]),
+];
+
+pub(super) const CONTACT_NORMALS: Words<ContactNormal> = &[
+    ("master", ContactNormal::Master),
+    ("slave", ContactNormal::Slave),
+    ("collinear", ContactNormal::Collinear),
+];
+
+/// Methods of contact.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum ContactMethod {
+    Grid,
+    Mortar,
+}
+
+pub(super) const CONTACT_METHODS: Words<ContactMethod> = &[
+    ("grid", ContactMethod::Grid),
+    ("mortar", ContactMethod::Mortar),
+];
+
+pub(super) const ENFORCEMENTS: Words<Enforcement> = &[
+    ("barrier", Enforcement::Barrier),
+    ("penalty", Enforcement::Penalty),
+];
+
+pub(super) const DETECTIONS: Words<Detection> = &[
+    ("mortar", Detection::Mortar),
+    ("node_to_segment", Detection::NodeToSegment),
+];
+
+pub(super) const FOLLOWS: Words<Follow> = &[
+    ("unaugmented", Follow::Unaugmented),
+    ("velocity", Follow::Velocity),
+    ("spin", Follow::Spin),
+    ("gradient", Follow::Gradient),
+];
+
+/// What a word means; upper and lower case are the same.
+pub(super) fn meaning<T: Copy>(word: &str, words: Words<T>) -> Option<T> {
+    words
+        .iter()
+        .find(|(known, _)| known.eq_ignore_ascii_case(word))
+        .map(|(_, meaning)| *meaning)
+}
+
+/// The known word that is most like `word`, if one is like it at all.
+#[must_use]
+pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    known
+        .into_iter()
+        .map(|candidate| {
+            let likeness = strsim::normalized_damerau_levenshtein(&word, &candidate.to_lowercase());
+            (likeness, candidate)
+        })
+        // Half of the letters: `youngs_modulus` is still like `young` by its start, below.
+        .filter(|(likeness, candidate)| {
+            *likeness >= 0.5 || (candidate.len() >= 4 && word.starts_with(*candidate))
+        })
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, candidate)| candidate)
+}
+
+/// `a`, `b` or `c`.
+#[must_use]
+pub fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    let words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    match words.as_slice() {
+        [] => "nothing".to_owned(),
+        [one] => one.clone(),
+        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+    }
+}
+
+/// The words that a key of the method accepts: `shape_function`, `stress_scheme_update` or `transfer`; none for any
+/// other key.
+#[must_use]
+pub fn words_of(key: &str) -> Vec<&'static str> {
+    fn names<T>(words: Words<T>) -> Vec<&'static str> {
+        words.iter().map(|(name, _)| *name).collect()
+    }
+    match key {
+        "shape_function" => names(SHAPE_FUNCTIONS),
+        "stress_scheme_update" => names(SCHEMES),
+        "transfer" => names(TRANSFERS),
+        _ => vec![],
+    }
+}

@@ -1,0 +1,210 @@
+//! `summary.json`: what a run was, how it ended and what it cost.
+//!
+//! The file has no `null` and no not-a-number: what has no finite value is left out. This holds whatever is put
+//! into [`Summary`].
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::{OutputError, atomic};
+
+/// Name of the summary in the output folder.
+pub const SUMMARY: &str = "summary.json";
+
+/// The content of `summary.json`, in SI units. The names of the fields are the keys of the file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Name of the scene.
+    pub scene: String,
+    /// The plan: what was kept and what was left out. A `null`, it or inside it, is not written.
+    #[serde(default, skip_serializing_if = "Value::is_null")]
+    pub plan: Value,
+    /// Number of particles at the end.
+    pub particles: u64,
+    /// Number of nodes with mass at the end.
+    pub nodes_active: u64,
+    /// Number of steps done, those before a restart included.
+    pub steps: u64,
+    /// Time reached \[s\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub time: Option<f64>,
+    /// Smallest time step taken \[s\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub dt_min: Option<f64>,
+    /// Largest time step taken \[s\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub dt_max: Option<f64>,
+    /// Smallest critical time step met \[s\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub dt_critical: Option<f64>,
+    /// Run time by the clock \[s\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub wall_seconds: Option<f64>,
+    /// Run time summed over the threads \[s\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub cpu_seconds: Option<f64>,
+    /// CPU time per particle and step \[ns\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub ns_per_particle_step: Option<f64>,
+    /// Number of threads.
+    pub threads: usize,
+    /// Lanes of the inner loops: `avx512`, `avx2` or `scalar`.
+    pub lanes: String,
+    /// Mass of all particles at the end \[kg\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub mass: Option<f64>,
+    /// Momentum of all particles at the end, one value per axis \[kg m/s\]; left out if one is not finite.
+    #[serde(default, skip_serializing_if = "no_vector")]
+    pub momentum: Vec<f64>,
+    /// Energy at the end.
+    #[serde(default)]
+    pub energy: Energy,
+    /// What happened on the way, in the order of time.
+    #[serde(default)]
+    pub events: Vec<Event>,
+    /// Hash of the final particle state in particle-id order, 16 hexadecimal digits in the file.
+    #[serde(with = "hexadecimal")]
+    pub state_hash: u64,
+    /// How the run ended.
+    pub status: Status,
+    /// Why it ended so, unless it finished.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
+}
+
+/// Energy at the end of the run \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Energy {
+    /// Of motion.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub kinetic: Option<f64>,
+    /// Stored in strain.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub strain: Option<f64>,
+    /// Brought in by gravity, loads and moving boundaries.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub external_work: Option<f64>,
+    /// Taken out by damping.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub dissipated: Option<f64>,
+}
+
+/// Something that the reader of the results has to know, such as a particle that left the mesh.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// Which kind of event, a fixed word such as `particle_left`.
+    pub kind: String,
+    /// What happened, for people.
+    pub message: String,
+    /// When \[s\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub time: Option<f64>,
+    /// In which step.
+    pub step: u64,
+    /// Id of the particle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub particle: Option<u64>,
+    /// Where, one value per axis \[m\]; left out if empty or not finite.
+    #[serde(default, skip_serializing_if = "no_vector")]
+    pub position: Vec<f64>,
+    /// Mass of the particle \[kg\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub mass: Option<f64>,
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// It reached its end time.
+    Finished,
+    /// A step or the output failed.
+    Failed,
+    /// It was stopped from outside. The default: a summary that nobody completed is of a run that nobody ended.
+    #[default]
+    Interrupted,
+}
+
+/// `value`, or nothing if it is not finite. Writing leaves out what is not finite in any case; this is for those
+/// who want the same value in memory as a reader gets.
+#[must_use]
+pub fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+impl Summary {
+    /// Writes the summary to `path`, indented, atomically.
+    ///
+    /// # Errors
+    /// [`OutputError::Write`].
+    pub fn write(&self, path: &Path) -> Result<(), OutputError> {
+        // Serialising may fail only by what `plan` or a later field holds; report it as a failed write.
+        let clean = Self {
+            plan: without_null(self.plan.clone()),
+            ..self.clone()
+        };
+        let text = serde_json::to_string_pretty(&clean)
+            .map_err(|error| OutputError::write(path, error.into()))?;
+        atomic::write(path, |file| writeln!(file, "{text}"))
+    }
+
+    /// Reads a summary.
+    ///
+    /// # Errors
+    /// [`OutputError::Read`], [`OutputError::Malformed`] if it is not a summary.
+    pub fn read(path: &Path) -> Result<Self, OutputError> {
+        let text =
+            crate::reading::read_to_string(path).map_err(|error| OutputError::read(path, error))?;
+        serde_json::from_str(&text)
+            .map_err(|error| OutputError::malformed(path, error.line(), error.to_string()))
+    }
+}
+
+/// `value` without any `null`: members of objects and entries of lists that are `null` are taken out.
+fn without_null(value: Value) -> Value {
+    match value {
+        Value::Object(members) => members
+            .into_iter()
+            .filter(|(_, v)| !v.is_null())
+            .map(|(k, v)| (k, without_null(v)))
+            .collect(),
+        Value::Array(entries) => entries
+            .into_iter()
+            .filter(|v| !v.is_null())
+            .map(without_null)
+            .collect(),
+        other => other,
+    }
+}
+
+// Serde hands the field by reference, whatever its type.
+#[allow(clippy::trivially_copy_pass_by_ref, clippy::ref_option)]
+fn no_number(value: &Option<f64>) -> bool {
+    !value.is_some_and(f64::is_finite)
+}
+
+fn no_vector(values: &[f64]) -> bool {
+    values.is_empty() || values.iter().any(|value| !value.is_finite())
+}
+
+/// A `u64` as 16 hexadecimal digits: JSON numbers lose bits above 2^53 in many readers.
+mod hexadecimal {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    #[allow(clippy::trivially_copy_pass_by_ref)]
+    pub(super) fn serialize<S: Serializer>(value: &u64, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{value:016x}"))
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        if text.len() != 16 || !text.bytes().all(|b| b.is_ascii_hexdigit()) {
+            return Err(D::Error::custom(format!(
+                "'{text}' is not 16 hexadecimal digits"
+            )));
+        }
+        u64::from_str_radix(&text, 16).map_err(D::Error::custom)
+    }
+}

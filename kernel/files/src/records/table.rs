@@ -1,0 +1,267 @@
+//! Reading tables of numbers: separators found by looking, every fault with its line and column.
+
+use std::path::Path;
+
+use proctor_kernel::scene::{Dimension, History, Location, ParticleSeed, Problem, SceneError};
+
+/// More problems than this in one file say the same again.
+const MOST_PROBLEMS: usize = 10;
+
+/// Reads an accelerogram: columns t, ax, ay and in three dimensions az, separated by `,`, `;` or tabs.
+///
+/// `header` says whether the first line holds names; `None` looks. Blank lines are skipped.
+///
+/// # Errors
+/// A file that cannot be read, a first line that contradicts `header`, rows of another length, text that is not
+/// a finite number, times that do not increase, fewer than two rows; each with file, line and column.
+pub fn read(
+    file: &Path,
+    header: Option<bool>,
+    dimension: Dimension,
+) -> Result<History, SceneError> {
+    let names = &["t", "ax", "ay", "az"][..=dimension.axes()];
+    let mut table = Table::read(file, header, names)?;
+    for row in 1..table.rows.len() {
+        let (before, now) = (table.rows[row - 1].numbers[0], table.rows[row].numbers[0]);
+        if now <= before {
+            let at = (table.rows[row].line, 1);
+            table.add(
+                at,
+                format!("the time {now}"),
+                format!("a time after that of the row before, {before} [s]"),
+            );
+        }
+    }
+    if table.rows.len() < 2 && table.problems.is_empty() {
+        table.add(
+            (table.lines.max(1), 1),
+            if table.rows.is_empty() {
+                "no row of numbers"
+            } else {
+                "one row of numbers"
+            },
+            "at least two rows",
+        );
+    }
+    let rows = table.finish()?;
+    Ok(History {
+        times: rows.iter().map(|row| row.numbers[0]).collect(),
+        values: rows.iter().map(|row| padded(&row.numbers[1..])).collect(),
+    })
+}
+
+/// Reads a particle list: columns x, y, in three dimensions z, and volume; a header is found by looking.
+///
+/// # Errors
+/// As for [`read`], and volumes that are not greater than zero.
+pub fn read_particles(file: &Path, dimension: Dimension) -> Result<Vec<ParticleSeed>, SceneError> {
+    let names: &[&str] = match dimension {
+        Dimension::Two => &["x", "y", "volume"],
+        Dimension::Three => &["x", "y", "z", "volume"],
+    };
+    let mut table = Table::read(file, None, names)?;
+    let axes = dimension.axes();
+    for row in 0..table.rows.len() {
+        let volume = table.rows[row].numbers[axes];
+        if volume <= 0.0 {
+            let at = (table.rows[row].line, table.rows[row].columns[axes]);
+            table.add(
+                at,
+                format!("the volume {volume}"),
+                "a volume greater than 0 [m³]",
+            );
+        }
+    }
+    let rows = table.finish()?;
+    Ok(rows
+        .iter()
+        .map(|row| ParticleSeed {
+            position: padded(&row.numbers[..axes]),
+            volume: row.numbers[axes],
+        })
+        .collect())
+}
+
+/// Two or three components as a vector.
+fn padded(components: &[f64]) -> [f64; 3] {
+    std::array::from_fn(|axis| components.get(axis).copied().unwrap_or(0.0))
+}
+
+/// A row of numbers, and where they stand.
+struct Row {
+    line: usize,
+    columns: Vec<usize>,
+    numbers: Vec<f64>,
+}
+
+/// A table while it is read.
+struct Table<'a> {
+    file: &'a Path,
+    lines: usize,
+    rows: Vec<Row>,
+    problems: Vec<Problem>,
+}
+
+impl<'a> Table<'a> {
+    fn read(file: &'a Path, header: Option<bool>, names: &[&str]) -> Result<Self, SceneError> {
+        let text = crate::reading::read_to_string(file).map_err(|error| SceneError {
+            problems: vec![Problem::new(
+                "",
+                format!("{} ({error})", file.display()),
+                format!("a text file with the columns {}", names.join(", ")),
+            )],
+        })?;
+        let text = text.trim_start_matches('\u{feff}');
+        let mut table = Self {
+            file,
+            lines: text.lines().count(),
+            rows: Vec::new(),
+            problems: Vec::new(),
+        };
+        table.parse(text, header, names);
+        Ok(table)
+    }
+
+    fn parse(&mut self, text: &str, header: Option<bool>, names: &[&str]) {
+        let lines: Vec<&str> = text.lines().collect();
+        let separator = separator(&lines);
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .delimiter(separator)
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let mut is_first = true;
+        for record in reader.records() {
+            let record = match record {
+                Ok(record) => record,
+                Err(error) => {
+                    let line = error.position().map_or(1, csv::Position::line) as usize;
+                    self.add((line, 1), error.to_string(), "a row of numbers");
+                    return;
+                }
+            };
+            let line = record.position().map_or(1, csv::Position::line) as usize;
+            if record.iter().all(str::is_empty) {
+                continue;
+            }
+            let columns = columns(lines.get(line - 1).copied().unwrap_or(""), separator);
+            let is_header = is_first && self.is_header(&record, header, line, names);
+            is_first = false;
+            if !is_header {
+                self.take(&record, line, columns, names);
+            }
+            if self.problems.len() >= MOST_PROBLEMS {
+                return;
+            }
+        }
+    }
+
+    /// Whether the first row holds names; a row that contradicts what the scene says is a problem.
+    fn is_header(
+        &mut self,
+        record: &csv::StringRecord,
+        said: Option<bool>,
+        line: usize,
+        names: &[&str],
+    ) -> bool {
+        let numbers = record
+            .iter()
+            .filter(|text| text.parse::<f64>().is_ok())
+            .count();
+        let shown = record.iter().collect::<Vec<_>>().join(", ");
+        if numbers == record.len() && said == Some(true) {
+            self.add(
+                (line, 1),
+                format!("numbers ({shown}) where `header` is true"),
+                format!("the names {}; or `header` false", names.join(", ")),
+            );
+        } else if numbers == 0 && said == Some(false) {
+            self.add(
+                (line, 1),
+                format!("names ({shown}) where `header` is false"),
+                "numbers; or `header` true",
+            );
+        }
+        numbers == 0
+    }
+
+    fn take(
+        &mut self,
+        record: &csv::StringRecord,
+        line: usize,
+        columns: Vec<usize>,
+        names: &[&str],
+    ) {
+        if record.len() != names.len() {
+            self.add(
+                (line, 1),
+                format!("{} columns", record.len()),
+                format!("{} columns: {}", names.len(), names.join(", ")),
+            );
+            return;
+        }
+        let mut numbers = Vec::with_capacity(names.len());
+        for (i, text) in record.iter().enumerate() {
+            match text.parse::<f64>() {
+                Ok(number) if number.is_finite() => numbers.push(number),
+                _ => self.add(
+                    (line, columns.get(i).copied().unwrap_or(1)),
+                    format!("{text:?} in column {}", names[i]),
+                    "a finite number",
+                ),
+            }
+        }
+        if numbers.len() == names.len() {
+            self.rows.push(Row {
+                line,
+                columns,
+                numbers,
+            });
+        }
+    }
+
+    fn add(
+        &mut self,
+        (line, column): (usize, usize),
+        found: impl Into<String>,
+        accepted: impl Into<String>,
+    ) {
+        if self.problems.len() < MOST_PROBLEMS {
+            self.problems
+                .push(Problem::new("", found, accepted).at(Location {
+                    file: self.file.display().to_string(),
+                    line,
+                    column,
+                }));
+        }
+    }
+
+    fn finish(self) -> Result<Vec<Row>, SceneError> {
+        SceneError::unless_empty(self.problems)?;
+        Ok(self.rows)
+    }
+}
+
+/// Tab or `;` if the first line that is not blank holds one, else `,`.
+fn separator(lines: &[&str]) -> u8 {
+    let first = lines.iter().find(|line| !line.trim().is_empty());
+    match first {
+        Some(line) if line.trim().contains('\t') => b'\t',
+        Some(line) if line.contains(';') => b';',
+        _ => b',',
+    }
+}
+
+/// Column, counted from 1 in characters, at which the text of each field starts.
+fn columns(line: &str, separator: u8) -> Vec<usize> {
+    let mut start = 0;
+    line.split(separator as char)
+        .map(|field| {
+            let blank = field.chars().take_while(|c| c.is_whitespace()).count();
+            let column = start + blank + 1;
+            start += field.chars().count() + 1;
+            column
+        })
+        .collect()
+}

@@ -1,0 +1,39 @@
+//! The nodes as a frame.
+
+use crate::output::{Array, ArrayData, Frame};
+use proctor_kernel::scene::NodalField;
+use proctor_kernel::simulation::{NodeValues, Simulation};
+
+/// The fields of the nodes with mass that the scene asks for, as the last step left them; `None` before the first.
+pub(super) fn frame(simulation: &Simulation) -> Option<Frame> {
+    let nodes = simulation.node_values();
+    if nodes.is_empty() {
+        return None;
+    }
+    let mut fields = simulation.scene().results.nodal_fields.clone();
+    fields.sort_unstable();
+    fields.dedup();
+    Some(Frame {
+        time: simulation.time(),
+        step: simulation.steps(),
+        points: nodes.iter().map(|n| n.position).collect(),
+        arrays: fields.into_iter().map(|f| array(&nodes, f)).collect(),
+        lines: vec![],
+    })
+}
+
+fn array(nodes: &[NodeValues], field: NodalField) -> Array {
+    let scalar = |of: fn(&NodeValues) -> f64| ArrayData::Scalar(nodes.iter().map(of).collect());
+    let vector =
+        |of: fn(&NodeValues) -> [f64; 3]| ArrayData::Vector(nodes.iter().map(of).collect());
+    match field {
+        NodalField::Mass => Array::new("Mass", scalar(|n| n.mass)),
+        NodalField::Velocity => Array::new("Velocity", vector(|n| n.velocity)),
+        NodalField::Body => Array::new(
+            "Body Id",
+            ArrayData::Integer(nodes.iter().map(|n| n.body.unwrap_or(i64::MIN)).collect()),
+        ),
+        NodalField::ContactForce => Array::new("Contact Force", vector(|n| n.contact_force)),
+        NodalField::ContactGap => Array::new("Contact Gap", scalar(|n| n.contact_gap)),
+    }
+}

@@ -1,0 +1,250 @@
+//! A run: a simulation from output time to output time, with its files.
+//!
+//! The caller drives it (and may time it: this crate reads no clock):
+//!
+//! ```text
+//! let mut run = Run::start(&scene, &options, Some(folder), None)?;
+//! while let Some(stop) = run.next_stop() {
+//!     run.advance(stop, |_| Go::On)?;   // steps
+//!     run.write()?;                     // frames, history row, checkpoint
+//! }
+//! run.summary()
+//! ```
+
+mod boundaries;
+mod error;
+mod files;
+mod grid;
+mod state;
+
+pub use error::RunError;
+
+use crate::output::summary::{Energy, Event as SummaryEvent, Status};
+use crate::output::{Checkpoint, OutputFolder, Summary};
+use files::Files;
+use proctor_kernel::plan::Plan;
+use proctor_kernel::scene::{Scene, TimeStep};
+use proctor_kernel::simulation::{Event, EventKind, Options, Simulation, StepError, StepInfo};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Whether a run goes on after a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Go {
+    /// Next step.
+    On,
+    /// Stop here; the run can be summarised as interrupted.
+    Stop,
+}
+
+/// A simulation with its files.
+pub struct Run {
+    simulation: Simulation,
+    files: Option<Files>,
+    interrupted: bool,
+    failure: Option<StepError>,
+}
+
+impl Run {
+    /// Sets up a simulation, and in `folder`, if given, its files with the state at the start. With `restart`
+    /// the state comes from a checkpoint of the same scene, and files in the folder are continued.
+    ///
+    /// # Errors
+    /// See [`RunError`]. Nothing is written unless the scene and the checkpoint are sound.
+    pub fn start(
+        scene: &Scene,
+        options: &Options,
+        folder: Option<&Path>,
+        restart: Option<&Path>,
+    ) -> Result<Self, RunError> {
+        let mut simulation = Simulation::new(scene, options)?;
+        if let Some(path) = restart {
+            let checkpoint = Checkpoint::read(path)?;
+            checkpoint.check_fingerprint(state::fingerprint(scene))?;
+            state::restore(&mut simulation, &checkpoint)?;
+        }
+        let files = match folder {
+            None => None,
+            Some(folder) => {
+                let folder = OutputFolder::create(folder)?;
+                let mut files = Files::open(&simulation, folder, restart.is_some())?;
+                files.write(&simulation)?;
+                Some(files)
+            }
+        };
+        Ok(Self {
+            simulation,
+            files,
+            interrupted: false,
+            failure: None,
+        })
+    }
+
+    /// The simulation.
+    #[must_use]
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    /// The next output time \[s\], or `None` at the end.
+    #[must_use]
+    pub fn next_stop(&self) -> Option<f64> {
+        if self.interrupted || self.failure.is_some() {
+            return None;
+        }
+        let scene = self.simulation.scene();
+        let intervals = scene.results.print.max(1) as f64;
+        // Half a constant step, or round-off, may separate the state from the output time that it stands for.
+        let slack = match scene.time_step {
+            TimeStep::Fixed { dt, .. } => 0.5 * dt,
+            _ => 1e-9 * scene.time / intervals,
+        };
+        let reached = self.simulation.time() + slack;
+        if reached >= scene.time {
+            return None;
+        }
+        let done = (reached / scene.time * intervals).floor();
+        Some(if done + 1.0 >= intervals {
+            scene.time
+        } else {
+            scene.time * ((done + 1.0) / intervals)
+        })
+    }
+
+    /// Steps until the time `stop`, as [`Run::next_stop`] gives it. `observe` sees every step and may end the
+    /// run.
+    ///
+    /// # Errors
+    /// The first step that fails. The files keep the last good frame and checkpoint.
+    pub fn advance(
+        &mut self,
+        stop: f64,
+        mut observe: impl FnMut(&StepInfo) -> Go,
+    ) -> Result<(), StepError> {
+        let slack = match self.simulation.scene().time_step {
+            TimeStep::Fixed { dt, .. } => 0.5 * dt,
+            _ => 0.0,
+        };
+        while self.simulation.time() + slack < stop {
+            match self.simulation.step(stop) {
+                Ok(info) => {
+                    if observe(&info) == Go::Stop {
+                        self.interrupted = true;
+                        return Ok(());
+                    }
+                }
+                Err(error) => {
+                    self.failure = Some(error.clone());
+                    return Err(error);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes frame, history row and checkpoint of the present state, where the run has files and the scene asks
+    /// for them.
+    ///
+    /// # Errors
+    /// See [`RunError`].
+    pub fn write(&mut self) -> Result<(), RunError> {
+        match &mut self.files {
+            Some(files) if self.failure.is_none() => files.write(&self.simulation),
+            _ => Ok(()),
+        }
+    }
+
+    /// What the run was and how it ended; the times of the clock are for the caller to add.
+    #[must_use]
+    pub fn summary(&self) -> Summary {
+        let simulation = &self.simulation;
+        let (dt_min, dt_max, dt_critical) = simulation.time_steps();
+        let energy = simulation.energy();
+        let stepped = simulation.steps() > 0;
+        let axes = simulation.plan().axes;
+        Summary {
+            scene: simulation.scene().name.clone(),
+            plan: plan_value(simulation.plan()),
+            particles: simulation.particles() as u64,
+            nodes_active: simulation.nodes_with_mass() as u64,
+            steps: simulation.steps(),
+            time: Some(simulation.time()),
+            dt_min: stepped.then_some(dt_min),
+            dt_max: stepped.then_some(dt_max),
+            dt_critical: stepped.then_some(dt_critical),
+            threads: simulation.threads(),
+            lanes: simulation.lanes().name().into(),
+            mass: Some(simulation.mass()),
+            momentum: simulation.momentum()[..axes].to_vec(),
+            energy: Energy {
+                kinetic: Some(energy.kinetic),
+                strain: Some(energy.strain),
+                external_work: Some(energy.external_work),
+                dissipated: Some(energy.dissipated),
+            },
+            events: simulation.events().iter().map(event).collect(),
+            state_hash: simulation.state_hash(),
+            status: match (&self.failure, self.interrupted) {
+                (Some(_), _) => Status::Failed,
+                (None, true) => Status::Interrupted,
+                (None, false) => Status::Finished,
+            },
+            error: self.failure.as_ref().map(ToString::to_string),
+            ..Summary::default()
+        }
+    }
+
+    /// The output folder, where there is one.
+    #[must_use]
+    pub fn folder(&self) -> Option<&OutputFolder> {
+        self.files.as_ref().map(Files::folder)
+    }
+}
+
+/// The plan as JSON: what is kept, what is left out, why, and the bytes.
+#[must_use]
+pub fn plan_value(plan: &Plan) -> Value {
+    let list = |kept: bool| -> Vec<Value> {
+        plan.entries
+            .iter()
+            .filter(|e| e.kept == kept)
+            .map(|e| json!({ "group": e.group, "name": e.name, "because": e.because }))
+            .collect()
+    };
+    let mut value = json!({
+        "kept": list(true),
+        "left_out": list(false),
+        "bytes_per_particle": plan.bytes_per_particle(),
+        "bytes_per_node": plan.bytes_per_node(),
+    });
+    if !plan.warnings.is_empty() {
+        value["warnings"] = json!(plan.warnings);
+    }
+    value
+}
+
+fn event(event: &Event) -> SummaryEvent {
+    let base = SummaryEvent {
+        message: event.to_string(),
+        time: Some(event.time),
+        step: event.step,
+        ..SummaryEvent::default()
+    };
+    match &event.kind {
+        EventKind::Removed(at) => SummaryEvent {
+            kind: "particle_removed".into(),
+            particle: Some(at.id),
+            position: at.position.to_vec(),
+            mass: Some(at.mass),
+            ..base
+        },
+        EventKind::RecordEnded => SummaryEvent {
+            kind: "record_ended".into(),
+            ..base
+        },
+        EventKind::WiderStencil => SummaryEvent {
+            kind: "wider_stencil".into(),
+            ..base
+        },
+    }
+}

@@ -1,0 +1,298 @@
+//! The whole state of a simulation in a checkpoint, bit by bit.
+
+use super::RunError;
+use crate::output::{Checkpoint, CheckpointError};
+use proctor_kernel::scene::{Results, Scene, Vector};
+use proctor_kernel::simulation::{
+    Clock, Event, EventKind, ParticleAt, RestoreError, Saved, SavedBoundary, SavedMortar,
+    Simulation,
+};
+use proctor_kernel::stage::g2p::Found;
+
+/// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
+/// change.
+pub(super) fn fingerprint(scene: &Scene) -> u64 {
+    let what = Scene {
+        name: String::new(),
+        time: 0.0,
+        results: Results {
+            print: 0,
+            fields: vec![],
+            nodal_fields: vec![],
+            checkpoint: false,
+        },
+        probes: vec![],
+        threads: None,
+        ..scene.clone()
+    };
+    // FNV-1a over the text of all values; f64 prints so that it reads back to the same bits.
+    format!("{what:?}")
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
+}
+
+/// The state as a checkpoint.
+pub(super) fn save(simulation: &Simulation) -> Checkpoint {
+    let saved = simulation.save();
+    let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
+    checkpoint.push::<u64>("counters", counters(&saved).to_vec());
+    checkpoint.push::<f64>("numbers", numbers(&saved).to_vec());
+    for (i, body) in saved.bodies.into_iter().enumerate() {
+        let found = body.found;
+        checkpoint.push::<f64>(
+            format!("set{i}/found"),
+            vec![
+                found.speed_squared,
+                found.stiffness,
+                found.travel,
+                found.half_length,
+            ],
+        );
+        checkpoint.push::<u64>(format!("set{i}/id"), body.id);
+        checkpoint.push::<u64>(
+            format!("set{i}/layers"),
+            body.layers.into_iter().map(|l| l as u64).collect(),
+        );
+        for (c, column) in body.columns.into_iter().enumerate() {
+            checkpoint.push::<f64>(format!("set{i}/column{c}"), column);
+        }
+    }
+    if !saved.pairs.is_empty() {
+        let near = saved.pairs.iter().map(|pair| u64::from(pair.near));
+        checkpoint.push::<u64>("contact/near", near.collect());
+        let forces = saved.pairs.iter().flat_map(|pair| pair.force);
+        checkpoint.push::<f64>("contact/forces", forces.collect());
+    }
+    save_mortar(saved.plane, PLANE, &mut checkpoint);
+    save_mortar(saved.space, SPACE, &mut checkpoint);
+    if let Some(surfaces) = saved.surfaces {
+        let flat =
+            |impulses: &[Vec<Vector>]| impulses.iter().flatten().flatten().copied().collect();
+        checkpoint.push::<f64>("surfaces/kick", vec![surfaces.kick]);
+        checkpoint.push::<f64>("surfaces/last", flat(&surfaces.last));
+        checkpoint.push::<f64>("surfaces/total", flat(&surfaces.total));
+    }
+    save_events(&saved.events, &mut checkpoint);
+    checkpoint
+}
+
+/// Puts the state of a checkpoint, whose fingerprint was compared, into a simulation of the same scene.
+pub(super) fn restore(
+    simulation: &mut Simulation,
+    checkpoint: &Checkpoint,
+) -> Result<(), RunError> {
+    // The state at the start has every list that the scene needs, with its length.
+    let saved = read(checkpoint, simulation.save())?;
+    simulation.restore(saved).map_err(misfit)?;
+    Ok(())
+}
+
+/// What does not fit the scene, by the section that holds it.
+fn misfit(error: RestoreError) -> CheckpointError {
+    let (name, expected, found) = match error {
+        RestoreError::Length {
+            what,
+            expected,
+            found,
+        } => (what, expected, found),
+        RestoreError::Places {
+            body,
+            particles,
+            in_layers,
+        } => (format!("set{body}/layers"), particles, in_layers),
+    };
+    CheckpointError::WrongLength {
+        name,
+        expected,
+        found,
+    }
+}
+
+/// Beginnings of the names of what mortar contact remembers, in two dimensions and in three.
+const PLANE: &str = "mortar";
+const SPACE: &str = "mortar/space";
+
+fn counters(saved: &Saved) -> [u64; 4] {
+    [
+        saved.clock.step,
+        saved.stencil as u64,
+        saved.sorted_groups as u64,
+        saved.superfluous_groups as u64,
+    ]
+}
+
+fn numbers(saved: &Saved) -> [f64; 14] {
+    let clock = &saved.clock;
+    let [x, y, z] = saved.mesh_shift;
+    [
+        clock.time,
+        clock.dt_before,
+        clock.dt_min,
+        clock.dt_max,
+        clock.dt_critical,
+        saved.travel,
+        saved.kinetic[0],
+        saved.kinetic[1],
+        saved.external_work,
+        saved.dead_load_origin,
+        saved.initial_energy,
+        x,
+        y,
+        z,
+    ]
+}
+
+/// The state in a checkpoint; `like` is one of the same scene.
+fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> {
+    let counters = checkpoint.array::<u64>("counters", 4)?;
+    let numbers = checkpoint.array::<f64>("numbers", 14)?;
+    let mut saved = Saved {
+        clock: Clock {
+            step: counters[0],
+            time: numbers[0],
+            dt_before: numbers[1],
+            dt_min: numbers[2],
+            dt_max: numbers[3],
+            dt_critical: numbers[4],
+        },
+        stencil: counters[1] as usize,
+        sorted_groups: counters[2] as usize,
+        superfluous_groups: counters[3] as usize,
+        travel: numbers[5],
+        kinetic: [numbers[6], numbers[7]],
+        external_work: numbers[8],
+        dead_load_origin: numbers[9],
+        initial_energy: numbers[10],
+        mesh_shift: [numbers[11], numbers[12], numbers[13]],
+        ..like
+    };
+    for (i, body) in saved.bodies.iter_mut().enumerate() {
+        let id = checkpoint.values::<u64>(&format!("set{i}/id"))?;
+        let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), body.layers.len())?;
+        let found = checkpoint.array::<f64>(&format!("set{i}/found"), 4)?;
+        for (c, column) in body.columns.iter_mut().enumerate() {
+            *column = checkpoint
+                .array::<f64>(&format!("set{i}/column{c}"), id.len())?
+                .to_vec();
+        }
+        body.id = id.to_vec();
+        body.layers = layers.iter().map(|&l| l as usize).collect();
+        body.found = Found {
+            speed_squared: found[0],
+            stiffness: found[1],
+            travel: found[2],
+            half_length: found[3],
+            fault: None,
+        };
+    }
+    if let Some(surfaces) = &mut saved.surfaces {
+        surfaces.kick = checkpoint.array::<f64>("surfaces/kick", 1)?[0];
+        for (name, impulses) in [("last", &mut surfaces.last), ("total", &mut surfaces.total)] {
+            let count = 3 * impulses.iter().map(Vec::len).sum::<usize>();
+            let values = checkpoint.array::<f64>(&format!("surfaces/{name}"), count)?;
+            for (impulse, value) in impulses.iter_mut().flatten().flatten().zip(values) {
+                *impulse = *value;
+            }
+        }
+    }
+    saved.events = read_events(checkpoint)?;
+    let pairs = saved.pairs.len();
+    if pairs > 0 {
+        let near = checkpoint.array::<u64>("contact/near", pairs)?;
+        let forces = checkpoint.array::<f64>("contact/forces", 3 * pairs)?;
+        let forces: &[Vector] = forces.as_chunks().0;
+        for ((pair, near), force) in saved.pairs.iter_mut().zip(near).zip(forces) {
+            pair.near = *near != 0;
+            pair.force = *force;
+        }
+    }
+    read_mortar(&mut saved.plane, PLANE, checkpoint)?;
+    read_mortar(&mut saved.space, SPACE, checkpoint)?;
+    Ok(saved)
+}
+
+/// Vertices with their last displacement, and the slip of each pair: what mortar contact remembers.
+fn save_mortar(mortar: SavedMortar, name: &str, checkpoint: &mut Checkpoint) {
+    for (i, SavedBoundary { points, moved }) in mortar.boundaries.into_iter().enumerate() {
+        checkpoint.push::<f64>(format!("{name}/surface{i}/points"), points);
+        checkpoint.push::<f64>(format!("{name}/surface{i}/moved"), moved);
+    }
+    for (i, slip) in mortar.slips.into_iter().enumerate() {
+        checkpoint.push::<f64>(format!("{name}/pair{i}/slip"), slip);
+    }
+}
+
+fn read_mortar(
+    mortar: &mut SavedMortar,
+    name: &str,
+    checkpoint: &Checkpoint,
+) -> Result<(), CheckpointError> {
+    let fill = |name: String, values: &mut Vec<f64>| {
+        let found = checkpoint.array(&name, values.len())?;
+        values.copy_from_slice(found);
+        Ok::<(), CheckpointError>(())
+    };
+    for (i, boundary) in mortar.boundaries.iter_mut().enumerate() {
+        fill(format!("{name}/surface{i}/points"), &mut boundary.points)?;
+        fill(format!("{name}/surface{i}/moved"), &mut boundary.moved)?;
+    }
+    for (i, slip) in mortar.slips.iter_mut().enumerate() {
+        fill(format!("{name}/pair{i}/slip"), slip)?;
+    }
+    Ok(())
+}
+
+fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {
+    let (mut whole, mut real) = (vec![], vec![]);
+    for event in events {
+        let (kind, at) = match &event.kind {
+            EventKind::Removed(at) => (0, Some(*at)),
+            EventKind::RecordEnded => (1, None),
+            EventKind::WiderStencil => (2, None),
+        };
+        let at = at.unwrap_or(ParticleAt {
+            id: 0,
+            body: 0,
+            position: [0.0; 3],
+            volume: 0.0,
+            mass: 0.0,
+        });
+        whole.extend([kind, event.step as i64, at.id as i64, at.body]);
+        real.extend([
+            event.time,
+            at.position[0],
+            at.position[1],
+            at.position[2],
+            at.volume,
+            at.mass,
+        ]);
+    }
+    checkpoint.push::<i64>("events/whole", whole);
+    checkpoint.push::<f64>("events/real", real);
+}
+
+fn read_events(checkpoint: &Checkpoint) -> Result<Vec<Event>, CheckpointError> {
+    let whole = checkpoint.values::<i64>("events/whole")?;
+    let real = checkpoint.array::<f64>("events/real", whole.len() / 4 * 6)?;
+    Ok(whole
+        .chunks_exact(4)
+        .zip(real.chunks_exact(6))
+        .map(|(w, r)| Event {
+            step: w[1] as u64,
+            time: r[0],
+            kind: match w[0] {
+                0 => EventKind::Removed(ParticleAt {
+                    id: w[2] as u64,
+                    body: w[3],
+                    position: [r[1], r[2], r[3]],
+                    volume: r[4],
+                    mass: r[5],
+                }),
+                1 => EventKind::RecordEnded,
+                _ => EventKind::WiderStencil,
+            },
+        })
+        .collect())
+}

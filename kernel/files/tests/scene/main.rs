@@ -1,0 +1,9 @@
+//! Scenes: the manuals' inputs as printed, our own keys, bad input, and records.
+
+mod any_input;
+mod bad_cases;
+mod bad_input;
+mod keys;
+mod manual;
+mod mortar;
+mod records;

@@ -1,0 +1,112 @@
+//! A state that is saved and taken up again goes on with the same bits, and one of another scene is refused.
+
+use crate::common::{options, run, simulation};
+use crate::touching::{Touching, touching};
+use proctor_kernel::simulation::{Options, RestoreError, Saved, Simulation};
+
+/// Steps after the state was taken up, enough for a sort.
+const STEPS: usize = 10;
+
+/// A simulation in which contact acted.
+fn after(touching: &Touching) -> Simulation {
+    let mut simulation = simulation(&touching.scene);
+    touching.run(&mut simulation);
+    simulation
+}
+
+#[test]
+fn a_state_taken_up_goes_on_with_the_same_bits() {
+    for touching in touching() {
+        let mut whole = after(&touching);
+        let saved = whole.save();
+        let threads = Options {
+            threads: Some(2),
+            ..options()
+        };
+        let mut resumed = Simulation::new(&touching.scene, &threads).expect("the scene is sound");
+        resumed.restore(saved.clone()).expect("the same scene");
+        assert_eq!(resumed.save(), saved, "{}", touching.name);
+        run(&mut whole, STEPS);
+        run(&mut resumed, STEPS);
+        assert_eq!(resumed.save(), whole.save(), "{}", touching.name);
+        assert_eq!(resumed.energy(), whole.energy(), "{}", touching.name);
+        assert_eq!(
+            resumed.state_hash(),
+            whole.state_hash(),
+            "{}",
+            touching.name
+        );
+    }
+}
+
+/// What is spoilt, and how; `false` where the scene has no such thing.
+type Spoil = (&'static str, fn(&mut Saved) -> bool);
+
+const SPOILS: [Spoil; 11] = [
+    ("bodies", |s| s.bodies.pop().is_some()),
+    ("columns of body 0", |s| s.bodies[0].columns.pop().is_some()),
+    ("values in a column of body 0", |s| {
+        s.bodies[0].columns[3].pop().is_some()
+    }),
+    ("layers of body 0", |s| s.bodies[0].layers.pop().is_some()),
+    ("pairs", |s| s.pairs.pop().is_some()),
+    ("boundaries", |s| {
+        s.plane.boundaries.pop().is_some() || s.space.boundaries.pop().is_some()
+    }),
+    ("coordinates of a boundary", |s| {
+        let all = s.plane.boundaries.iter_mut();
+        let first = all.chain(&mut s.space.boundaries).next();
+        first.is_some_and(|boundary| boundary.points.pop().is_some())
+    }),
+    ("displacements of a boundary", |s| {
+        let all = s.plane.boundaries.iter_mut();
+        let first = all.chain(&mut s.space.boundaries).next();
+        first.is_some_and(|boundary| boundary.moved.pop().is_some())
+    }),
+    ("components of a slip", |s| {
+        let first = s.plane.slips.iter_mut().chain(&mut s.space.slips).next();
+        first.is_some_and(|slip| slip.pop().is_some())
+    }),
+    ("rigid surfaces", |s| s.surfaces.take().is_some()),
+    ("bodies of a rigid surface", |s| {
+        let spoil = |impulses: &mut Vec<Vec<_>>| impulses[0].pop().is_some();
+        (s.surfaces.as_mut()).is_some_and(|s| spoil(&mut s.last) && spoil(&mut s.total))
+    }),
+];
+
+#[test]
+fn a_state_of_another_scene_is_refused_and_changes_nothing() {
+    let mut met = [false; SPOILS.len()];
+    for touching in touching() {
+        let saved = after(&touching).save();
+        let mut simulation = simulation(&touching.scene);
+        let before = simulation.save();
+        for (k, (name, spoil)) in SPOILS.iter().enumerate() {
+            let mut spoilt = saved.clone();
+            if !spoil(&mut spoilt) {
+                continue;
+            }
+            met[k] = true;
+            match simulation.restore(spoilt) {
+                Err(RestoreError::Length {
+                    what,
+                    expected,
+                    found,
+                }) => {
+                    assert_eq!(what, *name, "{}", touching.name);
+                    assert_ne!(expected, found);
+                }
+                other => panic!("{}: {name}: {other:?}", touching.name),
+            }
+        }
+        for place in [-1.0, 1.0e3, f64::NAN] {
+            let mut spoilt = saved.clone();
+            spoilt.bodies[0].columns[2][0] = place;
+            let error = simulation.restore(spoilt).expect_err("outside the mesh");
+            let is_place = matches!(error, RestoreError::Places { body: 0, .. });
+            assert!(is_place, "{error}");
+        }
+        assert_eq!(simulation.save(), before, "{}", touching.name);
+    }
+    assert_eq!(met, [true; SPOILS.len()]);
+}
