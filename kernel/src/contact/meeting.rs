@@ -1,12 +1,14 @@
 //! The nodes of a slab where the fields of bodies meet, and contact there.
 
+mod gaps;
+
 use super::Pair;
 use super::coulomb::{Coulomb, Law, Member, Touch};
 use super::faces::{SlabFields, joined};
-use super::surface::{self, Probe, Search, Side, normal};
+use super::surface::{Side, normal};
 use crate::grid::GridShape;
 use crate::particles::ParticleSet;
-use crate::scene::{ContactNormal, Vector};
+use crate::scene::Vector;
 use crate::simulation::fields::Owner;
 use crate::stage::solve::Wall;
 use std::collections::HashMap;
@@ -248,61 +250,6 @@ impl Meetings {
         })
     }
 
-    /// Measures the gaps of all pairs whose distance matters.
-    fn measure(
-        &mut self,
-        fields: &mut SlabFields<'_, '_, '_>,
-        bodies: &Bodies<'_>,
-        sides: &[Option<[usize; 2]>],
-    ) {
-        let shape = fields.shape();
-        for (index, (pair, numbers)) in bodies.pairs.iter().zip(sides).enumerate() {
-            let Some(numbers) = numbers.filter(|_| pair.corrects_distance) else {
-                continue;
-            };
-            let mut own = vec![];
-            for meeting in &self.nodes {
-                for touch in meeting.touches.clone() {
-                    if self.touches[touch].pair == index {
-                        own.push((meeting.node, touch, self.touches[touch].normal));
-                    }
-                }
-            }
-            let along = distances(fields, bodies, numbers, &own);
-            let mut doubtful = vec![];
-            for (&(node, touch, normal), distance) in own.iter().zip(along) {
-                let touching = pair.distance_along(&normal);
-                self.touches[touch].gap = distance - touching;
-                if distance < PLAUSIBLE * touching {
-                    let local = node - fields.range().start * shape.plane_nodes();
-                    let [Some(master), Some(slave)] = numbers.map(|number| {
-                        Some(Side {
-                            mass: fields.planes(number).nodes[local][0],
-                            surface: &fields.faces[fields.place_of(number)?].lines[local],
-                        })
-                    }) else {
-                        continue;
-                    };
-                    let other = match pair.normal {
-                        ContactNormal::Collinear => ContactNormal::Master,
-                        _ => ContactNormal::Collinear,
-                    };
-                    if let Some(other) = surface::normal(other, &master, &slave, &shape.cell) {
-                        doubtful.push((node, touch, other));
-                    }
-                }
-            }
-            let along = distances(fields, bodies, numbers, &doubtful);
-            for (&(_, touch, normal), distance) in doubtful.iter().zip(along) {
-                let touch = &mut self.touches[touch];
-                let gap = distance - pair.distance_along(&normal);
-                if gap > touch.gap {
-                    (touch.gap, touch.normal) = (gap, normal);
-                }
-            }
-        }
-    }
-
     /// Joins fields without a pair and lets pairs touch, on one kind of velocity.
     pub fn act(
         &mut self,
@@ -476,49 +423,6 @@ fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> Touched {
     } else {
         Touched::Slides
     }
-}
-
-/// Distances of the bodies of a pair along a normal at each of some nodes: eq. (8) along one normal, so that the position
-/// of the node drops out. Each node with the index of its touch and the normal.
-fn distances(
-    fields: &mut SlabFields<'_, '_, '_>,
-    bodies: &Bodies<'_>,
-    numbers: [usize; 2],
-    at: &[(usize, usize, Vector)],
-) -> Vec<f64> {
-    if at.is_empty() {
-        return vec![];
-    }
-    let shape = fields.shape();
-    let search = Search {
-        shape,
-        planes: fields.range(),
-        stencil: bodies.stencil,
-    };
-    let first = search.planes.start * shape.plane_nodes();
-    let mut distances = vec![0.0; at.len()];
-    for (number, sign) in numbers.into_iter().zip([1.0, -1.0]) {
-        let mut probes: Vec<Probe> = at
-            .iter()
-            .map(|&(node, _, normal)| {
-                Probe::new(node - first, shape.indices(node), normal.map(|c| sign * c))
-            })
-            .collect();
-        let Some(place) = fields.place_of(number) else {
-            continue;
-        };
-        let face = &mut fields.faces[place];
-        search.probe(
-            &bodies.sets[face.body],
-            face.interface,
-            face.lines,
-            &mut probes,
-        );
-        for (distance, probe) in distances.iter_mut().zip(probes) {
-            *distance -= probe.reach;
-        }
-    }
-    distances
 }
 
 /// From the first to the last node of a row that two fields use.

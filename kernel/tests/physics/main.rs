@@ -5,6 +5,7 @@ mod common;
 
 mod bar;
 mod contact;
+mod crowd;
 mod damping;
 mod dimension;
 mod driven;
@@ -13,4 +14,5 @@ mod loads;
 mod mortar;
 mod mortar_space;
 mod rotation;
+mod stages;
 mod tunnelling;

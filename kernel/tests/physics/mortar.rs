@@ -63,7 +63,7 @@ fn line(points: &[[f64; 2]]) -> RigidLine {
 }
 
 /// Two discs that hit each other off centre.
-fn collision(friction: f64) -> Scene {
+pub fn collision(friction: f64) -> Scene {
     let mut scene = empty(Dimension::Two, [24, 14, 1], 0.1);
     scene.transfer = APIC;
     scene.materials = vec![material(elastic(1.0e6, 0.3))];
@@ -81,7 +81,7 @@ fn collision(friction: f64) -> Scene {
     scene
 }
 
-fn run_until(simulation: &mut Simulation, time: f64) {
+pub fn run_until(simulation: &mut Simulation, time: f64) {
     while simulation.time() < time {
         run_towards(simulation, 1, time);
     }
@@ -490,81 +490,4 @@ fn a_prescribed_step_in_which_a_gap_closes_too_far_is_refused() {
         ) && error.step == 1,
         "{error}"
     );
-}
-
-fn constant(velocity: [f64; 3]) -> History {
-    History {
-        times: vec![0.0],
-        values: vec![velocity],
-    }
-}
-
-/// What is the case already may be said again between two stages: the contacts go on as they were.
-#[test]
-fn a_motion_that_a_body_has_already_changes_no_bit() {
-    for held in [false, true] {
-        let mut scene = collision(0.4);
-        if held {
-            scene.bodies[1].motion = Some(constant([-2.0, 0.5, 0.0]));
-        }
-        let mut plain = simulation(&scene);
-        let mut told = simulation(&scene);
-        let mut pushed = 0.0_f64;
-        while plain.time() < 0.12 {
-            run_towards(&mut plain, 1, 0.12);
-            run_towards(&mut told, 1, 0.12);
-            for body in &scene.bodies {
-                let motion = body.motion.clone();
-                told.set_motion(body.id, motion).expect("the body");
-            }
-            pushed = pushed.max(-plain.mortar_force(1).expect("a boundary")[0]);
-        }
-        assert!(pushed > 100.0, "{pushed}");
-        assert_eq!(plain.state_hash(), told.state_hash(), "held {held}");
-    }
-}
-
-/// A body that is held stops the other one, its boundary with it, and is pushed away once it is let go.
-#[test]
-fn a_body_with_a_boundary_is_held_and_let_go() {
-    let mut scene = collision(0.0);
-    scene.bodies[1].velocity = [0.0; 3];
-    let mut simulation = simulation(&scene);
-    let still = constant([0.0; 3]);
-    simulation.set_motion(2, Some(still)).expect("the body");
-    let before = simulation.boundary_vertices(2).expect("a boundary");
-    let x = simulation.center(1).1;
-    while simulation.mortar_force(1).expect("a boundary")[0] > -100.0 {
-        run_towards(&mut simulation, 1, 1.0);
-        assert!(simulation.time() < 0.2, "they never meet");
-    }
-    assert_eq!(simulation.center(1).1, x);
-    let after = simulation.boundary_vertices(2).expect("a boundary");
-    for (a, b) in before.iter().zip(&after) {
-        assert_eq!(a, b);
-    }
-    simulation.set_motion(2, None).expect("the body");
-    run_until(&mut simulation, 0.3);
-    let [first, second] = [0, 1].map(|set| simulation.center(set).2[0]);
-    assert!(second > 0.5 && first < second, "{first} {second}");
-    // Its boundary went with it.
-    let moved = simulation.center(1).1[0] - x[0];
-    let vertices = simulation.boundary_vertices(2).expect("a boundary");
-    let of_vertices = vertices.iter().zip(&before);
-    let mean = of_vertices.map(|(a, b)| a[0] - b[0]).sum::<f64>() / before.len() as f64;
-    assert!((mean / moved - 1.0).abs() < 0.02, "{mean} {moved}");
-}
-
-#[test]
-fn the_friction_of_a_mortar_contact_can_be_changed() {
-    let mut plain = simulation(&collision(0.4));
-    let mut told = simulation(&collision(0.0));
-    told.set_friction(1, 0.4).expect("the contact");
-    assert_eq!(told.scene().mortar.contacts[0].friction, 0.4);
-    run_towards(&mut plain, 120, 1.0);
-    run_towards(&mut told, 120, 1.0);
-    assert_eq!(plain.state_hash(), told.state_hash());
-    told.set_friction(1, 0.0).expect("the contact");
-    run_towards(&mut told, 1, 1.0);
-    assert!(told.set_friction(2, 0.1).is_err());
 }
