@@ -246,6 +246,7 @@ impl Simulation {
         } else {
             clock.dt_critical.min(dt_critical)
         };
+        self.refuse_leaps(dt)?;
         Ok(StepInfo {
             step,
             time,

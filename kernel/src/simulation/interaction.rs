@@ -12,6 +12,7 @@ use super::error::StepError;
 use super::fields::{Grid, Slab};
 use super::mapping::BodiesOnto;
 use super::phase::Phase;
+use super::step::Watcher;
 use crate::contact::State;
 use crate::plan::Plan;
 use crate::scene::Vector;
@@ -115,7 +116,7 @@ impl Simulation {
     }
 
     /// Gaps, forces, and the time steps that they allow.
-    pub(super) fn find(&mut self, ended: &mut (dyn FnMut(Phase) + Send)) -> Result<(), StepError> {
+    pub(super) fn find(&mut self, ended: Watcher<'_>) -> Result<(), StepError> {
         if self.finds() {
             ended(Phase::NodesFromParticles);
             self.meet_boundaries()?;
@@ -149,12 +150,7 @@ impl Simulation {
     }
 
     /// Positions move by `drift` \[s\].
-    pub(super) fn advance(
-        &mut self,
-        acting: &Acting,
-        drift: f64,
-        ended: &mut (dyn FnMut(Phase) + Send),
-    ) {
+    pub(super) fn advance(&mut self, acting: &Acting, drift: f64, ended: Watcher<'_>) {
         if self.mortar.acts() {
             self.move_vertices(drift, acting.half_steps[1]);
             ended(Phase::Contact);

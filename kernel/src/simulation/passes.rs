@@ -6,6 +6,8 @@ use super::error::{StepError, StepErrorKind};
 use super::interaction::{Now, Visit, on_slabs};
 use super::mapping::{bodies_onto, first_carry};
 use super::motion::{at_half_step_after, solve, solve_mapped, solve_remapped, sums_after, total};
+use super::phase::Phase;
+use super::step::Watcher;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::stage::g2p::{self, Found, G2p, Task};
@@ -62,6 +64,7 @@ impl Simulation {
     /// Mass, momentum and force to the nodes of all fields, where something looks for contact before the time step is
     /// chosen. Elsewhere the equation of motion follows at once, and the same visit does both.
     pub(super) fn map_to_nodes(&mut self) {
+        self.set_body_force();
         self.mapped = None;
         if self.finds() {
             let acting = self.acting(self.clock.dt_before);
@@ -164,7 +167,19 @@ impl Simulation {
 
     /// The second mapping of a step, of the velocities after the kick: for MUSL at the old positions, for USF at the new
     /// ones.
-    pub(super) fn map_again(&mut self, acting: &Acting, visit: Visit) -> Result<(), StepError> {
+    pub(super) fn map_again(
+        &mut self,
+        acting: &mut Acting,
+        visit: Visit,
+        ended: Watcher<'_>,
+    ) -> Result<(), StepError> {
+        if visit == Visit::Mapped {
+            if self.sort_if_stale() {
+                // A sort may give a driven body a field, or take it.
+                *acting = self.acting(acting.drift);
+            }
+            ended(Phase::Sort);
+        }
         let carry = match visit {
             Visit::Trial | Visit::Mapped => Carry::Momentum,
             Visit::Remapped => Carry::Remap,
@@ -186,7 +201,9 @@ impl Simulation {
                 Visit::Trial | Visit::Mapped => solve_mapped(&mut slab, &mut parts, &now),
             });
         let lane = if visit == Visit::Remapped { 4 } else { 1 };
-        self.settle_again(acting, lane)
+        self.settle_again(acting, lane)?;
+        ended(Phase::Remap);
+        Ok(())
     }
 
     /// Nodal values to the particles of all bodies that are not driven.

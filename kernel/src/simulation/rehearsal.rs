@@ -156,7 +156,7 @@ impl Rehearsal<'_> {
     /// # Errors
     /// As a step.
     pub fn play(&mut self) -> Result<(), StepError> {
-        let (part, dt, acting) = (self.part, Some(self.info.dt), &self.acting);
+        let (part, dt, acting) = (self.part, Some(self.info.dt), &mut self.acting);
         self.simulation.led(|simulation| {
             match part {
                 Part::Weights => {
@@ -168,7 +168,7 @@ impl Rehearsal<'_> {
                 }
                 Part::NodesFromParticles => simulation.map_alone(),
                 Part::Solve => simulation.solve_alone(acting),
-                Part::Remap => simulation.map_again(acting, Visit::Remapped)?,
+                Part::Remap => simulation.map_again(acting, Visit::Remapped, &mut |_| ())?,
                 Part::ParticlesFromNodes => {
                     simulation.interpolate(Task {
                         kick: true,

@@ -11,6 +11,34 @@ use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};
 use std::sync::Arc;
 
+/// Who is told of each phase when it has ended.
+pub(super) type Watcher<'a> = &'a mut (dyn FnMut(Phase) + Send);
+
+/// How far positions move in a step.
+struct Way {
+    /// Time over which they move \[s\].
+    time: f64,
+    /// Way of the mesh \[m\].
+    mesh_shift: [f64; 3],
+    /// Whether velocities are set to zero after it.
+    reset: bool,
+}
+
+/// What a pass over the particles does with the nodal values.
+#[derive(Clone, Copy)]
+enum Gather {
+    /// Velocities, positions, strain and stress.
+    All,
+    /// Velocities alone.
+    Kick,
+    /// Positions, and strain from the velocities that were mapped again to the upper lanes.
+    MoveAndStrain,
+    /// Velocities and positions.
+    KickAndMove,
+    /// Strain from the velocities that were mapped again at the new positions.
+    Strain,
+}
+
 impl Simulation {
     /// One step of the cycle, at most to the time `stop` (a constant time step may pass it by less than half a
     /// step).
@@ -28,11 +56,7 @@ impl Simulation {
     ///
     /// # Errors
     /// As [`Simulation::step`].
-    pub fn step_watched(
-        &mut self,
-        stop: f64,
-        ended: &mut (dyn FnMut(Phase) + Send),
-    ) -> Result<StepInfo, StepError> {
+    pub fn step_watched(&mut self, stop: f64, ended: Watcher<'_>) -> Result<StepInfo, StepError> {
         self.led(|simulation| simulation.cycle(stop, ended))
     }
 
@@ -45,78 +69,71 @@ impl Simulation {
         team.lead(|| work(self))
     }
 
-    fn cycle(
-        &mut self,
-        stop: f64,
-        ended: &mut (dyn FnMut(Phase) + Send),
-    ) -> Result<StepInfo, StepError> {
+    fn cycle(&mut self, stop: f64, ended: Watcher<'_>) -> Result<StepInfo, StepError> {
         self.sort_if_stale();
         ended(Phase::Sort);
-        self.set_body_force();
         self.map_to_nodes();
         self.find(ended)?;
         let mut info = self.choose_time_step(stop)?;
         ended(Phase::TimeStep);
-        self.refuse_leaps(info.dt)?;
         let mut acting = self.acting(info.dt);
         info.contact_nodes = self.solve_nodes(&acting)?;
         ended(Phase::NodesFromParticles);
         info.measured = self.measured();
-        let relax = self.peak_of_kinetic_energy(&info);
-        let drift = relax.unwrap_or(info.dt);
-        let moved = self.mesh_velocity(&info).map(|v| v * drift);
-        self.advance(&acting, drift, ended);
-        match self.scene.scheme {
-            StressScheme::Usl => {
-                self.interpolate(Task {
-                    kick: true,
-                    mesh_shift: moved,
-                    ..self.task(Some(drift), Some(drift))
-                })?;
-            }
+        let way = self.way(&info);
+        self.advance(&acting, way.time, ended);
+        match self.plan.scheme {
+            StressScheme::Usl => self.gather(Gather::All, &way)?,
             StressScheme::Musl => {
-                self.interpolate(Task {
-                    kick: true,
-                    ..self.task(None, None)
-                })?;
+                self.gather(Gather::Kick, &way)?;
                 ended(Phase::ParticlesFromNodes);
-                self.map_again(&acting, Visit::Remapped)?;
-                ended(Phase::Remap);
-                self.interpolate(Task {
-                    gradient_of_upper: true,
-                    affine: Affine::Leave,
-                    mesh_shift: moved,
-                    ..self.task(Some(drift), Some(drift))
-                })?;
+                self.map_again(&mut acting, Visit::Remapped, ended)?;
+                self.gather(Gather::MoveAndStrain, &way)?;
             }
             StressScheme::Usf => {
-                self.interpolate(Task {
-                    kick: true,
-                    mesh_shift: moved,
-                    ..self.task(Some(drift), None)
-                })?;
+                self.gather(Gather::KickAndMove, &way)?;
                 ended(Phase::ParticlesFromNodes);
-                if self.sort_if_stale() {
-                    // A sort may give a driven body a field, or take it.
-                    acting = self.acting(info.dt);
-                }
-                ended(Phase::Sort);
-                self.map_again(&acting, Visit::Mapped)?;
-                ended(Phase::Remap);
-                let strain = Some((drift, Configuration::End));
-                self.interpolate(Task {
-                    strain,
-                    affine: Affine::Leave,
-                    ..self.task(None, None)
-                })?;
+                self.map_again(&mut acting, Visit::Mapped, ended)?;
+                self.gather(Gather::Strain, &way)?;
             }
         }
         ended(Phase::ParticlesFromNodes);
-        self.move_driven_bodies(&info, &moved)?;
-        self.mesh_shift = std::array::from_fn(|axis| self.mesh_shift[axis] + moved[axis]);
-        self.finish(&info, relax.is_some());
-        ended(Phase::Finish);
-        Ok(info)
+        self.finish(&info, &way, ended)
+    }
+
+    /// A pass over the particles.
+    fn gather(&mut self, what: Gather, way: &Way) -> Result<(), StepError> {
+        let time = Some(way.time);
+        let again = Task {
+            affine: Affine::Leave,
+            ..self.task(None, None)
+        };
+        self.interpolate(match what {
+            Gather::All => Task {
+                kick: true,
+                mesh_shift: way.mesh_shift,
+                ..self.task(time, time)
+            },
+            Gather::Kick => Task {
+                kick: true,
+                ..self.task(None, None)
+            },
+            Gather::MoveAndStrain => Task {
+                gradient_of_upper: true,
+                affine: Affine::Leave,
+                mesh_shift: way.mesh_shift,
+                ..self.task(time, time)
+            },
+            Gather::KickAndMove => Task {
+                kick: true,
+                mesh_shift: way.mesh_shift,
+                ..self.task(time, None)
+            },
+            Gather::Strain => Task {
+                strain: Some((way.time, Configuration::End)),
+                ..again
+            },
+        })
     }
 
     /// A pass over the particles that moves them by `drift` and strains them by `strain` \[s\].
@@ -133,6 +150,17 @@ impl Simulation {
                 Affine::Leave if self.plan.spin => Affine::Tpic,
                 affine => affine,
             },
+        }
+    }
+
+    /// How far positions move in this step: over its time, or back to a peak of kinetic energy.
+    fn way(&mut self, info: &StepInfo) -> Way {
+        let relaxed = self.peak_of_kinetic_energy(info);
+        let time = relaxed.unwrap_or(info.dt);
+        Way {
+            time,
+            mesh_shift: self.mesh_velocity(info).map(|v| v * time),
+            reset: relaxed.is_some(),
         }
     }
 
@@ -180,8 +208,16 @@ impl Simulation {
             .then(|| (sums.kinetic, sums.unbalanced_squared.sqrt()))
     }
 
-    /// Advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to zero.
-    pub(super) fn finish(&mut self, info: &StepInfo, reset: bool) {
+    /// Moves what is driven, advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to
+    /// zero.
+    fn finish(
+        &mut self,
+        info: &StepInfo,
+        way: &Way,
+        ended: Watcher<'_>,
+    ) -> Result<StepInfo, StepError> {
+        self.move_driven_bodies(info, &way.mesh_shift)?;
+        self.mesh_shift = std::array::from_fn(|axis| self.mesh_shift[axis] + way.mesh_shift[axis]);
         self.ledger.external_work += self.ledger.sums.power * info.dt;
         if self.clock.step == 0 {
             // Gaps are first measured in the first step, at the positions of the start.
@@ -200,8 +236,10 @@ impl Simulation {
         self.clock.step = info.step;
         self.clock.time = info.time;
         self.clock.dt_before = info.dt;
-        if reset {
+        if way.reset {
             self.stop_motion();
         }
+        ended(Phase::Finish);
+        Ok(*info)
     }
 }
