@@ -4,6 +4,24 @@
 //! [`simulation::Simulation`] (state and explicit cycle) -> what can be asked of it, and
 //! [`simulation::Saved`], its state as one plain value.
 //!
+//! ```
+//! use proctor_kernel::prelude::*;
+//!
+//! // A block of 0.2 m falls freely for a tenth of a second.
+//! let mut scene = Scene::plane([8, 16], 0.05).with_gravity([0.0, -10.0, 0.0]);
+//! let rubber = scene.add_material(Law::elastic(1e6, 0.3), 1000.0);
+//! scene.add_body(Shape::rectangle([0.1, 0.5], [0.3, 0.7]), rubber);
+//!
+//! let mut simulation = scene.simulate(&Options::default())?;
+//! while simulation.time() < 0.1 {
+//!     simulation.step(0.1)?;
+//! }
+//! let (mass, center, _) = simulation.center(0);
+//! assert!((mass - 40.0).abs() < 1e-9);
+//! assert!((center[1] - (0.6 - 0.5 * 10.0 * 0.1 * 0.1)).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! It reads and writes no files: `proctor-files`, the package beside it, does, and needs nothing of the kernel that another
 //! user of the library could not have.
 
@@ -20,6 +38,7 @@ pub mod memory;
 pub mod mortar;
 pub mod particles;
 pub mod plan;
+pub mod prelude;
 pub mod scene;
 pub mod simulation;
 pub mod stage;

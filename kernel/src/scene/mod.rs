@@ -6,6 +6,7 @@
 //! Vectors always have three components; in two dimensions (plane strain, x-y) the third is zero.
 
 mod body;
+mod build;
 mod check;
 mod contact;
 mod error;
@@ -18,6 +19,7 @@ mod results;
 mod surface;
 
 pub use body::{Body, ParticleSeed, Shape};
+pub use build::StartError;
 pub use contact::{Contact, ContactNormal};
 pub use error::{Location, Problem, SceneError};
 pub use load::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Traction};

@@ -1,0 +1,44 @@
+//! A scene without any file: a column settles under its own weight, and its stress is that of what lies above.
+//!
+//!     cargo run --release --package proctor-kernel --example without_json
+
+use proctor_kernel::prelude::*;
+use std::error::Error;
+
+const HEIGHT: f64 = 1.0;
+const GRAVITY: f64 = 10.0;
+const DENSITY: f64 = 2000.0;
+
+#[allow(dead_code, reason = "a test calls `run` instead")]
+fn main() -> Result<(), Box<dyn Error>> {
+    run()
+}
+
+/// The example; its error is an assertion that does not hold.
+pub fn run() -> Result<(), Box<dyn Error>> {
+    // The planes of the mesh slide: the column stands between them, on the lower one.
+    let mut scene = Scene::plane([2, 14], 0.1)
+        .with_gravity([0.0, -GRAVITY, 0.0])
+        .lasting(2.0);
+    scene.damping = Damping::Local { alpha: 0.5 };
+    let soil = scene.add_material(Law::elastic(1e7, 0.3), DENSITY);
+    scene.add_body(Shape::rectangle([0.0, 0.0], [0.2, HEIGHT]), soil);
+
+    let mut simulation = scene.simulate(&Options::default())?;
+    while simulation.time() < scene.time {
+        simulation.step(scene.time)?;
+    }
+
+    let column = &simulation.sets()[0];
+    let mut farthest = 0.0_f64;
+    for p in 0..column.len() {
+        let above = HEIGHT - simulation.position(0, p)[1];
+        let exact = -DENSITY * GRAVITY * above;
+        farthest = farthest.max((column.stress(p)[1] - exact).abs());
+    }
+    // Stress is constant over a particle, so that the weight of one layer of them is what it can be off by.
+    let layer = DENSITY * GRAVITY * 0.05;
+    println!("stress at most {farthest:.0} Pa off; a layer of particles weighs {layer:.0} Pa");
+    assert!(farthest < layer, "{farthest} Pa");
+    Ok(())
+}
