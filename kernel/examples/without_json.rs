@@ -14,8 +14,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     run()
 }
 
-/// The example; its error is an assertion that does not hold.
-pub fn run() -> Result<(), Box<dyn Error>> {
+/// The example.
+pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     // The planes of the mesh slide: the column stands between them, on the lower one.
     let mut scene = Scene::plane([2, 14], 0.1)
         .with_gravity([0.0, -GRAVITY, 0.0])
