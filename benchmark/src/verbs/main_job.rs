@@ -51,6 +51,9 @@ pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
     let stop = Interrupt::listen()?;
 
     let all = verify(&options, &mut record, &stop, out)?;
+    if !stop.raised() {
+        keep_cases(&record, folder)?;
+    }
     precision(&mut record, &stop, out)?;
     let fast = speed(&mut record, &stop, out)?;
 
@@ -67,6 +70,14 @@ pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
     } else {
         Outcome::Failed
     })
+}
+
+/// Writes what the cases gave by itself: it is the record of `proctor verify --quick`, and no case is run twice for it.
+fn keep_cases(record: &Record, folder: &Path) -> Result<(), Failure> {
+    let mut cases = record.clone();
+    cases.set_incomplete(false);
+    let path = folder.join("cases.json");
+    cases.write(&path).map_err(Failure::bad_input)
 }
 
 /// Short ladders of all cases, as many at a time as there are processors, with the plans of their scenes.

@@ -88,6 +88,8 @@ pub struct Bodies<'a> {
     pub sets: &'a [ParticleSet],
     /// Whether the motion of a body is prescribed.
     pub driven: &'a [bool],
+    /// Whether a body meets others by its boundary alone.
+    pub apart: &'a [bool],
     /// Boundary planes with a condition.
     pub walls: &'a [Wall],
     /// Nodes per axis of the stencil.
@@ -266,7 +268,7 @@ impl Meetings {
             ..Done::default()
         };
         let owners = fields.owners();
-        let joined = joined(&owners, bodies.pairs);
+        let joined = joined(&owners, bodies.pairs, bodies.apart);
         let count = fields.count();
         let is_driven = |owner: &Owner| owner.body().is_some_and(|body| bodies.driven[body]);
         let driven: Vec<bool> = owners.iter().map(is_driven).collect();

@@ -98,11 +98,13 @@ impl Simulation {
     /// Gives each body that needs one its velocity field.
     pub(crate) fn set_fields(&mut self) {
         let near = self.contact.near_bodies();
-        let mut owners: Vec<usize> = near.iter().copied().chain(self.mortar.bodies()).collect();
+        let with_boundary: Vec<usize> = self.mortar.bodies().collect();
+        let mut owners: Vec<usize> = near.iter().chain(&with_boundary).copied().collect();
         owners.sort_by_key(|&i| self.bodies[i].id);
         owners.dedup();
         for (index, body) in self.bodies.iter_mut().enumerate() {
             body.in_layer = owners.contains(&index);
+            body.apart = with_boundary.contains(&index);
         }
         self.grid.set_owners(&owners, &self.sets, self.stencil);
         owners.retain(|body| near.contains(body));

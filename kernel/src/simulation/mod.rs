@@ -123,6 +123,9 @@ pub(crate) struct BodyRun {
     pub(crate) particle_half_length: Vector,
     /// Whether it has a velocity field of its own, as of the last sort.
     pub(crate) in_layer: bool,
+    /// Whether it meets others by its boundary alone, so that at the nodes its field is joined with no other; as of the
+    /// last sort.
+    pub(crate) apart: bool,
     /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
     /// function has no domain.
     pub(crate) reach: Option<[f64; 3]>,

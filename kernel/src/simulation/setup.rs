@@ -246,6 +246,7 @@ fn fill_body(
             }
         },
         in_layer: false,
+        apart: false,
         reach: match filled.half_length {
             HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
             _ => None,

@@ -4,6 +4,7 @@
 mod common;
 
 mod bar;
+mod beside;
 mod contact;
 mod crowd;
 mod damping;

@@ -38,7 +38,7 @@ fn boundary(body: i64, follow: Follow) -> BodyBoundary {
 }
 
 /// Two balls that hit each other off centre.
-fn collision(friction: f64) -> Scene {
+pub fn collision(friction: f64) -> Scene {
     let ball = |center: [f64; 3]| Shape::Sphere {
         center,
         radius: 0.3,

@@ -5,7 +5,7 @@ use proctor_kernel::mortar::boundary::Side;
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::plan::{Demands, Plan};
-use proctor_kernel::scene::{Enforcement, Scene, SceneError, Vertices};
+use proctor_kernel::scene::{Contact, ContactNormal, Enforcement, Scene, SceneError, Vertices};
 use proctor_kernel::simulation::{Options, Simulation};
 use std::path::Path;
 
@@ -235,16 +235,20 @@ fn bad_triangles_are_named() {
 }
 
 #[test]
-fn rigid_surfaces_beside_mortar_contact_are_refused() {
-    let mut scene = read(Path::new("../../fixtures/scenes/sphere_on_terrain.json"))
-        .unwrap_or_else(|e| panic!("{e}"));
-    let mortar = changed("0.3", "0.3")
-        .unwrap_or_else(|e| panic!("{e}"))
-        .mortar;
-    scene.mortar = mortar;
+fn a_pair_with_two_methods_of_contact_is_refused() {
+    let mut scene = changed("0.3", "0.3").unwrap_or_else(|e| panic!("{e}"));
+    let both = &scene.mortar.contacts[0];
+    scene.contacts.push(Contact {
+        name: "on the grid".into(),
+        id: 99,
+        friction: 0.0,
+        master: both.slave,
+        slave: both.master,
+        normal: ContactNormal::Master,
+    });
     let problems = scene.check().expect_err("is bad input").to_string();
     assert!(
-        problems.contains("a rigid surface beside mortar contact"),
+        problems.contains("the pair of on the grid too"),
         "{problems}"
     );
 }

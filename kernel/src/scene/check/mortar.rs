@@ -6,7 +6,7 @@ use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::outline::distance_to_outline;
 use crate::mortar::space::facets::Facets;
 use crate::scene::{
-    BodyBoundary, Damping, Dimension, MortarContact, Scene, StressScheme, Vertices,
+    BodyBoundary, Contact, Damping, Dimension, MortarContact, Scene, StressScheme, Vertices,
 };
 use crate::surface::Surface;
 
@@ -83,6 +83,7 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
 
 /// What mortar contact is not built for.
 fn check_company(scene: &Scene, problems: &mut Collector) {
+    let mortar = &scene.mortar;
     if scene.scheme == StressScheme::Usf {
         problems.add(
             "stress_scheme_update",
@@ -104,20 +105,35 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
             "\"local\", \"viscous\" or \"none\"",
         );
     }
-    if !scene.surfaces.is_empty() {
+    for (i, contact) in mortar.contacts.iter().enumerate() {
+        if let Some(other) = scene.contacts.iter().find(|c| c.id == contact.id) {
+            problems.add(
+                format!("mortar[{i}].id"),
+                format!("{}, the id of {} too", contact.id, other.name),
+                "an id that no other contact has",
+            );
+        }
+    }
+    for (i, contact) in mortar_and_grid(scene) {
         problems.add(
-            "terrain_contact",
-            "a rigid surface beside mortar contact, whose bodies have velocity fields that surfaces do not see",
-            "a `rigid_line` or `rigid_surface`, or no mortar contact",
+            format!("mortar[{i}]"),
+            format!(
+                "{} and {}, the pair of {} too",
+                scene.mortar.contacts[i].master, scene.mortar.contacts[i].slave, contact.name
+            ),
+            "each pair by one method",
         );
     }
-    if !scene.contacts.is_empty() {
-        problems.add(
-            "contact",
-            "grid and mortar contacts in one scene",
-            "one method for all contacts",
-        );
-    }
+}
+
+/// Mortar contacts whose pair has contact on the grid too.
+fn mortar_and_grid(scene: &Scene) -> impl Iterator<Item = (usize, &Contact)> {
+    let contacts = scene.mortar.contacts.iter().enumerate();
+    contacts.filter_map(|(i, mortar)| {
+        let ends = [mortar.master, mortar.slave];
+        let same = |c: &&Contact| ends.contains(&c.master) && ends.contains(&c.slave);
+        Some((i, scene.contacts.iter().find(same)?))
+    })
 }
 
 fn check_id(scene: &Scene, id: i64, taken: bool, path: &str, problems: &mut Collector) {

@@ -55,26 +55,38 @@ struct SlabContact<'a> {
 }
 
 impl SlabContact<'_> {
-    /// What contact knows of the scene, with whether the motion of each body is prescribed.
+    /// What contact knows of the scene, with what it is to know of each body.
     fn bodies<'b>(
         pairs: &'b [Pair],
         near: &'b [bool],
         now: &'b Now<'_>,
-        driven: &'b [bool],
+        Each { driven, apart }: &'b Each,
     ) -> Bodies<'b> {
         Bodies {
             pairs,
             near,
             sets: now.mapping.sets,
             driven,
+            apart,
             walls: now.walls,
             stencil: now.mapping.stencil,
         }
     }
 }
 
-fn driven(now: &Now<'_>) -> Vec<bool> {
-    now.prescribed.iter().map(Option::is_some).collect()
+/// By body: whether its motion is prescribed, and whether it meets others by its boundary alone.
+struct Each {
+    driven: Vec<bool>,
+    apart: Vec<bool>,
+}
+
+impl Each {
+    fn of(now: &Now<'_>) -> Self {
+        Self {
+            driven: now.prescribed.iter().map(Option::is_some).collect(),
+            apart: now.mapping.bodies.iter().map(|body| body.apart).collect(),
+        }
+    }
 }
 
 impl OnSlab for SlabContact<'_> {
@@ -95,8 +107,8 @@ impl OnSlab for SlabContact<'_> {
     }
 
     fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
-        let driven = driven(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
+        let each = Each::of(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &each);
         let mut fields = SlabFields::new(slab, &mut self.faces);
         let mut meetings = Meetings::find(&mut fields, &bodies);
         let damping = now.plan.local_damping;
@@ -119,8 +131,8 @@ impl OnSlab for SlabContact<'_> {
     }
 
     fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
-        let driven = driven(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
+        let each = Each::of(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &each);
         let mut fields = SlabFields::new(slab, &mut self.faces);
         if self.visit == Visit::Remapped {
             let meetings = &mut self.met.meetings;

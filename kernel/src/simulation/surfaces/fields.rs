@@ -23,10 +23,11 @@ pub(super) struct Fields<'a> {
 impl<'a> Fields<'a> {
     pub(super) fn new(grid: &'a Grid, bodies: &'a [BodyRun], pairs: &[Pair]) -> Self {
         let owners: Vec<Owner> = grid.fields.iter().map(|field| field.owner).collect();
+        let apart: Vec<bool> = bodies.iter().map(|body| body.apart).collect();
         Self {
             grid,
             bodies,
-            joined: joined(&owners, pairs),
+            joined: joined(&owners, pairs, &apart),
         }
     }
 
