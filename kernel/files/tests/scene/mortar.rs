@@ -1,6 +1,6 @@
 //! Mortar contact in a scene file: its keys, and bad input by name.
 
-use proctor_files::json::{from_json, read};
+use proctor_files::json::from_json;
 use proctor_kernel::mortar::boundary::Side;
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
