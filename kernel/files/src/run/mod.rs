@@ -104,11 +104,12 @@ impl Run {
             return None;
         }
         let done = (reached / scene.time * intervals).floor();
-        Some(if done + 1.0 >= intervals {
-            scene.time
-        } else {
-            scene.time * ((done + 1.0) / intervals)
-        })
+        if done + 1.0 >= intervals {
+            return Some(scene.time);
+        }
+        let next = scene.time * ((done + 1.0) / intervals);
+        // Outputs may be closer than the digits of the time: the next one is later than the state in any case.
+        Some(next.max(reached.next_up()))
     }
 
     /// Steps until the time `stop`, as [`Run::next_stop`] gives it. `observe` sees every step and may end the

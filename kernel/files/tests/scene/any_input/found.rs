@@ -89,3 +89,27 @@ fn thousands_of_problems_are_told_in_a_moment() {
         &message[message.len() - 300..]
     );
 }
+
+/// A tenth of so short a time is zero, so that the next output was never later than the state.
+#[test]
+fn outputs_closer_than_the_digits_of_the_time_come_to_an_end() {
+    for (time, step) in [
+        ("5e-324", ""),
+        ("1e-320", ""),
+        ("1", r#""time_step": 1e-3, "#),
+    ] {
+        let print = if step.is_empty() {
+            "10"
+        } else {
+            "1000000000000000000"
+        };
+        let text = format!(
+            r#"{{"dimension": 2, "time": {time}, {step}"results": {{"print": {print}}},
+"mesh": {{"cells_dimension": [1, 1], "cells_number": [10, 10]}},
+"material": [{{"type": "elastic", "id": 1, "young": 1e5, "density": 1000, "poisson": 0.3}}],
+"body": [{{"type": "disc", "id": 1, "material_id": 1, "center": [5, 5], "radius": 2}}]}}"#
+        );
+        let found = outcome(&text);
+        assert!(found.is_ok(), "{time}: {found:?}");
+    }
+}
