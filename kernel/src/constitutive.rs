@@ -73,7 +73,13 @@ impl Parameters {
             type Output = f64;
             #[inline(always)]
             fn run<B: Backend>(self) -> f64 {
-                let f = self.1.map(|row| row.map(B::Native::splat));
+                // Not `map`, which the compiler may leave as a call, and with it each `splat`.
+                let mut f = [[B::Native::splat(0.0); 3]; 3];
+                for (row, given) in f.iter_mut().zip(self.1) {
+                    for (value, given) in row.iter_mut().zip(given) {
+                        *value = B::Native::splat(*given);
+                    }
+                }
                 let mut all = [0.0; 8];
                 neo_hookean_speed_squared::<B::Native, 3>(
                     self.0,
