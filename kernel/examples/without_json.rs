@@ -21,7 +21,7 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
         .with_gravity([0.0, -GRAVITY, 0.0])
         .lasting(2.0);
     scene.damping = Damping::Local { alpha: 0.5 };
-    let soil = scene.add_material(Law::elastic(1e7, 0.3), DENSITY);
+    let soil = scene.add_material(LinearElastic::new(1e7, 0.3), DENSITY);
     scene.add_body(Shape::rectangle([0.0, 0.0], [0.2, HEIGHT]), soil);
 
     let mut simulation = scene.simulate(&Options::default())?;

@@ -9,7 +9,7 @@
 //!
 //! // A block of 0.2 m falls freely for a tenth of a second.
 //! let mut scene = Scene::plane([8, 16], 0.05).with_gravity([0.0, -10.0, 0.0]);
-//! let rubber = scene.add_material(Law::elastic(1e6, 0.3), 1000.0);
+//! let rubber = scene.add_material(LinearElastic::new(1e6, 0.3), 1000.0);
 //! scene.add_body(Shape::rectangle([0.1, 0.5], [0.3, 0.7]), rubber);
 //!
 //! let mut simulation = scene.simulate(&Options::default())?;
@@ -30,10 +30,10 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod bodies;
-pub mod constitutive;
 pub mod contact;
 pub mod grid;
 pub mod lanes;
+pub mod laws;
 pub mod memory;
 pub mod mortar;
 pub mod particles;

@@ -5,8 +5,43 @@ use crate::team::Team;
 use crate::weights::base_offset;
 use std::ops::Range;
 
+/// An internal variable of a constitutive law, which each particle carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Variable {
+    /// Name, for frames, probes, plans and messages.
+    pub name: &'static str,
+    /// SI unit; empty for a plain number.
+    pub unit: &'static str,
+    /// Number of components, each with a column: 1 for a scalar.
+    pub components: usize,
+    /// Value of every component at the start.
+    pub initial: f64,
+}
+
+impl Variable {
+    /// A scalar that begins at zero.
+    #[must_use]
+    pub const fn scalar(name: &'static str, unit: &'static str) -> Self {
+        Self {
+            name,
+            unit,
+            components: 1,
+            initial: 0.0,
+        }
+    }
+
+    /// Name of a component: that of the variable, with a number from 1 where there are several.
+    #[must_use]
+    pub fn component(&self, i: usize) -> String {
+        match self.components {
+            1 => self.name.to_owned(),
+            _ => format!("{} {}", self.name, i + 1),
+        }
+    }
+}
+
 /// Which columns a particle set has, and where. A column that the scene does not need does not exist.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     /// Number of axes, 2 or 3.
     pub axes: usize,
@@ -22,6 +57,10 @@ pub struct Layout {
     pub initial_half_length: Option<usize>,
     /// External force \[N\]: `axes` columns.
     pub force: Option<usize>,
+    /// First column of the internal variables of the law.
+    pub variables: usize,
+    /// These variables; their components lie one after the other.
+    pub law: &'static [Variable],
     /// Number of columns.
     pub columns: usize,
 }
@@ -53,7 +92,7 @@ impl Layout {
 
     /// Lays out the columns.
     #[must_use]
-    pub fn new(axes: usize, wanted: Optional) -> Self {
+    pub fn new(axes: usize, wanted: Optional, law: &'static [Variable]) -> Self {
         let mut next = Self::POSITION + 2 * axes + Self::stress_components_of(axes);
         let mut group = |want: bool, width: usize| {
             want.then(|| {
@@ -68,6 +107,11 @@ impl Layout {
         let half_length = group(wanted.half_length, axes);
         let initial_half_length = group(wanted.initial_half_length, axes);
         let force = group(wanted.force, axes);
+        let variables = next;
+        next += law
+            .iter()
+            .map(|variable| variable.components)
+            .sum::<usize>();
         Self {
             axes,
             displacement_origin,
@@ -76,11 +120,15 @@ impl Layout {
             half_length,
             initial_half_length,
             force,
+            variables,
+            law,
             columns: next,
         }
     }
 
-    const fn stress_components_of(axes: usize) -> usize {
+    /// Number of stress components in two or three dimensions.
+    #[must_use]
+    pub const fn stress_components_of(axes: usize) -> usize {
         if axes == 2 { 4 } else { 6 }
     }
 
@@ -102,6 +150,16 @@ impl Layout {
     #[must_use]
     pub fn stress_components(&self) -> usize {
         Self::stress_components_of(self.axes)
+    }
+
+    /// The components of the internal variables: variable, component and column of each.
+    pub fn components(&self) -> impl Iterator<Item = (&'static Variable, usize, usize)> + use<> {
+        let all =
+            |variable: &'static Variable| (0..variable.components).map(move |i| (variable, i));
+        let columns = self.variables..;
+        (self.law.iter().flat_map(all))
+            .zip(columns)
+            .map(|((variable, i), column)| (variable, i, column))
     }
 
     /// Bytes of state per particle, identifier included.
@@ -126,15 +184,36 @@ pub struct ParticleSet {
 }
 
 impl ParticleSet {
-    /// A set of `count` particles, all columns zero.
+    /// A set of `count` particles: internal variables as their law wants them, all other columns zero.
     #[must_use]
     pub fn zeros(layout: Layout, first_id: u64, count: usize) -> Self {
-        Self {
+        let mut set = Self {
             layout,
             id: (first_id..first_id + count as u64).collect(),
             columns: vec![vec![0.0; count]; layout.columns],
             layers: vec![],
+        };
+        for (variable, _, column) in layout.components() {
+            set.columns[column].fill(variable.initial);
         }
+        set
+    }
+
+    /// The internal variables of a particle, component after component.
+    #[must_use]
+    pub fn variables(&self, p: usize) -> Vec<f64> {
+        (self.columns[self.layout.variables..].iter())
+            .map(|column| column[p])
+            .collect()
+    }
+
+    /// The column of an internal variable by its name (with the number of the component where there are several), a value
+    /// for each particle in the order of [`ParticleSet::id`]; `None` where the law has no such variable.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<&[f64]> {
+        (self.layout.components())
+            .find(|(variable, i, _)| variable.component(*i) == name)
+            .map(|(_, _, column)| self.columns[column].as_slice())
     }
 
     /// Number of particles.

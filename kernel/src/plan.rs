@@ -8,7 +8,7 @@ mod warnings;
 use crate::mortar::motion::Follow;
 use crate::particles::{Layout, Optional};
 use crate::scene::{
-    Damping, Dimension, DomainUpdate, Field, Law, Scene, StressScheme, TransferKind, Weighting,
+    Damping, Dimension, DomainUpdate, Field, Scene, StressScheme, TransferKind, Weighting,
 };
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
@@ -122,12 +122,12 @@ impl Plan {
             .bodies
             .iter()
             .map(|body| {
-                let law = scene.materials[body.material].law;
+                let law = &scene.materials[body.material].law;
                 Layout::new(
                     axes,
                     Optional {
                         displacement_origin: displacement || demands.body_force,
-                        deformation: matches!(law, Law::NeoHookean { .. })
+                        deformation: law.from_deformation()
                             || domain_update.is_some()
                             || written(Field::DeformationGradient),
                         affine: affine != Affine::Leave || spin,
@@ -136,6 +136,7 @@ impl Plan {
                         initial_half_length: domain_update.is_some(),
                         force: own_force,
                     },
+                    law.variables(),
                 )
             })
             .collect();

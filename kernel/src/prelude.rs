@@ -1,7 +1,10 @@
 //! What a program that simulates a scene of its own needs: `use proctor_kernel::prelude::*;`.
 
+pub use crate::lanes::Lanes;
+pub use crate::laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, ObjectiveRate, Particle};
+pub use crate::particles::Variable;
 pub use crate::scene::{
-    Body, Contact, ContactNormal, Damping, Dimension, History, Law, Mesh, PlaneCondition, Scene,
-    Shape, StartError, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
+    Body, Contact, ContactNormal, Damping, Dimension, History, Mesh, PlaneCondition, Scene, Shape,
+    StartError, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
 };
-pub use crate::simulation::{Options, Simulation, StepError, StepInfo};
+pub use crate::simulation::{InitialState, Options, Simulation, StepError, StepInfo};

@@ -1,8 +1,8 @@
 //! Scenes that a library user fills by hand.
 
+use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, Dimension, History, Law, Material, Mesh, ObjectiveRate, PointLoad, Scene, Shape,
-    TimeStep, Traction,
+    Body, Dimension, History, Material, Mesh, PointLoad, Scene, Shape, TimeStep, Traction,
 };
 
 fn sound() -> Scene {
@@ -12,11 +12,7 @@ fn sound() -> Scene {
         name: "rock".to_owned(),
         id: 1,
         density: 2000.0,
-        law: Law::LinearElastic {
-            young: 1e6,
-            poisson: 0.2,
-            rate: ObjectiveRate::HughesWinget,
-        },
+        law: LinearElastic::new(1e6, 0.2).into(),
     });
     scene.bodies.push(Body {
         name: "block".to_owned(),

@@ -75,6 +75,27 @@ pub trait Lanes:
         self.max(-self)
     }
 
+    /// True in the first `count` lanes.
+    #[inline(always)]
+    fn first(count: usize) -> Self::Mask {
+        const INDEX: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        Self::load(&INDEX).lt(Self::splat(count as f64))
+    }
+
+    /// The largest lane, 0 where none is above it.
+    #[inline(always)]
+    fn largest(self) -> f64 {
+        let mut values = [0.0; 8];
+        self.store(&mut values);
+        let mut most = 0.0;
+        for value in values {
+            if value > most {
+                most = value;
+            }
+        }
+        most
+    }
+
     /// Applies a scalar function to every lane.
     #[inline(always)]
     fn map(self, f: fn(f64) -> f64) -> Self {
@@ -84,6 +105,26 @@ pub trait Lanes:
             *value = f(*value);
         }
         Self::load(&values)
+    }
+}
+
+/// Loads up to `L::WIDTH` values; the common full case is a plain load.
+#[inline(always)]
+pub(crate) fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
+    if count == L::WIDTH {
+        L::load(&column[at..at + L::WIDTH])
+    } else {
+        L::load_part(&column[at..at + count], count)
+    }
+}
+
+/// Stores up to `L::WIDTH` values.
+#[inline(always)]
+pub(crate) fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
+    if count == L::WIDTH {
+        value.store(&mut column[at..at + L::WIDTH]);
+    } else {
+        value.store_part(&mut column[at..at + count], count);
     }
 }
 

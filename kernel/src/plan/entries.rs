@@ -187,6 +187,23 @@ impl Plan {
             },
             "no box load and no body force",
         );
+        let mut variables: Vec<String> = vec![];
+        for body in &scene.bodies {
+            let law = &scene.materials[body.material].law;
+            for variable in law.variables() {
+                let words = format!("{} of the law {}", variable.name, law.name());
+                if !variables.contains(&words) {
+                    variables.push(words);
+                }
+            }
+        }
+        list.choose(
+            "particle field",
+            "internal variables",
+            !variables.is_empty(),
+            &variables.join(", "),
+            "no law has any",
+        );
         list.keep(
             "time step",
             "wave speed and particle speed",

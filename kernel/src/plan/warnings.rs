@@ -25,7 +25,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
             .bodies
             .iter()
             .filter(|body| ends.contains(&body.id) && body.motion.is_none())
-            .map(|body| scene.materials[body.material].law.young_poisson().0)
+            .map(|body| scene.materials[body.material].law.young())
             .fold(f64::INFINITY, f64::min);
         let ratio = contact.normal_stiffness * cell / softest;
         if ratio > STIFFEST {

@@ -1,9 +1,7 @@
 //! Scenes by hand: the usual choices in few words. Every field stays open to who wants another.
 
-use super::{
-    Body, Dimension, Law, Material, Mesh, ObjectiveRate, PlaneCondition, Scene, SceneError, Shape,
-    Vector,
-};
+use super::{Body, Dimension, Material, Mesh, PlaneCondition, Scene, SceneError, Shape, Vector};
+use crate::laws::AnyLaw;
 use crate::simulation::{Options, SetupError, Simulation};
 use std::fmt;
 
@@ -46,15 +44,15 @@ impl Scene {
         self
     }
 
-    /// Adds a material of this law and density \[kg/m³\]; its index, for [`Scene::add_body`].
-    pub fn add_material(&mut self, law: Law, density: f64) -> usize {
+    /// Adds a material of this law, one of [`laws`](crate::laws) or one's own, and density \[kg/m³\]; its index, for [`Scene::add_body`].
+    pub fn add_material(&mut self, law: impl Into<AnyLaw>, density: f64) -> usize {
         let index = self.materials.len();
         let id = 1 + self.materials.iter().map(|m| m.id).max().unwrap_or(0);
         self.materials.push(Material {
             name: format!("material {id}"),
             id,
             density,
-            law,
+            law: law.into(),
         });
         index
     }
@@ -84,18 +82,6 @@ impl Scene {
     pub fn simulate(&self, options: &Options) -> Result<Simulation, StartError> {
         self.check().map_err(StartError::Scene)?;
         Simulation::new(self, options).map_err(StartError::Setup)
-    }
-}
-
-impl Law {
-    /// Linear elasticity in the rate of deformation: Young's modulus \[Pa\] and Poisson's ratio.
-    #[must_use]
-    pub fn elastic(young: f64, poisson: f64) -> Self {
-        Self::LinearElastic {
-            young,
-            poisson,
-            rate: ObjectiveRate::HughesWinget,
-        }
     }
 }
 

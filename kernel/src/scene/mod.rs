@@ -23,7 +23,7 @@ pub use build::StartError;
 pub use contact::{Contact, ContactNormal};
 pub use error::{Location, Problem, SceneError};
 pub use load::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Traction};
-pub use material::{Law, Material, ObjectiveRate};
+pub use material::Material;
 pub use mesh::{Mesh, PlaneCondition};
 pub use method::{
     Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, Weighting,

@@ -54,6 +54,8 @@ pub enum Field {
     DeformationGradient,
     /// External force on the particle \[N\]: weight and box loads.
     ExternalForce,
+    /// Internal variables of the laws, each by its name; not a number where the law of a particle has no such variable.
+    InternalVariables,
 }
 
 /// A nodal field that grid frames can hold. A node has one point for each velocity field that has mass there: one for
@@ -107,7 +109,7 @@ impl Default for Results {
 
 impl Field {
     /// Every field, in the order in which frames hold them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Id,
         Self::Material,
         Self::Body,
@@ -121,5 +123,6 @@ impl Field {
         Self::Pressure,
         Self::DeformationGradient,
         Self::ExternalForce,
+        Self::InternalVariables,
     ];
 }

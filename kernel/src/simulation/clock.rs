@@ -120,7 +120,7 @@ impl Simulation {
         let mut wave_speed = 0.0_f64;
         let mut square = 0.0_f64;
         for body in &self.bodies {
-            wave_speed = wave_speed.max(body.found.wave_speed(&body.law));
+            wave_speed = wave_speed.max(body.found.wave_speed());
             square = square.max(body.found.speed_squared);
         }
         let particle_speed = square.sqrt();

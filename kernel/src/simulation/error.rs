@@ -148,6 +148,15 @@ pub struct StepError {
 pub enum StepErrorKind {
     /// A particle has a value that is not finite.
     NotFinite(ParticleAt),
+    /// A law gave a particle a stress or an internal variable that is not finite, where all else of it is.
+    Law {
+        /// The particle.
+        particle: ParticleAt,
+        /// Name of the law.
+        law: &'static str,
+        /// The stress component, or the internal variable by its name.
+        column: String,
+    },
     /// A particle's volume is zero or negative.
     Inverted(ParticleAt),
     /// A particle left the mesh.
@@ -274,6 +283,14 @@ impl fmt::Display for StepError {
         write!(f, "step {}, time {} s: ", self.step, self.time)?;
         match &self.kind {
             StepErrorKind::NotFinite(p) => write!(f, "{p} has a value that is not finite"),
+            StepErrorKind::Law {
+                particle,
+                law,
+                column,
+            } => write!(
+                f,
+                "the law {law} gave {particle} a {column} that is not finite"
+            ),
             StepErrorKind::Inverted(p) => write!(f, "{p} is inverted: volume {} m3", p.volume),
             StepErrorKind::Outside(p) => {
                 write!(

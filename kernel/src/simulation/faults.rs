@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use super::error::{Event, EventKind, ParticleAt, StepError, StepErrorKind};
-use crate::particles::Layout;
+use crate::particles::{Layout, ParticleSet};
 use crate::scene::Outside;
 use crate::stage::g2p::FaultKind;
 
@@ -12,7 +12,7 @@ impl Simulation {
         for &(set, p, kind) in faults {
             let at = self.particle_at(set, p);
             match kind {
-                FaultKind::NotFinite => return Err(self.error(StepErrorKind::NotFinite(at))),
+                FaultKind::NotFinite => return Err(self.error(self.not_finite(set, p))),
                 FaultKind::Inverted => return Err(self.error(StepErrorKind::Inverted(at))),
                 FaultKind::Outside if self.scene.outside == Outside::Stop => {
                     return Err(self.error(StepErrorKind::Outside(at)));
@@ -28,15 +28,12 @@ impl Simulation {
         let mut gone = vec![];
         for p in 0..self.sets[set].len() {
             let x = self.sets[set].position(p);
-            let sound = Layout::VOLUME
-                ..Layout::stress(self.plan.axes) + self.sets[set].layout.stress_components();
+            let layout = &self.sets[set].layout;
+            let sound = (Layout::VOLUME..Layout::stress(layout.axes) + layout.stress_components())
+                .chain(layout.variables..layout.columns);
             // The first fault of the set was a particle outside; others may lie behind it.
-            if self.sets[set].columns[sound]
-                .iter()
-                .any(|column| !column[p].is_finite())
-            {
-                let at = self.particle_at(set, p);
-                return Err(self.error(StepErrorKind::NotFinite(at)));
+            if { sound }.any(|column| !self.sets[set].columns[column][p].is_finite()) {
+                return Err(self.error(self.not_finite(set, p)));
             }
             if self.sets[set].columns[Layout::VOLUME][p] <= 0.0 {
                 let at = self.particle_at(set, p);
@@ -59,6 +56,45 @@ impl Simulation {
         }
         self.sets[set].remove(&gone, &self.grid.team);
         Ok(())
+    }
+
+    /// What is not finite of a particle: what its law alone gave it, or anything else.
+    fn not_finite(&self, set: usize, p: usize) -> StepErrorKind {
+        const STRESS: [&[&str]; 2] = [
+            &["stress xx", "stress yy", "stress zz", "stress xy"],
+            &[
+                "stress xx",
+                "stress yy",
+                "stress zz",
+                "stress yz",
+                "stress xz",
+                "stress xy",
+            ],
+        ];
+        let particle = self.particle_at(set, p);
+        let ParticleSet {
+            layout, columns, ..
+        } = &self.sets[set];
+        let stress = Layout::stress(layout.axes);
+        let others =
+            (Layout::VOLUME..stress).chain(stress + layout.stress_components()..layout.variables);
+        if { others }.any(|column| !columns[column][p].is_finite()) {
+            return StepErrorKind::NotFinite(particle);
+        }
+        let given = (STRESS[layout.axes - 2].iter().zip(stress..))
+            .map(|(name, column)| ((*name).to_owned(), column))
+            .chain(
+                (layout.components()).map(|(variable, i, column)| (variable.component(i), column)),
+            );
+        let Some((column, _)) = { given }.find(|(_, column)| !columns[*column][p].is_finite())
+        else {
+            return StepErrorKind::NotFinite(particle);
+        };
+        StepErrorKind::Law {
+            particle,
+            law: self.bodies[set].law.name(),
+            column,
+        }
     }
 
     pub(super) fn particle_at(&self, set: usize, p: usize) -> ParticleAt {

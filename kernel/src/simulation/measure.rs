@@ -2,7 +2,7 @@
 //! they do not depend on how particles are stored.
 
 use super::Simulation;
-use crate::constitutive::Kind;
+use crate::laws::{Particle, UNDEFORMED};
 use crate::particles::{Layout, ParticleSet};
 use crate::scene::Vector;
 use crate::stage::solve::PlaneSums;
@@ -93,15 +93,15 @@ impl Simulation {
         let mut total = 0.0;
         for (index, (set, body)) in self.sets.iter().zip(&self.bodies).enumerate() {
             for p in in_order(set) {
-                let (m, volume) = self.mass_and_volume(index, p);
-                total += match (body.law.kind, self.deformation(index, p)) {
-                    (Kind::NeoHookean, Some(f)) => {
-                        let trace: f64 = f.iter().flatten().map(|x| x * x).sum();
-                        let initial = m / body.law.density;
-                        body.law.energy_density_of_stretch(trace, volume / initial) * initial
-                    }
-                    _ => body.law.energy_density_of_stress(&set.stress(p)) * volume,
-                };
+                let (mass, volume) = self.mass_and_volume(index, p);
+                total += body.law.energy(&Particle {
+                    mass,
+                    volume,
+                    density: body.density,
+                    stress: set.stress(p),
+                    deformation: self.deformation(index, p).unwrap_or(UNDEFORMED),
+                    variables: &set.variables(p),
+                });
             }
         }
         total

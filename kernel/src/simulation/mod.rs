@@ -39,8 +39,8 @@ pub use saved::{
     RestoreError, Saved, SavedBody, SavedBoundary, SavedMortar, SavedPair, SavedSurfaces,
 };
 
-use crate::constitutive::Parameters;
 use crate::lanes::{LaneChoice, Selected};
+use crate::laws::{AnyLaw, UNDEFORMED};
 use crate::memory::Memory;
 use crate::particles::{Layout, ParticleSet};
 use crate::plan::Plan;
@@ -72,6 +72,18 @@ pub struct InitialState {
     pub stress: [f64; 6],
     /// Deformation gradient; the volume becomes V_0 det F.
     pub deformation: [[f64; 3]; 3],
+}
+
+impl Default for InitialState {
+    /// At rest, without stress or deformation.
+    fn default() -> Self {
+        Self {
+            velocity: [0.0; 3],
+            velocity_gradient: [[0.0; 3]; 3],
+            stress: [0.0; 6],
+            deformation: UNDEFORMED,
+        }
+    }
 }
 
 /// How a scene is run, and what a library user adds to it.
@@ -112,7 +124,9 @@ impl fmt::Debug for Options {
 pub(crate) struct BodyRun {
     pub(crate) id: i64,
     pub(crate) material_id: i64,
-    pub(crate) law: Parameters,
+    pub(crate) law: AnyLaw,
+    /// Initial density \[kg/m³\].
+    pub(crate) density: f64,
     pub(crate) mapping: Mapping,
     pub(crate) domain_update: Option<DomainUpdate>,
     pub(crate) motion: Option<History>,
@@ -250,6 +264,19 @@ impl Simulation {
     pub fn position(&self, set: usize, p: usize) -> Vector {
         let x = self.sets[set].position(p);
         std::array::from_fn(|axis| x[axis] + self.origin()[axis])
+    }
+
+    /// Names of the internal variables of all laws, each once, with the number of the component where there are several.
+    #[must_use]
+    pub fn variables(&self) -> Vec<String> {
+        let mut names: Vec<String> = vec![];
+        for (variable, i, _) in self.sets.iter().flat_map(|set| set.layout.components()) {
+            let name = variable.component(i);
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
     }
 
     /// Displacement of a particle since the start \[m\], where the plan keeps it.

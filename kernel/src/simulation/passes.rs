@@ -232,10 +232,12 @@ impl Simulation {
                 call(
                     lanes,
                     G2p {
+                        lanes,
                         columns: &mut columns,
                         layout: &layout,
                         mapping: &run.mapping,
-                        law: &run.law,
+                        law: &*run.law,
+                        density: run.density,
                         domain_update: run.domain_update,
                         nodes,
                         beyond,
@@ -255,7 +257,7 @@ impl Simulation {
                 body.found.speed_squared = all.speed_squared;
             }
             if task.strain.is_some() {
-                body.found.stiffness = all.stiffness;
+                body.found.wave_speed_squared = all.wave_speed_squared;
                 body.found.half_length = all.half_length.max(if body.domain_update.is_some() {
                     0.0
                 } else {

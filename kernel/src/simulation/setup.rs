@@ -9,10 +9,10 @@ use super::relaxation::Relaxation;
 use super::surfaces::{self, Surfaces};
 use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads, needs};
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
-use crate::constitutive::{Kind, Parameters};
 use crate::contact::State;
 use crate::grid::GridShape;
 use crate::lanes::Selected;
+use crate::laws::Particle;
 use crate::memory::Memory;
 use crate::particles::{Layout, ParticleSet};
 use crate::plan::{Demands, Plan};
@@ -175,21 +175,20 @@ fn fill_body(
     let filled = fill_within(body, &scene.mesh, scene.dimension, &room).map_err(refused)?;
     needs::particles(filled.count(), &room, memory).map_err(refused)?;
     let material = &scene.materials[body.material];
-    let law = Parameters::new(material.law, material.density);
+    let law = material.law.clone();
     let layout = plan.layouts[index];
     let axes = plan.axes;
     let mut set = ParticleSet::zeros(layout, first_id, filled.volume.len());
     set.columns[Layout::MASS] = filled.volume.iter().map(|v| v * material.density).collect();
-    set.columns[Layout::VOLUME] =
-        if matches!(law.kind, Kind::NeoHookean) || plan.domain_update.is_some() {
-            // As the cycle will form it from F = 1, so that a body at rest keeps its bits.
-            set.columns[Layout::MASS]
-                .iter()
-                .map(|m| m * (1.0 / material.density))
-                .collect()
-        } else {
-            filled.volume
-        };
+    set.columns[Layout::VOLUME] = if law.from_deformation() || plan.domain_update.is_some() {
+        // As the cycle will form it from F = 1, so that a body at rest keeps its bits.
+        set.columns[Layout::MASS]
+            .iter()
+            .map(|m| m * (1.0 / material.density))
+            .collect()
+    } else {
+        filled.volume
+    };
     for axis in 0..axes {
         set.columns[Layout::POSITION + axis].copy_from_slice(&filled.x[axis]);
         set.columns[Layout::velocity(axes) + axis].fill(body.velocity[axis]);
@@ -213,19 +212,17 @@ fn fill_body(
     }
     let mapping = Mapping::new(shape, plan.family, half_length, layout.half_length);
     let speed = body.velocity.iter().map(|v| v * v).sum::<f64>();
-    let stiffness = match law.kind {
-        Kind::NeoHookean => law.wave_speed().powi(2),
-        _ => 1.0 / material.density,
-    };
     let h = scene.mesh.cell[..axes]
         .iter()
         .copied()
         .fold(f64::INFINITY, f64::min);
-    let (young, _) = material.law.young_poisson();
+    let wave_speed_squared = law.wave_speed(material.density).powi(2);
+    let young = law.young();
     let run = BodyRun {
         id: body.id,
         material_id: material.id,
         law,
+        density: material.density,
         mapping,
         domain_update: plan.domain_update,
         motion: body.motion.clone(),
@@ -234,7 +231,7 @@ fn fill_body(
             .map_or(0.0, |alpha| alpha / h * (young / material.density).sqrt()),
         found: Found {
             speed_squared: speed.max(fastest(body)),
-            stiffness,
+            wave_speed_squared,
             travel: 0.0,
             half_length: widest,
             fault: None,
@@ -315,7 +312,6 @@ fn start_from(
     initial: &(dyn Fn(&[f64; 3]) -> InitialState + Send + Sync),
 ) {
     let axes = set.layout.axes;
-    let law = run.law;
     for p in 0..set.len() {
         let local = set.position(p);
         let state = initial(&std::array::from_fn(|axis| {
@@ -344,14 +340,17 @@ fn start_from(
         }
         let f = nalgebra::Matrix3::from_fn(|a, b| state.deformation[a][b]);
         if f != nalgebra::Matrix3::identity() {
-            let volume = set.columns[Layout::MASS][p] * (1.0 / law.density) * f.determinant();
+            let volume = set.columns[Layout::MASS][p] * (1.0 / run.density) * f.determinant();
             set.columns[Layout::VOLUME][p] = volume;
-            let stiffness = if law.kind == Kind::NeoHookean {
-                law.wave_speed_squared(&state.deformation)
-            } else {
-                volume / set.columns[Layout::MASS][p]
-            };
-            run.found.stiffness = run.found.stiffness.max(stiffness);
+            let square = run.law.speed_squared(&Particle {
+                mass: set.columns[Layout::MASS][p],
+                volume,
+                density: run.density,
+                stress: state.stress,
+                deformation: state.deformation,
+                variables: &set.variables(p),
+            });
+            run.found.wave_speed_squared = run.found.wave_speed_squared.max(square);
             let widest = start_domain(set, run.domain_update, &f, p);
             run.found.half_length = run.found.half_length.max(widest);
         }

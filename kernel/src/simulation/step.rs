@@ -5,7 +5,7 @@ use super::clock::StepInfo;
 use super::error::{Event, EventKind, StepError};
 use super::interaction::Visit;
 use super::phase::Phase;
-use crate::constitutive::Configuration;
+use crate::laws::tensor::Configuration;
 use crate::particles::Layout;
 use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};

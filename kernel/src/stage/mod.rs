@@ -9,7 +9,7 @@ pub mod touch;
 pub mod weigh;
 
 use crate::grid::{GHOSTS_BELOW, GridShape};
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, load};
 use crate::particles::Layout;
 use crate::weights::{Family, base_offset, gimp_weights, hat_weights};
 
@@ -61,26 +61,6 @@ struct Group<L> {
     count: usize,
     /// Coordinates from the base node in cells. Lanes beyond `count` hold other particles, or none.
     f: [L; 3],
-}
-
-/// Loads up to `L::WIDTH` values; the common full case is a plain load.
-#[inline(always)]
-fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
-    if count == L::WIDTH {
-        L::load(&column[at..at + L::WIDTH])
-    } else {
-        L::load_part(&column[at..at + count], count)
-    }
-}
-
-/// Stores up to `L::WIDTH` values.
-#[inline(always)]
-fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
-    if count == L::WIDTH {
-        value.store(&mut column[at..at + L::WIDTH]);
-    } else {
-        value.store_part(&mut column[at..at + count], count);
-    }
 }
 
 /// The group that begins at particle `at` and ends before `end`.

@@ -3,11 +3,12 @@
 use super::Mapping;
 use super::g2p::{self, Affine, FaultKind, G2p, Task};
 use super::p2g::{self, Carry, MASS_GRADIENT, NOTHING, P2g, SPIN};
-use crate::constitutive::{Configuration, Parameters};
 use crate::grid::{GridShape, Line, Nodes};
 use crate::lanes::{Kernel, LaneChoice, Selected, WholeLines};
+use crate::laws::tensor::Configuration;
+use crate::laws::{AnyLaw, LinearElastic, NeoHookean};
 use crate::particles::{Layout, Optional, ParticleSet};
-use crate::scene::{Dimension, DomainUpdate, Law, Mesh, ObjectiveRate, PlaneCondition};
+use crate::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
 use crate::team::Team;
 use crate::weights::Family;
 
@@ -51,7 +52,7 @@ fn shape(axes: usize) -> GridShape {
 /// Sorted particles with numbers of all sizes, some of them without velocity or stress, and with zeros of both signs;
 /// F is close to one.
 fn particles(shape: &GridShape, stencil: usize, wanted: Optional) -> ParticleSet {
-    let layout = Layout::new(shape.axes, wanted);
+    let layout = Layout::new(shape.axes, wanted, &[]);
     let mut set = ParticleSet::zeros(layout, 0, PARTICLES);
     let mut numbers = Numbers(0x2545_f491_4f6c_dd1d);
     for (i, column) in set.columns.iter_mut().enumerate() {
@@ -188,7 +189,7 @@ fn particles_after(
     axes: usize,
     stencil: usize,
     wanted: Optional,
-    law: &Parameters,
+    law: &AnyLaw,
     task: Task,
     run: &dyn Fn(G2p<'_, '_>) -> g2p::Found,
 ) -> (Vec<Vec<u64>>, g2p::Found) {
@@ -203,10 +204,12 @@ fn particles_after(
     let found = {
         let mut columns: Vec<&mut [f64]> = set.columns.iter_mut().map(Vec::as_mut_slice).collect();
         run(G2p {
+            lanes: Selected::any(),
             columns: &mut columns,
             layout: &set.layout,
             mapping: &mapping,
-            law,
+            law: &**law,
+            density: 2.0,
             domain_update: wanted.half_length.then_some(DomainUpdate::LeftStretch),
             nodes: nodes.lines(),
             beyond: [(CELLS as f64).next_up(); 3],
@@ -225,11 +228,11 @@ fn check_particles<
     const APIC: bool,
     const UPPER: bool,
 >(
-    law: Law,
+    law: impl Into<AnyLaw>,
     affine: Affine,
 ) {
-    let finite = matches!(law, Law::NeoHookean { .. });
-    let law = Parameters::new(law, 2.0);
+    let law = law.into();
+    let finite = law.from_deformation();
     let wanted = Optional {
         deformation: finite,
         affine: affine != Affine::Leave,
@@ -277,15 +280,8 @@ fn check_particles<
 }
 
 fn check_all_particles<const D: usize, const N: usize>() {
-    let elastic = Law::LinearElastic {
-        young: 1e3,
-        poisson: 0.3,
-        rate: ObjectiveRate::HughesWinget,
-    };
-    let neo_hookean = Law::NeoHookean {
-        young: 1e3,
-        poisson: 0.3,
-    };
+    let elastic = LinearElastic::new(1e3, 0.3);
+    let neo_hookean = NeoHookean::new(1e3, 0.3);
     check_particles::<D, N, true, true, false, false>(elastic, Affine::Leave);
     check_particles::<D, N, true, true, false, false>(neo_hookean, Affine::Tpic);
     check_particles::<D, N, true, true, true, false>(neo_hookean, Affine::Apic);

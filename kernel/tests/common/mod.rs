@@ -4,10 +4,10 @@
 #![allow(dead_code)]
 
 use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, DomainUpdate, Law, Material, Mesh, Mortar, ObjectiveRate, Outside,
-    PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector,
-    Weighting,
+    Body, Damping, Dimension, DomainUpdate, Material, Mesh, Mortar, Outside, PlaneCondition,
+    Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
 };
 use proctor_kernel::simulation::{InitialField, InitialState, Options, Simulation};
 use std::sync::Arc;
@@ -42,18 +42,11 @@ pub const TRANSFERS: [Transfer; 4] = [FLIP, BLEND, APIC, TPIC];
 
 pub const YOUNG: f64 = 1.0e6;
 pub const DENSITY: f64 = 1000.0;
-pub const ELASTIC: Law = elastic(YOUNG, 0.3);
-pub const NEO_HOOKEAN: Law = Law::NeoHookean {
-    young: YOUNG,
-    poisson: 0.3,
-};
+pub const ELASTIC: LinearElastic = elastic(YOUNG, 0.3);
+pub const NEO_HOOKEAN: NeoHookean = NeoHookean::new(YOUNG, 0.3);
 
-pub const fn elastic(young: f64, poisson: f64) -> Law {
-    Law::LinearElastic {
-        young,
-        poisson,
-        rate: ObjectiveRate::HughesWinget,
-    }
+pub const fn elastic(young: f64, poisson: f64) -> LinearElastic {
+    LinearElastic::new(young, poisson)
 }
 
 /// Every pair of weighting function and stress scheme.
@@ -136,12 +129,12 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
     }
 }
 
-pub fn material(law: Law) -> Material {
+pub fn material(law: impl Into<AnyLaw>) -> Material {
     Material {
         name: "solid".into(),
         id: 1,
         density: DENSITY,
-        law,
+        law: law.into(),
     }
 }
 
@@ -303,4 +296,19 @@ pub fn cases(count: u32) -> proptest::prelude::ProptestConfig {
         failure_persistence: None,
         ..proptest::prelude::ProptestConfig::default()
     }
+}
+
+/// The error of the first of `most` steps that fails.
+pub fn first_error(
+    simulation: &mut Simulation,
+    most: usize,
+) -> proctor_kernel::simulation::StepError {
+    for _ in 0..most {
+        if let Err(e) = simulation.step(NEVER) {
+            assert_eq!(e.step, simulation.steps() + 1);
+            assert_eq!(e.time, simulation.time());
+            return e;
+        }
+    }
+    panic!("no error in {most} steps");
 }

@@ -83,11 +83,11 @@ fn one_cell_across_is_plane_strain() {
             let mut scene = plate(dimension);
             (scene.weighting, scene.scheme) = (weighting, scheme);
             scene.transfer = if i % 2 == 0 { FLIP } else { APIC };
-            scene.materials = vec![material(if i % 4 < 2 {
-                elastic(1.0e6, 0.3)
+            scene.materials = vec![if i % 4 < 2 {
+                material(elastic(1.0e6, 0.3))
             } else {
-                NEO_HOOKEAN
-            })];
+                material(NEO_HOOKEAN)
+            }];
             scene.damping = if i % 3 == 0 {
                 Damping::Local { alpha: 0.2 }
             } else {

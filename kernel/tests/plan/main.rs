@@ -222,7 +222,8 @@ fn the_plan_says_why() {
         plan.layouts,
         vec![Layout::new(
             2,
-            proctor_kernel::particles::Optional::default()
+            proctor_kernel::particles::Optional::default(),
+            &[]
         )]
     );
     for entry in &plan.entries {

@@ -5,8 +5,9 @@ use crate::common::{
     light_nodes_act, material, noise, options, particles, rough, rough_drift,
 };
 use proctor_kernel::lanes::LaneChoice;
+use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::scene::{
-    BoxLoad, Contact, ContactNormal, Damping, Dimension, Law, ParticleSeed, PlaneCondition, Scene,
+    BoxLoad, Contact, ContactNormal, Damping, Dimension, ParticleSeed, PlaneCondition, Scene,
     Shape, StressScheme, Transfer, Weighting,
 };
 use proctor_kernel::simulation::{InitialField, Options, Simulation};
@@ -31,10 +32,7 @@ fn strip(
     let young = if light_nodes_act(&scene) { 1.0 } else { 1.0e3 };
     scene.materials = vec![
         material(elastic(young, 0.3)),
-        material(Law::NeoHookean {
-            young,
-            poisson: 0.3,
-        }),
+        material(NeoHookean::new(young, 0.3)),
     ];
     scene.bodies[1].material = 1;
     scene.bodies[1].particles_per_cell = [2, 1, 1];

@@ -27,6 +27,7 @@ fn particles_of(axes: usize, draws: &[Draw], full: bool, l: Option<f64>) -> Part
             half_length: l.is_some(),
             ..Optional::default()
         },
+        &[],
     );
     let mut set = ParticleSet::zeros(layout, 0, draws.len());
     for (p, (x, mass, values)) in draws.iter().enumerate() {

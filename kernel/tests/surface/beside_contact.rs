@@ -1,9 +1,10 @@
 //! Rigid surfaces beside contact between bodies, and bodies on surfaces that move.
 
 use crate::slope::start;
+use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, Contact, ContactNormal, Dimension, History, Law, Material, Mesh, ObjectiveRate,
-    RigidSurface, Scene, Shape, StressScheme, Vector,
+    Body, Contact, ContactNormal, Dimension, History, Material, Mesh, RigidSurface, Scene, Shape,
+    StressScheme, Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use proctor_kernel::surface::Surface;
@@ -47,11 +48,7 @@ impl Stack {
             name: "elastic".into(),
             id: 1,
             density: DENSITY,
-            law: Law::LinearElastic {
-                young: 1e7,
-                poisson: 0.0,
-                rate: ObjectiveRate::HughesWinget,
-            },
+            law: LinearElastic::new(1e7, 0.0).into(),
         });
         let mut block = |id: i64, [from, to]: [f64; 2], low: f64| {
             scene.bodies.push(Body {

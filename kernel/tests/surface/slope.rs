@@ -1,8 +1,8 @@
 //! A block on a plane that is tilted against the grid.
 
+use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, Dimension, Law, Material, Mesh, ObjectiveRate, ParticleSeed, RigidSurface, Scene, Shape,
-    StressScheme, Vector,
+    Body, Dimension, Material, Mesh, ParticleSeed, RigidSurface, Scene, Shape, StressScheme, Vector,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::surface::Surface;
@@ -75,11 +75,7 @@ impl Slope {
             name: "elastic".into(),
             id: 1,
             density: 1000.0,
-            law: Law::LinearElastic {
-                young: 1e7,
-                poisson: 0.3,
-                rate: ObjectiveRate::HughesWinget,
-            },
+            law: LinearElastic::new(1e7, 0.3).into(),
         });
         let step = 0.5 * H;
         let mut seeds = vec![];

@@ -12,7 +12,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, DomainUpdate, Law, Mesh, Scene, Weighting};
+use proctor_kernel::laws::NeoHookean;
+use proctor_kernel::scene::{Dimension, DomainUpdate, Mesh, Scene, Weighting};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
@@ -26,10 +27,7 @@ use crate::study::{Failure, Measure, Observer, Study};
 /// Side of the square or cube \[m\].
 const SIDE: f64 = 1.0;
 /// Neo-Hookean with E = 10 MPa, nu = 0.3: the order of rubber.
-const LAW: Law = Law::NeoHookean {
-    young: 1e7,
-    poisson: 0.3,
-};
+const LAW: NeoHookean = NeoHookean::new(1e7, 0.3);
 /// Density \[kg/m³\].
 const DENSITY: f64 = 1000.0;
 /// Amplitude with crossing \[m\].
@@ -112,11 +110,11 @@ fn in_space([x, y]: [f64; 2]) -> [f64; 3] {
 
 /// The motion with an amplitude (m).
 fn motion<const D: usize>(amplitude: f64) -> AxisAlignedMms<D> {
-    let (young, _) = LAW.young_poisson();
+    let young = LAW.elasticity().young;
     AxisAlignedMms {
         law: ExactLaw::NeoHookean,
-        lambda: LAW.lambda(),
-        mu: LAW.shear(),
+        lambda: LAW.elasticity().lambda,
+        mu: LAW.elasticity().shear,
         density: DENSITY,
         amplitude,
         wave_number: PI / SIDE,
@@ -153,7 +151,7 @@ impl AxisAligned {
 
     /// P-wave speed at rest \[m/s\].
     fn wave_speed() -> f64 {
-        ((LAW.lambda() + 2.0 * LAW.shear()) / DENSITY).sqrt()
+        ((LAW.elasticity().lambda + 2.0 * LAW.elasticity().shear) / DENSITY).sqrt()
     }
 
     fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
@@ -276,7 +274,7 @@ impl Study for AxisAligned {
         let (h, axes) = (rung.cell, self.dimension.axes());
         let cells = (SIDE / h).round() as usize;
         let mesh = Mesh::new(self.dimension, [0.0; 3], [h; 3], [cells; 3]);
-        let (young, _) = LAW.young_poisson();
+        let young = LAW.elasticity().young;
         let end = END * SIDE / (young / DENSITY).sqrt();
         let mut scene = Scene::new(self.dimension, mesh, end);
         scene.name = String::from(self.name());

@@ -22,7 +22,7 @@ mod hanging;
 use std::sync::OnceLock;
 
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::scene::{BodyBoundary, Dimension, HeldBox, Law, Scene, Vertices, Weighting};
+use proctor_kernel::scene::{BodyBoundary, Dimension, HeldBox, Scene, Vertices, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
@@ -330,10 +330,7 @@ impl Study for Cantilever {
             p1: [-h, -h, 0.0],
             p2: [0.0, HEIGHT + h, 0.0],
         }];
-        let law = Law::NeoHookean {
-            young: YOUNG,
-            poisson: POISSON,
-        };
+        let law = proctor_kernel::laws::NeoHookean::new(YOUNG, POISSON);
         scene.materials = material("soft", DENSITY, law);
         scene.bodies = vec![body("beam", 1, cuboid([0.0; 3], [LENGTH, HEIGHT, 0.0]))];
         settings.apply(&mut scene);

@@ -25,10 +25,11 @@
 mod judge;
 mod pressed;
 
+use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::scene::{
-    Damping, Dimension, History, Law, MortarContact, PlaneCondition, Scene, Vertices,
+    Damping, Dimension, History, MortarContact, PlaneCondition, Scene, Vertices,
 };
 use proctor_kernel::simulation::Simulation;
 use std::f64::consts::PI;
@@ -321,10 +322,7 @@ impl Study for Ironing {
             POISSON,
         );
         if rung.variant == pressed::VARIANT {
-            scene.materials[0].law = Law::NeoHookean {
-                young: YOUNG,
-                poisson: POISSON,
-            };
+            scene.materials[0].law = NeoHookean::new(YOUNG, POISSON).into();
             scene.damping = Damping::Viscous {
                 alpha: DAMPING * h / CELL,
             };

@@ -1,7 +1,8 @@
 //! What scenes are made of: materials, bodies and meshes as most cases have them.
 
+use proctor_kernel::laws::{AnyLaw, LinearElastic};
 use proctor_kernel::scene::{
-    Body, Dimension, Law, Material, Mesh, ObjectiveRate, PlaneCondition, Results, Shape, Vector,
+    Body, Dimension, Material, Mesh, PlaneCondition, Results, Shape, Vector,
 };
 use proctor_kernel::simulation::InitialState;
 
@@ -22,21 +23,17 @@ pub const AT_REST: InitialState = InitialState {
 };
 
 /// A linear elastic law \[Pa\].
-pub fn elastic_law(young: f64, poisson: f64) -> Law {
-    Law::LinearElastic {
-        young,
-        poisson,
-        rate: ObjectiveRate::HughesWinget,
-    }
+pub fn elastic_law(young: f64, poisson: f64) -> AnyLaw {
+    LinearElastic::new(young, poisson).into()
 }
 
 /// The one material of a case \[kg/m³\].
-pub fn material(name: &str, density: f64, law: Law) -> Vec<Material> {
+pub fn material(name: &str, density: f64, law: impl Into<AnyLaw>) -> Vec<Material> {
     vec![Material {
         name: name.to_owned(),
         id: 1,
         density,
-        law,
+        law: law.into(),
     }]
 }
 

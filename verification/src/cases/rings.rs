@@ -14,9 +14,7 @@
 
 use std::sync::OnceLock;
 
-use proctor_kernel::scene::{
-    Body, Dimension, Law, MortarContact, Scene, Shape, TransferKind, Vertices,
-};
+use proctor_kernel::scene::{Body, Dimension, MortarContact, Scene, Shape, TransferKind, Vertices};
 use proctor_kernel::simulation::Simulation;
 
 use super::dynamics::at_intervals;
@@ -337,10 +335,10 @@ impl Study for Rings {
         scene.name.clone_from(&rung.label);
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;
-        let law = Law::NeoHookean {
-            young: 9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
-            poisson: (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
-        };
+        let law = proctor_kernel::laws::NeoHookean::new(
+            9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
+            (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
+        );
         scene.materials = material("rubber", DENSITY, law);
         let segment = std::f64::consts::TAU * OUTER / VERTICES;
         for (id, side) in [(1, -1.0), (2, 1.0)] {

@@ -8,8 +8,9 @@
 //! Expected: order 1 or better of GIMP ("approximately linear", AMPLE); 2 of cpGIMP, as its domains stay contiguous.
 //! Linear functions need not come to rest at all. `proctor verify self-weight`.
 
+use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::scene::{
-    Damping, Dimension, DomainUpdate, Law, Mesh, PlaneCondition, Scene, Weighting,
+    Damping, Dimension, DomainUpdate, Mesh, PlaneCondition, Scene, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -25,10 +26,7 @@ use crate::study::{Failure, Measure, Observer, Study};
 /// Height \[m\].
 const HEIGHT: f64 = 1.0;
 /// Neo-Hookean; confined modulus 30 kPa.
-const LAW: Law = Law::NeoHookean {
-    young: 25e3,
-    poisson: 0.25,
-};
+const LAW: NeoHookean = NeoHookean::new(25e3, 0.25);
 /// Density \[kg/m³\].
 const DENSITY: f64 = 1200.0;
 /// Gravity \[m/s²\].
@@ -60,8 +58,8 @@ impl SelfWeight {
             height: HEIGHT,
             density: DENSITY,
             gravity: self.reference_gravity * GRAVITY,
-            lambda: LAW.lambda(),
-            mu: LAW.shear(),
+            lambda: LAW.elasticity().lambda,
+            mu: LAW.elasticity().shear,
         }
     }
 

@@ -39,7 +39,7 @@ fn the_printed_scene_is_that_of_the_file() {
         (
             (s.time, s.time_step, s.gravity, s.mesh.clone()),
             (s.weighting, s.scheme, s.transfer, s.contact_distance),
-            s.materials[0].law,
+            s.materials[0].law.clone(),
             s.bodies
                 .iter()
                 .map(|b| (b.shape.clone(), b.particles_per_cell, b.velocity))

@@ -47,7 +47,7 @@ fn the_scene_is_that_of_the_file() {
         (
             (s.time, s.time_step, s.gravity, s.mesh.clone()),
             (s.weighting, s.scheme, s.transfer, s.damping),
-            s.materials[0].law,
+            s.materials[0].law.clone(),
             s.materials[0].density,
             s.bodies
                 .iter()

@@ -8,9 +8,9 @@
 use super::check::Check;
 use super::raw::RawConfig;
 use oorandom::Rand64;
+use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, BoxLoad, Dimension, Law, Material, Mesh, ObjectiveRate, ParticleSeed, Scene, Shape,
-    TimeStep, Vector,
+    Body, BoxLoad, Dimension, Material, Mesh, ParticleSeed, Scene, Shape, TimeStep, Vector,
 };
 use proctor_kernel::simulation::{InitialField, InitialState, Part};
 use std::sync::Arc;
@@ -326,11 +326,7 @@ impl ManualTest {
             name: "elastic".into(),
             id: 1,
             density: self.density.unwrap_or(mass / volume),
-            law: Law::LinearElastic {
-                young: self.young,
-                poisson: self.poisson,
-                rate: ObjectiveRate::HughesWinget,
-            },
+            law: LinearElastic::new(self.young, self.poisson).into(),
         }];
         scene.bodies = vec![Body {
             name: "particles".into(),

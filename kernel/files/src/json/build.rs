@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::keys::RawScene;
-use super::words::{Words, listed, meaning, nearest};
+use super::words::{listed, meaning, nearest};
 use proctor_kernel::scene::{Dimension, Problem, Scene, SceneError, Vector};
 
 /// A scene under construction.
@@ -159,7 +159,12 @@ impl<'a> Build<'a> {
     }
 
     /// The meaning of a word, or `None` and a problem.
-    pub fn word<T: Copy>(&mut self, path: &str, word: &str, words: Words<T>) -> Option<T> {
+    pub fn word<T: Copy>(
+        &mut self,
+        path: &str,
+        word: &str,
+        words: &[(&'static str, T)],
+    ) -> Option<T> {
         let meaning = meaning(word, words);
         if meaning.is_none() {
             let known = || words.iter().map(|(known, _)| *known);
@@ -177,7 +182,7 @@ impl<'a> Build<'a> {
         &mut self,
         path: &str,
         word: Option<&String>,
-        words: Words<T>,
+        words: &[(&'static str, T)],
         default: T,
     ) -> T {
         word.and_then(|word| self.word(path, word, words))

@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::lists::{Contacts, Counts, Entries, Terrains, VectorOrTable};
+use super::material_keys::RawMaterial;
 
 /// A scene: what is simulated, in SI units.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -185,29 +186,6 @@ pub(super) struct RawEarthquake {
     /// Plane that moves. Default: the lower plane of the last axis.
     #[schemars(extend("enum" = ["X0", "Xn", "Y0", "Yn", "Z0", "Zn"]))]
     pub plane: Option<String>,
-}
-
-/// A material.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the keys of a material"
-)]
-pub(super) struct RawMaterial {
-    /// Constitutive law.
-    #[schemars(extend("enum" = ["elastic", "neo_hookean"]))]
-    pub r#type: Option<String>,
-    /// Identifier, to which bodies refer.
-    pub id: Option<i64>,
-    /// Young's modulus [Pa].
-    pub young: Option<f64>,
-    /// Initial mass density [kg/m³].
-    pub density: Option<f64>,
-    /// Poisson's ratio.
-    pub poisson: Option<f64>,
-    /// Objective stress rate of an elastic material. Default: `hughes_winget`.
-    #[schemars(extend("enum" = ["hughes_winget", "jaumann"]))]
-    pub objective_rate: Option<String>,
 }
 
 /// A body. Which keys its shape needs depends on its type.

@@ -1,9 +1,11 @@
 //! Materials from their keys.
 
 use super::build::Build;
-use super::keys::{RawMaterial, RawScene};
-use super::words::{MATERIALS, MaterialKind, RATES, listed};
-use proctor_kernel::scene::{Law, Material, ObjectiveRate};
+use super::keys::RawScene;
+use super::material_keys::RawMaterial;
+use super::words::listed;
+use proctor_kernel::laws::{ALL, Kind};
+use proctor_kernel::scene::Material;
 
 impl Build<'_> {
     pub(super) fn materials(&mut self, raw: &RawScene) -> Vec<Material> {
@@ -29,37 +31,34 @@ impl Build<'_> {
     }
 
     fn material(&mut self, path: &str, name: String, i: usize, raw: &RawMaterial) -> Material {
+        let words: Vec<(&str, &Kind)> = ALL.iter().map(|kind| (kind.name, kind)).collect();
         let kind = if let Some(word) = &raw.r#type {
-            self.word(&format!("{path}.type"), word, MATERIALS)
+            self.word(&format!("{path}.type"), word, &words)
         } else {
-            let words = listed(MATERIALS.iter().map(|m| m.0));
+            let words = listed(words.iter().map(|m| m.0));
             self.missing(format!("{path}.type"), words);
             None
         };
-        let rate = raw.objective_rate.as_ref();
-        if kind == Some(MaterialKind::NeoHookean) && rate.is_some() {
-            self.add(
-                format!("{path}.objective_rate"),
-                "an objective rate for a neo_hookean material, which is no rate law",
-                "no `objective_rate`, or `type` \"elastic\"",
-            );
-        }
-        let rate = self.word_or(
-            &format!("{path}.objective_rate"),
-            rate,
-            RATES,
-            ObjectiveRate::HughesWinget,
-        );
-        let young = self.number(
-            &format!("{path}.young"),
-            raw.young,
-            "a number greater than 0 [Pa]",
-        );
-        let poisson = self.number(
-            &format!("{path}.poisson"),
-            raw.poisson,
-            "a number greater than -1 and less than 0.5",
-        );
+        // A law that is not known has its place taken by the first.
+        let kind_or_first = kind.unwrap_or(&ALL[0]);
+        self.refuse_choices_of_others(path, kind_or_first, raw);
+        let choices: Vec<usize> = (kind_or_first.choices.iter())
+            .map(|choice| {
+                let words: Vec<(&str, usize)> = (choice.words.iter().copied()).zip(0..).collect();
+                self.word_or(
+                    &format!("{path}.{}", choice.key),
+                    raw.word(choice),
+                    &words,
+                    0,
+                )
+            })
+            .collect();
+        let values: Vec<f64> = (kind_or_first.constants.iter())
+            .map(|constant| {
+                let path = format!("{path}.{}", constant.key);
+                self.number(&path, raw.number(constant), &constant.words())
+            })
+            .collect();
         let density = self.number(
             &format!("{path}.density"),
             raw.density,
@@ -69,14 +68,29 @@ impl Build<'_> {
             name,
             id: self.id(path, raw.id, i),
             density,
-            law: match kind {
-                Some(MaterialKind::NeoHookean) => Law::NeoHookean { young, poisson },
-                Some(MaterialKind::Elastic) | None => Law::LinearElastic {
-                    young,
-                    poisson,
-                    rate,
-                },
-            },
+            law: (kind_or_first.read)(&values, &choices),
+        }
+    }
+
+    /// A word that only another law may be given.
+    fn refuse_choices_of_others(&mut self, path: &str, kind: &Kind, raw: &RawMaterial) {
+        for choice in super::material_keys::choices() {
+            let own = kind.choices.iter().any(|own| own.key == choice.key);
+            if own || raw.word(choice).is_none() {
+                continue;
+            }
+            let others = (ALL.iter())
+                .filter(|other| other.choices.iter().any(|c| c.key == choice.key))
+                .map(|other| format!("{:?}", other.name));
+            self.add(
+                format!("{path}.{}", choice.key),
+                choice.elsewhere.replace("{law}", kind.name),
+                format!(
+                    "no `{}`, or `type` {}",
+                    choice.key,
+                    others.collect::<Vec<_>>().join(" or ")
+                ),
+            );
         }
     }
 

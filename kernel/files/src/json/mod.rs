@@ -6,6 +6,7 @@ mod contact;
 mod keys;
 mod lists;
 mod loads;
+mod material_keys;
 mod materials;
 mod mesh;
 mod message;

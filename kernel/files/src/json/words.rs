@@ -3,7 +3,7 @@
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    ContactNormal, Dimension, DomainUpdate, Enforcement, Field, NodalField, ObjectiveRate, Outside,
+    ContactNormal, Dimension, DomainUpdate, Enforcement, Field, NodalField, Outside,
     PlaneCondition, StressScheme, TransferKind,
 };
 
@@ -66,23 +66,6 @@ pub(super) const DAMPINGS: Words<DampingKind> = &[
     ("local", DampingKind::Local),
     ("kinetic", DampingKind::Kinetic),
     ("viscous", DampingKind::Viscous),
-];
-
-/// Kinds of material.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum MaterialKind {
-    Elastic,
-    NeoHookean,
-}
-
-pub(super) const MATERIALS: Words<MaterialKind> = &[
-    ("elastic", MaterialKind::Elastic),
-    ("neo_hookean", MaterialKind::NeoHookean),
-];
-
-pub(super) const RATES: Words<ObjectiveRate> = &[
-    ("hughes_winget", ObjectiveRate::HughesWinget),
-    ("jaumann", ObjectiveRate::JaumannForward),
 ];
 
 /// Kinds of shape.
@@ -167,6 +150,7 @@ pub(super) const FIELDS: Words<&[Field]> = &[
     ("pressure", &[Field::Pressure]),
     ("deformation_gradient", &[Field::DeformationGradient]),
     ("external_force", &[Field::ExternalForce]),
+    ("internal_variables", &[Field::InternalVariables]),
     ("all", &Field::ALL),
     ("none", &[]),
 ];
@@ -218,7 +202,7 @@ pub(super) const FOLLOWS: Words<Follow> = &[
 ];
 
 /// What a word means; upper and lower case are the same.
-pub(super) fn meaning<T: Copy>(word: &str, words: Words<T>) -> Option<T> {
+pub(super) fn meaning<T: Copy>(word: &str, words: &[(&str, T)]) -> Option<T> {
     words
         .iter()
         .find(|(known, _)| known.eq_ignore_ascii_case(word))

@@ -142,6 +142,10 @@ impl Files {
                     .iter()
                     .map(|s| format!("{}_s{}", probe.name, s.to_lowercase())),
             );
+            let layout = simulation.sets()[probe.set].layout;
+            names.extend(layout.components().map(|(variable, i, _)| {
+                format!("{}_{}", probe.name, variable.component(i).replace(' ', "_"))
+            }));
         }
         names.push("velocity_time".into());
         names
@@ -174,8 +178,12 @@ impl Files {
                     row.extend_from_slice(&u[..axes]);
                     row.extend_from_slice(&set.velocity(p)[..axes]);
                     row.extend_from_slice(&set.stress(p));
+                    row.extend(set.variables(p));
                 }
-                None => row.extend(std::iter::repeat_n(f64::NAN, 2 * axes + STRESS.len())),
+                None => {
+                    let cells = 2 * axes + STRESS.len() + set.layout.components().count();
+                    row.extend(std::iter::repeat_n(f64::NAN, cells));
+                }
             }
         }
         row.push(simulation.velocity_time());
@@ -307,5 +315,17 @@ fn arrays(simulation: &Simulation, order: &[(usize, usize)], field: Field) -> Ve
             })
             .collect(),
         Field::ExternalForce => vector("External Force", &|s, p| simulation.external_force(s, p)),
+        Field::InternalVariables => (simulation.variables().iter())
+            .flat_map(|name| {
+                let columns: Vec<Option<&[f64]>> = simulation
+                    .sets()
+                    .iter()
+                    .map(|set| set.column(name))
+                    .collect();
+                scalar(name, &|s, p| {
+                    columns[s].map_or(f64::NAN, |column| column[p])
+                })
+            })
+            .collect(),
     }
 }

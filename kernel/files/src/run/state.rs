@@ -45,7 +45,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
             format!("set{i}/found"),
             vec![
                 found.speed_squared,
-                found.stiffness,
+                found.wave_speed_squared,
                 found.travel,
                 found.half_length,
             ],
@@ -181,7 +181,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
         body.layers = layers.iter().map(|&l| l as usize).collect();
         body.found = Found {
             speed_squared: found[0],
-            stiffness: found[1],
+            wave_speed_squared: found[1],
             travel: found[2],
             half_length: found[3],
             fault: None,

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use proctor_files::json::read;
 use proctor_files::records::{self, Harmonic};
+use proctor_kernel::laws::{AnyLaw, LinearElastic};
 use proctor_kernel::scene::{
-    ContactNormal, Damping, Dimension, Field, Law, Motion, ObjectiveRate, PlaneCondition, Scene,
-    Shape, StressScheme, TimeStep, TransferKind, Weighting,
+    ContactNormal, Damping, Dimension, Field, Motion, PlaneCondition, Scene, Shape, StressScheme,
+    TimeStep, TransferKind, Weighting,
 };
 
 fn file(name: &str) -> PathBuf {
@@ -17,12 +18,8 @@ fn scene(name: &str) -> Scene {
     read(&file(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn elastic(young: f64, poisson: f64) -> Law {
-    Law::LinearElastic {
-        young,
-        poisson,
-        rate: ObjectiveRate::HughesWinget,
-    }
+fn elastic(young: f64, poisson: f64) -> AnyLaw {
+    LinearElastic::new(young, poisson).into()
 }
 
 #[test]

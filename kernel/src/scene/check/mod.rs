@@ -12,6 +12,8 @@ mod surface;
 
 use self::collector::Collector;
 use super::{Damping, Dimension, PlaneCondition, Scene, SceneError, TimeStep};
+use crate::laws::Accepted;
+use crate::particles::Variable;
 
 impl Scene {
     /// Checks every value of the scene.
@@ -121,13 +123,22 @@ impl Scene {
         for (i, material) in self.materials.iter().enumerate() {
             let path = format!("materials[{i}]");
             problems.positive(format!("{path}.density"), material.density, "kg/m³");
-            let (young, poisson) = material.law.young_poisson();
-            problems.positive(format!("{path}.young"), young, "Pa");
-            if !(poisson > -1.0 && poisson < 0.5) {
+            for (constant, value) in material.law.constants() {
+                let path = format!("{path}.{}", constant.key);
+                match constant.accepted {
+                    Accepted::Positive => problems.positive(path, value, constant.unit),
+                    accepted if accepted.holds(value) => {}
+                    _ => problems.add(path, value.to_string(), constant.words()),
+                }
+            }
+            if let Some(twice) = named_twice(material.law.variables()) {
                 problems.add(
-                    format!("{path}.poisson"),
-                    poisson.to_string(),
-                    "a number greater than -1 and less than 0.5",
+                    format!("{path}.law"),
+                    format!(
+                        "{}, whose internal variable {twice:?} is there twice",
+                        material.law.name()
+                    ),
+                    "internal variables of different names",
                 );
             }
             if let Some(first) = self.materials[..i].iter().position(|m| m.id == material.id) {
@@ -169,4 +180,11 @@ impl Scene {
             }
         }
     }
+}
+
+/// The first name that two internal variables have.
+fn named_twice(variables: &[Variable]) -> Option<&'static str> {
+    (0..variables.len())
+        .find(|&i| variables[..i].iter().any(|v| v.name == variables[i].name))
+        .map(|i| variables[i].name)
 }

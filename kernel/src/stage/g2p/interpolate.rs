@@ -1,8 +1,8 @@
 //! Sums over the nodes that a group of particles reaches, lanes = particles.
 
-use crate::constitutive::Matrix;
 use crate::grid::Line;
 use crate::lanes::Lanes;
+use crate::laws::tensor::Matrix;
 use crate::stage::{Group, Mapping, layer_of, weights_of};
 use crate::weights::Family;
 

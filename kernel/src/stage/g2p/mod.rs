@@ -1,19 +1,22 @@
 //! Nodes to particles: velocity, position, velocity gradient, stress; lanes = particles of one cell.
 //!
 //! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
-//! (technical manual, algorithm 2, lines 12, 15, 19, 20), then the stress update of the law.
+//! (technical manual, algorithm 2, lines 12, 15, 19, 20), then, block by block, the law with L_p.
 
+mod domain;
 mod interpolate;
 mod update;
 
 use super::{Mapping, group_at};
-use crate::constitutive::{Configuration, Kind, Parameters};
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Selected};
+use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::laws::tensor::Configuration;
+use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::particles::Layout;
 use crate::scene::DomainUpdate;
 use interpolate::{Sums, interpolate};
-use update::{Maxima, first_fault, update};
+use std::ops::Range;
+use update::{Maxima, fault, update};
 
 /// What a pass does with the interpolated values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +50,8 @@ pub enum Affine {
 
 /// One call: some particles of a set, in layers.
 pub struct G2p<'a, 'b> {
+    /// Lanes of the law.
+    pub lanes: Selected,
     /// Columns of these particles.
     pub columns: &'a mut [&'b mut [f64]],
     /// Where the columns are.
@@ -54,7 +59,9 @@ pub struct G2p<'a, 'b> {
     /// How the set sees the grid.
     pub mapping: &'a Mapping,
     /// Law of the set.
-    pub law: &'a Parameters,
+    pub law: &'a dyn Strain,
+    /// Initial density \[kg/m³\].
+    pub density: f64,
     /// Update of the particle domain, for cpGIMP.
     pub domain_update: Option<DomainUpdate>,
     /// All nodes.
@@ -70,9 +77,8 @@ pub struct G2p<'a, 'b> {
 pub struct Found {
     /// Largest |v|² \[m²/s²\].
     pub speed_squared: f64,
-    /// Largest V/m \[m³/kg\] for the hypoelastic laws, largest c² for the neo-Hookean law; see
-    /// [`Found::wave_speed`].
-    pub stiffness: f64,
+    /// Largest square of a wave speed \[m²/s²\].
+    pub wave_speed_squared: f64,
     /// Largest move in cells along any axis.
     pub travel: f64,
     /// Largest half-length of a particle domain in cells.
@@ -98,7 +104,7 @@ impl Found {
     pub fn and(self, later: Self) -> Self {
         Self {
             speed_squared: self.speed_squared.max(later.speed_squared),
-            stiffness: self.stiffness.max(later.stiffness),
+            wave_speed_squared: self.wave_speed_squared.max(later.wave_speed_squared),
             travel: self.travel.max(later.travel),
             half_length: self.half_length.max(later.half_length),
             fault: self.fault.or(later.fault),
@@ -107,11 +113,8 @@ impl Found {
 
     /// Largest wave speed of the set \[m/s\].
     #[must_use]
-    pub fn wave_speed(&self, law: &Parameters) -> f64 {
-        match law.kind {
-            Kind::NeoHookean => self.stiffness.max(0.0).sqrt(),
-            _ => ((law.lambda + 2.0 * law.shear) * self.stiffness).sqrt(),
-        }
+    pub fn wave_speed(&self) -> f64 {
+        self.wave_speed_squared.max(0.0).sqrt()
     }
 }
 
@@ -182,25 +185,74 @@ impl<
         let mut call = self.0;
         let end = call.columns[0].len();
         let mut maxima = Maxima::<B::Native>::new();
+        let mut of_strain = Found::default();
         let mut sums = Sums::<B::Native>::zero();
-        let mut fault = None;
+        let mut gradients = Gradients::zero();
         let mut at = 0;
         while at < end {
-            let group = group_at::<B::Native, _, D, N>(call.columns, call.mapping, at, end);
-            interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
-                call.columns,
-                call.mapping,
-                call.nodes,
-                &group,
-                at,
-                &mut sums,
-            );
-            let bad = update::<B::Native, D, N>(&mut call, &sums, &mut maxima, at, group.count);
-            if bad != 0 && fault.is_none() {
-                fault = Some(first_fault::<D>(&call, at, bad));
+            let block = at;
+            let mut bad = None;
+            while at < end && at - block < BLOCK {
+                let group = group_at::<B::Native, _, D, N>(call.columns, call.mapping, at, end);
+                interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
+                    call.columns,
+                    call.mapping,
+                    call.nodes,
+                    &group,
+                    at,
+                    &mut sums,
+                );
+                // Written twice, so that nothing is masked in full groups.
+                let lanes = if group.count == B::Native::WIDTH {
+                    update::<B::Native, D>(&mut call, &sums, &mut maxima, at, B::Native::WIDTH)
+                } else {
+                    update::<B::Native, D>(&mut call, &sums, &mut maxima, at, group.count)
+                };
+                if lanes != 0 && bad.is_none() {
+                    bad = Some(at + lanes.trailing_zeros() as usize);
+                }
+                if GRADIENT {
+                    gradients.store::<B::Native, D>(&sums.gradient, at - block);
+                }
+                at += group.count;
             }
-            at += group.count;
+            if GRADIENT && call.task.strain.is_some() {
+                let first = strain(&mut call, &gradients, block..at, &mut of_strain);
+                bad = [bad, first].into_iter().flatten().min();
+            }
+            if of_strain.fault.is_none() {
+                of_strain.fault = bad.map(|p| (p, fault::<D>(&call, p)));
+            }
         }
-        maxima.found(fault)
+        maxima.found(of_strain)
     }
+}
+
+/// Strains a block of particles; the first of them that went wrong.
+fn strain(
+    call: &mut G2p<'_, '_>,
+    gradients: &Gradients,
+    range: Range<usize>,
+    found: &mut Found,
+) -> Option<usize> {
+    let (dt, configuration) = call.task.strain?;
+    let strained = call.law.strain(
+        call.lanes,
+        Block {
+            columns: call.columns,
+            layout: call.layout,
+            range: range.clone(),
+            gradients,
+            dt,
+            configuration,
+            density: call.density,
+            volume_of_deformation: call.domain_update.is_some(),
+        },
+    );
+    found.wave_speed_squared = found.wave_speed_squared.max(strained.speed_squared);
+    if let Some(update) = call.domain_update {
+        let most = domain::follow(call.lanes, update, call.columns, call.layout, range);
+        found.half_length = found.half_length.max(most);
+    }
+    strained.fault
 }

@@ -1,9 +1,9 @@
 //! Weights and quantities of one group of particles, as the sums over nodes want them.
 
 use super::{Carry, MASS_GRADIENT, SPIN, voigt};
-use crate::lanes::{Lanes, Quad};
+use crate::lanes::{Lanes, Quad, load};
 use crate::particles::Layout;
-use crate::stage::{Group, Mapping, load, weights_of};
+use crate::stage::{Group, Mapping, weights_of};
 
 /// Where the quantities come from, and which are wanted.
 pub(super) struct Source<'a> {

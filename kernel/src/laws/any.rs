@@ -1,0 +1,82 @@
+//! Laws of any type, and those that scene files name.
+
+use super::{Choice, Constant, Law, Strain};
+use std::fmt;
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// A law of any type. Clones share it.
+#[derive(Clone)]
+pub struct AnyLaw(Arc<dyn Strain>);
+
+impl<M: Law> From<M> for AnyLaw {
+    fn from(law: M) -> Self {
+        Self(Arc::new(law))
+    }
+}
+
+impl Deref for AnyLaw {
+    type Target = dyn Strain;
+
+    fn deref(&self) -> &(dyn Strain + 'static) {
+        &*self.0
+    }
+}
+
+impl AnyLaw {
+    /// The law itself, if it is one of this type.
+    #[must_use]
+    pub fn downcast<M: Law>(&self) -> Option<&M> {
+        let law: &dyn std::any::Any = &*self.0;
+        law.downcast_ref()
+    }
+}
+
+impl fmt::Debug for AnyLaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl PartialEq for AnyLaw {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.equals(&*other.0)
+    }
+}
+
+/// A law that scene files name.
+pub trait Readable: Law {
+    /// The word of scene files.
+    const NAME: &'static str;
+    /// Words that it may be given.
+    const CHOICES: &'static [Choice] = &[];
+
+    /// The law of these values of [`Law::CONSTANTS`] and of these words of [`Readable::CHOICES`], by number.
+    fn read(values: &[f64], choices: &[usize]) -> Self;
+}
+
+/// A type of law, as it stands in a list.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// The word of scene files.
+    pub name: &'static str,
+    /// Numbers that it needs.
+    pub constants: &'static [Constant],
+    /// Words that it may be given.
+    pub choices: &'static [Choice],
+    /// Makes one; see [`Readable::read`].
+    pub read: fn(&[f64], &[usize]) -> AnyLaw,
+}
+
+impl Kind {
+    /// The kind of a type.
+    #[must_use]
+    pub const fn of<M: Readable>() -> Self {
+        Self {
+            name: M::NAME,
+            constants: M::CONSTANTS,
+            choices: M::CHOICES,
+            read: |values, choices| M::read(values, choices).into(),
+        }
+    }
+}

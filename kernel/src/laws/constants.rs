@@ -1,0 +1,111 @@
+//! Constants of laws, as scene files spell them.
+
+/// A number that a law needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant {
+    /// Key in scene files.
+    pub key: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// SI unit; empty for a plain number.
+    pub unit: &'static str,
+    /// Which values.
+    pub accepted: Accepted,
+}
+
+/// Which values a constant may have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Accepted {
+    /// Finite and greater than zero.
+    Positive,
+    /// Finite, zero or greater.
+    NotNegative,
+    /// Between two numbers, neither included.
+    Between(f64, f64),
+}
+
+/// One of several words that a law may be given; the first is the default.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// Key in scene files.
+    pub key: &'static str,
+    /// Words.
+    pub words: &'static [&'static str],
+    /// What is chosen.
+    pub meaning: &'static str,
+    /// What is wrong with the key where another law, `{law}`, stands.
+    pub elsewhere: &'static str,
+}
+
+impl Accepted {
+    /// Whether a value is accepted.
+    #[must_use]
+    pub fn holds(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Self::Positive => value > 0.0,
+                Self::NotNegative => value >= 0.0,
+                Self::Between(low, high) => low < value && value < high,
+            }
+    }
+}
+
+impl Constant {
+    /// The values in words: "a number greater than 0 \[Pa\]".
+    #[must_use]
+    pub fn words(&self) -> String {
+        let number = match self.accepted {
+            Accepted::Positive => "a number greater than 0".to_owned(),
+            Accepted::NotNegative => "a number, 0 or greater".to_owned(),
+            Accepted::Between(low, high) => {
+                format!("a number greater than {low} and less than {high}")
+            }
+        };
+        match self.unit {
+            "" => number,
+            unit => format!("{number} [{unit}]"),
+        }
+    }
+}
+
+/// Young's modulus.
+pub(super) const YOUNG: Constant = Constant {
+    key: "young",
+    meaning: "Young's modulus",
+    unit: "Pa",
+    accepted: Accepted::Positive,
+};
+
+/// Poisson's ratio.
+pub(super) const POISSON: Constant = Constant {
+    key: "poisson",
+    meaning: "Poisson's ratio",
+    unit: "",
+    accepted: Accepted::Between(-1.0, 0.5),
+};
+
+/// Isotropic elasticity: four constants, of which two follow from the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isotropic {
+    /// Young's modulus E \[Pa\].
+    pub young: f64,
+    /// Poisson's ratio nu.
+    pub poisson: f64,
+    /// First Lamé parameter, lambda = E nu / ((1 + nu)(1 - 2 nu)) \[Pa\].
+    pub lambda: f64,
+    /// Shear modulus, G = E / (2 (1 + nu)) \[Pa\].
+    pub shear: f64,
+}
+
+impl Isotropic {
+    /// Of Young's modulus \[Pa\] and Poisson's ratio.
+    #[must_use]
+    pub const fn new(young: f64, poisson: f64) -> Self {
+        Self {
+            young,
+            poisson,
+            lambda: young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)),
+            shear: young / (2.0 * (1.0 + poisson)),
+        }
+    }
+}

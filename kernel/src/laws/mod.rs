@@ -1,0 +1,116 @@
+//! Constitutive laws: stress and internal variables after a strain increment, wave speeds, energies.
+//!
+//! A law is a type with the trait [`Law`], written once for all lanes and dimensions. Those that scene files name stand in
+//! [`ALL`]; a program adds its own by handing it to [`Scene::add_material`](crate::scene::Scene::add_material).
+
+mod any;
+mod constants;
+pub mod linear_elastic;
+pub mod neo_hookean;
+mod strain;
+pub mod tensor;
+
+pub use any::{AnyLaw, Kind, Readable};
+pub use constants::{Accepted, Choice, Constant, Isotropic};
+pub use linear_elastic::{LinearElastic, ObjectiveRate};
+pub use neo_hookean::NeoHookean;
+pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
+
+use crate::lanes::Lanes;
+use crate::particles::Variable;
+use constants::{POISSON, YOUNG};
+use std::fmt;
+use tensor::{Configuration, Matrix};
+
+/// The laws that scene files name, in the order in which messages list them.
+pub static ALL: [Kind; 2] = [Kind::of::<LinearElastic>(), Kind::of::<NeoHookean>()];
+
+/// A constitutive law.
+///
+/// It is asked once per step for groups of particles in lanes, each lane for itself; so it must do the same operations
+/// whatever the values, and choose between results with [`Lanes::select`]. Then its bits do not depend on the machine.
+pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
+    /// Its constants, in the order of [`Law::values`]; a scene whose values are not accepted is refused.
+    const CONSTANTS: &'static [Constant] = &[];
+
+    /// Internal variables that each particle carries. Layout, sort, checkpoint, frames, probes and plan know them from here;
+    /// no two may have the same name.
+    const VARIABLES: &'static [Variable] = &[];
+
+    /// Whether the stress follows from the deformation gradient, not from the stress before. Such a law is given F and
+    /// J = det F but no stress, and volumes are V_0 J; any other is given the stress before, and must not use F.
+    const FROM_DEFORMATION: bool = false;
+
+    /// Name in plans and messages.
+    fn name(&self) -> &'static str;
+
+    /// Values of the constants.
+    fn values(&self) -> Vec<f64> {
+        vec![]
+    }
+
+    /// Young's modulus at rest \[Pa\]: the scale of stiffness, of viscous damping for one.
+    fn young(&self) -> f64;
+
+    /// Speed of the fastest wave at rest \[m/s\] for an initial density \[kg/m³\]. The first time step depends on it.
+    fn wave_speed(&self, density: f64) -> f64;
+
+    /// Stress and internal variables after a strain increment; returns the square of the speed of the fastest wave
+    /// \[m²/s²\], on which the next time step depends. Must be `#[inline(always)]`.
+    ///
+    /// `stress` is xx, yy, zz, yz, xz, xy in space, and xx, yy, zz, xy in its first four entries in the plane \[Pa\].
+    /// `variables` are the components of [`Law::VARIABLES`] one after the other.
+    fn update<L: Lanes, const D: usize>(
+        &self,
+        increment: &Increment<L>,
+        stress: &mut [L; 6],
+        variables: &mut [L],
+    ) -> L;
+
+    /// Energy stored in a particle \[J\].
+    fn energy(&self, particle: &Particle<'_>) -> f64;
+}
+
+/// What a law is told of a step, in lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct Increment<L> {
+    /// Velocity gradient times time step, G = dt L; the leading D x D block counts.
+    pub gradient: Matrix<L>,
+    /// Whether it belongs to the positions at the beginning or the end of the step.
+    pub configuration: Configuration,
+    /// Time step \[s\].
+    pub dt: f64,
+    /// Deformation gradient after the step, and its determinant; see [`Law::FROM_DEFORMATION`].
+    pub deformation: Matrix<L>,
+    /// J.
+    pub jacobian: L,
+    /// Mass \[kg\].
+    pub mass: L,
+    /// Volume after the step \[m³\].
+    pub volume: L,
+    /// Initial density of the material \[kg/m³\].
+    pub density: f64,
+}
+
+/// The deformation gradient of a particle that has not deformed.
+pub const UNDEFORMED: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The state of one particle, for its energy.
+#[derive(Clone, Copy, Debug)]
+pub struct Particle<'a> {
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Volume \[m³\].
+    pub volume: f64,
+    /// Initial density of the material \[kg/m³\].
+    pub density: f64,
+    /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy.
+    pub stress: [f64; 6],
+    /// Deformation gradient; 1 where it is not kept.
+    pub deformation: [[f64; 3]; 3],
+    /// Internal variables.
+    pub variables: &'a [f64],
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,352 @@
+//! The strain increment of a block of particles: deformation, volume, stress and internal variables; compiled for all
+//! lanes from one [`Law`].
+
+use super::tensor::{
+    Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
+};
+use super::{Constant, Increment, Law, Particle};
+use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
+use crate::particles::{Layout, Variable};
+use std::any::Any;
+use std::fmt;
+use std::ops::Range;
+
+/// Particles whose velocity gradients are gathered before their law is asked: few enough for the fastest cache.
+pub const BLOCK: usize = 64;
+/// Most components of internal variables that a law may have.
+pub(super) const MOST_VARIABLES: usize = 16;
+
+/// Velocity gradients of a block \[1/s\]: component D a + b of particle i at `[D * a + b][i]`. A whole group of lanes may
+/// be written behind the last particle.
+pub struct Gradients(pub(super) [[f64; BLOCK + MOST_LANES]; 9]);
+
+/// The widest group.
+const MOST_LANES: usize = 8;
+
+impl Gradients {
+    /// All zero.
+    #[inline(always)]
+    #[must_use]
+    pub fn zero() -> Self {
+        Self([[0.0; BLOCK + MOST_LANES]; 9])
+    }
+
+    /// Those of a group that begins at particle `at` of the block.
+    #[inline(always)]
+    pub fn load<L: Lanes, const D: usize>(&self, at: usize) -> Matrix<L> {
+        // One bound for all components.
+        let at = at.min(BLOCK);
+        let mut gradient = [[L::splat(0.0); 3]; 3];
+        for a in 0..D {
+            for b in 0..D {
+                gradient[a][b] = L::load(&self.0[D * a + b][at..at + MOST_LANES]);
+            }
+        }
+        gradient
+    }
+
+    /// Keeps those of a group that begins at particle `at < BLOCK` of the block, and with them its lanes without
+    /// particles, which the next group writes over.
+    #[inline(always)]
+    pub fn store<L: Lanes, const D: usize>(&mut self, gradient: &Matrix<L>, at: usize) {
+        let at = at.min(BLOCK);
+        for a in 0..D {
+            for b in 0..D {
+                gradient[a][b].store(&mut self.0[D * a + b][at..at + MOST_LANES]);
+            }
+        }
+    }
+}
+
+/// Particles of one body, and how fast they deform.
+pub struct Block<'a, 'b> {
+    /// Columns of the particles of the call.
+    pub columns: &'a mut [&'b mut [f64]],
+    /// Where the columns are.
+    pub layout: &'a Layout,
+    /// The block among these particles.
+    pub range: Range<usize>,
+    /// Velocity gradients.
+    pub gradients: &'a Gradients,
+    /// Time step \[s\].
+    pub dt: f64,
+    /// Whether gradients belong to the positions at the beginning or the end of the step.
+    pub configuration: Configuration,
+    /// Initial density \[kg/m³\].
+    pub density: f64,
+    /// Whether volumes are V_0 det F although the law has no use for F.
+    pub volume_of_deformation: bool,
+}
+
+/// What was found in a block.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Strained {
+    /// Largest square of a wave speed \[m²/s²\].
+    pub speed_squared: f64,
+    /// First particle of the call whose volume is not positive, or whose stress or internal variables are not finite.
+    pub fault: Option<usize>,
+}
+
+/// What the cycle asks of a [`Law`] of a type that it does not know. Every law has it.
+pub trait Strain: Any + fmt::Debug + Send + Sync {
+    /// See [`Law::name`].
+    fn name(&self) -> &'static str;
+    /// See [`Law::CONSTANTS`].
+    fn constants(&self) -> Vec<(Constant, f64)>;
+    /// See [`Law::VARIABLES`].
+    fn variables(&self) -> &'static [Variable];
+    /// See [`Law::FROM_DEFORMATION`].
+    fn from_deformation(&self) -> bool;
+    /// See [`Law::young`].
+    fn young(&self) -> f64;
+    /// See [`Law::wave_speed`].
+    fn wave_speed(&self, density: f64) -> f64;
+    /// See [`Law::energy`].
+    fn energy(&self, particle: &Particle<'_>) -> f64;
+    /// Square of the speed of the fastest wave of a particle at rest \[m²/s²\].
+    fn speed_squared(&self, particle: &Particle<'_>) -> f64;
+    /// Whether another law is the same.
+    fn equals(&self, other: &dyn Strain) -> bool;
+    /// Strains a block of particles.
+    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> Strained;
+}
+
+impl<M: Law> Strain for M {
+    fn name(&self) -> &'static str {
+        Law::name(self)
+    }
+    fn constants(&self) -> Vec<(Constant, f64)> {
+        M::CONSTANTS.iter().copied().zip(self.values()).collect()
+    }
+    fn variables(&self) -> &'static [Variable] {
+        M::VARIABLES
+    }
+    fn from_deformation(&self) -> bool {
+        M::FROM_DEFORMATION
+    }
+    fn young(&self) -> f64 {
+        Law::young(self)
+    }
+    fn wave_speed(&self, density: f64) -> f64 {
+        Law::wave_speed(self, density)
+    }
+    fn energy(&self, particle: &Particle<'_>) -> f64 {
+        Law::energy(self, particle)
+    }
+    fn speed_squared(&self, particle: &Particle<'_>) -> f64 {
+        Selected::any().run(AtRest(self, particle))
+    }
+    fn equals(&self, other: &dyn Strain) -> bool {
+        let other: &dyn Any = other;
+        other.downcast_ref() == Some(self)
+    }
+    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> Strained {
+        if block.layout.axes == 2 {
+            lanes.run(OfBlock::<M, 2>(self, block))
+        } else {
+            lanes.run(OfBlock::<M, 3>(self, block))
+        }
+    }
+}
+
+/// The wave speed of one particle that does not strain.
+struct AtRest<'a, M>(&'a M, &'a Particle<'a>);
+
+impl<M: Law> Kernel for AtRest<'_, M> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> f64 {
+        let Self(law, particle) = self;
+        let zero = B::Native::splat(0.0);
+        // Loops, not `map`, which the compiler may leave as a call, and with it each `splat`.
+        let mut deformation = [[zero; 3]; 3];
+        for (row, given) in deformation.iter_mut().zip(&particle.deformation) {
+            for (value, given) in row.iter_mut().zip(given) {
+                *value = B::Native::splat(*given);
+            }
+        }
+        let mut stress = [zero; 6];
+        for (value, given) in stress.iter_mut().zip(&particle.stress) {
+            *value = B::Native::splat(*given);
+        }
+        let mut variables = [zero; MOST_VARIABLES];
+        for (value, given) in variables.iter_mut().zip(particle.variables) {
+            *value = B::Native::splat(*given);
+        }
+        let increment = Increment {
+            gradient: [[zero; 3]; 3],
+            configuration: Configuration::Beginning,
+            dt: 0.0,
+            deformation,
+            jacobian: determinant::<B::Native, 3>(&deformation),
+            mass: B::Native::splat(particle.mass),
+            volume: B::Native::splat(particle.volume),
+            density: particle.density,
+        };
+        let count = const { components(M::VARIABLES) };
+        let speed_squared =
+            law.update::<B::Native, 3>(&increment, &mut stress, &mut variables[..count]);
+        let mut all = [0.0; 8];
+        speed_squared.store(&mut all);
+        all[0]
+    }
+}
+
+/// Number of components of internal variables.
+const fn components(variables: &[Variable]) -> usize {
+    let (mut count, mut i) = (0, 0);
+    while i < variables.len() {
+        count += variables[i].components;
+        i += 1;
+    }
+    assert!(
+        count <= MOST_VARIABLES,
+        "a law has too many internal variables"
+    );
+    count
+}
+
+pub(super) struct OfBlock<'a, 'b, 'm, M, const D: usize>(
+    pub(super) &'m M,
+    pub(super) Block<'a, 'b>,
+);
+
+impl<M: Law, const D: usize> Kernel for OfBlock<'_, '_, '_, M, D> {
+    type Output = Strained;
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> Strained {
+        let Self(law, mut block) = self;
+        let mut most = B::Native::splat(0.0);
+        let mut fault = None;
+        let mut at = block.range.start;
+        while at < block.range.end {
+            let count = (block.range.end - at).min(B::Native::WIDTH);
+            // Written twice, so that nothing is masked in full groups.
+            let bad = if count == B::Native::WIDTH {
+                group::<B::Native, M, D>(law, &mut block, at, B::Native::WIDTH, &mut most)
+            } else {
+                group::<B::Native, M, D>(law, &mut block, at, count, &mut most)
+            };
+            if bad != 0 && fault.is_none() {
+                fault = Some(at + bad.trailing_zeros() as usize);
+            }
+            at += count;
+        }
+        Strained {
+            speed_squared: most.largest(),
+            fault,
+        }
+    }
+}
+
+/// Strains the particles of one group of lanes; returns the lanes that went wrong.
+#[inline(always)]
+fn group<L: Lanes, M: Law, const D: usize>(
+    law: &M,
+    block: &mut Block<'_, '_>,
+    at: usize,
+    count: usize,
+    most: &mut L,
+) -> u32 {
+    let zero = L::splat(0.0);
+    let live = L::first(count);
+    let dt = L::splat(block.dt);
+    let configuration = block.configuration;
+    let mut gradient = block.gradients.load::<L, D>(at - block.range.start);
+    for a in 0..D {
+        for b in 0..D {
+            gradient[a][b] = gradient[a][b] * dt;
+        }
+    }
+    let mass: L = load(block.columns[Layout::MASS], at, count);
+    let mut deformation = [[zero; 3]; 3];
+    let mut jacobian = L::splat(1.0);
+    if let Some(first) = block.layout.deformation {
+        deformation = deform::<L, D>(block.columns, first, at, count, &gradient, configuration);
+        jacobian = determinant::<L, D>(&deformation);
+    }
+    // Where F has a use in the cycle the volume is V_0 det F, so that volume, density and F agree to round-off;
+    // an F that is only written must not change a bit.
+    let volume = if M::FROM_DEFORMATION || block.volume_of_deformation {
+        mass * L::splat(1.0 / block.density) * jacobian
+    } else {
+        load::<L>(block.columns[Layout::VOLUME], at, count)
+            * volume_ratio::<L, D>(&gradient, configuration)
+    };
+    store(volume, block.columns[Layout::VOLUME], at, count);
+
+    let components_of_stress = const { Layout::stress_components_of(D) };
+    let of_stress = Layout::stress(D)..Layout::stress(D) + components_of_stress;
+    let mut stress = [zero; 6];
+    if !M::FROM_DEFORMATION {
+        let columns = &block.columns[of_stress.clone()];
+        for i in 0..components_of_stress {
+            stress[i] = load(columns[i], at, count);
+        }
+    }
+    let count_of_variables = const { components(M::VARIABLES) };
+    let mut variables = [zero; MOST_VARIABLES];
+    for i in 0..count_of_variables {
+        variables[i] = load(block.columns[block.layout.variables + i], at, count);
+    }
+    let increment = Increment {
+        gradient,
+        configuration,
+        dt: block.dt,
+        deformation,
+        jacobian,
+        mass,
+        volume,
+        density: block.density,
+    };
+    let speed_squared = law.update::<L, D>(
+        &increment,
+        &mut stress,
+        &mut variables[..count_of_variables],
+    );
+    *most = most.max(L::select(live, speed_squared, zero));
+    let mut finite = zero;
+    let columns = &mut block.columns[of_stress];
+    for i in 0..components_of_stress {
+        store(stress[i], columns[i], at, count);
+        finite = stress[i].mul_add(zero, finite);
+    }
+    for i in 0..count_of_variables {
+        store(
+            variables[i],
+            block.columns[block.layout.variables + i],
+            at,
+            count,
+        );
+        finite = variables[i].mul_add(zero, finite);
+    }
+    let good = L::bits(zero.lt(volume)) & L::bits(finite.eq(zero));
+    !good & L::bits(live)
+}
+
+/// F after the step, f F, which is kept.
+#[inline(always)]
+fn deform<L: Lanes, const D: usize>(
+    columns: &mut [&mut [f64]],
+    first: usize,
+    at: usize,
+    count: usize,
+    gradient: &Matrix<L>,
+    configuration: Configuration,
+) -> Matrix<L> {
+    let mut f = [[L::splat(0.0); 3]; 3];
+    for a in 0..D {
+        for b in 0..D {
+            f[a][b] = load(columns[first + a * D + b], at, count);
+        }
+    }
+    f = product::<L, D>(&relative_deformation::<L, D>(gradient, configuration), &f);
+    for a in 0..D {
+        for b in 0..D {
+            store(f[a][b], columns[first + a * D + b], at, count);
+        }
+    }
+    f
+}

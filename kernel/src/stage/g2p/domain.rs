@@ -1,0 +1,83 @@
+//! The particle domains of cpGIMP after a strain increment.
+
+use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
+use crate::laws::tensor::{Matrix, determinant, left_stretch_diagonal, stretch_diagonal};
+use crate::particles::Layout;
+use crate::scene::DomainUpdate;
+use std::ops::Range;
+
+/// Half-lengths of the domains of some particles after their deformation gradient; the largest, in cells.
+pub(super) fn follow(
+    lanes: Selected,
+    update: DomainUpdate,
+    columns: &mut [&mut [f64]],
+    layout: &Layout,
+    range: Range<usize>,
+) -> f64 {
+    let (Some(deformation), Some(half_length), Some(initial)) = (
+        layout.deformation,
+        layout.half_length,
+        layout.initial_half_length,
+    ) else {
+        return 0.0;
+    };
+    let first = First {
+        deformation,
+        half_length,
+        initial,
+    };
+    if layout.axes == 2 {
+        lanes.run(Follow::<2>(update, columns, first, range))
+    } else {
+        lanes.run(Follow::<3>(update, columns, first, range))
+    }
+}
+
+/// First columns.
+struct First {
+    deformation: usize,
+    half_length: usize,
+    initial: usize,
+}
+
+struct Follow<'a, 'b, const D: usize>(DomainUpdate, &'a mut [&'b mut [f64]], First, Range<usize>);
+
+impl<const D: usize> Kernel for Follow<'_, '_, D> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> f64 {
+        let Self(update, columns, first, range) = self;
+        let zero = B::Native::splat(0.0);
+        let mut most = zero;
+        let mut at = range.start;
+        while at < range.end {
+            let count = (range.end - at).min(B::Native::WIDTH);
+            let mut f = [[zero; 3]; 3];
+            for a in 0..D {
+                for b in 0..D {
+                    f[a][b] = load(columns[first.deformation + a * D + b], at, count);
+                }
+            }
+            let factor = factors::<B::Native, D>(update, &f);
+            for axis in 0..D {
+                let l = factor[axis] * load::<B::Native>(columns[first.initial + axis], at, count);
+                store(l, columns[first.half_length + axis], at, count);
+                most = most.max(B::Native::select(B::Native::first(count), l, zero));
+            }
+            at += count;
+        }
+        most.largest()
+    }
+}
+
+/// What the half-lengths at the start are multiplied by.
+#[inline(always)]
+fn factors<L: Lanes, const D: usize>(update: DomainUpdate, f: &Matrix<L>) -> [L; 3] {
+    match update {
+        DomainUpdate::Stretch => stretch_diagonal::<L, D>(f),
+        DomainUpdate::LeftStretch => left_stretch_diagonal::<L, D>(f),
+        DomainUpdate::Determinant if D == 2 => [determinant::<L, D>(f).sqrt(); 3],
+        DomainUpdate::Determinant => [determinant::<L, D>(f).map(libm::cbrt); 3],
+    }
+}
