@@ -2,6 +2,8 @@
 
 use super::Simulation;
 use super::error::{StepError, StepErrorKind, Unstable};
+use super::phase::Phase;
+use super::step::Watcher;
 use crate::scene::{StressScheme, TimeStep, TransferKind, Weighting};
 
 /// Share of the critical step that an automatic step takes.
@@ -205,7 +207,11 @@ impl Simulation {
     }
 
     /// Time step towards `stop`: a constant one as it is, others so that `stop` is reached in equal steps.
-    pub(super) fn choose_time_step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
+    pub(super) fn choose_time_step(
+        &mut self,
+        stop: f64,
+        ended: Watcher<'_>,
+    ) -> Result<StepInfo, StepError> {
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
@@ -247,6 +253,7 @@ impl Simulation {
             clock.dt_critical.min(dt_critical)
         };
         self.refuse_leaps(dt)?;
+        ended(Phase::TimeStep);
         Ok(StepInfo {
             step,
             time,

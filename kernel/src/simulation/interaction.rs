@@ -7,50 +7,31 @@
 //! known how far positions move.
 
 use super::Simulation;
-use super::acting::{Acting, prescribed};
+use super::acting::Acting;
 use super::error::StepError;
 use super::fields::{Grid, Slab};
 use super::mapping::BodiesOnto;
 use super::phase::Phase;
 use super::step::Watcher;
 use crate::contact::State;
-use crate::plan::Plan;
 use crate::scene::Vector;
-use crate::stage::solve::{PlaneSums, Wall};
+use crate::stage::solve::{Forces, PlaneSums, Wall};
+use std::borrow::Cow;
 
 /// What a visit of all slabs knows beside the fields.
 pub(super) struct Now<'a> {
-    pub(super) plan: &'a Plan,
-    pub(super) mapping: &'a BodiesOnto<'a>,
+    pub(super) mapping: BodiesOnto<'a>,
     pub(super) acting: &'a Acting,
+    /// Forces on the nodes of all fields together.
+    pub(super) forces: Forces<'a>,
     /// Walls, with the velocities of this visit.
-    pub(super) walls: &'a [Wall],
+    pub(super) walls: Cow<'a, [Wall]>,
     /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
     pub(super) prescribed: Vec<Option<[Vector; 2]>>,
     /// Whether kinetic energy and residual are measured.
     pub(super) measure: bool,
     /// Whether velocities still change when all slabs are done, and sums are taken after that.
     pub(super) settles: bool,
-}
-
-impl<'a> Now<'a> {
-    /// What a visit with these walls knows.
-    pub(super) fn new(
-        plan: &'a Plan,
-        mapping: &'a BodiesOnto<'a>,
-        acting: &'a Acting,
-        walls: &'a [Wall],
-    ) -> Self {
-        Self {
-            plan,
-            mapping,
-            acting,
-            walls,
-            prescribed: prescribed(mapping.bodies, acting),
-            measure: plan.measure,
-            settles: false,
-        }
-    }
 }
 
 /// What an interaction does to the fields of one slab.
@@ -71,10 +52,27 @@ pub(super) type Parts<'a> = Vec<Vec<Box<dyn OnSlab + 'a>>>;
 pub(super) enum Visit {
     /// Those of the equation of motion.
     Trial,
-    /// Those that were mapped again at the same positions (MUSL).
-    Remapped,
-    /// Those that were mapped again at new positions (USF).
-    Mapped,
+    /// Those that were mapped a second time.
+    Again(Again),
+}
+
+/// From where velocities are mapped a second time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Again {
+    /// From the positions of the first mapping, to the upper lanes of the nodes (MUSL).
+    OldPositions,
+    /// From the positions at the end of the step, to the lower lanes (USF).
+    NewPositions,
+}
+
+impl Again {
+    /// The lane of a node where its velocity begins.
+    pub(super) fn lane(self) -> usize {
+        match self {
+            Self::OldPositions => 4,
+            Self::NewPositions => 1,
+        }
+    }
 }
 
 /// What acts on the slabs of a visit.
@@ -146,9 +144,9 @@ impl Simulation {
         Ok(touching + self.mortar.vertices_under_pressure())
     }
 
-    /// The same for velocities that were mapped again, in the lanes of the nodes from `lane` on.
-    pub(super) fn settle_again(&mut self, acting: &Acting, lane: usize) -> Result<(), StepError> {
-        self.hold_at_surfaces(acting, lane)
+    /// The same for velocities that were mapped a second time.
+    pub(super) fn settle_again(&mut self, acting: &Acting, again: Again) -> Result<(), StepError> {
+        self.hold_at_surfaces(acting, again.lane())
     }
 
     /// Positions move by `drift` \[s\].

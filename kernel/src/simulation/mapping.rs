@@ -11,7 +11,8 @@ use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
 use std::ops::Range;
 
-/// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
+/// The mapping of a kind; [`Carry::All`] has spins with it where the plan asks for them. Borrows the particles alone, so
+/// that the nodes can be written meanwhile.
 pub(super) fn bodies_onto<'a>(
     plan: &Plan,
     sets: &'a [ParticleSet],
@@ -20,6 +21,10 @@ pub(super) fn bodies_onto<'a>(
     stencil: usize,
     carry: Carry,
 ) -> BodiesOnto<'a> {
+    let carry = match carry {
+        Carry::All if plan.spin => Carry::AllAndSpin,
+        carry => carry,
+    };
     let instance = |carry| Carrier {
         carry,
         call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
@@ -33,15 +38,6 @@ pub(super) fn bodies_onto<'a>(
         free: instance(carry),
         driven: instance(Carry::Momentum),
         gradient: instance(Carry::MassGradient),
-    }
-}
-
-/// What the first mapping of a step carries.
-pub(super) fn first_carry(plan: &Plan) -> Carry {
-    if plan.spin {
-        Carry::AllAndSpin
-    } else {
-        Carry::All
     }
 }
 

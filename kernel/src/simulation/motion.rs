@@ -12,17 +12,16 @@ pub(super) fn solve(
     slab: &mut Slab<'_>,
     parts: &mut [Box<dyn OnSlab + '_>],
     now: &Now<'_>,
-    forces: &Forces<'_>,
 ) -> Result<Vec<PlaneSums>, EmptyNode> {
     for part in parts.iter_mut() {
         part.mapped(slab, now);
     }
-    let loads = shared_loads(slab, forces.loads, now)?;
+    let loads = shared_loads(slab, now)?;
     let mut sums = vec![PlaneSums::default(); slab.range().len()];
     for (field, own) in slab.fields.iter_mut().zip(&loads) {
         let forces = Forces {
             loads: own,
-            ..*forces
+            ..now.forces
         };
         equation_of_motion(field, now, &forces, &mut sums)?;
     }
@@ -30,10 +29,10 @@ pub(super) fn solve(
         part.correct(slab, now, &mut sums);
     }
     for planes in slab.planes() {
-        planes.unfold(now.walls, true);
+        planes.unfold(&now.walls, true);
     }
     if !now.settles {
-        add_sums(slab, &loads, now, forces, &mut sums);
+        add_sums(slab, &loads, now, &mut sums);
     }
     Ok(sums)
 }
@@ -46,7 +45,7 @@ fn equation_of_motion(
     sums: &mut [PlaneSums],
 ) -> Result<(), EmptyNode> {
     if let Some(velocities) = now.prescribed(field.owner) {
-        prescribe(&mut field.planes, velocities, now.walls);
+        prescribe(&mut field.planes, velocities, &now.walls);
         return Ok(());
     }
     let (planes, driven) = (&mut field.planes, now.driven_nodes(field.owner));
@@ -54,24 +53,20 @@ fn equation_of_motion(
     planes.accelerate(forces);
     planes.add_power_of_driven(driven, forces.kick, sums);
     planes.drive(driven, true);
-    planes.add_power_of_walls(now.walls, forces.kick, sums);
-    planes.constrain(now.walls, true);
+    planes.add_power_of_walls(&now.walls, forces.kick, sums);
+    planes.constrain(&now.walls, true);
     Ok(())
 }
 
 /// Ghost nodes of all fields, and the sums of each plane with the velocities that they hold.
-pub(super) fn sums_after(
-    slab: &mut Slab<'_>,
-    now: &Now<'_>,
-    forces: &Forces<'_>,
-) -> Vec<PlaneSums> {
+pub(super) fn sums_after(slab: &mut Slab<'_>, now: &Now<'_>) -> Vec<PlaneSums> {
     for planes in slab.planes() {
-        planes.unfold(now.walls, true);
+        planes.unfold(&now.walls, true);
     }
     let mut sums = vec![PlaneSums::default(); slab.range().len()];
     // The loads found their nodes when they were added.
-    if let Ok(loads) = shared_loads(slab, forces.loads, now) {
-        add_sums(slab, &loads, now, forces, &mut sums);
+    if let Ok(loads) = shared_loads(slab, now) {
+        add_sums(slab, &loads, now, &mut sums);
     }
     sums
 }
@@ -81,7 +76,6 @@ fn add_sums(
     slab: &mut Slab<'_>,
     loads: &[Cow<'_, [NodeForce]>],
     now: &Now<'_>,
-    forces: &Forces<'_>,
     sums: &mut [PlaneSums],
 ) {
     for (field, own) in slab.fields.iter().zip(loads) {
@@ -90,7 +84,7 @@ fn add_sums(
         }
         let forces = Forces {
             loads: own,
-            ..*forces
+            ..now.forces
         };
         let mut own = vec![PlaneSums::default(); sums.len()];
         field.planes.add_sums(&forces, now.measure, &mut own);
@@ -105,9 +99,9 @@ fn add_sums(
 /// Shares nodal loads between the fields of a node by their mass. Lists by number of the field.
 fn shared_loads<'l>(
     slab: &Slab<'_>,
-    loads: &'l [NodeForce],
-    now: &Now<'_>,
+    now: &'l Now<'_>,
 ) -> Result<Vec<Cow<'l, [NodeForce]>>, EmptyNode> {
+    let loads = now.forces.loads;
     if slab.fields.len() == 1 || loads.is_empty() {
         return Ok(vec![Cow::Borrowed(loads); slab.fields.len()]);
     }
@@ -157,17 +151,17 @@ pub(super) fn solve_remapped(
         } else {
             now.mapping.run_field(field);
             let planes = &mut field.planes;
-            planes.fold_remapped(now.walls);
+            planes.fold_remapped(&now.walls);
             planes.remapped_velocities();
             planes.drive_remapped(now.driven_nodes(field.owner));
         }
-        field.planes.constrain_remapped(now.walls);
+        field.planes.constrain_remapped(&now.walls);
     }
     // Contact keeps to the planes once the fields do; the ghosts are filled after it.
     for part in parts {
         part.correct_again(slab, now);
         for planes in slab.planes() {
-            planes.constrain_remapped(now.walls);
+            planes.constrain_remapped(&now.walls);
         }
     }
 }
@@ -176,7 +170,7 @@ pub(super) fn solve_remapped(
 pub(super) fn solve_mapped(slab: &mut Slab<'_>, parts: &mut [Box<dyn OnSlab + '_>], now: &Now<'_>) {
     now.mapping.run(slab);
     for planes in slab.planes() {
-        planes.fold(now.walls, true, false);
+        planes.fold(&now.walls, true, false);
         planes.velocities();
     }
     for part in parts.iter_mut() {
@@ -185,17 +179,17 @@ pub(super) fn solve_mapped(slab: &mut Slab<'_>, parts: &mut [Box<dyn OnSlab + '_
     for field in &mut slab.fields {
         let planes = &mut field.planes;
         if let Some(velocities) = now.prescribed(field.owner) {
-            prescribe(planes, velocities, now.walls);
+            prescribe(planes, velocities, &now.walls);
         } else {
             planes.drive(now.driven_nodes(field.owner), false);
-            planes.constrain(now.walls, false);
+            planes.constrain(&now.walls, false);
         }
     }
     for part in parts {
         part.correct_again(slab, now);
     }
     for planes in slab.planes() {
-        planes.unfold(now.walls, false);
+        planes.unfold(&now.walls, false);
     }
 }
 

@@ -122,7 +122,7 @@ impl Simulation {
         for set in &mut simulation.sets {
             set.sort_by_position(&simulation.grid.team);
         }
-        simulation.sort_if_stale();
+        simulation.sort_if_stale(&mut |_| ());
         simulation.refuse_overlap()?;
         simulation.refuse_overlap_with_surfaces()?;
         simulation.open_ledger();
