@@ -4,4 +4,7 @@ pub use crate::scene::{
     Body, Contact, ContactNormal, Damping, Dimension, History, Law, Mesh, PlaneCondition, Scene,
     Shape, StartError, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
 };
-pub use crate::simulation::{Options, Simulation, StepError, StepInfo};
+pub use crate::simulation::{
+    Acting, Condition, FieldNodes, Node, Options, Simulation, StepError, StepInfo,
+};
+pub use crate::stage::solve::EmptyNode;

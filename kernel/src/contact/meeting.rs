@@ -6,11 +6,10 @@ use super::Pair;
 use super::coulomb::{Coulomb, Law, Member, Touch};
 use super::faces::{SlabFields, joined};
 use super::surface::{Side, normal};
-use crate::grid::GridShape;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::fields::Owner;
-use crate::stage::solve::Wall;
+use crate::stage::solve::{Wall, is_ghost};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -438,13 +437,6 @@ fn shared_span(fields: &SlabFields<'_, '_, '_>, plane: usize, row: usize) -> Opt
         })
         .filter(|both| !both.is_empty())
         .reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
-}
-
-/// Whether a node is the ghost of a wall, which mirrors what lies inside.
-fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {
-    walls
-        .iter()
-        .any(|wall| at[shape.direction(wall.axis)] == wall.layers(shape).0)
 }
 
 /// Mass of a field at a node; zero outside the rows that the field uses, where old values lie.

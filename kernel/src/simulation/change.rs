@@ -28,6 +28,7 @@ impl Simulation {
         self.ledger.external_work += before - self.ledger.dead_load_origin;
         self.scene.gravity = gravity;
         self.plan.gravity = gravity != [0.0; 3];
+        self.set_conditions()?;
         self.ledger.dead_load_origin = self.dead_load_potential();
         Ok(())
     }
@@ -131,7 +132,7 @@ impl Simulation {
         self.mortar
             .set_carrier(&self.scene, &self.bodies[index], index);
         self.sorted();
-        Ok(())
+        self.set_conditions()
     }
 
     /// Sets the factor of local damping from here on; `None` for no damping.
@@ -153,7 +154,7 @@ impl Simulation {
         }
         self.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
         self.plan.local_damping = alpha.filter(|alpha| *alpha != 0.0);
-        Ok(())
+        self.set_conditions()
     }
 }
 

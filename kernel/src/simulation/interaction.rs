@@ -7,7 +7,7 @@
 //! known how far positions move.
 
 use super::Simulation;
-use super::acting::Acting;
+use super::conditions::{Acting, Condition};
 use super::error::StepError;
 use super::fields::{Grid, Slab};
 use super::mapping::BodiesOnto;
@@ -15,15 +15,17 @@ use super::phase::Phase;
 use super::step::Watcher;
 use crate::contact::State;
 use crate::scene::Vector;
-use crate::stage::solve::{Forces, PlaneSums, Wall};
+use crate::stage::solve::{PlaneSums, Wall};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// What a visit of all slabs knows beside the fields.
 pub(super) struct Now<'a> {
     pub(super) mapping: BodiesOnto<'a>,
     pub(super) acting: &'a Acting,
-    /// Forces on the nodes of all fields together.
-    pub(super) forces: Forces<'a>,
+    pub(super) conditions: &'a [Arc<dyn Condition>],
+    /// Lower corner of the mesh in the coordinates of the scene \[m\].
+    pub(super) origin: Vector,
     /// Walls, with the velocities of this visit.
     pub(super) walls: Cow<'a, [Wall]>,
     /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].

@@ -1,15 +1,14 @@
 //! A scene in motion: state, explicit cycle, and what can be asked of it.
 
-mod acting;
 mod change;
 mod clock;
+mod conditions;
 mod contact;
 mod error;
 mod faults;
 pub(crate) mod fields;
 mod history;
 mod interaction;
-mod loads;
 mod mapping;
 mod measure;
 mod mortar;
@@ -26,6 +25,7 @@ mod step;
 mod surfaces;
 
 pub use clock::{Bound, Clock, StepInfo, has_safe_step, stability_number};
+pub use conditions::{Acting, Condition, FieldNodes, Node};
 pub use error::{
     Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
 };
@@ -47,7 +47,6 @@ use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
-use crate::stage::solve::{DrivenNode, NodeForce};
 use fields::Grid;
 use std::fmt;
 use std::sync::Arc;
@@ -89,6 +88,8 @@ pub struct Options {
     pub body_force: Option<BodyForce>,
     /// Initial state, for manufactured solutions.
     pub initial: Option<InitialField>,
+    /// Conditions at the nodes beside those of the scene. They act after those.
+    pub conditions: Vec<Arc<dyn Condition>>,
     /// Memory that the scene may need; else all that the machine has free.
     pub memory: Option<Memory>,
 }
@@ -102,6 +103,7 @@ impl fmt::Debug for Options {
             .field("measure", &self.measure)
             .field("body_force", &self.body_force.is_some())
             .field("initial", &self.initial.is_some())
+            .field("conditions", &self.conditions.len())
             .field("memory", &self.memory)
             .finish()
     }
@@ -151,9 +153,9 @@ pub struct Simulation {
     pub(crate) clock: Clock,
     /// Displacement of the mesh since the start \[m\].
     pub(crate) mesh_shift: Vector,
-    pub(crate) loads: Vec<NodeForce>,
-    /// Nodes that stand still, increasing.
-    pub(crate) held: Vec<DrivenNode>,
+    /// What acts at the nodes from outside; those of the user come last.
+    pub(crate) conditions: Vec<Arc<dyn Condition>>,
+    pub(crate) own_conditions: Vec<Arc<dyn Condition>>,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
     pub(crate) relaxation: relaxation::Relaxation,

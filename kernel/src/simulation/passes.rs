@@ -1,7 +1,7 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
 use super::Simulation;
-use super::acting::{Acting, prescribed};
+use super::conditions::{Acting, prescribed};
 use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
 use super::interaction::{Again, Now, Visit, on_slabs};
@@ -12,7 +12,7 @@ use super::step::Watcher;
 use crate::contact::State;
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::Carry;
-use crate::stage::solve::{EmptyNode, Forces, PlaneSums};
+use crate::stage::solve::{EmptyNode, PlaneSums};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -65,12 +65,8 @@ impl Simulation {
         let now = Now {
             mapping,
             acting,
-            forces: Forces {
-                gravity: self.scene.gravity,
-                loads: &self.loads,
-                local_damping: self.plan.local_damping,
-                kick: acting.kick,
-            },
+            conditions: &self.conditions,
+            origin: self.origin(),
             walls: Cow::Borrowed(&acting.walls),
             prescribed: prescribed(&self.bodies, acting),
             measure: self.plan.measure,

@@ -1,8 +1,8 @@
 //! One part of a step again and again on the same state, for measurements.
 
 use super::Simulation;
-use super::acting::Acting;
 use super::clock::StepInfo;
+use super::conditions::Acting;
 use super::error::StepError;
 use super::fields::Owner;
 use super::interaction::Again;

@@ -7,7 +7,7 @@ use super::mortar::MortarState;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
 use super::surfaces::{self, Surfaces};
-use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads, needs};
+use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, conditions, needs};
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::constitutive::{Kind, Parameters};
 use crate::contact::State;
@@ -51,8 +51,7 @@ impl Simulation {
         needs::grid(scene, &shape, &mut memory)?;
         needs::frames(scene, &mut memory)?;
         needs::loads(scene, &shape, &mut memory)?;
-        let loads = loads::nodal(scene, &shape)?;
-        let held = loads::held(scene, &shape);
+        let conditions = conditions::of(scene, &shape, &options.conditions)?;
         let (mut sets, mut bodies) = (vec![], vec![]);
         let mut next_id = 0;
         for i in 0..scene.bodies.len() {
@@ -110,8 +109,8 @@ impl Simulation {
             groups: Groups::default(),
             clock: Clock::default(),
             mesh_shift: [0.0; 3],
-            loads,
-            held,
+            conditions,
+            own_conditions: options.conditions.clone(),
             body_force: options.body_force.clone(),
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),

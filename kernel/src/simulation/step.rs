@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use super::clock::StepInfo;
-use super::error::{Event, EventKind, StepError};
+use super::error::StepError;
 use super::interaction::Again;
 use super::phase::Phase;
 use crate::constitutive::Configuration;
@@ -214,16 +214,7 @@ impl Simulation {
             // Gaps are first measured in the first step, at the positions of the start.
             self.ledger.initial_energy += self.mortar_energy();
         }
-        if let Some(base) = &self.base
-            && self.clock.time < base.end()
-            && info.time >= base.end()
-        {
-            self.events.push(Event {
-                step: info.step,
-                time: info.time,
-                kind: EventKind::RecordEnded,
-            });
-        }
+        self.note_end_of_record(info);
         self.clock.step = info.step;
         self.clock.time = info.time;
         self.clock.dt_before = info.dt;

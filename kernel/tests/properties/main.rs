@@ -4,6 +4,7 @@
 mod common;
 
 mod bits;
+mod conditions;
 mod conservation;
 mod contact;
 mod contact_bits;

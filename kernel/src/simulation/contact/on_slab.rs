@@ -118,7 +118,7 @@ impl OnSlab for SlabContact<'_> {
         let bodies = Self::bodies(self.pairs, self.near, now, &each);
         let mut fields = SlabFields::new(slab, &mut self.faces);
         let mut meetings = Meetings::find(&mut fields, &bodies);
-        let damping = now.forces.local_damping;
+        let damping = now.acting.local_damping;
         let on = On::Trial {
             kick: now.acting.kick,
             dt: now.acting.drift,

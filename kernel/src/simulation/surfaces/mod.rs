@@ -6,9 +6,10 @@ mod near;
 mod nodes;
 
 use super::Simulation;
-use super::acting::{Acting, node_weights};
+use super::conditions::Acting;
 use super::error::{StepError, StepErrorKind};
 use super::history::integral;
+use super::mapping::node_weights;
 use super::motion::at_half_step_after;
 use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
@@ -117,7 +118,7 @@ impl Simulation {
     fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
         let trial = &mut surfaces.trial;
         self.touches(&mut surfaces.near, acting, 1, trial)?;
-        match self.plan.local_damping {
+        match acting.local_damping {
             None => {
                 resolve(&mut trial.list, &mut trial.nodes, TOLERANCE, SWEEPS);
             }
@@ -384,8 +385,10 @@ fn mobility(
     let mass: f64 = sharing.iter().map(|f| fields.mass(*f, node)).sum();
     let driven = |field: &usize| match field {
         0 => {
-            let known = acting.driven.binary_search_by_key(&node, |d| d.node);
-            known.is_ok()
+            let lists = [&acting.driven[..], &acting.held];
+            lists
+                .iter()
+                .any(|list| list.binary_search_by_key(&node, |d| d.node).is_ok())
         }
         _ => fields.is_driven(*field),
     };

@@ -1,0 +1,20 @@
+//! Gravity: a number of the acceleration.
+
+use super::{Acting, Condition, Made};
+use crate::grid::GridShape;
+use crate::scene::{Scene, Vector};
+use crate::simulation::Simulation;
+use std::sync::Arc;
+
+struct Gravity(Vector);
+
+pub(super) fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+    let acts = scene.gravity != [0.0; 3];
+    acts.then(|| Ok(Arc::new(Gravity(scene.gravity)) as _))
+}
+
+impl Condition for Gravity {
+    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
+        acting.gravity = self.0;
+    }
+}
