@@ -5,6 +5,7 @@ pub use crate::scene::{
     Shape, StartError, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
 };
 pub use crate::simulation::{
-    Acting, Condition, FieldNodes, Node, Options, Simulation, StepError, StepInfo,
+    Acting, Condition, FieldNodes, Grid, Interaction, Node, Now, OnSlab, Options, Simulation, Slab,
+    StepError, StepInfo, Visit,
 };
-pub use crate::stage::solve::EmptyNode;
+pub use crate::stage::solve::{EmptyNode, PlaneSums};

@@ -4,7 +4,7 @@ mod gaps;
 
 use super::Pair;
 use super::coulomb::{Coulomb, Law, Member, Touch};
-use super::faces::{SlabFields, joined};
+use super::faces::SlabFields;
 use super::surface::{Side, normal};
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
@@ -87,8 +87,6 @@ pub struct Bodies<'a> {
     pub sets: &'a [ParticleSet],
     /// Whether the motion of a body is prescribed.
     pub driven: &'a [bool],
-    /// Whether a body meets others by its boundary alone.
-    pub apart: &'a [bool],
     /// Boundary planes with a condition.
     pub walls: &'a [Wall],
     /// Nodes per axis of the stencil.
@@ -267,8 +265,7 @@ impl Meetings {
             ..Done::default()
         };
         let owners = fields.owners();
-        let joined = joined(&owners, bodies.pairs, bodies.apart);
-        let count = fields.count();
+        let (count, joined) = (fields.count(), fields.slab.joined);
         let is_driven = |owner: &Owner| owner.body().is_some_and(|body| bodies.driven[body]);
         let driven: Vec<bool> = owners.iter().map(is_driven).collect();
         let lane = if on == On::Remapped { 4 } else { 1 };

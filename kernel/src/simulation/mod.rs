@@ -29,15 +29,15 @@ pub use conditions::{Acting, Condition, FieldNodes, Node};
 pub use error::{
     Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
 };
+pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, value as history_value};
+pub use interaction::{Again, Interaction, Now, OnSlab, Remembered, Visit};
 pub use measure::{Energy, state_hash};
 pub use mortar::{BoundaryVertex, VertexState};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
-pub use saved::{
-    RestoreError, Saved, SavedBody, SavedBoundary, SavedMortar, SavedPair, SavedSurfaces,
-};
+pub use saved::{RestoreError, Saved, SavedBody};
 
 use crate::constitutive::Parameters;
 use crate::lanes::{LaneChoice, Selected};
@@ -47,7 +47,6 @@ use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
-use fields::Grid;
 use std::fmt;
 use std::sync::Arc;
 
@@ -90,6 +89,8 @@ pub struct Options {
     pub initial: Option<InitialField>,
     /// Conditions at the nodes beside those of the scene. They act after those.
     pub conditions: Vec<Arc<dyn Condition>>,
+    /// Interactions of velocity fields beside those of the scene. They act after those.
+    pub interactions: Vec<Box<dyn Interaction>>,
     /// Memory that the scene may need; else all that the machine has free.
     pub memory: Option<Memory>,
 }
@@ -104,6 +105,7 @@ impl fmt::Debug for Options {
             .field("body_force", &self.body_force.is_some())
             .field("initial", &self.initial.is_some())
             .field("conditions", &self.conditions.len())
+            .field("interactions", &self.interactions.len())
             .field("memory", &self.memory)
             .finish()
     }
@@ -125,9 +127,6 @@ pub(crate) struct BodyRun {
     pub(crate) particle_half_length: Vector,
     /// Whether it has a velocity field of its own, as of the last sort.
     pub(crate) in_layer: bool,
-    /// Whether it meets others by its boundary alone, so that at the nodes its field is joined with no other; as of the
-    /// last sort.
-    pub(crate) apart: bool,
     /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
     /// function has no domain.
     pub(crate) reach: Option<[f64; 3]>,
@@ -143,10 +142,10 @@ pub struct Simulation {
     pub(crate) grid: Grid,
     /// Groups of the first mapping of this step, where it is done already.
     mapped: Option<usize>,
-    pub(crate) contact: crate::contact::State,
     /// Nodes per axis of the stencil, 3 or 4.
     pub(crate) stencil: usize,
-    pub(crate) mortar: mortar::MortarState,
+    /// What acts between velocity fields; those of the user come last.
+    pub(crate) interactions: interaction::Interactions,
     /// Largest travel in cells since the last sort.
     pub(crate) travel: f64,
     pub(crate) groups: passes::Groups,
@@ -164,8 +163,6 @@ pub struct Simulation {
     /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
     /// 1e-10 m only.
     pub(crate) local_surfaces: Vec<Arc<crate::surface::Surface>>,
-    /// Contact with rigid surfaces; absent where the scene has none.
-    pub(crate) surfaces: Option<surfaces::Surfaces>,
 }
 
 impl Simulation {

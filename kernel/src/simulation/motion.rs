@@ -2,7 +2,7 @@
 
 use super::conditions::FieldNodes;
 use super::fields::{Owner, Slab};
-use super::interaction::{Again, Now, OnSlab};
+use super::interaction::{Now, OnSlab};
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
@@ -22,7 +22,6 @@ pub(super) fn solve(
             slab,
             number,
             now,
-            again: None,
             sums: &mut sums,
         })?;
     }
@@ -81,7 +80,6 @@ fn add_sums(slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
                 slab,
                 number,
                 now,
-                again: None,
                 sums: &mut own,
             });
         }
@@ -111,7 +109,7 @@ pub(super) fn solve_remapped(
             now.mapping.run_field(field);
             field.planes.fold_remapped(&now.walls);
             field.planes.remapped_velocities();
-            conditions_again(slab, number, now, Again::OldPositions);
+            conditions_again(slab, number, now);
         }
     }
     // Contact keeps to the planes once the fields do; the ghosts are filled after it.
@@ -138,7 +136,7 @@ pub(super) fn solve_mapped(slab: &mut Slab<'_>, parts: &mut [Box<dyn OnSlab + '_
         if let Some(velocities) = now.prescribed(field.owner) {
             prescribe(&mut field.planes, velocities, &now.walls);
         } else {
-            conditions_again(slab, number, now, Again::NewPositions);
+            conditions_again(slab, number, now);
         }
     }
     for part in parts {
@@ -150,12 +148,11 @@ pub(super) fn solve_mapped(slab: &mut Slab<'_>, parts: &mut [Box<dyn OnSlab + '_
 }
 
 /// Conditions on the velocities of a field that were mapped a second time.
-fn conditions_again(slab: &mut Slab<'_>, number: usize, now: &Now<'_>, again: Again) {
+fn conditions_again(slab: &mut Slab<'_>, number: usize, now: &Now<'_>) {
     let mut field = FieldNodes {
         slab,
         number,
         now,
-        again: Some(again),
         sums: &mut [],
     };
     for condition in now.conditions {

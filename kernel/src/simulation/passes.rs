@@ -4,12 +4,11 @@ use super::Simulation;
 use super::conditions::{Acting, prescribed};
 use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
-use super::interaction::{Again, Now, Visit, on_slabs};
+use super::interaction::{Again, Interaction, Interactions, Now, Visit, on_slabs};
 use super::mapping::bodies_onto;
 use super::motion::{at_half_step_after, solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::Phase;
 use super::step::Watcher;
-use crate::contact::State;
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, PlaneSums};
@@ -48,12 +47,12 @@ struct Solved {
 }
 
 impl Simulation {
-    /// Divides the simulation for a visit of the slabs: into what it reads, the grid, and contact on it.
+    /// Divides the simulation for a visit of the slabs: into what it reads, the grid, and the interactions.
     pub(super) fn divide<'a>(
         &'a mut self,
         carry: Carry,
         acting: &'a Acting,
-    ) -> (Now<'a>, &'a mut Grid, &'a mut State) {
+    ) -> (Now<'a>, &'a mut Grid, &'a mut Interactions) {
         let mapping = bodies_onto(
             &self.plan,
             &self.sets,
@@ -69,10 +68,11 @@ impl Simulation {
             origin: self.origin(),
             walls: Cow::Borrowed(&acting.walls),
             prescribed: prescribed(&self.bodies, acting),
+            again: None,
             measure: self.plan.measure,
             settles: false,
         };
-        (now, &mut self.grid, &mut self.contact)
+        (now, &mut self.grid, &mut self.interactions)
     }
 
     /// Sorts particles once they have travelled far enough since the last sort; whether it did.
@@ -109,12 +109,14 @@ impl Simulation {
         acting: &Acting,
         ended: Watcher<'_>,
     ) -> Result<usize, StepError> {
-        self.load_nodes();
+        for one in self.interactions.iter().flatten() {
+            one.load(&mut self.grid);
+        }
         let mapped = self.mapped.take();
-        let settles = self.surfaces.is_some();
-        let (mut now, grid, contact) = self.divide(Carry::All, acting);
+        let settles = self.interactions().any(Interaction::settles);
+        let (mut now, grid, interactions) = self.divide(Carry::All, acting);
         now.settles = settles;
-        let parts = on_slabs(contact, grid, Visit::Trial);
+        let parts = on_slabs(interactions, grid, Visit::Trial);
         let results = grid.visit_with(parts, |mut slab, mut parts| {
             let groups = match mapped {
                 Some(_) => 0,
@@ -179,9 +181,10 @@ impl Simulation {
                 Carry::Momentum
             }
         };
-        let (mut now, grid, contact) = self.divide(carry, acting);
+        let (mut now, grid, interactions) = self.divide(carry, acting);
         now.walls = Cow::Owned(at_half_step_after(&acting.walls));
-        let parts = on_slabs(contact, grid, Visit::Again(again));
+        now.again = Some(again);
+        let parts = on_slabs(interactions, grid, Visit::Again(again));
         grid.visit_with(parts, |mut slab, mut parts| match again {
             Again::OldPositions => solve_remapped(&mut slab, &mut parts, &now),
             Again::NewPositions => solve_mapped(&mut slab, &mut parts, &now),

@@ -5,11 +5,8 @@ use super::clock::StepInfo;
 use super::conditions::Acting;
 use super::error::StepError;
 use super::fields::Owner;
-use super::interaction::Again;
-use super::mortar::MortarState;
+use super::interaction::{Again, Interactions};
 use super::saved::Saved;
-use super::surfaces::Surfaces;
-use crate::contact;
 use crate::grid::ActiveRows;
 use crate::stage::g2p::Task;
 use crate::stage::p2g::Carry;
@@ -65,9 +62,7 @@ struct Kept {
     fields: Vec<(Owner, ActiveRows)>,
     slabs: Vec<Range<usize>>,
     sums: PlaneSums,
-    contact: contact::State,
-    mortar: MortarState,
-    surfaces: Option<Surfaces>,
+    interactions: Interactions,
 }
 
 /// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
@@ -91,9 +86,7 @@ impl Simulation {
             fields: self.grid.rows(),
             slabs: self.grid.slabs.clone(),
             sums: self.ledger.sums,
-            contact: self.contact.clone(),
-            mortar: self.mortar.clone(),
-            surfaces: self.surfaces.clone(),
+            interactions: self.interactions.clone(),
         };
         self.map_to_nodes();
         self.find(&mut |_| ())?;
@@ -173,9 +166,7 @@ impl Drop for Rehearsal<'_> {
         simulation.grid.set_rows(std::mem::take(&mut kept.fields));
         simulation.grid.slabs = std::mem::take(&mut kept.slabs);
         simulation.ledger.sums = kept.sums;
-        simulation.contact = std::mem::take(&mut kept.contact);
-        simulation.mortar = std::mem::take(&mut kept.mortar);
-        simulation.surfaces = kept.surfaces.take();
+        simulation.interactions = std::mem::take(&mut kept.interactions);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::StepError;
-use super::interaction::Again;
+use super::interaction::{Again, Interaction};
 use super::phase::Phase;
 use crate::constitutive::Configuration;
 use crate::particles::Layout;
@@ -212,7 +212,8 @@ impl Simulation {
         self.ledger.external_work += self.ledger.sums.power * info.dt;
         if self.clock.step == 0 {
             // Gaps are first measured in the first step, at the positions of the start.
-            self.ledger.initial_energy += self.mortar_energy();
+            let stored: f64 = self.interactions().map(Interaction::energy).sum();
+            self.ledger.initial_energy += stored;
         }
         self.note_end_of_record(info);
         self.clock.step = info.step;

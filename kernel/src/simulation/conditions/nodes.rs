@@ -2,7 +2,7 @@
 
 use crate::grid::Line;
 use crate::scene::Vector;
-use crate::simulation::fields::{Owner, Slab};
+use crate::simulation::fields::{Owner, Slab, SlabField};
 use crate::simulation::interaction::{Again, Now};
 use crate::stage::solve::{DrivenNode, PlaneSums, Planes, is_ghost};
 
@@ -12,8 +12,6 @@ pub struct FieldNodes<'s, 'a> {
     /// Which of its fields.
     pub(in crate::simulation) number: usize,
     pub(in crate::simulation) now: &'s Now<'s>,
-    /// The second mapping that the velocities are of, if they are of one.
-    pub(in crate::simulation) again: Option<Again>,
     /// Of each plane; none in a second mapping.
     pub(in crate::simulation) sums: &'s mut [PlaneSums],
 }
@@ -40,9 +38,8 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
     /// Calls `act` for every node with mass, in order. What lies beyond a boundary plane with a condition mirrors what
     /// lies inside, and is left out.
     pub fn for_each(&mut self, mut act: impl FnMut(&mut Node<'_>)) {
-        let lane = self.again.map_or(1, Again::lane);
         let (planes, now, sums) = self.parts();
-        let shape = planes.shape;
+        let (lane, shape) = (now.lane(), planes.shape);
         let first = planes.range.start * shape.plane_nodes();
         for (number, plane) in planes.range.clone().enumerate() {
             let mut power = 0.0;
@@ -53,12 +50,15 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
                     let line = &mut planes.nodes[index - first];
                     if line[0] > 0.0 && !is_ghost(shape, &now.walls, at) {
                         let local = shape.position(index);
-                        act(&mut Node {
+                        let mut node = Node {
                             position: std::array::from_fn(|axis| local[axis] + now.origin[axis]),
                             line,
                             lane,
-                            power: &mut power,
-                        });
+                            free: true,
+                            power: 0.0,
+                        };
+                        act(&mut node);
+                        power += node.power;
                     }
                 }
             }
@@ -66,9 +66,8 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
                 sums.power += power;
             }
         }
-        if self.again == Some(Again::OldPositions) {
+        if now.again == Some(Again::OldPositions) {
             // The planes have the last word, and what lies beyond them follows.
-            let (planes, now, _) = self.parts();
             planes.constrain_remapped(&now.walls);
         }
     }
@@ -87,9 +86,8 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
 
     /// Moves nodes as prescribed, and adds the power that it takes.
     pub(in crate::simulation) fn drive(&mut self, nodes: &[DrivenNode]) {
-        let again = self.again;
         let (planes, now, sums) = self.parts();
-        match again {
+        match now.again {
             None => {
                 planes.add_power_of_driven(nodes, now.acting.kick, sums);
                 planes.drive(nodes, true);
@@ -100,13 +98,61 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
     }
 }
 
+impl Slab<'_> {
+    /// Calls `act` for every node where two bodies with velocity fields of their own (by their places in the scene) have
+    /// mass, with the node of each, in order. What lies beyond a boundary plane with a condition is left out.
+    pub fn for_each_shared(
+        &mut self,
+        bodies: [usize; 2],
+        now: &Now<'_>,
+        mut act: impl FnMut(&mut [Node<'_>; 2]),
+    ) {
+        let [Some(a), Some(b)] = bodies.map(|body| self.number_of(body)) else {
+            return;
+        };
+        let Ok(mut fields) = self.fields.get_disjoint_mut([a, b]) else {
+            return;
+        };
+        let (shape, range) = (fields[0].planes.shape, fields[0].planes.range.clone());
+        let first = range.start * shape.plane_nodes();
+        for (plane, row) in range.flat_map(|plane| (0..shape.nodes[1]).map(move |row| (plane, row)))
+        {
+            let other = fields[1].planes.rows.span(plane, row);
+            for k in fields[0].planes.rows.span(plane, row) {
+                let at = [plane, row, k];
+                let index = shape.index(at);
+                let massless =
+                    |field: &&mut SlabField<'_>| field.planes.nodes[index - first][0] <= 0.0;
+                if !other.contains(&k)
+                    || fields.iter().any(massless)
+                    || is_ghost(shape, &now.walls, at)
+                {
+                    continue;
+                }
+                let local = shape.position(index);
+                let mut nodes = fields.each_mut().map(|field| Node {
+                    position: std::array::from_fn(|axis| local[axis] + now.origin[axis]),
+                    line: &mut field.planes.nodes[index - first],
+                    lane: now.lane(),
+                    free: now.prescribed(field.owner).is_none(),
+                    power: 0.0,
+                });
+                act(&mut nodes);
+            }
+        }
+    }
+}
+
 /// A node of a velocity field.
 pub struct Node<'n> {
     position: Vector,
     line: &'n mut Line,
     /// Where its velocity lies.
     lane: usize,
-    power: &'n mut f64,
+    /// Whether its motion is not prescribed.
+    free: bool,
+    /// Power that was added \[W\].
+    power: f64,
 }
 
 impl Node<'_> {
@@ -128,8 +174,12 @@ impl Node<'_> {
         std::array::from_fn(|axis| self.line[self.lane + axis])
     }
 
-    /// Sets the velocity \[m/s\], after the acceleration or in a second mapping. The particles feel the change.
+    /// Sets the velocity \[m/s\], after the acceleration or in a second mapping. The particles feel the change. A node of a
+    /// body whose motion is prescribed keeps the velocity that it has.
     pub fn set_velocity(&mut self, velocity: Vector) {
+        if !self.free {
+            return;
+        }
         for axis in 0..3 {
             if self.lane == 1 {
                 self.line[4 + axis] += velocity[axis] - self.line[1 + axis];
@@ -168,8 +218,8 @@ impl Node<'_> {
         }
     }
 
-    /// Adds a power \[W\] to the work done from outside. In a second mapping it is not counted.
+    /// Adds a power \[W\] to the work done from outside. In a second mapping and between two fields it is not counted.
     pub fn add_power(&mut self, power: f64) {
-        *self.power += power;
+        self.power += power;
     }
 }

@@ -45,9 +45,8 @@ impl Condition for Walls {
     }
 
     fn again(&self, field: &mut FieldNodes<'_, '_>) {
-        let again = field.again;
         let (planes, now, _) = field.parts();
-        match again {
+        match now.again {
             Some(Again::OldPositions) => planes.constrain_remapped(&now.walls),
             _ => planes.constrain(&now.walls, false),
         }

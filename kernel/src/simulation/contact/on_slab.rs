@@ -4,13 +4,16 @@ use crate::contact::faces::{SlabFace, SlabFields};
 use crate::contact::meeting::{Bodies, Meetings, On, States};
 use crate::contact::{Met, Pair, State, surface};
 use crate::simulation::fields::{Grid, Slab};
-use crate::simulation::interaction::{Again, Now, OnSlab, Parts, Visit};
+use crate::simulation::interaction::{Again, Now, OnSlab, Visit};
 use crate::stage::solve::{PlaneSums, Planes};
 use std::sync::Arc;
 
 impl State {
     /// What acts on each slab of a visit.
-    pub(in crate::simulation) fn on_slabs(&mut self, grid: &Grid, visit: Visit) -> Parts<'_> {
+    pub(super) fn parts(&mut self, grid: &Grid, visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {
+        if self.faces.list.is_empty() {
+            return vec![];
+        }
         let known: Vec<Known<'_>> = match visit {
             Visit::Trial => {
                 self.met.clear();
@@ -37,7 +40,7 @@ impl State {
                 faces,
                 known,
             });
-            vec![part]
+            part
         });
         parts.collect()
     }
@@ -67,33 +70,22 @@ impl SlabContact<'_> {
         pairs: &'b [Pair],
         near: &'b [bool],
         now: &'b Now<'_>,
-        Each { driven, apart }: &'b Each,
+        driven: &'b [bool],
     ) -> Bodies<'b> {
         Bodies {
             pairs,
             near,
             sets: now.mapping.sets,
             driven,
-            apart,
             walls: &now.walls,
             stencil: now.mapping.stencil,
         }
     }
 }
 
-/// By body: whether its motion is prescribed, and whether it meets others by its boundary alone.
-struct Each {
-    driven: Vec<bool>,
-    apart: Vec<bool>,
-}
-
-impl Each {
-    fn of(now: &Now<'_>) -> Self {
-        Self {
-            driven: now.prescribed.iter().map(Option::is_some).collect(),
-            apart: now.mapping.bodies.iter().map(|body| body.apart).collect(),
-        }
-    }
+/// By body: whether its motion is prescribed.
+fn driven(now: &Now<'_>) -> Vec<bool> {
+    now.prescribed.iter().map(Option::is_some).collect()
 }
 
 impl OnSlab for SlabContact<'_> {
@@ -114,8 +106,8 @@ impl OnSlab for SlabContact<'_> {
     }
 
     fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
-        let each = Each::of(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &each);
+        let driven = driven(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
         let mut fields = SlabFields::new(slab, &mut self.faces);
         let mut meetings = Meetings::find(&mut fields, &bodies);
         let damping = now.acting.local_damping;
@@ -140,8 +132,8 @@ impl OnSlab for SlabContact<'_> {
     }
 
     fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
-        let each = Each::of(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &each);
+        let driven = driven(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
         let mut fields = SlabFields::new(slab, &mut self.faces);
         match &mut self.known {
             Known::Nothing(_) => {}

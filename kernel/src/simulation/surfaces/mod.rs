@@ -5,13 +5,15 @@ mod gap;
 mod near;
 mod nodes;
 
-use super::Simulation;
 use super::conditions::Acting;
-use super::error::{StepError, StepErrorKind};
+use super::error::{SetupError, StepError, StepErrorKind};
 use super::history::integral;
+use super::interaction::{Again, Interaction, Made, Remembered};
 use super::mapping::node_weights;
 use super::motion::at_half_step_after;
+use super::{BodyRun, Simulation};
 use crate::grid::GridShape;
+use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::{Planes, Wall};
 use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
@@ -52,9 +54,13 @@ struct Touches {
 }
 
 impl Surfaces {
-    pub(super) fn new(scene: &Scene) -> Option<Self> {
+    /// Rigid surfaces, where a scene has any.
+    pub(super) fn of(scene: &Scene, _: &[BodyRun], _: &mut Memory) -> Option<Made> {
+        if scene.surfaces.is_empty() {
+            return None;
+        }
         let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; scene.surfaces.len()];
-        (!scene.surfaces.is_empty()).then(|| Self {
+        Some(Ok(Box::new(Self {
             near: None,
             trial: Touches::default(),
             mapped: Touches::default(),
@@ -62,12 +68,61 @@ impl Surfaces {
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
-        })
+        })))
+    }
+}
+
+impl Interaction for Surfaces {
+    fn boxed(&self) -> Box<dyn Interaction> {
+        Box::new(self.clone())
     }
 
-    /// Particles have new places.
-    pub(super) fn forget(&mut self) {
+    fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
+        simulation.refuse_overlap_with_surfaces()
+    }
+
+    fn sorted(&mut self, _: &Simulation) {
         self.near = None;
+    }
+
+    fn settles(&self) -> bool {
+        true
+    }
+
+    fn settle(&mut self, simulation: &mut Simulation, acting: &Acting) -> Result<usize, StepError> {
+        simulation.push(self, acting)?;
+        Ok(0)
+    }
+
+    fn settle_again(
+        &mut self,
+        simulation: &mut Simulation,
+        acting: &Acting,
+        again: Again,
+    ) -> Result<(), StepError> {
+        simulation.hold(self, acting, again.lane())
+    }
+
+    fn save(&self) -> Remembered {
+        let flat =
+            |impulses: &[Vec<Vector>]| impulses.iter().flatten().flatten().copied().collect();
+        vec![
+            ("time of the last impulses".into(), vec![self.last_kick]),
+            ("last impulses of surfaces".into(), flat(&self.last)),
+            ("impulses of surfaces".into(), flat(&self.total)),
+        ]
+    }
+
+    fn restore(&mut self, saved: &Remembered) {
+        self.last_kick = saved[0].1[0];
+        for (impulses, (_, values)) in [&mut self.last, &mut self.total]
+            .into_iter()
+            .zip(&saved[1..])
+        {
+            for (impulse, value) in impulses.iter_mut().flatten().flatten().zip(values) {
+                *impulse = *value;
+            }
+        }
     }
 }
 
@@ -84,7 +139,7 @@ impl Simulation {
     }
 
     pub(super) fn surface_force_on(&self, surface: usize, set: usize) -> Vector {
-        match &self.surfaces {
+        match self.interaction::<Surfaces>() {
             Some(s) if s.last_kick > 0.0 => s.last[surface][set].map(|i| i / s.last_kick),
             _ => [0.0; 3],
         }
@@ -93,8 +148,7 @@ impl Simulation {
     /// Impulse of a surface on a body since the start \[N s\].
     #[must_use]
     pub fn surface_impulse(&self, surface: usize, set: usize) -> Vector {
-        self.surfaces
-            .as_ref()
+        self.interaction::<Surfaces>()
             .map_or([0.0; 3], |s| s.total[surface][set])
     }
 
@@ -106,15 +160,6 @@ impl Simulation {
     }
 
     /// Corrects the nodal velocities after the solve so that no particle goes through a surface.
-    pub(super) fn touch_surfaces(&mut self, acting: &Acting) -> Result<(), StepError> {
-        let Some(mut surfaces) = self.surfaces.take() else {
-            return Ok(());
-        };
-        let done = self.push(&mut surfaces, acting);
-        self.surfaces = Some(surfaces);
-        done
-    }
-
     fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
         let trial = &mut surfaces.trial;
         self.touches(&mut surfaces.near, acting, 1, trial)?;
@@ -179,19 +224,6 @@ impl Simulation {
     /// stops noise towards it, would swell the layer of particles on the surface step by step.
     ///
     /// `lane` is where the nodes hold the velocities.
-    pub(super) fn hold_at_surfaces(
-        &mut self,
-        acting: &Acting,
-        lane: usize,
-    ) -> Result<(), StepError> {
-        let Some(mut surfaces) = self.surfaces.take() else {
-            return Ok(());
-        };
-        let done = self.hold(&mut surfaces, acting, lane);
-        self.surfaces = Some(surfaces);
-        done
-    }
-
     fn hold(
         &mut self,
         surfaces: &mut Surfaces,
