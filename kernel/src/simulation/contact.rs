@@ -4,7 +4,7 @@ mod on_slab;
 
 use super::conditions::Acting;
 use super::error::{Overlapping, SetupError, StepError, StepErrorKind};
-use super::fields::{Grid, Owner};
+use super::fields::Grid;
 use super::interaction::{Interaction, Made, OnSlab, Remembered, Visit};
 use super::{BodyRun, Simulation};
 use crate::contact::meeting::Tunnelling;
@@ -100,11 +100,14 @@ impl Interaction for State {
             .collect()
     }
 
-    fn separates(&self, a: Owner, b: Owner) -> bool {
-        self.pairs.iter().any(|pair| {
-            let of_pair = [pair.master, pair.slave].map(Owner::Body);
-            of_pair == [a, b] || of_pair == [b, a]
-        })
+    /// Bodies without a pair share their velocity.
+    fn apart(&self) -> Vec<usize> {
+        vec![]
+    }
+
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        let pairs = self.pairs.iter();
+        pairs.map(|pair| [pair.master, pair.slave]).collect()
     }
 
     /// Has surfaces for the bodies of near pairs, in order of the identifier.

@@ -6,7 +6,7 @@
 
 use super::conditions::{Acting, Condition};
 use super::error::{SetupError, StepError};
-use super::fields::{Grid, Owner, Slab};
+use super::fields::{Grid, Slab};
 use super::mapping::BodiesOnto;
 use super::mortar::MortarState;
 use super::phase::Phase;
@@ -53,12 +53,14 @@ pub trait Interaction: Any + Send + Sync {
         vec![]
     }
 
-    /// Whether two fields keep velocities of their own where they meet; fields that nothing separates share one.
-    fn separates(&self, a: Owner, b: Owner) -> bool {
-        let owners = self.owners();
-        [a, b]
-            .iter()
-            .any(|owner| owner.body().is_some_and(|body| owners.contains(&body)))
+    /// Which of them keep a velocity of their own wherever another field is.
+    fn apart(&self) -> Vec<usize> {
+        self.owners()
+    }
+
+    /// Pairs of bodies that keep velocities of their own where they meet. Fields that nothing separates share one.
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        vec![]
     }
 
     /// All bodies have the fields that were asked for.
@@ -327,19 +329,38 @@ impl Simulation {
             body.in_layer = owners.contains(&index);
         }
         self.grid.set_owners(&owners, &self.sets, self.stencil);
-        let fields = self.grid.fields.iter();
-        let fields: Vec<Owner> = fields.map(|field| field.owner).collect();
-        let mut joined = vec![];
-        for &a in &fields {
-            for &b in &fields {
-                joined.push(a == b || !self.interactions().any(|one| one.separates(a, b)));
-            }
-        }
-        self.grid.joined = joined;
+        self.join_fields(&owners);
         let Ok(()) = self.each::<Infallible>(|one, simulation| {
             one.fields_given(simulation);
             Ok(())
         });
+    }
+
+    /// Which fields share their velocity; `owners` have one each, after that of the phase.
+    fn join_fields(&mut self, owners: &[usize]) {
+        let mut numbers = vec![None; self.bodies.len()];
+        for (place, &body) in owners.iter().enumerate() {
+            numbers[body] = Some(1 + place);
+        }
+        let count = 1 + owners.len();
+        let mut joined = vec![true; count * count];
+        let mut separate = |a: Option<usize>, b: Option<usize>| {
+            if let (Some(a), Some(b)) = (a, b)
+                && a != b
+            {
+                joined[a * count + b] = false;
+                joined[b * count + a] = false;
+            }
+        };
+        for one in self.interactions() {
+            for body in one.apart() {
+                (0..count).for_each(|other| separate(numbers[body], Some(other)));
+            }
+            for [a, b] in one.pairs() {
+                separate(numbers[a], numbers[b]);
+            }
+        }
+        self.grid.joined = joined;
     }
 
     /// Whether gaps and forces are sought between the mapping and the choice of the time step.

@@ -113,6 +113,6 @@ fn pushed_by_the_user_or_by_gravity() {
             );
         }
         let ratio = energy.external_work / expected.external_work;
-        assert!((ratio - 1.0).abs() < 0.05, "{scheme:?} {ratio}");
+        assert!((ratio - 1.0).abs() < 1e-9, "{scheme:?} {ratio}");
     }
 }
