@@ -29,7 +29,6 @@ impl Simulation {
         let before = self.dead_load_potential();
         self.ledger.external_work += before - self.ledger.dead_load_origin;
         self.scene.gravity = gravity;
-        self.plan.gravity = gravity != [0.0; 3];
         self.set_conditions()?;
         self.ledger.dead_load_origin = self.dead_load_potential();
         Ok(())
@@ -160,7 +159,6 @@ impl Simulation {
             ));
         }
         self.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
-        self.plan.local_damping = alpha.filter(|alpha| *alpha != 0.0);
         self.set_conditions()
     }
 }

@@ -11,7 +11,8 @@ use crate::contact::meeting::Tunnelling;
 use crate::contact::overlap::overlap;
 use crate::contact::{Pair, State, broad};
 use crate::memory::Memory;
-use crate::scene::{Contact, Scene, Vector};
+use crate::plan::Words;
+use crate::scene::{Contact, ContactNormal, Scene, Vector};
 
 impl State {
     /// Contact on the grid, where a scene has any.
@@ -262,4 +263,57 @@ impl Simulation {
     pub fn contact_layers(&self) -> usize {
         self.grid.fields.len() - 1
     }
+}
+
+/// What the plan says of each pair.
+pub(super) fn pair_words(scene: &Scene, list: &mut Words) {
+    let driven = |id: i64| {
+        scene
+            .bodies
+            .iter()
+            .any(|b| b.id == id && b.motion.is_some())
+    };
+    for contact in &scene.contacts {
+        let normal = match contact.normal {
+            ContactNormal::Master => "normal of the master",
+            ContactNormal::Slave => "normal of the slave",
+            ContactNormal::Collinear => "mean of both normals",
+        };
+        list.choose(
+            "stage",
+            &format!("contact {}", contact.id),
+            !(driven(contact.master) && driven(contact.slave)),
+            &format!(
+                "bodies {} (master) and {}, friction {}, {normal}; on the grid, while the boxes of the bodies meet",
+                contact.master, contact.slave, contact.friction
+            ),
+            "the motion of both bodies is prescribed",
+        );
+    }
+}
+
+/// What it says of contact as a whole.
+pub(super) fn words(scene: &Scene, list: &mut Words) {
+    if scene.contacts.is_empty() && !scene.mortar.contacts.is_empty() {
+        return;
+    }
+    if scene.contacts.is_empty() {
+        list.leave("stage", "contact", "the scene asks for none");
+        return;
+    }
+    list.choose(
+        "stage",
+        "real distance of contacts",
+        scene.contact_distance != Some(0.0),
+        &scene.contact_distance.map_or_else(
+            || "contact acts below the sum of the half-lengths of the particles".to_owned(),
+            |lambda| format!("contact acts below {lambda} cells"),
+        ),
+        "its coefficient is zero",
+    );
+    list.keep(
+        "node field",
+        "mass gradient, second velocity field",
+        "128 bytes per node of a body while it is near a partner",
+    );
 }

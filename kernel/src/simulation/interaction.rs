@@ -5,16 +5,18 @@
 //! none of a kind has no element of it, and nothing in the cycle asks for it.
 
 use super::conditions::{Acting, Condition};
+use super::contact as grid;
 use super::error::{SetupError, StepError};
 use super::fields::{Grid, Slab};
 use super::mapping::BodiesOnto;
-use super::mortar::MortarState;
+use super::mortar::{self, MortarState};
 use super::phase::Phase;
 use super::step::Watcher;
-use super::surfaces::Surfaces;
+use super::surfaces::{self, Surfaces};
 use super::{BodyRun, Simulation};
 use crate::contact;
 use crate::memory::Memory;
+use crate::plan::Words;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::{PlaneSums, Wall};
 use std::any::Any;
@@ -239,8 +241,23 @@ pub(super) type Made = Result<Box<dyn Interaction>, SetupError>;
 /// Makes the interaction of a kind, where a scene has any.
 type Make = fn(&Scene, &[BodyRun], &mut Memory) -> Option<Made>;
 
+/// A kind of interaction: what the plan says of it, and how it is made.
+type Kind = (fn(&Scene, &mut Words), Option<Make>);
+
 /// All kinds, in the order in which they act.
-const ALL: [Make; 3] = [contact::State::of, MortarState::of, Surfaces::of];
+const ALL: [Kind; 4] = [
+    (grid::pair_words, Some(contact::State::of)),
+    (mortar::words, Some(MortarState::of)),
+    (grid::words, None),
+    (surfaces::words, Some(Surfaces::of)),
+];
+
+/// What the plan says of interactions.
+pub(crate) fn describe(scene: &Scene, list: &mut Words) {
+    for (words, _) in ALL {
+        words(scene, list);
+    }
+}
 
 /// The interactions of a scene, those of the user after them.
 ///
@@ -252,7 +269,8 @@ pub(super) fn of(
     own: &[Box<dyn Interaction>],
     memory: &mut Memory,
 ) -> Result<Interactions, SetupError> {
-    let made = ALL.iter().filter_map(|make| make(scene, bodies, memory));
+    let makes = ALL.into_iter().filter_map(|(_, make)| make);
+    let made = makes.filter_map(|make| make(scene, bodies, memory));
     let all = made.chain(own.iter().cloned().map(Ok));
     all.map(|one| one.map(Some)).collect()
 }

@@ -2,13 +2,13 @@
 
 mod change;
 mod clock;
-mod conditions;
+pub(crate) mod conditions;
 mod contact;
 mod error;
 mod faults;
 pub(crate) mod fields;
 mod history;
-mod interaction;
+pub(crate) mod interaction;
 mod mapping;
 mod measure;
 mod mortar;

@@ -1,6 +1,6 @@
 //! A base that moves one plane of the mesh, and the mesh with it along the normal of that plane.
 
-use super::{Acting, Condition, Made};
+use super::{Acting, Condition, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
 use crate::simulation::Simulation;
@@ -15,7 +15,23 @@ struct MovingBase {
     side: usize,
 }
 
-pub(super) fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+/// A moving base.
+pub(super) const MOVING_BASE: Kind = Kind {
+    words: |scene, list| {
+        let acts = scene.base_motion.is_some();
+        list.choose(
+            "stage",
+            "base motion",
+            acts,
+            "a record moves a plane, and the mesh with it along its normal",
+            "no active record",
+        );
+    },
+    make: Some(of),
+    planes: true,
+};
+
+fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
     let base = scene.base_motion.as_ref()?;
     Some(Ok(Arc::new(MovingBase {
         axis: base.axis,

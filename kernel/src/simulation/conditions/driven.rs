@@ -3,7 +3,7 @@
 //! In the common field they take all nodes along that their particles reach. One with a velocity field of its own has no
 //! equation of motion there: its nodes move as it does.
 
-use super::{Acting, Condition, FieldNodes, Made};
+use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::particles::{Layout, ParticleSet};
 use crate::scene::{Scene, Vector};
@@ -18,7 +18,23 @@ use std::sync::Arc;
 
 struct DrivenBodies;
 
-pub(super) fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+/// Driven bodies.
+pub(super) const DRIVEN_BODIES: Kind = Kind {
+    words: |scene, list| {
+        let acts = scene.bodies.iter().any(|body| body.motion.is_some());
+        list.choose(
+            "stage",
+            "driven bodies",
+            acts,
+            "a body has a prescribed velocity",
+            "no body has a prescribed velocity",
+        );
+    },
+    make: Some(of),
+    planes: false,
+};
+
+fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
     let any = scene.bodies.iter().any(|body| body.motion.is_some());
     any.then(|| Ok(Arc::new(DrivenBodies) as _))
 }

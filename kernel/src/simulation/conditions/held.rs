@@ -1,6 +1,6 @@
 //! Nodes in boxes that stand still.
 
-use super::{Acting, Condition, FieldNodes, Made};
+use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
@@ -9,7 +9,23 @@ use std::sync::Arc;
 
 struct HeldNodes(Arc<[DrivenNode]>);
 
-pub(super) fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+/// Held nodes.
+pub(super) const HELD_NODES: Kind = Kind {
+    words: |scene, list| {
+        let acts = !scene.held_boxes.is_empty();
+        list.choose(
+            "stage",
+            "held nodes",
+            acts,
+            "nodes in a box stand still",
+            "no box is held",
+        );
+    },
+    make: Some(of),
+    planes: false,
+};
+
+fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
     let nodes = nodes(scene, shape);
     (!nodes.is_empty()).then(|| Ok(Arc::new(HeldNodes(nodes.into())) as _))
 }

@@ -1,6 +1,6 @@
 //! Point loads and tractions, as forces on nodes.
 
-use super::{Condition, FieldNodes, Made};
+use super::{Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::{Scene, Traction, Vector};
 use crate::simulation::error::SetupError;
@@ -12,7 +12,23 @@ use std::sync::Arc;
 /// Forces on the nodes of all fields together, one for each node, increasing.
 struct NodalLoads(Vec<NodeForce>);
 
-pub(super) fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+/// Nodal loads.
+pub(super) const NODAL_LOADS: Kind = Kind {
+    words: |scene, list| {
+        let acts = !(scene.point_loads.is_empty() && scene.tractions.is_empty());
+        list.choose(
+            "stage",
+            "nodal loads",
+            acts,
+            "point loads or tractions are given",
+            "none is given",
+        );
+    },
+    make: Some(of),
+    planes: false,
+};
+
+fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
     match nodal(scene, shape) {
         Ok(loads) if loads.is_empty() => None,
         loads => Some(loads.map(|loads| Arc::new(NodalLoads(loads)) as _)),

@@ -24,6 +24,7 @@ pub use nodes::{FieldNodes, Node};
 use super::Simulation;
 use super::error::SetupError;
 use crate::grid::GridShape;
+use crate::plan::Words;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::{DrivenNode, EmptyNode, Wall};
 use std::sync::Arc;
@@ -85,16 +86,35 @@ type Made = Result<Arc<dyn Condition>, SetupError>;
 /// Makes the condition of a kind, where a scene has any.
 type Make = fn(&Scene, &GridShape) -> Option<Made>;
 
-/// All kinds, in the order in which they act. What moves the walls comes after them, what is driven after what is held.
-const ALL: [Make; 7] = [
-    gravity::of,
-    damping::of,
-    loads::of,
-    held::of,
-    driven::of,
-    walls::of,
-    base::of,
+/// A kind of condition.
+struct Kind {
+    /// What the plan says of it.
+    words: fn(&Scene, &mut Words),
+    /// How it is made, if it is one on nodes.
+    make: Option<Make>,
+    /// Whether it is one of the boundary planes, which have the last word at a node.
+    planes: bool,
+}
+
+/// All kinds, as the plan lists them. Where one needs what another prescribes, it comes after it.
+const ALL: [Kind; 9] = [
+    gravity::GRAVITY,
+    walls::PLANES,
+    damping::LOCAL_DAMPING,
+    damping::KINETIC_DAMPING,
+    damping::VISCOUS_DAMPING,
+    base::MOVING_BASE,
+    held::HELD_NODES,
+    loads::NODAL_LOADS,
+    driven::DRIVEN_BODIES,
 ];
+
+/// What the plan says of conditions.
+pub(crate) fn describe(scene: &Scene, list: &mut Words) {
+    for kind in ALL {
+        (kind.words)(scene, list);
+    }
+}
 
 /// The conditions of a scene, those of the user after them.
 ///
@@ -105,8 +125,12 @@ pub(super) fn of(
     shape: &GridShape,
     own: &[Arc<dyn Condition>],
 ) -> Result<Vec<Arc<dyn Condition>>, SetupError> {
-    let made = ALL.iter().filter_map(|make| make(scene, shape));
-    made.chain(own.iter().cloned().map(Ok)).collect()
+    let made = |planes| {
+        let kinds = ALL.into_iter().filter(move |kind| kind.planes == planes);
+        kinds.filter_map(|kind| kind.make?(scene, shape))
+    };
+    let all = made(false).chain(made(true));
+    all.chain(own.iter().cloned().map(Ok)).collect()
 }
 
 impl Simulation {

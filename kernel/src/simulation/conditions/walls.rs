@@ -2,7 +2,7 @@
 //!
 //! What lies beyond them is known to the mapping too, which folds it back ([`Planes::fold`](crate::stage::solve::Planes)).
 
-use super::{Acting, Condition, FieldNodes, Made};
+use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::{PlaneCondition, Scene};
 use crate::simulation::Simulation;
@@ -13,7 +13,35 @@ use std::sync::Arc;
 /// The planes that are not free.
 struct Walls(Vec<Wall>);
 
-pub(super) fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+/// Boundary planes.
+pub(super) const PLANES: Kind = Kind {
+    words: |scene, list| {
+        for (axis, letter) in ["X", "Y", "Z"]
+            .iter()
+            .enumerate()
+            .take(scene.dimension.axes())
+        {
+            for (side, end) in ["0", "n"].iter().enumerate() {
+                let condition = scene.mesh.planes[axis][side];
+                let base = scene.base_motion.as_ref();
+                let moving = base.is_some_and(|b| b.axis == axis && b.side == side);
+                let acts = moving || condition != PlaneCondition::Free;
+                let why = if moving {
+                    "its velocity is prescribed"
+                } else if condition == PlaneCondition::Fixed {
+                    "fixed"
+                } else {
+                    "sliding"
+                };
+                list.choose("stage", &format!("plane {letter}{end}"), acts, why, "free");
+            }
+        }
+    },
+    make: Some(of),
+    planes: true,
+};
+
+fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
     let mut walls = vec![];
     for axis in 0..shape.axes {
         for side in 0..2 {

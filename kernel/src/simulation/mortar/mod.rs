@@ -13,8 +13,10 @@ mod remembered;
 mod setup;
 mod surface;
 mod vertices;
+mod words;
 
 pub use vertices::{BoundaryVertex, VertexState};
+pub(super) use words::words;
 
 use super::error::StepErrorKind;
 use crate::mortar::bound::NodalStiffness;

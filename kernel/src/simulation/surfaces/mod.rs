@@ -4,6 +4,7 @@ mod fields;
 mod gap;
 mod near;
 mod nodes;
+mod words;
 
 use super::conditions::Acting;
 use super::error::{SetupError, StepError, StepErrorKind};
@@ -22,6 +23,7 @@ pub(super) use gap::local;
 use gap::velocity;
 use near::{Near, Place};
 use std::collections::BTreeMap;
+pub(super) use words::words;
 
 /// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
 const TOLERANCE: f64 = 1e-6;
