@@ -9,6 +9,7 @@ mod conservation;
 mod contact;
 mod contact_bits;
 mod far_origin;
+mod interactions;
 mod mapping;
 mod motion;
 mod rehearsal;
