@@ -9,13 +9,7 @@ const HEIGHT: f64 = 1.0;
 const GRAVITY: f64 = 10.0;
 const DENSITY: f64 = 2000.0;
 
-#[allow(dead_code, reason = "a test calls `run` instead")]
 fn main() -> Result<(), Box<dyn Error>> {
-    run()
-}
-
-/// The example.
-pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     // The planes of the mesh slide: the column stands between them, on the lower one.
     let mut scene = Scene::plane([2, 14], 0.1)
         .with_gravity([0.0, -GRAVITY, 0.0])
@@ -41,4 +35,9 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     println!("stress at most {farthest:.0} Pa off; a layer of particles weighs {layer:.0} Pa");
     assert!(farthest < layer, "{farthest} Pa");
     Ok(())
+}
+
+#[test]
+fn runs() -> Result<(), Box<dyn Error>> {
+    main()
 }

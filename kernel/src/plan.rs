@@ -12,6 +12,7 @@ use crate::scene::{
 };
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
+pub(crate) use entries::Words;
 use entries::is_list;
 use std::fmt;
 
@@ -43,14 +44,10 @@ pub struct Plan {
     pub spin: bool,
     /// Whether the mapping carries affine velocity, spin or forces of the particles.
     pub full_mapping: bool,
-    /// Factor of local damping.
-    pub local_damping: Option<f64>,
     /// Kinetic damping.
     pub kinetic_damping: bool,
     /// Factor of viscous damping.
     pub viscous_damping: Option<f64>,
-    /// Whether gravity acts.
-    pub gravity: bool,
     /// Whether kinetic energy and unbalanced force are measured at the nodes in every step.
     pub measure: bool,
     /// Columns of the particle sets, per body.
@@ -92,10 +89,6 @@ impl Plan {
             TransferKind::Flip => Affine::Leave,
             TransferKind::Apic => Affine::Apic,
             TransferKind::Tpic => Affine::Tpic,
-        };
-        let local_damping = match scene.damping {
-            Damping::Local { alpha } if alpha != 0.0 => Some(alpha),
-            _ => None,
         };
         let viscous_damping = match scene.damping {
             Damping::Viscous { alpha } if alpha != 0.0 => Some(alpha),
@@ -148,10 +141,8 @@ impl Plan {
             affine,
             spin,
             full_mapping: affine != Affine::Leave || spin || own_force || viscous_damping.is_some(),
-            local_damping,
             kinetic_damping,
             viscous_damping,
-            gravity: scene.gravity != [0.0; 3],
             measure: demands.measure || kinetic_damping,
             layouts,
             entries: vec![],

@@ -7,4 +7,8 @@ pub use crate::scene::{
     Body, Contact, ContactNormal, Damping, Dimension, History, Mesh, PlaneCondition, Scene, Shape,
     StartError, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
 };
-pub use crate::simulation::{InitialState, Options, Simulation, StepError, StepInfo};
+pub use crate::simulation::{
+    Acting, Condition, FieldNodes, Grid, InitialState, Interaction, Node, Now, OnSlab, Options,
+    Simulation, Slab, StepError, StepInfo, Visit,
+};
+pub use crate::stage::solve::{EmptyNode, PlaneSums};

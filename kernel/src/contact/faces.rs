@@ -103,29 +103,6 @@ impl<'s, 'a, 'b> SlabFields<'s, 'a, 'b> {
     }
 }
 
-/// Whether two fields share their velocity where they meet: all but those of a pair, and those of bodies that meet others
-/// by their boundary alone (`apart`, by body). By number, row by row.
-#[must_use]
-pub fn joined(owners: &[Owner], pairs: &[Pair], apart: &[bool]) -> Vec<bool> {
-    let count = owners.len();
-    let is_apart = |owner: &Owner| owner.body().is_some_and(|body| apart[body]);
-    let mut joined = vec![true; count * count];
-    for (a, _) in owners.iter().enumerate().filter(|(_, o)| is_apart(o)) {
-        for b in (0..count).filter(|b| *b != a) {
-            joined[a * count + b] = false;
-            joined[b * count + a] = false;
-        }
-    }
-    for pair in pairs {
-        let number = |body| owners.iter().position(|o| *o == Owner::Body(body));
-        if let (Some(m), Some(s)) = (number(pair.master), number(pair.slave)) {
-            joined[m * count + s] = false;
-            joined[s * count + m] = false;
-        }
-    }
-    joined
-}
-
 impl Faces {
     /// Has surfaces for exactly these bodies of near pairs (indices in order of the identifier).
     pub fn set(

@@ -4,13 +4,12 @@ mod gaps;
 
 use super::Pair;
 use super::coulomb::{Coulomb, Law, Member, Touch};
-use super::faces::{SlabFields, joined};
+use super::faces::SlabFields;
 use super::surface::{Side, normal};
-use crate::grid::GridShape;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::fields::Owner;
-use crate::stage::solve::Wall;
+use crate::stage::solve::{Wall, is_ghost};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -88,8 +87,6 @@ pub struct Bodies<'a> {
     pub sets: &'a [ParticleSet],
     /// Whether the motion of a body is prescribed.
     pub driven: &'a [bool],
-    /// Whether a body meets others by its boundary alone.
-    pub apart: &'a [bool],
     /// Boundary planes with a condition.
     pub walls: &'a [Wall],
     /// Nodes per axis of the stencil.
@@ -268,8 +265,7 @@ impl Meetings {
             ..Done::default()
         };
         let owners = fields.owners();
-        let joined = joined(&owners, bodies.pairs, bodies.apart);
-        let count = fields.count();
+        let (count, joined) = (fields.count(), fields.slab.joined);
         let is_driven = |owner: &Owner| owner.body().is_some_and(|body| bodies.driven[body]);
         let driven: Vec<bool> = owners.iter().map(is_driven).collect();
         let lane = if on == On::Remapped { 4 } else { 1 };
@@ -438,13 +434,6 @@ fn shared_span(fields: &SlabFields<'_, '_, '_>, plane: usize, row: usize) -> Opt
         })
         .filter(|both| !both.is_empty())
         .reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))
-}
-
-/// Whether a node is the ghost of a wall, which mirrors what lies inside.
-fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {
-    walls
-        .iter()
-        .any(|wall| at[shape.direction(wall.axis)] == wall.layers(shape).0)
 }
 
 /// Mass of a field at a node; zero outside the rows that the field uses, where old values lie.

@@ -31,7 +31,7 @@ pub mod surface;
 
 use crate::scene::{ContactNormal, Vector};
 use faces::Faces;
-use meeting::{Done, Meetings, States};
+use meeting::{Done, Meetings};
 
 /// A pair of bodies in contact, as the cycle sees it.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,10 +75,6 @@ pub struct State {
     pub faces: Faces,
     /// Where bodies met and what contact did there, per slab, as of the last equation of motion.
     pub met: Vec<Met>,
-    /// The same of a second mapping at new positions.
-    pub again: Vec<Met>,
-    /// What pairs did at nodes before that.
-    pub states: States,
     /// Force on the slave of each pair in the last step \[N\].
     pub forces: Vec<Vector>,
 }

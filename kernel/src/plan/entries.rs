@@ -1,14 +1,9 @@
 //! What the plan says of each thing that it keeps or leaves out, and why.
 
 use super::{Demands, Entry, Plan};
-use crate::mortar::motion::Follow;
-use crate::mortar::points::Detection;
 use crate::particles::Layout;
-use crate::scene::{
-    Body, ContactNormal, Dimension, DomainUpdate, Enforcement, PlaneCondition, RigidSurface, Scene,
-    Shape, StressScheme, Weighting,
-};
-use crate::simulation::has_safe_step;
+use crate::scene::{Body, Dimension, DomainUpdate, Scene, Shape, StressScheme, Weighting};
+use crate::simulation::{conditions, has_safe_step, interaction};
 use crate::stage::g2p::Affine;
 
 impl Plan {
@@ -54,94 +49,8 @@ impl Plan {
             "the PIC fraction is not zero",
             "the PIC fraction is zero",
         );
-        list.choose(
-            "stage",
-            "gravity",
-            self.gravity,
-            "it is not zero",
-            "it is zero",
-        );
-        for (axis, letter) in ["X", "Y", "Z"].iter().enumerate().take(self.axes) {
-            for (side, end) in ["0", "n"].iter().enumerate() {
-                let condition = scene.mesh.planes[axis][side];
-                let moving = scene
-                    .base_motion
-                    .as_ref()
-                    .is_some_and(|b| b.axis == axis && b.side == side);
-                list.choose(
-                    "stage",
-                    &format!("plane {letter}{end}"),
-                    moving || condition != PlaneCondition::Free,
-                    if moving {
-                        "its velocity is prescribed"
-                    } else if condition == PlaneCondition::Fixed {
-                        "fixed"
-                    } else {
-                        "sliding"
-                    },
-                    "free",
-                );
-            }
-        }
-        list.choose(
-            "stage",
-            "local damping",
-            self.local_damping.is_some(),
-            "its factor is not zero",
-            "not asked for, or its factor is zero",
-        );
-        list.choose(
-            "stage",
-            "kinetic damping",
-            self.kinetic_damping,
-            "asked for: velocities are set to zero at each peak of kinetic energy",
-            "not asked for",
-        );
-        list.choose(
-            "stage",
-            "viscous damping",
-            self.viscous_damping.is_some(),
-            "its factor is not zero",
-            "not asked for, or its factor is zero",
-        );
-        list.choose(
-            "stage",
-            "base motion",
-            scene.base_motion.is_some(),
-            "a record moves a plane, and the mesh with it along its normal",
-            "no active record",
-        );
-        list.choose(
-            "stage",
-            "held nodes",
-            !scene.held_boxes.is_empty(),
-            "nodes in a box stand still",
-            "no box is held",
-        );
-        let nodal = scene.point_loads.len() + scene.tractions.len();
-        list.choose(
-            "stage",
-            "nodal loads",
-            nodal > 0,
-            "point loads or tractions are given",
-            "none is given",
-        );
-        list.choose(
-            "stage",
-            "driven bodies",
-            scene.bodies.iter().any(|b| b.motion.is_some()),
-            "a body has a prescribed velocity",
-            "no body has a prescribed velocity",
-        );
-        contact_words(scene, &mut list);
-        let surfaces: Vec<String> = scene.surfaces.iter().map(surface_words).collect();
-        list.choose(
-            "stage",
-            "contact with rigid surfaces",
-            !surfaces.is_empty(),
-            &surfaces.join("; "),
-            "the scene has none",
-        );
+        conditions::describe(scene, &mut list);
+        interaction::describe(scene, &mut list);
         list.choose(
             "stage",
             "measurement at the nodes",
@@ -225,127 +134,9 @@ impl Plan {
     }
 }
 
-/// One entry per pair, and what goes with contact.
-fn contact_words(scene: &Scene, list: &mut Words) {
-    let driven = |id: i64| {
-        scene
-            .bodies
-            .iter()
-            .any(|b| b.id == id && b.motion.is_some())
-    };
-    for contact in &scene.contacts {
-        let normal = match contact.normal {
-            ContactNormal::Master => "normal of the master",
-            ContactNormal::Slave => "normal of the slave",
-            ContactNormal::Collinear => "mean of both normals",
-        };
-        list.choose(
-            "stage",
-            &format!("contact {}", contact.id),
-            !(driven(contact.master) && driven(contact.slave)),
-            &format!(
-                "bodies {} (master) and {}, friction {}, {normal}; on the grid, while the boxes of the bodies meet",
-                contact.master, contact.slave, contact.friction
-            ),
-            "the motion of both bodies is prescribed",
-        );
-    }
-    for boundary in &scene.mortar.boundaries {
-        list.keep(
-            "stage",
-            &format!("boundary of body {}", boundary.body),
-            match boundary.follow {
-                Follow::Unaugmented => {
-                    "its vertices follow the velocities of the nodes, those without mass too"
-                }
-                Follow::Velocity => "its vertices follow the velocities of the nodes",
-                Follow::Spin => "its vertices follow velocities and spins of the nodes",
-                Follow::Gradient => {
-                    "its vertices follow velocities and velocity gradients of the nodes"
-                }
-            },
-        );
-    }
-    for contact in &scene.mortar.contacts {
-        list.keep(
-            "stage",
-            &format!("mortar contact {}", contact.id),
-            &format!(
-                "master {}, slave {}, critical gap {} m, normal stiffness {} Pa/m, friction {}; {}, {}",
-                contact.master,
-                contact.slave,
-                contact.critical_gap,
-                contact.normal_stiffness,
-                contact.friction,
-                match contact.enforcement {
-                    Enforcement::Barrier => "barrier",
-                    Enforcement::Penalty => "penalty",
-                },
-                match (contact.detection, scene.dimension) {
-                    (Detection::Mortar, Dimension::Two) => "mortar segments",
-                    (Detection::Mortar, Dimension::Three) => "mortar triangles",
-                    (Detection::NodeToSegment, Dimension::Two) => "node to segment",
-                    (Detection::NodeToSegment, Dimension::Three) => "node to triangle",
-                },
-            ),
-        );
-    }
-    if scene.contacts.is_empty() && !scene.mortar.contacts.is_empty() {
-        return;
-    }
-    if scene.contacts.is_empty() {
-        list.leave("stage", "contact", "the scene asks for none");
-        return;
-    }
-    list.choose(
-        "stage",
-        "real distance of contacts",
-        scene.contact_distance != Some(0.0),
-        &scene.contact_distance.map_or_else(
-            || "contact acts below the sum of the half-lengths of the particles".to_owned(),
-            |lambda| format!("contact acts below {lambda} cells"),
-        ),
-        "its coefficient is zero",
-    );
-    list.keep(
-        "node field",
-        "mass gradient, second velocity field",
-        "128 bytes per node of a body while it is near a partner",
-    );
-}
-
 /// Whether the particles of a body are given one by one.
 pub(super) fn is_list(body: &Body) -> bool {
     matches!(body.shape, Shape::Particles(_))
-}
-
-/// A surface in a few words, its open edges among them: a terrain has some, a closed body none.
-fn surface_words(rigid: &RigidSurface) -> String {
-    let edges = rigid.surface.open_edges().map_or_else(
-        || "closed".to_owned(),
-        |open| {
-            let [a, b] = open.first;
-            format!(
-                "{} open edges, the first at triangle {} from {a:?} to {b:?} m",
-                open.count, open.triangle
-            )
-        },
-    );
-    format!(
-        "{}, {} triangles, {edges}{}{}",
-        rigid.name,
-        rigid.surface.triangle_count(),
-        if rigid.motion.is_some() {
-            ", moving"
-        } else {
-            ""
-        },
-        if rigid.penalty_stiffness.is_some() {
-            ", with a penalty force"
-        } else {
-            ""
-        },
-    )
 }
 
 fn weighting_words(weighting: Weighting) -> &'static str {
@@ -366,10 +157,10 @@ fn weighting_words(weighting: Weighting) -> &'static str {
 }
 
 /// The list as it grows.
-struct Words(Vec<Entry>);
+pub(crate) struct Words(Vec<Entry>);
 
 impl Words {
-    fn keep(&mut self, group: &'static str, name: &str, because: &str) {
+    pub(crate) fn keep(&mut self, group: &'static str, name: &str, because: &str) {
         self.0.push(Entry {
             group,
             name: name.into(),
@@ -378,7 +169,7 @@ impl Words {
         });
     }
 
-    fn leave(&mut self, group: &'static str, name: &str, because: &str) {
+    pub(crate) fn leave(&mut self, group: &'static str, name: &str, because: &str) {
         self.0.push(Entry {
             group,
             name: name.into(),
@@ -387,7 +178,14 @@ impl Words {
         });
     }
 
-    fn choose(&mut self, group: &'static str, name: &str, kept: bool, why: &str, why_not: &str) {
+    pub(crate) fn choose(
+        &mut self,
+        group: &'static str,
+        name: &str,
+        kept: bool,
+        why: &str,
+        why_not: &str,
+    ) {
         if kept {
             self.keep(group, name, why);
         } else {

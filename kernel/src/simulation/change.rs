@@ -6,9 +6,11 @@
 
 use super::Simulation;
 use super::error::SetupError;
+use super::mortar::MortarState;
 use super::setup::fastest;
 use crate::contact::State;
 use crate::scene::{Damping, History, Vector};
+use std::convert::Infallible;
 
 impl Simulation {
     /// Sets the acceleration of gravity \[m/s²\] from here on. The energy balance goes on: the potential of the old
@@ -27,7 +29,7 @@ impl Simulation {
         let before = self.dead_load_potential();
         self.ledger.external_work += before - self.ledger.dead_load_origin;
         self.scene.gravity = gravity;
-        self.plan.gravity = gravity != [0.0; 3];
+        self.set_conditions()?;
         self.ledger.dead_load_origin = self.dead_load_potential();
         Ok(())
     }
@@ -45,8 +47,10 @@ impl Simulation {
         }
         if let Some(entry) = self.scene.contacts.iter_mut().find(|c| c.id == contact) {
             entry.friction = friction;
-            for pair in self.contact.pairs.iter_mut().filter(|p| p.id == contact) {
-                pair.friction = friction;
+            if let Some(State { pairs, .. }) = self.interaction_mut() {
+                for pair in pairs.iter_mut().filter(|p| p.id == contact) {
+                    pair.friction = friction;
+                }
             }
             return Ok(());
         }
@@ -64,7 +68,10 @@ impl Simulation {
             ));
         }
         entry.friction = friction;
-        self.mortar.set_friction(entry);
+        let entry = entry.clone();
+        if let Some(state) = self.interaction_mut::<MortarState>() {
+            state.set_friction(&entry);
+        }
         Ok(())
     }
 
@@ -126,12 +133,12 @@ impl Simulation {
             .found
             .speed_squared
             .max(fastest(&self.scene.bodies[index]));
-        // Pairs of two driven bodies do not act, so the pairs may be others now, and with them the fields.
-        self.contact = State::new(&self.scene, &self.bodies);
-        self.mortar
-            .set_carrier(&self.scene, &self.bodies[index], index);
+        let Ok(()) = self.each::<Infallible>(|one, simulation| {
+            one.motion_changed(simulation, index);
+            Ok(())
+        });
         self.sorted();
-        Ok(())
+        self.set_conditions()
     }
 
     /// Sets the factor of local damping from here on; `None` for no damping.
@@ -152,8 +159,7 @@ impl Simulation {
             ));
         }
         self.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
-        self.plan.local_damping = alpha.filter(|alpha| *alpha != 0.0);
-        Ok(())
+        self.set_conditions()
     }
 }
 

@@ -2,6 +2,9 @@
 
 use super::Simulation;
 use super::error::{StepError, StepErrorKind, Unstable};
+use super::interaction::Interaction;
+use super::phase::Phase;
+use super::step::Watcher;
 use crate::scene::{StressScheme, TimeStep, TransferKind, Weighting};
 
 /// Share of the critical step that an automatic step takes.
@@ -135,8 +138,10 @@ impl Simulation {
         } else {
             (stable, Bound::Stability)
         };
-        let (critical, bound) = if self.mortar.time_step < critical {
-            (self.mortar.time_step, Bound::Contact)
+        let steps = self.interactions().map(Interaction::time_step);
+        let contact = steps.fold(f64::INFINITY, f64::min);
+        let (critical, bound) = if contact < critical {
+            (contact, Bound::Contact)
         } else {
             (critical, bound)
         };
@@ -163,15 +168,11 @@ impl Simulation {
     /// The step that would be taken now without regard to output times, or why it is refused.
     pub(super) fn propose(&self) -> Result<(f64, f64, Bound), Unstable> {
         let (critical, bound, wave_speed, particle_speed) = self.critical();
+        let steps = self.interactions().map(Interaction::closing_step);
+        let closing = CLOSING_SHARE * steps.fold(f64::INFINITY, f64::min);
         let (dt, bound, allow) = match self.scene.time_step {
-            TimeStep::Automatic
-                if CLOSING_SHARE * self.mortar.closing_step < AUTOMATIC_SHARE * critical =>
-            {
-                (
-                    CLOSING_SHARE * self.mortar.closing_step,
-                    Bound::Closing,
-                    false,
-                )
+            TimeStep::Automatic if closing < AUTOMATIC_SHARE * critical => {
+                (closing, Bound::Closing, false)
             }
             TimeStep::Automatic => (AUTOMATIC_SHARE * critical, bound, false),
             TimeStep::Multiplier {
@@ -183,7 +184,6 @@ impl Simulation {
                     .copied()
                     .fold(f64::INFINITY, f64::min);
                 let dt = multiplier * h / (wave_speed + particle_speed);
-                let closing = CLOSING_SHARE * self.mortar.closing_step;
                 if closing < dt {
                     (closing, Bound::Closing, allow_unstable)
                 } else {
@@ -205,7 +205,11 @@ impl Simulation {
     }
 
     /// Time step towards `stop`: a constant one as it is, others so that `stop` is reached in equal steps.
-    pub(super) fn choose_time_step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
+    pub(super) fn choose_time_step(
+        &mut self,
+        stop: f64,
+        ended: Watcher<'_>,
+    ) -> Result<StepInfo, StepError> {
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
@@ -246,7 +250,10 @@ impl Simulation {
         } else {
             clock.dt_critical.min(dt_critical)
         };
-        self.refuse_leaps(dt)?;
+        for one in self.interactions() {
+            one.refuse_leaps(self, dt)?;
+        }
+        ended(Phase::TimeStep);
         Ok(StepInfo {
             step,
             time,

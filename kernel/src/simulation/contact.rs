@@ -2,18 +2,27 @@
 
 mod on_slab;
 
+use super::conditions::Acting;
 use super::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use super::fields::Grid;
+use super::interaction::{Interaction, Made, OnSlab, Remembered, Visit};
 use super::{BodyRun, Simulation};
 use crate::contact::meeting::Tunnelling;
 use crate::contact::overlap::overlap;
 use crate::contact::{Pair, State, broad};
-use crate::particles::ParticleSet;
-use crate::scene::{Contact, Scene, Vector};
+use crate::memory::Memory;
+use crate::plan::Words;
+use crate::scene::{Contact, ContactNormal, Scene, Vector};
 
 impl State {
+    /// Contact on the grid, where a scene has any.
+    pub(super) fn of(scene: &Scene, bodies: &[BodyRun], _: &mut Memory) -> Option<Made> {
+        let any = !scene.contacts.is_empty();
+        any.then(|| Ok(Box::new(Self::new(scene, bodies)) as _))
+    }
+
     /// The pairs of a scene. Two bodies whose motion is prescribed cannot act on each other.
-    pub(super) fn new(scene: &Scene, bodies: &[BodyRun]) -> Self {
+    fn new(scene: &Scene, bodies: &[BodyRun]) -> Self {
         let index = |id: i64| bodies.iter().position(|b| b.id == id);
         let mut pairs: Vec<Pair> = scene
             .contacts
@@ -37,23 +46,160 @@ impl State {
         }
     }
 
-    /// Indices of the bodies of near pairs, in no order.
-    pub(super) fn near_bodies(&self) -> Vec<usize> {
+    fn tunnelling(&self, at: Tunnelling, simulation: &Simulation) -> StepError {
+        let pair = &self.pairs[at.pair];
+        let shape = &simulation.grid.shape;
+        let (local, origin) = (shape.position(shape.index(at.at)), simulation.origin());
+        simulation.error(StepErrorKind::Tunnelling {
+            bodies: [pair.master, pair.slave].map(|body| simulation.bodies[body].id),
+            position: Some(std::array::from_fn(|axis| local[axis] + origin[axis])),
+            approach: at.approach,
+            distance: at.distance,
+        })
+    }
+}
+
+impl Interaction for State {
+    fn boxed(&self) -> Box<dyn Interaction> {
+        Box::new(self.clone())
+    }
+
+    /// Refuses bodies of a pair that overlap.
+    fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
+        let bodies = simulation.bodies.iter();
+        let half_lengths: Vec<Vector> = bodies.map(|b| b.particle_half_length).collect();
+        let origin = simulation.origin();
+        let near = self.pairs.iter().zip(&self.near).filter(|(_, near)| **near);
+        let overlapping = near.filter_map(|(pair, _)| {
+            let found = overlap(pair, &simulation.sets, &half_lengths)?;
+            let mut contacts = simulation.scene.contacts.iter();
+            let name = contacts.find(|c| c.id == pair.id);
+            Some(Overlapping {
+                contact: name.map_or_else(String::new, |c| c.name.clone()),
+                bodies: [pair.master, pair.slave].map(|body| simulation.bodies[body].id),
+                depth: found.depth,
+                position: std::array::from_fn(|axis| found.at[axis] + origin[axis]),
+            })
+        });
+        let all: Vec<Overlapping> = overlapping.collect();
+        if all.is_empty() {
+            Ok(())
+        } else {
+            Err(SetupError::Overlap(all))
+        }
+    }
+
+    fn sorted(&mut self, simulation: &Simulation) {
+        let (shape, stencil) = (&simulation.grid.shape, simulation.stencil);
+        self.near = broad::near(&self.pairs, &simulation.sets, shape, stencil);
+    }
+
+    /// Bodies of near pairs.
+    fn owners(&self) -> Vec<usize> {
         let near = self.pairs.iter().zip(&self.near).filter(|(_, near)| **near);
         near.flat_map(|(pair, _)| [pair.master, pair.slave])
             .collect()
     }
 
-    /// Has surfaces for these bodies of near pairs, in order of the identifier.
-    pub(super) fn set_faces(
-        &mut self,
-        bodies: &[usize],
-        sets: &[ParticleSet],
-        grid: &Grid,
-        stencil: usize,
-    ) {
-        self.faces
-            .set(bodies, &self.pairs, &self.near, sets, grid, stencil);
+    /// Bodies without a pair share their velocity.
+    fn apart(&self) -> Vec<usize> {
+        vec![]
+    }
+
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        let pairs = self.pairs.iter();
+        pairs.map(|pair| [pair.master, pair.slave]).collect()
+    }
+
+    /// Has surfaces for the bodies of near pairs, in order of the identifier.
+    fn fields_given(&mut self, simulation: &Simulation) {
+        let mut bodies = self.owners();
+        bodies.sort_by_key(|&i| simulation.bodies[i].id);
+        bodies.dedup();
+        self.faces.set(
+            &bodies,
+            &self.pairs,
+            &self.near,
+            &simulation.sets,
+            &simulation.grid,
+            simulation.stencil,
+        );
+    }
+
+    /// Pairs of two driven bodies do not act, so the pairs may be others now.
+    fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
+        *self = Self::new(&simulation.scene, &simulation.bodies);
+    }
+
+    /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
+    /// other without sharing a node. Only a scene that allows unstable steps gets there.
+    fn refuse_leaps(&self, simulation: &Simulation, dt: f64) -> Result<(), StepError> {
+        let h = simulation.scene.mesh.cell[..simulation.plan.axes]
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        for pair in &self.pairs {
+            let bodies = [pair.master, pair.slave].map(|body| &simulation.bodies[body]);
+            let approach = bodies
+                .map(|body| body.found.speed_squared.sqrt() * dt)
+                .iter()
+                .sum::<f64>();
+            if approach > h * (1.0 + 1e-9) {
+                return Err(simulation.error(StepErrorKind::Tunnelling {
+                    bodies: bodies.map(|body| body.id),
+                    position: None,
+                    approach,
+                    distance: h,
+                }));
+            }
+        }
+        Ok(())
+    }
+
+    fn on_slabs(&mut self, grid: &Grid, visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {
+        self.parts(grid, visit)
+    }
+
+    /// Adds up the forces of all slabs in order of their planes, and stops where bodies would pass through each other.
+    fn settle(&mut self, simulation: &mut Simulation, _: &Acting) -> Result<usize, StepError> {
+        if self.faces.list.is_empty() {
+            self.met.clear();
+        }
+        self.forces.fill([0.0; 3]);
+        let mut nodes = 0;
+        let mut worst: Option<Tunnelling> = None;
+        for met in &self.met {
+            for of_plane in met.done.forces.chunks_exact(self.pairs.len()) {
+                for (sum, force) in self.forces.iter_mut().zip(of_plane) {
+                    for axis in 0..3 {
+                        sum[axis] += force[axis];
+                    }
+                }
+            }
+            nodes += met.done.nodes;
+            if let Some(at) = met.done.tunnelling {
+                let worse =
+                    worst.is_none_or(|w| at.approach * w.distance > w.approach * at.distance);
+                worst = if worse { Some(at) } else { worst };
+            }
+        }
+        worst.map_or(Ok(nodes), |at| Err(self.tunnelling(at, simulation)))
+    }
+
+    fn save(&self) -> Remembered {
+        let near = self.near.iter().map(|&near| f64::from(u8::from(near)));
+        vec![
+            ("near pairs".into(), near.collect()),
+            (
+                "forces of pairs".into(),
+                self.forces.as_flattened().to_vec(),
+            ),
+        ]
+    }
+
+    fn restore(&mut self, saved: &Remembered) {
+        self.near = saved[0].1.iter().map(|&near| near != 0.0).collect();
+        self.forces = saved[1].1.as_chunks().0.to_vec();
     }
 }
 
@@ -77,106 +223,6 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
 }
 
 impl Simulation {
-    /// Refuses bodies of a pair that overlap at the start.
-    pub(super) fn refuse_overlap(&self) -> Result<(), SetupError> {
-        let half_lengths: Vec<Vector> =
-            self.bodies.iter().map(|b| b.particle_half_length).collect();
-        let origin = self.origin();
-        let all: Vec<Overlapping> = self
-            .contact
-            .pairs
-            .iter()
-            .zip(&self.contact.near)
-            .filter(|(_, near)| **near)
-            .filter_map(|(pair, _)| {
-                let found = overlap(pair, &self.sets, &half_lengths)?;
-                let name = self.scene.contacts.iter().find(|c| c.id == pair.id);
-                Some(Overlapping {
-                    contact: name.map_or_else(String::new, |c| c.name.clone()),
-                    bodies: [self.bodies[pair.master].id, self.bodies[pair.slave].id],
-                    depth: found.depth,
-                    position: std::array::from_fn(|axis| found.at[axis] + origin[axis]),
-                })
-            })
-            .collect();
-        if all.is_empty() {
-            return Ok(());
-        }
-        Err(SetupError::Overlap(all))
-    }
-
-    /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
-    /// other without sharing a node. Only a scene that allows unstable steps gets there.
-    pub(super) fn refuse_leaps_of_pairs(&self, dt: f64) -> Result<(), StepError> {
-        let h = self.scene.mesh.cell[..self.plan.axes]
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
-        for pair in &self.contact.pairs {
-            let approach = [pair.master, pair.slave]
-                .map(|body| self.bodies[body].found.speed_squared.sqrt() * dt)
-                .iter()
-                .sum::<f64>();
-            if approach > h * (1.0 + 1e-9) {
-                return Err(self.error(StepErrorKind::Tunnelling {
-                    bodies: [self.bodies[pair.master].id, self.bodies[pair.slave].id],
-                    position: None,
-                    approach,
-                    distance: h,
-                }));
-            }
-        }
-        Ok(())
-    }
-
-    /// After a sort: which pairs are near.
-    pub(super) fn find_near_pairs(&mut self) {
-        let (shape, stencil) = (&self.grid.shape, self.stencil);
-        self.contact.near = broad::near(&self.contact.pairs, &self.sets, shape, stencil);
-    }
-
-    /// Adds up the forces of all slabs in order of their planes, and stops where bodies would pass through each other; the
-    /// number of nodes where a force acts.
-    pub(super) fn gather_contact(&mut self) -> Result<usize, StepError> {
-        if self.contact.faces.list.is_empty() {
-            self.contact.met.clear();
-        }
-        let contact = &mut self.contact;
-        let pairs = contact.pairs.len();
-        contact.forces.fill([0.0; 3]);
-        let mut nodes = 0;
-        let mut worst: Option<Tunnelling> = None;
-        for met in &contact.met {
-            for of_plane in met.done.forces.chunks_exact(pairs) {
-                for (sum, force) in contact.forces.iter_mut().zip(of_plane) {
-                    for axis in 0..3 {
-                        sum[axis] += force[axis];
-                    }
-                }
-            }
-            nodes += met.done.nodes;
-            if let Some(at) = met.done.tunnelling {
-                let worse =
-                    worst.is_none_or(|w| at.approach * w.distance > w.approach * at.distance);
-                worst = if worse { Some(at) } else { worst };
-            }
-        }
-        worst.map_or(Ok(nodes), |at| Err(self.tunnelling(at)))
-    }
-
-    fn tunnelling(&self, at: Tunnelling) -> StepError {
-        let pair = &self.contact.pairs[at.pair];
-        let local = self.grid.shape.position(self.grid.shape.index(at.at));
-        self.error(StepErrorKind::Tunnelling {
-            bodies: [self.bodies[pair.master].id, self.bodies[pair.slave].id],
-            position: Some(std::array::from_fn(|axis| {
-                local[axis] + self.origin()[axis]
-            })),
-            approach: at.approach,
-            distance: at.distance,
-        })
-    }
-
     /// Contact force on a body in the last step \[N\]: the sum over its pairs and the rigid surfaces. On the two bodies
     /// of a pair that have no other it is the same number with opposite signs.
     #[must_use]
@@ -186,12 +232,14 @@ impl Simulation {
             let force = self.surface_force_on(surface, set);
             sum = std::array::from_fn(|axis| sum[axis] + force[axis]);
         }
-        for (pair, force) in self.contact.pairs.iter().zip(&self.contact.forces) {
-            for axis in 0..3 {
-                if pair.slave == set {
-                    sum[axis] += force[axis];
-                } else if pair.master == set {
-                    sum[axis] -= force[axis];
+        if let Some(State { pairs, forces, .. }) = self.interaction() {
+            for (pair, force) in pairs.iter().zip(forces) {
+                for axis in 0..3 {
+                    if pair.slave == set {
+                        sum[axis] += force[axis];
+                    } else if pair.master == set {
+                        sum[axis] -= force[axis];
+                    }
                 }
             }
         }
@@ -201,9 +249,12 @@ impl Simulation {
     /// Whether a body is in a pair that can touch, or there are rigid surfaces.
     #[must_use]
     pub fn has_contact(&self, set: usize) -> bool {
-        let pairs = &self.contact.pairs;
-        self.surfaces.is_some()
-            || pairs.iter().any(|p| p.master == set || p.slave == set)
+        let in_pair = |state: &State| {
+            let mut pairs = state.pairs.iter();
+            pairs.any(|p| p.master == set || p.slave == set)
+        };
+        !self.scene.surfaces.is_empty()
+            || self.interaction().is_some_and(in_pair)
             || self.mortar_force(self.bodies[set].id).is_some()
     }
 
@@ -212,4 +263,57 @@ impl Simulation {
     pub fn contact_layers(&self) -> usize {
         self.grid.fields.len() - 1
     }
+}
+
+/// What the plan says of each pair.
+pub(super) fn pair_words(scene: &Scene, list: &mut Words) {
+    let driven = |id: i64| {
+        scene
+            .bodies
+            .iter()
+            .any(|b| b.id == id && b.motion.is_some())
+    };
+    for contact in &scene.contacts {
+        let normal = match contact.normal {
+            ContactNormal::Master => "normal of the master",
+            ContactNormal::Slave => "normal of the slave",
+            ContactNormal::Collinear => "mean of both normals",
+        };
+        list.choose(
+            "stage",
+            &format!("contact {}", contact.id),
+            !(driven(contact.master) && driven(contact.slave)),
+            &format!(
+                "bodies {} (master) and {}, friction {}, {normal}; on the grid, while the boxes of the bodies meet",
+                contact.master, contact.slave, contact.friction
+            ),
+            "the motion of both bodies is prescribed",
+        );
+    }
+}
+
+/// What it says of contact as a whole.
+pub(super) fn words(scene: &Scene, list: &mut Words) {
+    if scene.contacts.is_empty() && !scene.mortar.contacts.is_empty() {
+        return;
+    }
+    if scene.contacts.is_empty() {
+        list.leave("stage", "contact", "the scene asks for none");
+        return;
+    }
+    list.choose(
+        "stage",
+        "real distance of contacts",
+        scene.contact_distance != Some(0.0),
+        &scene.contact_distance.map_or_else(
+            || "contact acts below the sum of the half-lengths of the particles".to_owned(),
+            |lambda| format!("contact acts below {lambda} cells"),
+        ),
+        "its coefficient is zero",
+    );
+    list.keep(
+        "node field",
+        "mass gradient, second velocity field",
+        "128 bytes per node of a body while it is near a partner",
+    );
 }

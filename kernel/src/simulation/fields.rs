@@ -70,6 +70,8 @@ pub struct Grid {
     pub fields: Vec<VelocityField>,
     /// Planes of each slab; together all planes.
     pub slabs: Vec<Range<usize>>,
+    /// Whether two fields share their velocity where they meet, by number, row by row.
+    pub joined: Vec<bool>,
     /// Who shares the slabs.
     pub team: Arc<Team>,
 }
@@ -86,6 +88,8 @@ pub struct SlabField<'a> {
 pub struct Slab<'a> {
     /// The fields.
     pub fields: Vec<SlabField<'a>>,
+    /// [`Grid::joined`].
+    pub joined: &'a [bool],
 }
 
 impl<'a> Slab<'a> {
@@ -126,6 +130,7 @@ impl Grid {
                 rows: ActiveRows::default(),
             }],
             slabs,
+            joined: vec![true],
             shape,
             team: Arc::new(team),
         }
@@ -240,13 +245,13 @@ impl Grid {
         act: impl Fn(Slab<'_>, P) -> R + Send + Sync,
     ) -> Vec<R> {
         let per_plane = self.shape.plane_nodes();
-        let (shape, slabs) = (&self.shape, &self.slabs);
+        let (shape, slabs, joined) = (&self.shape, &self.slabs, &self.joined[..]);
         let count = self.fields.len();
         let mut visits: Vec<(Slab<'_>, P)> = parts
             .into_iter()
             .map(|part| {
                 let fields = Vec::with_capacity(count);
-                (Slab { fields }, part)
+                (Slab { fields, joined }, part)
             })
             .collect();
         for field in &mut self.fields {

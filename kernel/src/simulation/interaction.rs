@@ -1,32 +1,190 @@
-//! What acts between velocity fields, or between them and what is no material: contact on the grid, mortar contact, rigid
-//! surfaces. The only place that knows which of them there are.
+//! What acts between velocity fields, or between them and what is no material.
 //!
-//! A step calls them in this order: [`Simulation::sorted`] after a sort; [`Simulation::find`] between the mapping and the
-//! choice of the time step; forces to nodes and, slab by slab ([`OnSlab`]), corrections of the trial velocities within
-//! the equation of motion; what needs all slabs at once in [`Simulation::settle`]; [`Simulation::advance`] once it is
-//! known how far positions move.
+//! Contact on the grid, mortar contact and rigid surfaces are made by one list ([`ALL`]), each in a folder of its own; what
+//! a library user adds ([`Options::interactions`](super::Options)) comes after them, by the same trait. A scene that has
+//! none of a kind has no element of it, and nothing in the cycle asks for it.
 
-use super::Simulation;
-use super::acting::{Acting, prescribed};
-use super::error::StepError;
+use super::conditions::{Acting, Condition};
+use super::contact as grid;
+use super::error::{SetupError, StepError};
 use super::fields::{Grid, Slab};
 use super::mapping::BodiesOnto;
+use super::mortar::{self, MortarState};
 use super::phase::Phase;
 use super::step::Watcher;
-use crate::contact::State;
-use crate::plan::Plan;
-use crate::scene::Vector;
+use super::surfaces::{self, Surfaces};
+use super::{BodyRun, Simulation};
+use crate::contact;
+use crate::memory::Memory;
+use crate::plan::Words;
+use crate::scene::{Scene, Vector};
 use crate::stage::solve::{PlaneSums, Wall};
+use std::any::Any;
+use std::borrow::Cow;
+use std::convert::Infallible;
+use std::sync::Arc;
+
+/// What acts between velocity fields.
+///
+/// A step calls it in this order: [`Interaction::sorted`], [`Interaction::owners`] and [`Interaction::fields_given`] after a
+/// sort; [`Interaction::find`] between the mapping and the choice of the time step; [`Interaction::load`] before the
+/// equation of motion; slab by slab [`OnSlab`] within it; [`Interaction::settle`] when all slabs are done;
+/// [`Interaction::advance`] once it is known how far positions move; [`OnSlab::correct_again`] and
+/// [`Interaction::settle_again`] where velocities are mapped a second time. The simulation that it is given is one without
+/// itself.
+///
+/// Slabs are visited at once by several threads, and their number must not change a result: sums go to the planes of a
+/// slab, and from there plane by plane.
+pub trait Interaction: Any + Send + Sync {
+    /// A copy.
+    fn boxed(&self) -> Box<dyn Interaction>;
+
+    /// Refuses a scene at its start.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    fn start(&self, _simulation: &Simulation) -> Result<(), SetupError> {
+        Ok(())
+    }
+
+    /// Particles have new places.
+    fn sorted(&mut self, _simulation: &Simulation) {}
+
+    /// Bodies that need a velocity field of their own until the next sort, by their places in the scene.
+    fn owners(&self) -> Vec<usize> {
+        vec![]
+    }
+
+    /// Which of them keep a velocity of their own wherever another field is.
+    fn apart(&self) -> Vec<usize> {
+        self.owners()
+    }
+
+    /// Pairs of bodies that keep velocities of their own where they meet. Fields that nothing separates share one.
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        vec![]
+    }
+
+    /// All bodies have the fields that were asked for.
+    fn fields_given(&mut self, _simulation: &Simulation) {}
+
+    /// The motion of a body, by its place in the scene, is now prescribed in another way, or no longer.
+    fn motion_changed(&mut self, _simulation: &Simulation, _body: usize) {}
+
+    /// Whether [`Interaction::find`] is to be called: mapping and equation of motion take two visits of the slabs then.
+    fn finds(&self) -> bool {
+        false
+    }
+
+    /// Gaps and forces from the mapped masses, velocities and forces.
+    ///
+    /// # Errors
+    /// Where the step cannot go on.
+    fn find(&mut self, _simulation: &Simulation) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Critical time step, as of what was found \[s\].
+    fn time_step(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Time in which a gap closes as far as it may in one step \[s\].
+    fn closing_step(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Refuses a time step \[s\] in which something would pass through something else unseen.
+    ///
+    /// # Errors
+    /// What would.
+    fn refuse_leaps(&self, _simulation: &Simulation, _dt: f64) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Adds forces to those at the nodes.
+    fn load(&self, _grid: &mut Grid) {}
+
+    /// What acts on each slab of a visit, in their order; nothing where it acts on none.
+    fn on_slabs(&mut self, _grid: &Grid, _visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {
+        vec![]
+    }
+
+    /// Whether [`Interaction::settle`] changes velocities, so that sums are taken after it.
+    fn settles(&self) -> bool {
+        false
+    }
+
+    /// What is done with the velocities of all slabs together; the number of nodes or vertices where a force acts.
+    ///
+    /// # Errors
+    /// Where the step cannot go on.
+    fn settle(
+        &mut self,
+        _simulation: &mut Simulation,
+        _acting: &Acting,
+    ) -> Result<usize, StepError> {
+        Ok(0)
+    }
+
+    /// The same for velocities that were mapped a second time.
+    ///
+    /// # Errors
+    /// Where the step cannot go on.
+    fn settle_again(
+        &mut self,
+        _simulation: &mut Simulation,
+        _acting: &Acting,
+        _again: Again,
+    ) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Positions move by `drift` \[s\]; called where [`Interaction::finds`].
+    fn advance(&mut self, _simulation: &Simulation, _acting: &Acting, _drift: f64) {}
+
+    /// Energy that is stored between the fields \[J\].
+    fn energy(&self) -> f64 {
+        0.0
+    }
+
+    /// What it remembers from step to step: lists of numbers with their names, of lengths that the scene decides.
+    fn save(&self) -> Remembered {
+        vec![]
+    }
+
+    /// Takes up what was saved; names and lengths are those that [`Interaction::save`] gives.
+    fn restore(&mut self, _saved: &Remembered) {}
+}
+
+/// Lists of numbers with their names.
+pub type Remembered = Vec<(String, Vec<f64>)>;
+
+/// What an interaction does to the fields of one slab.
+pub trait OnSlab: Send {
+    /// The masses of all fields are there.
+    fn mapped(&mut self, _slab: &mut Slab<'_>, _now: &Now<'_>) {}
+
+    /// Corrects the trial velocities and their increments; adds power \[W\] to the sums of the planes.
+    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]);
+
+    /// Corrects velocities that were mapped again, from which strain is taken.
+    fn correct_again(&mut self, _slab: &mut Slab<'_>, _now: &Now<'_>) {}
+}
 
 /// What a visit of all slabs knows beside the fields.
-pub(super) struct Now<'a> {
-    pub(super) plan: &'a Plan,
-    pub(super) mapping: &'a BodiesOnto<'a>,
+pub struct Now<'a> {
+    pub(super) mapping: BodiesOnto<'a>,
     pub(super) acting: &'a Acting,
+    pub(super) conditions: &'a [Arc<dyn Condition>],
+    /// Lower corner of the mesh in the coordinates of the scene \[m\].
+    pub(super) origin: Vector,
     /// Walls, with the velocities of this visit.
-    pub(super) walls: &'a [Wall],
+    pub(super) walls: Cow<'a, [Wall]>,
     /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
     pub(super) prescribed: Vec<Option<[Vector; 2]>>,
+    /// The second mapping that the velocities are of, if they are of one.
+    pub(super) again: Option<Again>,
     /// Whether kinetic energy and residual are measured.
     pub(super) measure: bool,
     /// Whether velocities still change when all slabs are done, and sums are taken after that.
@@ -34,127 +192,232 @@ pub(super) struct Now<'a> {
 }
 
 impl<'a> Now<'a> {
-    /// What a visit with these walls knows.
-    pub(super) fn new(
-        plan: &'a Plan,
-        mapping: &'a BodiesOnto<'a>,
-        acting: &'a Acting,
-        walls: &'a [Wall],
-    ) -> Self {
-        Self {
-            plan,
-            mapping,
-            acting,
-            walls,
-            prescribed: prescribed(mapping.bodies, acting),
-            measure: plan.measure,
-            settles: false,
-        }
+    /// What acts at the nodes in this step.
+    #[must_use]
+    pub fn acting(&self) -> &'a Acting {
+        self.acting
+    }
+
+    /// The lane of a node where its velocity begins.
+    pub(super) fn lane(&self) -> usize {
+        self.again.map_or(1, Again::lane)
     }
 }
-
-/// What an interaction does to the fields of one slab.
-pub(super) trait OnSlab: Send {
-    /// The masses of all fields are there.
-    fn mapped(&mut self, slab: &mut Slab<'_>, now: &Now<'_>);
-    /// Corrects the trial velocities and their increments; adds power to the sums of the planes.
-    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]);
-    /// Corrects velocities that were mapped again, from which strain is taken.
-    fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>);
-}
-
-/// For each slab what acts there.
-pub(super) type Parts<'a> = Vec<Vec<Box<dyn OnSlab + 'a>>>;
 
 /// Which velocities a visit is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Visit {
+pub enum Visit {
     /// Those of the equation of motion.
     Trial,
-    /// Those that were mapped again at the same positions (MUSL).
-    Remapped,
-    /// Those that were mapped again at new positions (USF).
-    Mapped,
+    /// Those that were mapped a second time.
+    Again(Again),
 }
 
-/// What acts on the slabs of a visit.
-pub(super) fn on_slabs<'a>(contact: &'a mut State, grid: &Grid, visit: Visit) -> Parts<'a> {
-    if contact.faces.list.is_empty() {
-        return grid.slabs.iter().map(|_| vec![]).collect();
+/// From where velocities are mapped a second time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Again {
+    /// From the positions of the first mapping, to the upper lanes of the nodes (MUSL).
+    OldPositions,
+    /// From the positions at the end of the step, to the lower lanes (USF).
+    NewPositions,
+}
+
+impl Again {
+    /// The lane of a node where its velocity begins.
+    pub(super) fn lane(self) -> usize {
+        match self {
+            Self::OldPositions => 4,
+            Self::NewPositions => 1,
+        }
     }
-    contact.on_slabs(grid, visit)
+}
+
+/// Interactions; one that acts on the rest of the simulation is taken out meanwhile.
+pub(crate) type Interactions = Vec<Option<Box<dyn Interaction>>>;
+
+/// An interaction, or why there cannot be one.
+pub(super) type Made = Result<Box<dyn Interaction>, SetupError>;
+
+/// Makes the interaction of a kind, where a scene has any.
+type Make = fn(&Scene, &[BodyRun], &mut Memory) -> Option<Made>;
+
+/// A kind of interaction: what the plan says of it, and how it is made.
+type Kind = (fn(&Scene, &mut Words), Option<Make>);
+
+/// All kinds, in the order in which they act.
+const ALL: [Kind; 4] = [
+    (grid::pair_words, Some(contact::State::of)),
+    (mortar::words, Some(MortarState::of)),
+    (grid::words, None),
+    (surfaces::words, Some(Surfaces::of)),
+];
+
+/// What the plan says of interactions.
+pub(crate) fn describe(scene: &Scene, list: &mut Words) {
+    for (words, _) in ALL {
+        words(scene, list);
+    }
+}
+
+/// The interactions of a scene, those of the user after them.
+///
+/// # Errors
+/// A boundary that is none, or surfaces that overlap.
+pub(super) fn of(
+    scene: &Scene,
+    bodies: &[BodyRun],
+    own: &[Box<dyn Interaction>],
+    memory: &mut Memory,
+) -> Result<Interactions, SetupError> {
+    let makes = ALL.into_iter().filter_map(|(_, make)| make);
+    let made = makes.filter_map(|make| make(scene, bodies, memory));
+    let all = made.chain(own.iter().cloned().map(Ok));
+    all.map(|one| one.map(Some)).collect()
+}
+
+impl Clone for Box<dyn Interaction> {
+    fn clone(&self) -> Self {
+        (**self).boxed()
+    }
+}
+
+/// For each slab what acts there in a visit.
+pub(super) fn on_slabs<'a>(
+    interactions: &'a mut Interactions,
+    grid: &Grid,
+    visit: Visit,
+) -> Vec<Vec<Box<dyn OnSlab + 'a>>> {
+    let mut parts: Vec<Vec<_>> = grid.slabs.iter().map(|_| vec![]).collect();
+    for one in interactions.iter_mut().flatten() {
+        for (part, own) in parts.iter_mut().zip(one.on_slabs(grid, visit)) {
+            part.push(own);
+        }
+    }
+    parts
 }
 
 impl Simulation {
+    /// All interactions.
+    pub(super) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
+        self.interactions.iter().flatten().map(|one| &**one)
+    }
+
+    /// The interaction of a kind, for what it tells of itself.
+    #[must_use]
+    pub fn interaction<T: Interaction>(&self) -> Option<&T> {
+        let mut all = self.interactions();
+        all.find_map(|one| (one as &dyn Any).downcast_ref())
+    }
+
+    pub(super) fn interaction_mut<T: Interaction>(&mut self) -> Option<&mut T> {
+        let mut all = self.interactions.iter_mut().flatten();
+        all.find_map(|one| (&mut **one as &mut dyn Any).downcast_mut())
+    }
+
+    /// Calls `act` for each interaction with the rest of the simulation.
+    pub(super) fn each<E>(
+        &mut self,
+        mut act: impl FnMut(&mut dyn Interaction, &mut Self) -> Result<(), E>,
+    ) -> Result<(), E> {
+        for place in 0..self.interactions.len() {
+            if let Some(mut one) = self.interactions[place].take() {
+                let done = act(&mut *one, self);
+                self.interactions[place] = Some(one);
+                done?;
+            }
+        }
+        Ok(())
+    }
+
     /// After a sort: which bodies need a field of their own.
     pub(super) fn sorted(&mut self) {
-        self.find_near_pairs();
+        let Ok(()) = self.each::<Infallible>(|one, simulation| {
+            one.sorted(simulation);
+            Ok(())
+        });
         self.set_fields();
-        if let Some(surfaces) = &mut self.surfaces {
-            surfaces.forget();
-        }
     }
 
     /// Gives each body that needs one its velocity field.
     pub(crate) fn set_fields(&mut self) {
-        let near = self.contact.near_bodies();
-        let with_boundary: Vec<usize> = self.mortar.bodies().collect();
-        let mut owners: Vec<usize> = near.iter().chain(&with_boundary).copied().collect();
+        let mut owners: Vec<usize> = self.interactions().flat_map(Interaction::owners).collect();
         owners.sort_by_key(|&i| self.bodies[i].id);
         owners.dedup();
         for (index, body) in self.bodies.iter_mut().enumerate() {
             body.in_layer = owners.contains(&index);
-            body.apart = with_boundary.contains(&index);
         }
         self.grid.set_owners(&owners, &self.sets, self.stencil);
-        owners.retain(|body| near.contains(body));
-        self.contact
-            .set_faces(&owners, &self.sets, &self.grid, self.stencil);
+        self.join_fields(&owners);
+        let Ok(()) = self.each::<Infallible>(|one, simulation| {
+            one.fields_given(simulation);
+            Ok(())
+        });
+    }
+
+    /// Which fields share their velocity; `owners` have one each, after that of the phase.
+    fn join_fields(&mut self, owners: &[usize]) {
+        let mut numbers = vec![None; self.bodies.len()];
+        for (place, &body) in owners.iter().enumerate() {
+            numbers[body] = Some(1 + place);
+        }
+        let count = 1 + owners.len();
+        let mut joined = vec![true; count * count];
+        let mut separate = |a: Option<usize>, b: Option<usize>| {
+            if let (Some(a), Some(b)) = (a, b)
+                && a != b
+            {
+                joined[a * count + b] = false;
+                joined[b * count + a] = false;
+            }
+        };
+        for one in self.interactions() {
+            for body in one.apart() {
+                (0..count).for_each(|other| separate(numbers[body], Some(other)));
+            }
+            for [a, b] in one.pairs() {
+                separate(numbers[a], numbers[b]);
+            }
+        }
+        self.grid.joined = joined;
     }
 
     /// Whether gaps and forces are sought between the mapping and the choice of the time step.
     pub(super) fn finds(&self) -> bool {
-        self.mortar.acts()
+        self.interactions().any(Interaction::finds)
     }
 
     /// Gaps, forces, and the time steps that they allow.
     pub(super) fn find(&mut self, ended: Watcher<'_>) -> Result<(), StepError> {
         if self.finds() {
             ended(Phase::NodesFromParticles);
-            self.meet_boundaries()?;
+            self.each(|one, simulation| one.find(simulation))?;
             ended(Phase::Contact);
         }
         Ok(())
     }
 
-    /// Refuses a time step in which something would pass through something else unseen.
-    pub(super) fn refuse_leaps(&self, dt: f64) -> Result<(), StepError> {
-        self.refuse_leaps_of_pairs(dt)?;
-        self.refuse_fast_closing(dt)
-    }
-
-    /// Adds contact forces to those at the nodes.
-    pub(super) fn load_nodes(&mut self) {
-        self.mortar.load_nodes(&mut self.grid);
-    }
-
     /// What is done with the velocities of all slabs together; the number of nodes or vertices where a contact force acts.
     pub(super) fn settle(&mut self, acting: &Acting) -> Result<usize, StepError> {
-        let touching = self.gather_contact()?;
-        self.ledger.sums.power += self.mortar.power_of_prescribed(acting.half_steps[1]);
-        self.touch_surfaces(acting)?;
-        Ok(touching + self.mortar.vertices_under_pressure())
+        let mut touching = 0;
+        self.each(|one, simulation| {
+            touching += one.settle(simulation, acting)?;
+            Ok(())
+        })?;
+        Ok(touching)
     }
 
-    /// The same for velocities that were mapped again, in the lanes of the nodes from `lane` on.
-    pub(super) fn settle_again(&mut self, acting: &Acting, lane: usize) -> Result<(), StepError> {
-        self.hold_at_surfaces(acting, lane)
+    /// The same for velocities that were mapped a second time.
+    pub(super) fn settle_again(&mut self, acting: &Acting, again: Again) -> Result<(), StepError> {
+        self.each(|one, simulation| one.settle_again(simulation, acting, again))
     }
 
     /// Positions move by `drift` \[s\].
     pub(super) fn advance(&mut self, acting: &Acting, drift: f64, ended: Watcher<'_>) {
-        if self.mortar.acts() {
-            self.move_vertices(drift, acting.half_steps[1]);
+        if self.finds() {
+            let Ok(()) = self.each::<Infallible>(|one, simulation| {
+                one.advance(simulation, acting, drift);
+                Ok(())
+            });
             ended(Phase::Contact);
         }
     }

@@ -3,15 +3,18 @@
 use super::BodyRun;
 use super::fields::{Owner, Slab, SlabField};
 use crate::contact::interface::Interface;
+use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
 use crate::particles::{Layout, ParticleSet};
 use crate::plan::Plan;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
+use crate::weights::{axis_weights_at, base_offset};
 use std::ops::Range;
 
-/// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
+/// The mapping of a kind; [`Carry::All`] has spins with it where the plan asks for them. Borrows the particles alone, so
+/// that the nodes can be written meanwhile.
 pub(super) fn bodies_onto<'a>(
     plan: &Plan,
     sets: &'a [ParticleSet],
@@ -20,6 +23,10 @@ pub(super) fn bodies_onto<'a>(
     stencil: usize,
     carry: Carry,
 ) -> BodiesOnto<'a> {
+    let carry = match carry {
+        Carry::All if plan.spin => Carry::AllAndSpin,
+        carry => carry,
+    };
     let instance = |carry| Carrier {
         carry,
         call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
@@ -33,15 +40,6 @@ pub(super) fn bodies_onto<'a>(
         free: instance(carry),
         driven: instance(Carry::Momentum),
         gradient: instance(Carry::MassGradient),
-    }
-}
-
-/// What the first mapping of a step carries.
-pub(super) fn first_carry(plan: &Plan) -> Carry {
-    if plan.spin {
-        Carry::AllAndSpin
-    } else {
-        Carry::All
     }
 }
 
@@ -176,4 +174,48 @@ impl BodiesOnto<'_> {
             },
         )
     }
+}
+
+/// Nodes with a positive weight of one particle, increasing, with their weights.
+pub(super) fn node_weights(
+    set: &ParticleSet,
+    body: &BodyRun,
+    shape: &GridShape,
+    stencil: usize,
+    p: usize,
+) -> Vec<(usize, f64)> {
+    let axes = shape.axes;
+    let x = set.position(p);
+    let mut touched: [Vec<(usize, f64)>; 3] = [vec![], vec![(0, 1.0)], vec![]];
+    for axis in 0..axes {
+        let xi = x[axis] * body.mapping.inverse_cell[axis];
+        let l = body
+            .mapping
+            .half_length_column
+            .map_or(body.mapping.half_length[axis], |column| {
+                set.columns[column + axis][p]
+            });
+        let family = body.mapping.family;
+        let base = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+        let weights = if stencil == 3 {
+            axis_weights_at::<3>(family, xi, l).1.to_vec()
+        } else {
+            axis_weights_at::<4>(family, xi, l).1.to_vec()
+        };
+        touched[shape.direction(axis)] = weights
+            .into_iter()
+            .enumerate()
+            .filter(|(_, w)| *w > 0.0)
+            .map(|(n, w)| (base + n, w))
+            .collect();
+    }
+    let mut nodes = Vec::with_capacity(27);
+    for &(i, u) in &touched[0] {
+        for &(j, v) in &touched[1] {
+            for &(k, w) in &touched[2] {
+                nodes.push((shape.index([i, j, k]), u * v * w));
+            }
+        }
+    }
+    nodes
 }

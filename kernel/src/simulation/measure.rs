@@ -2,6 +2,7 @@
 //! they do not depend on how particles are stored.
 
 use super::Simulation;
+use super::interaction::Interaction;
 use crate::laws::{Particle, UNDEFORMED};
 use crate::particles::{Layout, ParticleSet};
 use crate::scene::Vector;
@@ -16,8 +17,8 @@ pub struct Energy {
     pub strain: f64,
     /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
     pub external_work: f64,
-    /// What is missing: initial energy plus external work less the present energy, in which that of the normal laws of
-    /// mortar contact is counted ([`Simulation::mortar_energy`]). Damping, friction, the dissipation of the scheme, and
+    /// What is missing: initial energy plus external work less the present energy, in which what interactions store is
+    /// counted, such as the normal laws of mortar contact ([`Simulation::mortar_energy`]). Damping, friction, the dissipation of the scheme, and
     /// what removed particles took with them.
     pub dissipated: f64,
 }
@@ -113,7 +114,8 @@ impl Simulation {
         let (kinetic, strain) = (self.kinetic_energy(), self.strain_energy());
         let external_work =
             self.ledger.external_work + self.dead_load_potential() - self.ledger.dead_load_origin;
-        let present = kinetic + strain + self.mortar_energy();
+        let stored: f64 = self.interactions().map(Interaction::energy).sum();
+        let present = kinetic + strain + stored;
         let dissipated = self.ledger.initial_energy + external_work - present;
         Energy {
             kinetic,

@@ -1,15 +1,14 @@
 //! A scene in motion: state, explicit cycle, and what can be asked of it.
 
-mod acting;
 mod change;
 mod clock;
+pub(crate) mod conditions;
 mod contact;
 mod error;
 mod faults;
 pub(crate) mod fields;
 mod history;
-mod interaction;
-mod loads;
+pub(crate) mod interaction;
 mod mapping;
 mod measure;
 mod mortar;
@@ -26,18 +25,19 @@ mod step;
 mod surfaces;
 
 pub use clock::{Bound, Clock, StepInfo, has_safe_step, stability_number};
+pub use conditions::{Acting, Condition, FieldNodes, Node};
 pub use error::{
     Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
 };
+pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, value as history_value};
+pub use interaction::{Again, Interaction, Now, OnSlab, Remembered, Visit};
 pub use measure::{Energy, state_hash};
 pub use mortar::{BoundaryVertex, VertexState};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
-pub use saved::{
-    RestoreError, Saved, SavedBody, SavedBoundary, SavedMortar, SavedPair, SavedSurfaces,
-};
+pub use saved::{RestoreError, Saved, SavedBody};
 
 use crate::lanes::{LaneChoice, Selected};
 use crate::laws::{AnyLaw, UNDEFORMED};
@@ -47,8 +47,6 @@ use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
-use crate::stage::solve::{DrivenNode, NodeForce};
-use fields::Grid;
 use std::fmt;
 use std::sync::Arc;
 
@@ -101,6 +99,10 @@ pub struct Options {
     pub body_force: Option<BodyForce>,
     /// Initial state, for manufactured solutions.
     pub initial: Option<InitialField>,
+    /// Conditions at the nodes beside those of the scene. They act after those.
+    pub conditions: Vec<Arc<dyn Condition>>,
+    /// Interactions of velocity fields beside those of the scene. They act after those.
+    pub interactions: Vec<Box<dyn Interaction>>,
     /// Memory that the scene may need; else all that the machine has free.
     pub memory: Option<Memory>,
 }
@@ -114,6 +116,8 @@ impl fmt::Debug for Options {
             .field("measure", &self.measure)
             .field("body_force", &self.body_force.is_some())
             .field("initial", &self.initial.is_some())
+            .field("conditions", &self.conditions.len())
+            .field("interactions", &self.interactions.len())
             .field("memory", &self.memory)
             .finish()
     }
@@ -137,9 +141,6 @@ pub(crate) struct BodyRun {
     pub(crate) particle_half_length: Vector,
     /// Whether it has a velocity field of its own, as of the last sort.
     pub(crate) in_layer: bool,
-    /// Whether it meets others by its boundary alone, so that at the nodes its field is joined with no other; as of the
-    /// last sort.
-    pub(crate) apart: bool,
     /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
     /// function has no domain.
     pub(crate) reach: Option<[f64; 3]>,
@@ -155,19 +156,19 @@ pub struct Simulation {
     pub(crate) grid: Grid,
     /// Groups of the first mapping of this step, where it is done already.
     mapped: Option<usize>,
-    pub(crate) contact: crate::contact::State,
     /// Nodes per axis of the stencil, 3 or 4.
     pub(crate) stencil: usize,
-    pub(crate) mortar: mortar::MortarState,
+    /// What acts between velocity fields; those of the user come last.
+    pub(crate) interactions: interaction::Interactions,
     /// Largest travel in cells since the last sort.
     pub(crate) travel: f64,
     pub(crate) groups: passes::Groups,
     pub(crate) clock: Clock,
     /// Displacement of the mesh since the start \[m\].
     pub(crate) mesh_shift: Vector,
-    pub(crate) loads: Vec<NodeForce>,
-    /// Nodes that stand still, increasing.
-    pub(crate) held: Vec<DrivenNode>,
+    /// What acts at the nodes from outside; those of the user come last.
+    pub(crate) conditions: Vec<Arc<dyn Condition>>,
+    pub(crate) own_conditions: Vec<Arc<dyn Condition>>,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
     pub(crate) relaxation: relaxation::Relaxation,
@@ -176,8 +177,6 @@ pub struct Simulation {
     /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
     /// 1e-10 m only.
     pub(crate) local_surfaces: Vec<Arc<crate::surface::Surface>>,
-    /// Contact with rigid surfaces; absent where the scene has none.
-    pub(crate) surfaces: Option<surfaces::Surfaces>,
 }
 
 impl Simulation {

@@ -1,99 +1,88 @@
 //! The equation of motion at the nodes of one slab, the same for all velocity fields.
 
-use super::fields::{Owner, Slab, SlabField};
+use super::conditions::FieldNodes;
+use super::fields::{Owner, Slab};
 use super::interaction::{Now, OnSlab};
 use crate::grid::Line;
 use crate::scene::Vector;
-use crate::stage::solve::{DrivenNode, EmptyNode, Forces, NodeForce, PlaneSums, Planes, Wall};
-use std::borrow::Cow;
+use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
 
-/// From mapped sums to velocities that keep to the walls, to driven bodies and to each other; the sums of each plane.
+/// From mapped sums to velocities that keep to the conditions and to each other; the sums of each plane.
 pub(super) fn solve(
     slab: &mut Slab<'_>,
     parts: &mut [Box<dyn OnSlab + '_>],
     now: &Now<'_>,
-    forces: &Forces<'_>,
 ) -> Result<Vec<PlaneSums>, EmptyNode> {
     for part in parts.iter_mut() {
         part.mapped(slab, now);
     }
-    let loads = shared_loads(slab, forces.loads, now)?;
     let mut sums = vec![PlaneSums::default(); slab.range().len()];
-    for (field, own) in slab.fields.iter_mut().zip(&loads) {
-        let forces = Forces {
-            loads: own,
-            ..*forces
-        };
-        equation_of_motion(field, now, &forces, &mut sums)?;
+    for number in 0..slab.fields.len() {
+        equation_of_motion(&mut FieldNodes {
+            slab,
+            number,
+            now,
+            sums: &mut sums,
+        })?;
     }
     for part in parts.iter_mut() {
         part.correct(slab, now, &mut sums);
     }
     for planes in slab.planes() {
-        planes.unfold(now.walls, true);
+        planes.unfold(&now.walls, true);
     }
     if !now.settles {
-        add_sums(slab, &loads, now, forces, &mut sums);
+        add_sums(slab, now, &mut sums);
     }
     Ok(sums)
 }
 
-/// From the mapped sums of a field to trial velocities that keep to the walls and to driven bodies.
-fn equation_of_motion(
-    field: &mut SlabField<'_>,
-    now: &Now<'_>,
-    forces: &Forces<'_>,
-    sums: &mut [PlaneSums],
-) -> Result<(), EmptyNode> {
-    if let Some(velocities) = now.prescribed(field.owner) {
-        prescribe(&mut field.planes, velocities, now.walls);
+/// From the mapped sums of a field to trial velocities that keep to its conditions.
+fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
+    let now = field.now;
+    if let Some(velocities) = now.prescribed(field.owner()) {
+        prescribe(field.parts().0, velocities, &now.walls);
         return Ok(());
     }
-    let (planes, driven) = (&mut field.planes, now.driven_nodes(field.owner));
-    planes.load(forces.loads)?;
-    planes.accelerate(forces);
-    planes.add_power_of_driven(driven, forces.kick, sums);
-    planes.drive(driven, true);
-    planes.add_power_of_walls(now.walls, forces.kick, sums);
-    planes.constrain(now.walls, true);
+    for condition in now.conditions {
+        condition.before(field)?;
+    }
+    field.parts().0.accelerate(&now.acceleration());
+    for condition in now.conditions {
+        condition.after(field);
+    }
     Ok(())
 }
 
 /// Ghost nodes of all fields, and the sums of each plane with the velocities that they hold.
-pub(super) fn sums_after(
-    slab: &mut Slab<'_>,
-    now: &Now<'_>,
-    forces: &Forces<'_>,
-) -> Vec<PlaneSums> {
+pub(super) fn sums_after(slab: &mut Slab<'_>, now: &Now<'_>) -> Vec<PlaneSums> {
     for planes in slab.planes() {
-        planes.unfold(now.walls, true);
+        planes.unfold(&now.walls, true);
     }
     let mut sums = vec![PlaneSums::default(); slab.range().len()];
-    // The loads found their nodes when they were added.
-    if let Ok(loads) = shared_loads(slab, forces.loads, now) {
-        add_sums(slab, &loads, now, forces, &mut sums);
-    }
+    add_sums(slab, now, &mut sums);
     sums
 }
 
-/// Adds the sums of all fields whose motion is not prescribed to those of the planes. `loads` are those of each field.
-fn add_sums(
-    slab: &mut Slab<'_>,
-    loads: &[Cow<'_, [NodeForce]>],
-    now: &Now<'_>,
-    forces: &Forces<'_>,
-    sums: &mut [PlaneSums],
-) {
-    for (field, own) in slab.fields.iter().zip(loads) {
-        if now.prescribed(field.owner).is_some() {
+/// Adds the sums of all fields whose motion is not prescribed to those of the planes.
+fn add_sums(slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
+    for number in 0..slab.fields.len() {
+        if now.prescribed(slab.fields[number].owner).is_some() {
             continue;
         }
-        let forces = Forces {
-            loads: own,
-            ..*forces
-        };
         let mut own = vec![PlaneSums::default(); sums.len()];
-        field.planes.add_sums(&forces, now.measure, &mut own);
+        if now.measure {
+            let planes = &slab.fields[number].planes;
+            planes.measure(now.acting.kick, &mut own);
+        }
+        for condition in now.conditions {
+            condition.settled(&mut FieldNodes {
+                slab,
+                number,
+                now,
+                sums: &mut own,
+            });
+        }
         for (sums, own) in sums.iter_mut().zip(&own) {
             sums.power += own.power;
             sums.kinetic += own.kinetic;
@@ -102,72 +91,32 @@ fn add_sums(
     }
 }
 
-/// Shares nodal loads between the fields of a node by their mass. Lists by number of the field.
-fn shared_loads<'l>(
-    slab: &Slab<'_>,
-    loads: &'l [NodeForce],
-    now: &Now<'_>,
-) -> Result<Vec<Cow<'l, [NodeForce]>>, EmptyNode> {
-    if slab.fields.len() == 1 || loads.is_empty() {
-        return Ok(vec![Cow::Borrowed(loads); slab.fields.len()]);
-    }
-    let shape = slab.shape();
-    let first = slab.range().start * shape.plane_nodes();
-    let last = slab.range().end * shape.plane_nodes();
-    let mut shared = vec![vec![]; slab.fields.len()];
-    for load in loads.iter().filter(|l| (first..last).contains(&l.node)) {
-        let [plane, row, k] = shape.indices(load.node);
-        let mass = |field: &SlabField<'_>| {
-            let free = now.prescribed(field.owner).is_none();
-            if free && field.planes.rows.span(plane, row).contains(&k) {
-                field.planes.nodes[load.node - first][0]
-            } else {
-                0.0
-            }
-        };
-        let masses: Vec<f64> = slab.fields.iter().map(mass).collect();
-        let total: f64 = masses.iter().sum();
-        if total <= 0.0 {
-            return Err(EmptyNode(load.node));
-        }
-        for (own, mass) in shared.iter_mut().zip(masses) {
-            if mass > 0.0 {
-                own.push(NodeForce {
-                    force: load.force.map(|f| f * (mass / total)),
-                    ..*load
-                });
-            }
-        }
-    }
-    Ok(shared.into_iter().map(Cow::Owned).collect())
-}
-
-/// From sums that were mapped again, to the upper lanes (MUSL), to velocities that keep to walls, driven bodies and each
+/// From sums that were mapped again, to the upper lanes (MUSL), to velocities that keep to the conditions and to each
 /// other.
 pub(super) fn solve_remapped(
     slab: &mut Slab<'_>,
     parts: &mut [Box<dyn OnSlab + '_>],
     now: &Now<'_>,
 ) {
-    for field in &mut slab.fields {
-        let planes = &mut field.planes;
-        planes.clear_upper();
+    for number in 0..slab.fields.len() {
+        let field = &mut slab.fields[number];
+        field.planes.clear_upper();
         if let Some([_, after]) = now.prescribed(field.owner) {
+            let planes = &mut field.planes;
             for_masses(planes, |line| line[4..7].copy_from_slice(after));
+            planes.constrain_remapped(&now.walls);
         } else {
             now.mapping.run_field(field);
-            let planes = &mut field.planes;
-            planes.fold_remapped(now.walls);
-            planes.remapped_velocities();
-            planes.drive_remapped(now.driven_nodes(field.owner));
+            field.planes.fold_remapped(&now.walls);
+            field.planes.remapped_velocities();
+            conditions_again(slab, number, now);
         }
-        field.planes.constrain_remapped(now.walls);
     }
     // Contact keeps to the planes once the fields do; the ghosts are filled after it.
     for part in parts {
         part.correct_again(slab, now);
         for planes in slab.planes() {
-            planes.constrain_remapped(now.walls);
+            planes.constrain_remapped(&now.walls);
         }
     }
 }
@@ -176,26 +125,38 @@ pub(super) fn solve_remapped(
 pub(super) fn solve_mapped(slab: &mut Slab<'_>, parts: &mut [Box<dyn OnSlab + '_>], now: &Now<'_>) {
     now.mapping.run(slab);
     for planes in slab.planes() {
-        planes.fold(now.walls, true, false);
+        planes.fold(&now.walls, true, false);
         planes.velocities();
     }
     for part in parts.iter_mut() {
         part.mapped(slab, now);
     }
-    for field in &mut slab.fields {
-        let planes = &mut field.planes;
+    for number in 0..slab.fields.len() {
+        let field = &mut slab.fields[number];
         if let Some(velocities) = now.prescribed(field.owner) {
-            prescribe(planes, velocities, now.walls);
+            prescribe(&mut field.planes, velocities, &now.walls);
         } else {
-            planes.drive(now.driven_nodes(field.owner), false);
-            planes.constrain(now.walls, false);
+            conditions_again(slab, number, now);
         }
     }
     for part in parts {
         part.correct_again(slab, now);
     }
     for planes in slab.planes() {
-        planes.unfold(now.walls, false);
+        planes.unfold(&now.walls, false);
+    }
+}
+
+/// Conditions on the velocities of a field that were mapped a second time.
+fn conditions_again(slab: &mut Slab<'_>, number: usize, now: &Now<'_>) {
+    let mut field = FieldNodes {
+        slab,
+        number,
+        now,
+        sums: &mut [],
+    };
+    for condition in now.conditions {
+        condition.again(&mut field);
     }
 }
 
@@ -238,11 +199,12 @@ pub(super) fn total<'a>(planes: impl IntoIterator<Item = &'a PlaneSums>) -> Plan
 }
 
 impl Now<'_> {
-    /// Nodes of a field that move as prescribed.
-    fn driven_nodes(&self, owner: Owner) -> &[DrivenNode] {
-        match owner {
-            Owner::Phase => &self.acting.driven,
-            Owner::Body(_) => &self.acting.held,
+    /// What enters the acceleration beside stress.
+    fn acceleration(&self) -> Acceleration {
+        Acceleration {
+            gravity: self.acting.gravity,
+            local_damping: self.acting.local_damping,
+            kick: self.acting.kick,
         }
     }
 

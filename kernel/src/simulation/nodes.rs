@@ -1,7 +1,7 @@
 //! What lies at the nodes, for those who look at it from outside.
 
 use super::Simulation;
-use crate::contact::Met;
+use crate::contact::State;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
 use crate::scene::{PlaneCondition, Vector};
 use std::collections::HashMap;
@@ -95,17 +95,14 @@ impl Simulation {
             at.0 = std::array::from_fn(|axis| at.0[axis] + force[axis]);
             at.1 = at.1.min(gap);
         };
-        for Met { meetings, .. } in &self.contact.met {
-            for meeting in &meetings.nodes {
+        if let Some(State { pairs, met, .. }) = self.interaction() {
+            let met = met.iter().map(|met| &met.meetings);
+            for (meetings, meeting) in met.flat_map(|m| m.nodes.iter().map(move |node| (m, node))) {
                 for touch in &meetings.touches[meeting.touches.clone()] {
-                    let pair = &self.contact.pairs[touch.pair];
-                    add(
-                        Some(pair.master),
-                        meeting.node,
-                        touch.force.map(|f| -f),
-                        touch.gap,
-                    );
-                    add(Some(pair.slave), meeting.node, touch.force, touch.gap);
+                    let (pair, node) = (&pairs[touch.pair], meeting.node);
+                    let reaction = touch.force.map(|f| -f);
+                    add(Some(pair.master), node, reaction, touch.gap);
+                    add(Some(pair.slave), node, touch.force, touch.gap);
                 }
             }
         }

@@ -1,18 +1,18 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
 use super::Simulation;
-use super::acting::Acting;
+use super::conditions::{Acting, prescribed};
 use super::error::{StepError, StepErrorKind};
-use super::interaction::{Now, Visit, on_slabs};
-use super::mapping::{bodies_onto, first_carry};
+use super::fields::Grid;
+use super::interaction::{Again, Interaction, Interactions, Now, Visit, on_slabs};
+use super::mapping::bodies_onto;
 use super::motion::{at_half_step_after, solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::Phase;
 use super::step::Watcher;
-use crate::plan::Plan;
-use crate::scene::Scene;
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::Carry;
-use crate::stage::solve::{EmptyNode, Forces, NodeForce, PlaneSums};
+use crate::stage::solve::{EmptyNode, PlaneSums};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.
@@ -47,8 +47,36 @@ struct Solved {
 }
 
 impl Simulation {
+    /// Divides the simulation for a visit of the slabs: into what it reads, the grid, and the interactions.
+    pub(super) fn divide<'a>(
+        &'a mut self,
+        carry: Carry,
+        acting: &'a Acting,
+    ) -> (Now<'a>, &'a mut Grid, &'a mut Interactions) {
+        let mapping = bodies_onto(
+            &self.plan,
+            &self.sets,
+            &self.bodies,
+            self.lanes,
+            self.stencil,
+            carry,
+        );
+        let now = Now {
+            mapping,
+            acting,
+            conditions: &self.conditions,
+            origin: self.origin(),
+            walls: Cow::Borrowed(&acting.walls),
+            prescribed: prescribed(&self.bodies, acting),
+            again: None,
+            measure: self.plan.measure,
+            settles: false,
+        };
+        (now, &mut self.grid, &mut self.interactions)
+    }
+
     /// Sorts particles once they have travelled far enough since the last sort; whether it did.
-    pub(super) fn sort_if_stale(&mut self) -> bool {
+    pub(super) fn sort_if_stale(&mut self, ended: Watcher<'_>) -> bool {
         let superfluous = self.groups.superfluous as f64;
         let stale =
             self.travel > SORT_AFTER || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
@@ -58,6 +86,7 @@ impl Simulation {
             self.groups = Groups::default();
             self.sorted();
         }
+        ended(Phase::Sort);
         stale
     }
 
@@ -68,45 +97,32 @@ impl Simulation {
         self.mapped = None;
         if self.finds() {
             let acting = self.acting(self.clock.dt_before);
-            let mapping = bodies_onto(
-                &self.plan,
-                &self.sets,
-                &self.bodies,
-                self.lanes,
-                self.stencil,
-                first_carry(&self.plan),
-            );
-            let groups = self
-                .grid
-                .visit(|mut slab| mapping.run_first(&mut slab, &acting.walls));
+            let (now, grid, _) = self.divide(Carry::All, &acting);
+            let groups = grid.visit(|mut slab| now.mapping.run_first(&mut slab, &now.walls));
             self.mapped = Some(groups.into_iter().sum());
         }
     }
 
     /// The equation of motion of all fields; the number of nodes or vertices where a contact force acts.
-    pub(super) fn solve_nodes(&mut self, acting: &Acting) -> Result<usize, StepError> {
-        self.load_nodes();
+    pub(super) fn solve_nodes(
+        &mut self,
+        acting: &Acting,
+        ended: Watcher<'_>,
+    ) -> Result<usize, StepError> {
+        for one in self.interactions.iter().flatten() {
+            one.load(&mut self.grid);
+        }
         let mapped = self.mapped.take();
-        let mapping = bodies_onto(
-            &self.plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            first_carry(&self.plan),
-        );
-        let now = Now {
-            settles: self.surfaces.is_some(),
-            ..Now::new(&self.plan, &mapping, acting, &acting.walls)
-        };
-        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
-        let parts = on_slabs(&mut self.contact, &self.grid, Visit::Trial);
-        let results = self.grid.visit_with(parts, |mut slab, mut parts| {
+        let settles = self.interactions().any(Interaction::settles);
+        let (mut now, grid, interactions) = self.divide(Carry::All, acting);
+        now.settles = settles;
+        let parts = on_slabs(interactions, grid, Visit::Trial);
+        let results = grid.visit_with(parts, |mut slab, mut parts| {
             let groups = match mapped {
                 Some(_) => 0,
-                None => mapping.run_first(&mut slab, now.walls),
+                None => now.mapping.run_first(&mut slab, &now.walls),
             };
-            let sums = solve(&mut slab, &mut parts, &now, &forces)?;
+            let sums = solve(&mut slab, &mut parts, &now)?;
             Ok(Solved { sums, groups })
         });
         let mut solved = vec![];
@@ -116,46 +132,28 @@ impl Simulation {
         self.ledger.sums = total(solved.iter().flat_map(|slab| &slab.sums));
         let groups = solved.iter().map(|slab| slab.groups).sum();
         self.groups.count(mapped.unwrap_or(groups));
-        self.settle(acting)
+        let touching = self.settle(acting)?;
+        ended(Phase::NodesFromParticles);
+        Ok(touching)
     }
 
     /// The equation of motion on the sums that lie on the nodes, without contact. A load on an empty node, which a step
     /// would report, is left to the step.
     pub(super) fn solve_alone(&mut self, acting: &Acting) {
-        let mapping = bodies_onto(
-            &self.plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            Carry::All,
-        );
-        let now = Now::new(&self.plan, &mapping, acting, &acting.walls);
-        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
-        self.grid.visit(|mut slab| {
+        let (now, grid, _) = self.divide(Carry::All, acting);
+        grid.visit(|mut slab| {
             for planes in slab.planes() {
-                planes.fold(now.walls, true, true);
+                planes.fold(&now.walls, true, true);
                 planes.velocities();
             }
-            solve(&mut slab, &mut [], &now, &forces).is_ok()
+            solve(&mut slab, &mut [], &now).is_ok()
         });
     }
 
     /// Ghost nodes and sums of the equation of motion once more, plane by plane, with the velocities that are there now.
     pub(super) fn sums_of_planes(&mut self, acting: &Acting) -> Vec<PlaneSums> {
-        let forces = forces(&self.scene, &self.plan, &self.loads, acting.kick);
-        let mapping = bodies_onto(
-            &self.plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            Carry::All,
-        );
-        let now = Now::new(&self.plan, &mapping, acting, &acting.walls);
-        let per_slab = self
-            .grid
-            .visit(|mut slab| sums_after(&mut slab, &now, &forces));
+        let (now, grid, _) = self.divide(Carry::All, acting);
+        let per_slab = grid.visit(|mut slab| sums_after(&mut slab, &now));
         per_slab.into_iter().flatten().collect()
     }
 
@@ -170,38 +168,28 @@ impl Simulation {
     pub(super) fn map_again(
         &mut self,
         acting: &mut Acting,
-        visit: Visit,
+        again: Again,
         ended: Watcher<'_>,
     ) -> Result<(), StepError> {
-        if visit == Visit::Mapped {
-            if self.sort_if_stale() {
-                // A sort may give a driven body a field, or take it.
-                *acting = self.acting(acting.drift);
+        let carry = match again {
+            Again::OldPositions => Carry::Remap,
+            Again::NewPositions => {
+                if self.sort_if_stale(ended) {
+                    // A sort may give a driven body a field, or take it.
+                    *acting = self.acting(acting.drift);
+                }
+                Carry::Momentum
             }
-            ended(Phase::Sort);
-        }
-        let carry = match visit {
-            Visit::Trial | Visit::Mapped => Carry::Momentum,
-            Visit::Remapped => Carry::Remap,
         };
-        let mapping = bodies_onto(
-            &self.plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            carry,
-        );
-        let still = at_half_step_after(&acting.walls);
-        let now = Now::new(&self.plan, &mapping, acting, &still);
-        let parts = on_slabs(&mut self.contact, &self.grid, visit);
-        self.grid
-            .visit_with(parts, |mut slab, mut parts| match visit {
-                Visit::Remapped => solve_remapped(&mut slab, &mut parts, &now),
-                Visit::Trial | Visit::Mapped => solve_mapped(&mut slab, &mut parts, &now),
-            });
-        let lane = if visit == Visit::Remapped { 4 } else { 1 };
-        self.settle_again(acting, lane)?;
+        let (mut now, grid, interactions) = self.divide(carry, acting);
+        now.walls = Cow::Owned(at_half_step_after(&acting.walls));
+        now.again = Some(again);
+        let parts = on_slabs(interactions, grid, Visit::Again(again));
+        grid.visit_with(parts, |mut slab, mut parts| match again {
+            Again::OldPositions => solve_remapped(&mut slab, &mut parts, &now),
+            Again::NewPositions => solve_mapped(&mut slab, &mut parts, &now),
+        });
+        self.settle_again(acting, again)?;
         ended(Phase::Remap);
         Ok(())
     }
@@ -274,20 +262,5 @@ impl Simulation {
             self.widen_stencil()?;
         }
         Ok(())
-    }
-}
-
-/// What acts at the nodes for a change of velocity over `kick` \[s\].
-pub(super) fn forces<'a>(
-    scene: &Scene,
-    plan: &Plan,
-    loads: &'a [NodeForce],
-    kick: f64,
-) -> Forces<'a> {
-    Forces {
-        gravity: scene.gravity,
-        loads,
-        local_damping: plan.local_damping,
-        kick,
     }
 }

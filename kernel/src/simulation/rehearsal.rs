@@ -1,20 +1,16 @@
 //! One part of a step again and again on the same state, for measurements.
 
-use super::acting::Acting;
-use super::clock::{Clock, StepInfo};
+use super::Simulation;
+use super::clock::StepInfo;
+use super::conditions::Acting;
 use super::error::StepError;
 use super::fields::Owner;
-use super::interaction::Visit;
-use super::mapping::{bodies_onto, first_carry};
-use super::measure::Ledger;
-use super::mortar::MortarState;
-use super::passes::Groups;
-use super::surfaces::Surfaces;
-use super::{BodyRun, Simulation};
-use crate::contact;
+use super::interaction::{Again, Interactions};
+use super::saved::Saved;
 use crate::grid::ActiveRows;
-use crate::particles::ParticleSet;
 use crate::stage::g2p::Task;
+use crate::stage::p2g::Carry;
+use crate::stage::solve::PlaneSums;
 use crate::stage::weigh;
 use std::ops::Range;
 
@@ -60,20 +56,13 @@ impl Part {
     }
 }
 
-/// What a step changes and a rehearsal gives back.
+/// What a step changes and a rehearsal gives back: the state, and what can be asked of the last step beside it.
 struct Kept {
-    sets: Vec<ParticleSet>,
-    bodies: Vec<BodyRun>,
+    state: Saved,
     fields: Vec<(Owner, ActiveRows)>,
     slabs: Vec<Range<usize>>,
-    travel: f64,
-    groups: Groups,
-    stencil: usize,
-    clock: Clock,
-    ledger: Ledger,
-    contact: contact::State,
-    mortar: MortarState,
-    surfaces: Option<Surfaces>,
+    sums: PlaneSums,
+    interactions: Interactions,
 }
 
 /// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
@@ -93,22 +82,15 @@ impl Simulation {
     /// If the next step cannot be begun; see [`StepErrorKind`](super::StepErrorKind).
     pub fn rehearse(&mut self, part: Part) -> Result<Rehearsal<'_>, StepError> {
         let kept = Kept {
-            sets: self.sets.clone(),
-            bodies: self.bodies.clone(),
+            state: self.save(),
             fields: self.grid.rows(),
             slabs: self.grid.slabs.clone(),
-            travel: self.travel,
-            groups: self.groups,
-            stencil: self.stencil,
-            clock: self.clock,
-            ledger: self.ledger,
-            contact: self.contact.clone(),
-            mortar: self.mortar.clone(),
-            surfaces: self.surfaces.clone(),
+            sums: self.ledger.sums,
+            interactions: self.interactions.clone(),
         };
         self.map_to_nodes();
         self.find(&mut |_| ())?;
-        let info = self.choose_time_step(f64::INFINITY)?;
+        let info = self.choose_time_step(f64::INFINITY, &mut |_| ())?;
         let acting = self.acting(info.dt);
         let mut rehearsal = Rehearsal {
             simulation: self,
@@ -131,21 +113,16 @@ impl Rehearsal<'_> {
         let (simulation, kept) = (&mut *self.simulation, &self.kept);
         match self.part {
             Part::Weights | Part::Sort | Part::NodesFromParticles => {}
-            Part::Solve => simulation.map_alone(),
-            Part::Remap => {
-                simulation.map_to_nodes();
-                simulation.find(&mut |_| ())?;
-                simulation.solve_nodes(&self.acting)?;
-            }
-            Part::ParticlesFromNodes => {
-                for (set, was) in simulation.sets.iter_mut().zip(&kept.sets) {
+            Part::Solve => simulation.map_alone(&self.acting),
+            Part::Remap | Part::ParticlesFromNodes => {
+                for (set, was) in simulation.sets.iter_mut().zip(&kept.state.bodies) {
                     for (column, was) in set.columns.iter_mut().zip(&was.columns) {
                         column.copy_from_slice(was);
                     }
                 }
                 simulation.map_to_nodes();
                 simulation.find(&mut |_| ())?;
-                simulation.solve_nodes(&self.acting)?;
+                simulation.solve_nodes(&self.acting, &mut |_| ())?;
             }
         }
         Ok(())
@@ -164,11 +141,11 @@ impl Rehearsal<'_> {
                 }
                 Part::Sort => {
                     simulation.travel = f64::INFINITY;
-                    simulation.sort_if_stale();
+                    simulation.sort_if_stale(&mut |_| ());
                 }
-                Part::NodesFromParticles => simulation.map_alone(),
+                Part::NodesFromParticles => simulation.map_alone(acting),
                 Part::Solve => simulation.solve_alone(acting),
-                Part::Remap => simulation.map_again(acting, Visit::Remapped, &mut |_| ())?,
+                Part::Remap => simulation.map_again(acting, Again::OldPositions, &mut |_| ())?,
                 Part::ParticlesFromNodes => {
                     simulation.interpolate(Task {
                         kick: true,
@@ -184,34 +161,21 @@ impl Rehearsal<'_> {
 impl Drop for Rehearsal<'_> {
     fn drop(&mut self) {
         let (simulation, kept) = (&mut *self.simulation, &mut self.kept);
-        simulation.sets = std::mem::take(&mut kept.sets);
-        simulation.bodies = std::mem::take(&mut kept.bodies);
+        let restored = simulation.restore(kept.state.clone());
+        debug_assert!(restored.is_ok(), "{restored:?}");
         simulation.grid.set_rows(std::mem::take(&mut kept.fields));
         simulation.grid.slabs = std::mem::take(&mut kept.slabs);
-        simulation.travel = kept.travel;
-        simulation.groups = kept.groups;
-        simulation.stencil = kept.stencil;
-        simulation.clock = kept.clock;
-        simulation.ledger = kept.ledger;
-        simulation.contact = std::mem::take(&mut kept.contact);
-        simulation.mortar = std::mem::take(&mut kept.mortar);
-        simulation.surfaces = kept.surfaces.take();
+        simulation.ledger.sums = kept.sums;
+        simulation.interactions = std::mem::take(&mut kept.interactions);
     }
 }
 
 impl Simulation {
     /// Particles to nodes without the equation of motion.
-    fn map_alone(&mut self) {
-        let mapping = bodies_onto(
-            &self.plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            first_carry(&self.plan),
-        );
-        self.grid.visit(|mut slab| {
-            mapping.run(&mut slab);
+    fn map_alone(&mut self, acting: &Acting) {
+        let (now, grid, _) = self.divide(Carry::All, acting);
+        grid.visit(|mut slab| {
+            now.mapping.run(&mut slab);
         });
     }
 

@@ -6,9 +6,7 @@
 use super::Simulation;
 use super::clock::Clock;
 use super::error::Event;
-use super::mortar::Boundaries;
-use crate::mortar::PointIn;
-use crate::mortar::elements::Elements;
+use super::interaction::{Interaction, Remembered};
 use crate::particles::{Layout, ParticleSet};
 use crate::scene::Vector;
 use crate::stage::g2p::Found;
@@ -39,14 +37,8 @@ pub struct Saved {
     pub initial_energy: f64,
     /// The bodies, in the order of the scene.
     pub bodies: Vec<SavedBody>,
-    /// Pairs of contact on the grid, in the order of the identifiers of their bodies.
-    pub pairs: Vec<SavedPair>,
-    /// Mortar contact of polylines, in two dimensions.
-    pub plane: SavedMortar,
-    /// Mortar contact of triangles, in three.
-    pub space: SavedMortar,
-    /// Contact with rigid surfaces, where the scene has any.
-    pub surfaces: Option<SavedSurfaces>,
+    /// What each interaction remembers, in the order in which they act.
+    pub interactions: Vec<Remembered>,
     /// What happened so far.
     pub events: Vec<Event>,
 }
@@ -62,44 +54,6 @@ pub struct SavedBody {
     pub layers: Vec<usize>,
     /// What the last step found: the next time step is chosen by it.
     pub found: Found,
-}
-
-/// What contact of two bodies on the grid remembers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SavedPair {
-    /// Whether the bodies were near as of the last sort.
-    pub near: bool,
-    /// Force on the slave in the last step \[N\].
-    pub force: Vector,
-}
-
-/// What mortar contact of one dimension remembers.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SavedMortar {
-    /// Boundaries of bodies, rigid lines and rigid surfaces.
-    pub boundaries: Vec<SavedBoundary>,
-    /// Elastic slip of each pair, the components of all vertices of its slave one after the other \[m\].
-    pub slips: Vec<Vec<f64>>,
-}
-
-/// The vertices of a boundary; the components of all of them one after the other.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SavedBoundary {
-    /// Positions relative to the origin of the mesh \[m\].
-    pub points: Vec<f64>,
-    /// Displacements in the last step \[m\].
-    pub moved: Vec<f64>,
-}
-
-/// Impulses of rigid surfaces on bodies, by surface and body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SavedSurfaces {
-    /// Time over which the last ones acted \[s\].
-    pub kick: f64,
-    /// Those of the last step \[N s\].
-    pub last: Vec<Vec<Vector>>,
-    /// All since the start \[N s\].
-    pub total: Vec<Vec<Vector>>,
 }
 
 /// A saved state that is not one of the scene of the simulation.
@@ -173,16 +127,7 @@ impl Simulation {
                     },
                 })
                 .collect(),
-            pairs: (self.contact.near.iter().zip(&self.contact.forces))
-                .map(|(&near, &force)| SavedPair { near, force })
-                .collect(),
-            plane: save_mortar(&self.mortar.plane),
-            space: save_mortar(&self.mortar.space),
-            surfaces: self.surfaces.as_ref().map(|surfaces| SavedSurfaces {
-                kick: surfaces.last_kick,
-                last: surfaces.last.clone(),
-                total: surfaces.total.clone(),
-            }),
+            interactions: self.interactions().map(Interaction::save).collect(),
             events: self.events.clone(),
         }
     }
@@ -205,11 +150,6 @@ impl Simulation {
             set.layers = was.layers;
             body.found = was.found;
         }
-        if let (Some(surfaces), Some(was)) = (&mut self.surfaces, saved.surfaces) {
-            surfaces.last_kick = was.kick;
-            surfaces.last = was.last;
-            surfaces.total = was.total;
-        }
         self.clock = saved.clock;
         self.stencil = saved.stencil;
         self.travel = saved.travel;
@@ -222,12 +162,10 @@ impl Simulation {
         self.ledger.initial_energy = saved.initial_energy;
         self.events = saved.events;
         self.grid.resume(&self.sets, self.stencil);
-        if !saved.pairs.is_empty() {
-            self.contact.near = saved.pairs.iter().map(|pair| pair.near).collect();
-            self.contact.forces = saved.pairs.iter().map(|pair| pair.force).collect();
+        let interactions = self.interactions.iter_mut().flatten();
+        for (one, was) in interactions.zip(&saved.interactions) {
+            one.restore(was);
         }
-        restore_mortar(&mut self.mortar.plane, &saved.plane);
-        restore_mortar(&mut self.mortar.space, &saved.space);
         self.set_fields();
         Ok(())
     }
@@ -238,22 +176,14 @@ impl Simulation {
         for (body, (set, was)) in self.sets.iter().zip(&saved.bodies).enumerate() {
             self.particles_fit(body, set, was)?;
         }
-        same("pairs", self.contact.pairs.len(), saved.pairs.len())?;
-        mortar_fits(&self.mortar.plane, &saved.plane)?;
-        mortar_fits(&self.mortar.space, &saved.space)?;
-        let impulses = |by_surface: &[Vec<Vector>]| by_surface.iter().map(Vec::len).collect();
-        let (mut expected, mut found): (Vec<usize>, Vec<usize>) = (vec![], vec![]);
-        if let Some(surfaces) = &self.surfaces {
-            expected = impulses(&surfaces.last);
-        }
-        if let Some(surfaces) = &saved.surfaces {
-            found = impulses(&surfaces.last);
-            let total: Vec<usize> = impulses(&surfaces.total);
-            same("impulses", found.iter().sum(), total.iter().sum())?;
-        }
-        same("rigid surfaces", expected.len(), found.len())?;
-        for (expected, found) in expected.into_iter().zip(found) {
-            same("bodies of a rigid surface", expected, found)?;
+        let interactions: Vec<Remembered> = self.interactions().map(Interaction::save).collect();
+        let count = interactions.len();
+        same("interactions", count, saved.interactions.len())?;
+        for (own, was) in interactions.iter().zip(&saved.interactions) {
+            same("lists of an interaction", own.len(), was.len())?;
+            for ((name, own), (_, was)) in own.iter().zip(was) {
+                same(name, own.len(), was.len())?;
+            }
         }
         Ok(())
     }
@@ -301,59 +231,5 @@ fn same(what: impl Into<String>, expected: usize, found: usize) -> Result<(), Re
             expected,
             found,
         })
-    }
-}
-
-fn save_mortar<B: Elements<D, T>, const D: usize, const N: usize, const T: usize>(
-    boundaries: &Boundaries<B, D, N, T>,
-) -> SavedMortar {
-    let flat = |points: &[PointIn<D>]| points.iter().flatten().copied().collect();
-    SavedMortar {
-        boundaries: (boundaries.surfaces.iter())
-            .map(|surface| SavedBoundary {
-                points: flat(surface.boundary.points()),
-                moved: flat(&surface.moved),
-            })
-            .collect(),
-        slips: (boundaries.pairs.iter())
-            .map(|pair| pair.slip.0.as_flattened().to_vec())
-            .collect(),
-    }
-}
-
-fn mortar_fits<B: Elements<D, T>, const D: usize, const N: usize, const T: usize>(
-    boundaries: &Boundaries<B, D, N, T>,
-    saved: &SavedMortar,
-) -> Result<(), RestoreError> {
-    let count = boundaries.surfaces.len();
-    same("boundaries", count, saved.boundaries.len())?;
-    for (surface, was) in boundaries.surfaces.iter().zip(&saved.boundaries) {
-        let count = D * surface.boundary.points().len();
-        same("coordinates of a boundary", count, was.points.len())?;
-        same("displacements of a boundary", count, was.moved.len())?;
-    }
-    same("slips", boundaries.pairs.len(), saved.slips.len())?;
-    for (pair, was) in boundaries.pairs.iter().zip(&saved.slips) {
-        same("components of a slip", T * pair.slip.0.len(), was.len())?;
-    }
-    Ok(())
-}
-
-/// Takes up what was found to fit.
-fn restore_mortar<B: Elements<D, T>, const D: usize, const N: usize, const T: usize>(
-    boundaries: &mut Boundaries<B, D, N, T>,
-    saved: &SavedMortar,
-) {
-    let fill = |points: &mut [PointIn<D>], values: &[f64]| {
-        for (point, value) in points.iter_mut().zip(values.chunks_exact(D)) {
-            *point = PointIn::from_column_slice(value);
-        }
-    };
-    for (surface, was) in boundaries.surfaces.iter_mut().zip(&saved.boundaries) {
-        fill(surface.boundary.points_mut(), &was.points);
-        fill(&mut surface.moved, &was.moved);
-    }
-    for (pair, was) in boundaries.pairs.iter_mut().zip(&saved.slips) {
-        pair.slip.0.copy_from_slice(was.as_chunks().0);
     }
 }

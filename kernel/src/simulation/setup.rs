@@ -3,13 +3,13 @@
 use super::error::SetupError;
 use super::fields::Grid;
 use super::measure::Ledger;
-use super::mortar::MortarState;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
-use super::surfaces::{self, Surfaces};
-use super::{BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, loads, needs};
+use super::{
+    BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, conditions, interaction,
+    needs, surfaces,
+};
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
-use crate::contact::State;
 use crate::grid::GridShape;
 use crate::lanes::Selected;
 use crate::laws::Particle;
@@ -51,8 +51,7 @@ impl Simulation {
         needs::grid(scene, &shape, &mut memory)?;
         needs::frames(scene, &mut memory)?;
         needs::loads(scene, &shape, &mut memory)?;
-        let loads = loads::nodal(scene, &shape)?;
-        let held = loads::held(scene, &shape);
+        let conditions = conditions::of(scene, &shape, &options.conditions)?;
         let (mut sets, mut bodies) = (vec![], vec![]);
         let mut next_id = 0;
         for i in 0..scene.bodies.len() {
@@ -89,8 +88,7 @@ impl Simulation {
             .iter()
             .map(|b| b.found.half_length)
             .fold(0.0, f64::max);
-        let contact = State::new(scene, &bodies);
-        let mortar = MortarState::new(scene, &bodies, &mut memory)?;
+        let interactions = interaction::of(scene, &bodies, &options.interactions, &mut memory)?;
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
             base: scene
@@ -104,27 +102,26 @@ impl Simulation {
             bodies,
             grid: Grid::new(shape, team),
             mapped: None,
-            contact,
-            mortar,
+            interactions,
             travel: f64::INFINITY,
             groups: Groups::default(),
             clock: Clock::default(),
             mesh_shift: [0.0; 3],
-            loads,
-            held,
+            conditions,
+            own_conditions: options.conditions.clone(),
             body_force: options.body_force.clone(),
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),
             events: vec![],
             local_surfaces: surfaces::local(scene),
-            surfaces: Surfaces::new(scene),
         };
         for set in &mut simulation.sets {
             set.sort_by_position(&simulation.grid.team);
         }
-        simulation.sort_if_stale();
-        simulation.refuse_overlap()?;
-        simulation.refuse_overlap_with_surfaces()?;
+        simulation.sort_if_stale(&mut |_| ());
+        for one in simulation.interactions() {
+            one.start(&simulation)?;
+        }
         simulation.open_ledger();
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         Ok(simulation)
@@ -243,7 +240,6 @@ fn fill_body(
             }
         },
         in_layer: false,
-        apart: false,
         reach: match filled.half_length {
             HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
             _ => None,

@@ -2,8 +2,8 @@
 
 use super::Simulation;
 use super::clock::StepInfo;
-use super::error::{Event, EventKind, StepError};
-use super::interaction::Visit;
+use super::error::StepError;
+use super::interaction::{Again, Interaction};
 use super::phase::Phase;
 use crate::laws::tensor::Configuration;
 use crate::particles::Layout;
@@ -70,39 +70,32 @@ impl Simulation {
     }
 
     fn cycle(&mut self, stop: f64, ended: Watcher<'_>) -> Result<StepInfo, StepError> {
-        self.sort_if_stale();
-        ended(Phase::Sort);
+        self.sort_if_stale(ended);
         self.map_to_nodes();
         self.find(ended)?;
-        let mut info = self.choose_time_step(stop)?;
-        ended(Phase::TimeStep);
+        let mut info = self.choose_time_step(stop, ended)?;
         let mut acting = self.acting(info.dt);
-        info.contact_nodes = self.solve_nodes(&acting)?;
-        ended(Phase::NodesFromParticles);
-        info.measured = self.measured();
-        let way = self.way(&info);
+        info.contact_nodes = self.solve_nodes(&acting, ended)?;
+        let way = self.way(&mut info);
         self.advance(&acting, way.time, ended);
         match self.plan.scheme {
-            StressScheme::Usl => self.gather(Gather::All, &way)?,
+            StressScheme::Usl => self.gather(Gather::All, &way, ended)?,
             StressScheme::Musl => {
-                self.gather(Gather::Kick, &way)?;
-                ended(Phase::ParticlesFromNodes);
-                self.map_again(&mut acting, Visit::Remapped, ended)?;
-                self.gather(Gather::MoveAndStrain, &way)?;
+                self.gather(Gather::Kick, &way, ended)?;
+                self.map_again(&mut acting, Again::OldPositions, ended)?;
+                self.gather(Gather::MoveAndStrain, &way, ended)?;
             }
             StressScheme::Usf => {
-                self.gather(Gather::KickAndMove, &way)?;
-                ended(Phase::ParticlesFromNodes);
-                self.map_again(&mut acting, Visit::Mapped, ended)?;
-                self.gather(Gather::Strain, &way)?;
+                self.gather(Gather::KickAndMove, &way, ended)?;
+                self.map_again(&mut acting, Again::NewPositions, ended)?;
+                self.gather(Gather::Strain, &way, ended)?;
             }
         }
-        ended(Phase::ParticlesFromNodes);
         self.finish(&info, &way, ended)
     }
 
     /// A pass over the particles.
-    fn gather(&mut self, what: Gather, way: &Way) -> Result<(), StepError> {
+    fn gather(&mut self, what: Gather, way: &Way, ended: Watcher<'_>) -> Result<(), StepError> {
         let time = Some(way.time);
         let again = Task {
             affine: Affine::Leave,
@@ -133,7 +126,9 @@ impl Simulation {
                 strain: Some((way.time, Configuration::End)),
                 ..again
             },
-        })
+        })?;
+        ended(Phase::ParticlesFromNodes);
+        Ok(())
     }
 
     /// A pass over the particles that moves them by `drift` and strains them by `strain` \[s\].
@@ -153,8 +148,12 @@ impl Simulation {
         }
     }
 
-    /// How far positions move in this step: over its time, or back to a peak of kinetic energy.
-    fn way(&mut self, info: &StepInfo) -> Way {
+    /// How far positions move in this step: over its time, or back to a peak of kinetic energy. Notes the kinetic energy
+    /// and residual norm of the step, where measured.
+    fn way(&mut self, info: &mut StepInfo) -> Way {
+        let sums = self.ledger.sums;
+        let measured = (sums.kinetic, sums.unbalanced_squared.sqrt());
+        info.measured = self.plan.measure.then_some(measured);
         let relaxed = self.peak_of_kinetic_energy(info);
         let time = relaxed.unwrap_or(info.dt);
         Way {
@@ -200,14 +199,6 @@ impl Simulation {
         }
     }
 
-    /// Kinetic energy and residual norm of this step, where measured.
-    pub(super) fn measured(&self) -> Option<(f64, f64)> {
-        let sums = self.ledger.sums;
-        self.plan
-            .measure
-            .then(|| (sums.kinetic, sums.unbalanced_squared.sqrt()))
-    }
-
     /// Moves what is driven, advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to
     /// zero.
     fn finish(
@@ -221,18 +212,10 @@ impl Simulation {
         self.ledger.external_work += self.ledger.sums.power * info.dt;
         if self.clock.step == 0 {
             // Gaps are first measured in the first step, at the positions of the start.
-            self.ledger.initial_energy += self.mortar_energy();
+            let stored: f64 = self.interactions().map(Interaction::energy).sum();
+            self.ledger.initial_energy += stored;
         }
-        if let Some(base) = &self.base
-            && self.clock.time < base.end()
-            && info.time >= base.end()
-        {
-            self.events.push(Event {
-                step: info.step,
-                time: info.time,
-                kind: EventKind::RecordEnded,
-            });
-        }
+        self.note_end_of_record(info);
         self.clock.step = info.step;
         self.clock.time = info.time;
         self.clock.dt_before = info.dt;

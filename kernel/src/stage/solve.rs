@@ -73,13 +73,11 @@ pub struct Planes<'a> {
     pub nodes: &'a mut [Line],
 }
 
-/// What acts at the nodes.
+/// What enters the acceleration of all nodes beside the force on each.
 #[derive(Clone, Copy, Debug)]
-pub struct Forces<'a> {
+pub struct Acceleration {
     /// Acceleration of gravity \[m/s²\].
     pub gravity: [f64; 3],
-    /// Forces on nodes, in order of the node.
-    pub loads: &'a [NodeForce],
     /// Factor of local damping.
     pub local_damping: Option<f64>,
     /// Time over which velocities change \[s\].
@@ -229,9 +227,9 @@ impl Planes<'_> {
     }
 
     /// v_I += dv_I with dv_I = (f_I/m_I + g) dt, damped (technical manual, algorithm 2, lines 7-11).
-    pub fn accelerate(&mut self, forces: &Forces<'_>) {
-        let (g, dt) = (forces.gravity, forces.kick);
-        match forces.local_damping {
+    pub fn accelerate(&mut self, by: &Acceleration) {
+        let (g, dt) = (by.gravity, by.kick);
+        match by.local_damping {
             None => self.for_rows(|row| {
                 for node in row {
                     if node[0] > 0.0 {
@@ -309,11 +307,8 @@ impl Planes<'_> {
     pub fn add_power_of_driven(&self, driven: &[DrivenNode], kick: f64, sums: &mut [PlaneSums]) {
         let first = self.first();
         let per_plane = self.shape.plane_nodes();
-        let own = owned(driven, |d| d.node, first, self.nodes.len());
-        for (i, d) in own.iter().enumerate() {
-            // Of several driven bodies at a node the last one decides.
-            let decides = own.get(i + 1).is_none_or(|next| next.node != d.node);
-            if kick > 0.0 && decides {
+        if kick > 0.0 {
+            for d in owned(driven, |d| d.node, first, self.nodes.len()) {
                 let index = d.node - first;
                 for axis in 0..3 {
                     sums[index / per_plane].power += power(
@@ -344,22 +339,19 @@ impl Planes<'_> {
         }
     }
 
-    /// Adds the power of the nodal loads, and where asked for kinetic energy and unbalanced force, of each owned
-    /// plane after the solve.
-    pub fn add_sums(&self, forces: &Forces<'_>, measure: bool, sums: &mut [PlaneSums]) {
-        if measure {
-            self.measure(forces, sums);
-        }
+    /// Adds the power of nodal loads to the sums of the owned planes, after the solve.
+    pub fn add_power_of_loads(&self, loads: &[NodeForce], sums: &mut [PlaneSums]) {
         let first = self.first();
-        for load in owned(forces.loads, |l| l.node, first, self.nodes.len()) {
+        for load in owned(loads, |l| l.node, first, self.nodes.len()) {
             let v = &self.nodes[load.node - first];
             let plane = (load.node - first) / self.shape.plane_nodes();
             sums[plane].power += load.force[0] * v[1] + load.force[1] * v[2] + load.force[2] * v[3];
         }
     }
 
-    /// Kinetic energy and unbalanced force over the mesh nodes; ghosts repeat what lies inside.
-    fn measure(&self, forces: &Forces<'_>, out: &mut [PlaneSums]) {
+    /// Adds kinetic energy and unbalanced force, after a change of velocity over `kick` \[s\], of the mesh nodes to the
+    /// sums of the owned planes; ghosts repeat what lies inside.
+    pub fn measure(&self, kick: f64, out: &mut [PlaneSums]) {
         let is_mesh = |direction: usize, index: usize| {
             self.shape.nodes[direction] == 1
                 || (index >= GHOSTS_BELOW
@@ -382,8 +374,8 @@ impl Planes<'_> {
                     }
                 }
             }
-            if forces.kick > 0.0 {
-                sums.unbalanced_squared /= forces.kick * forces.kick;
+            if kick > 0.0 {
+                sums.unbalanced_squared /= kick * kick;
             }
         }
     }
@@ -432,6 +424,13 @@ impl Planes<'_> {
             }
         }
     }
+}
+
+/// Whether storage indices are those of a ghost of a wall, which mirrors what lies inside.
+pub(crate) fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {
+    walls
+        .iter()
+        .any(|wall| at[shape.direction(wall.axis)] == wall.layers(shape).0)
 }
 
 /// The part of `items`, which are in order of their node, that lies on `count` nodes from `first`.

@@ -4,10 +4,12 @@
 mod common;
 
 mod bits;
+mod conditions;
 mod conservation;
 mod contact;
 mod contact_bits;
 mod far_origin;
+mod interactions;
 mod mapping;
 mod motion;
 mod rehearsal;

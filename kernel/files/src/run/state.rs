@@ -2,10 +2,9 @@
 
 use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
-use proctor_kernel::scene::{Results, Scene, Vector};
+use proctor_kernel::scene::{Results, Scene};
 use proctor_kernel::simulation::{
-    Clock, Event, EventKind, ParticleAt, RestoreError, Saved, SavedBoundary, SavedMortar,
-    Simulation,
+    Clock, Event, EventKind, ParticleAt, RestoreError, Saved, Simulation,
 };
 use proctor_kernel::stage::g2p::Found;
 
@@ -59,20 +58,10 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
             checkpoint.push::<f64>(format!("set{i}/column{c}"), column);
         }
     }
-    if !saved.pairs.is_empty() {
-        let near = saved.pairs.iter().map(|pair| u64::from(pair.near));
-        checkpoint.push::<u64>("contact/near", near.collect());
-        let forces = saved.pairs.iter().flat_map(|pair| pair.force);
-        checkpoint.push::<f64>("contact/forces", forces.collect());
-    }
-    save_mortar(saved.plane, PLANE, &mut checkpoint);
-    save_mortar(saved.space, SPACE, &mut checkpoint);
-    if let Some(surfaces) = saved.surfaces {
-        let flat =
-            |impulses: &[Vec<Vector>]| impulses.iter().flatten().flatten().copied().collect();
-        checkpoint.push::<f64>("surfaces/kick", vec![surfaces.kick]);
-        checkpoint.push::<f64>("surfaces/last", flat(&surfaces.last));
-        checkpoint.push::<f64>("surfaces/total", flat(&surfaces.total));
+    for (i, lists) in saved.interactions.into_iter().enumerate() {
+        for (name, values) in lists {
+            checkpoint.push::<f64>(format!("interaction{i}/{name}"), values);
+        }
     }
     save_events(&saved.events, &mut checkpoint);
     checkpoint
@@ -109,10 +98,6 @@ fn misfit(error: RestoreError) -> CheckpointError {
         found,
     }
 }
-
-/// Beginnings of the names of what mortar contact remembers, in two dimensions and in three.
-const PLANE: &str = "mortar";
-const SPACE: &str = "mortar/space";
 
 fn counters(saved: &Saved) -> [u64; 4] {
     [
@@ -187,61 +172,14 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
             fault: None,
         };
     }
-    if let Some(surfaces) = &mut saved.surfaces {
-        surfaces.kick = checkpoint.array::<f64>("surfaces/kick", 1)?[0];
-        for (name, impulses) in [("last", &mut surfaces.last), ("total", &mut surfaces.total)] {
-            let count = 3 * impulses.iter().map(Vec::len).sum::<usize>();
-            let values = checkpoint.array::<f64>(&format!("surfaces/{name}"), count)?;
-            for (impulse, value) in impulses.iter_mut().flatten().flatten().zip(values) {
-                *impulse = *value;
-            }
+    for (i, lists) in saved.interactions.iter_mut().enumerate() {
+        for (name, values) in lists {
+            let found = checkpoint.array(&format!("interaction{i}/{name}"), values.len())?;
+            values.copy_from_slice(found);
         }
     }
     saved.events = read_events(checkpoint)?;
-    let pairs = saved.pairs.len();
-    if pairs > 0 {
-        let near = checkpoint.array::<u64>("contact/near", pairs)?;
-        let forces = checkpoint.array::<f64>("contact/forces", 3 * pairs)?;
-        let forces: &[Vector] = forces.as_chunks().0;
-        for ((pair, near), force) in saved.pairs.iter_mut().zip(near).zip(forces) {
-            pair.near = *near != 0;
-            pair.force = *force;
-        }
-    }
-    read_mortar(&mut saved.plane, PLANE, checkpoint)?;
-    read_mortar(&mut saved.space, SPACE, checkpoint)?;
     Ok(saved)
-}
-
-/// Vertices with their last displacement, and the slip of each pair: what mortar contact remembers.
-fn save_mortar(mortar: SavedMortar, name: &str, checkpoint: &mut Checkpoint) {
-    for (i, SavedBoundary { points, moved }) in mortar.boundaries.into_iter().enumerate() {
-        checkpoint.push::<f64>(format!("{name}/surface{i}/points"), points);
-        checkpoint.push::<f64>(format!("{name}/surface{i}/moved"), moved);
-    }
-    for (i, slip) in mortar.slips.into_iter().enumerate() {
-        checkpoint.push::<f64>(format!("{name}/pair{i}/slip"), slip);
-    }
-}
-
-fn read_mortar(
-    mortar: &mut SavedMortar,
-    name: &str,
-    checkpoint: &Checkpoint,
-) -> Result<(), CheckpointError> {
-    let fill = |name: String, values: &mut Vec<f64>| {
-        let found = checkpoint.array(&name, values.len())?;
-        values.copy_from_slice(found);
-        Ok::<(), CheckpointError>(())
-    };
-    for (i, boundary) in mortar.boundaries.iter_mut().enumerate() {
-        fill(format!("{name}/surface{i}/points"), &mut boundary.points)?;
-        fill(format!("{name}/surface{i}/moved"), &mut boundary.moved)?;
-    }
-    for (i, slip) in mortar.slips.iter_mut().enumerate() {
-        fill(format!("{name}/pair{i}/slip"), slip)?;
-    }
-    Ok(())
 }
 
 fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {

@@ -4,42 +4,56 @@ use crate::contact::faces::{SlabFace, SlabFields};
 use crate::contact::meeting::{Bodies, Meetings, On, States};
 use crate::contact::{Met, Pair, State, surface};
 use crate::simulation::fields::{Grid, Slab};
-use crate::simulation::interaction::{Now, OnSlab, Parts, Visit};
+use crate::simulation::interaction::{Again, Now, OnSlab, Visit};
 use crate::stage::solve::{PlaneSums, Planes};
+use std::sync::Arc;
 
 impl State {
     /// What acts on each slab of a visit.
-    pub(in crate::simulation) fn on_slabs(&mut self, grid: &Grid, visit: Visit) -> Parts<'_> {
-        let met = match visit {
+    pub(super) fn parts(&mut self, grid: &Grid, visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {
+        if self.faces.list.is_empty() {
+            return vec![];
+        }
+        let known: Vec<Known<'_>> = match visit {
             Visit::Trial => {
                 self.met.clear();
-                &mut self.met
+                self.met.resize(grid.slabs.len(), Met::default());
+                self.met.iter_mut().map(Known::Nothing).collect()
             }
-            // At the same nodes as in the first mapping.
-            Visit::Remapped => &mut self.met,
-            Visit::Mapped => {
+            Visit::Again(Again::OldPositions) => {
+                let meetings = self.met.iter_mut().map(|met| &mut met.meetings);
+                meetings.map(Known::Meetings).collect()
+            }
+            Visit::Again(Again::NewPositions) => {
                 let before = self.met.iter().flat_map(|met| met.meetings.states());
-                self.states = before.collect();
-                self.again.clear();
-                &mut self.again
+                let states = Arc::new(before.collect());
+                let of_slab = |_| Known::States(Arc::clone(&states));
+                grid.slabs.iter().map(of_slab).collect()
             }
         };
-        met.resize(grid.slabs.len(), Met::default());
         let faces = self.faces.split(grid);
-        let (pairs, near, states) = (&self.pairs[..], &self.near[..], &self.states);
-        let parts = faces.into_iter().zip(met).map(|(faces, met)| {
+        let (pairs, near) = (&self.pairs[..], &self.near[..]);
+        let parts = faces.into_iter().zip(known).map(|(faces, known)| {
             let part: Box<dyn OnSlab + '_> = Box::new(SlabContact {
                 pairs,
                 near,
                 faces,
-                met,
-                states,
-                visit,
+                known,
             });
-            vec![part]
+            part
         });
         parts.collect()
     }
+}
+
+/// What is known of this step's contact when a slab is visited.
+enum Known<'a> {
+    /// Nothing yet: the equation of motion finds where bodies meet, and leaves here what contact does.
+    Nothing(&'a mut Met),
+    /// Where bodies meet, and what contact did there: particles have not moved since.
+    Meetings(&'a mut Meetings),
+    /// What pairs did at the nodes of all slabs, before particles moved.
+    States(Arc<States>),
 }
 
 /// Contact in one slab.
@@ -47,11 +61,7 @@ struct SlabContact<'a> {
     pairs: &'a [Pair],
     near: &'a [bool],
     faces: Vec<SlabFace<'a>>,
-    /// Where bodies meet, and what contact did there.
-    met: &'a mut Met,
-    /// What pairs did at the nodes earlier in this step, where particles have moved since.
-    states: &'a States,
-    visit: Visit,
+    known: Known<'a>,
 }
 
 impl SlabContact<'_> {
@@ -60,33 +70,22 @@ impl SlabContact<'_> {
         pairs: &'b [Pair],
         near: &'b [bool],
         now: &'b Now<'_>,
-        Each { driven, apart }: &'b Each,
+        driven: &'b [bool],
     ) -> Bodies<'b> {
         Bodies {
             pairs,
             near,
             sets: now.mapping.sets,
             driven,
-            apart,
-            walls: now.walls,
+            walls: &now.walls,
             stencil: now.mapping.stencil,
         }
     }
 }
 
-/// By body: whether its motion is prescribed, and whether it meets others by its boundary alone.
-struct Each {
-    driven: Vec<bool>,
-    apart: Vec<bool>,
-}
-
-impl Each {
-    fn of(now: &Now<'_>) -> Self {
-        Self {
-            driven: now.prescribed.iter().map(Option::is_some).collect(),
-            apart: now.mapping.bodies.iter().map(|body| body.apart).collect(),
-        }
-    }
+/// By body: whether its motion is prescribed.
+fn driven(now: &Now<'_>) -> Vec<bool> {
+    now.prescribed.iter().map(Option::is_some).collect()
 }
 
 impl OnSlab for SlabContact<'_> {
@@ -102,16 +101,16 @@ impl OnSlab for SlabContact<'_> {
             planes.clear();
             now.mapping
                 .map_gradient(face.body, face.interface, &mut planes);
-            surface::fold_gradient(&mut planes, now.walls);
+            surface::fold_gradient(&mut planes, &now.walls);
         }
     }
 
     fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
-        let each = Each::of(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &each);
+        let driven = driven(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
         let mut fields = SlabFields::new(slab, &mut self.faces);
         let mut meetings = Meetings::find(&mut fields, &bodies);
-        let damping = now.plan.local_damping;
+        let damping = now.acting.local_damping;
         let on = On::Trial {
             kick: now.acting.kick,
             dt: now.acting.drift,
@@ -121,26 +120,31 @@ impl OnSlab for SlabContact<'_> {
         if damping.is_some() {
             // Contact does not know what the planes hold, and damps it too.
             for planes in slab.planes() {
-                planes.constrain(now.walls, true);
+                planes.constrain(&now.walls, true);
             }
         }
         for (sums, power) in sums.iter_mut().zip(&done.power) {
             sums.power += power;
         }
-        *self.met = Met { meetings, done };
+        if let Known::Nothing(met) = &mut self.known {
+            **met = Met { meetings, done };
+        }
     }
 
     fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
-        let each = Each::of(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &each);
+        let driven = driven(now);
+        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
         let mut fields = SlabFields::new(slab, &mut self.faces);
-        if self.visit == Visit::Remapped {
-            let meetings = &mut self.met.meetings;
-            meetings.act(&mut fields, &bodies, On::Remapped);
-        } else {
-            let mut meetings = Meetings::find(&mut fields, &bodies);
-            meetings.recall(self.states);
-            meetings.act(&mut fields, &bodies, On::Mapped);
+        match &mut self.known {
+            Known::Nothing(_) => {}
+            Known::Meetings(meetings) => {
+                meetings.act(&mut fields, &bodies, On::Remapped);
+            }
+            Known::States(states) => {
+                let mut meetings = Meetings::find(&mut fields, &bodies);
+                meetings.recall(states);
+                meetings.act(&mut fields, &bodies, On::Mapped);
+            }
         }
     }
 }

@@ -10,12 +10,7 @@ use crate::simulation::BodyRun;
 
 impl MortarState {
     /// Has the boundary of a body, if it has one, move as the body does now: with its nodes or as prescribed.
-    pub(in crate::simulation) fn set_carrier(
-        &mut self,
-        scene: &Scene,
-        body: &BodyRun,
-        index: usize,
-    ) {
+    pub(super) fn set_carrier(&mut self, scene: &Scene, body: &BodyRun, index: usize) {
         let boundaries = &scene.mortar.boundaries;
         let Some(given) = boundaries.iter().find(|given| given.body == body.id) else {
             return;

@@ -2,35 +2,96 @@
 
 use super::MortarState;
 use super::boundaries::Hosts;
-use super::surface::Mirrors;
+use super::surface::{Mirrors, Surface};
 use crate::scene::PlaneCondition;
 use crate::simulation::Simulation;
+use crate::simulation::conditions::Acting;
 use crate::simulation::error::StepError;
 use crate::simulation::fields::Grid;
+use crate::simulation::interaction::{Interaction, Remembered};
 
-impl MortarState {
+impl Interaction for MortarState {
+    fn boxed(&self) -> Box<dyn Interaction> {
+        Box::new(self.clone())
+    }
+
+    /// Bodies whose boundary moves with a velocity field of their own.
+    fn owners(&self) -> Vec<usize> {
+        let plane = self.plane.surfaces.iter().filter_map(Surface::body);
+        let space = self.space.surfaces.iter().filter_map(Surface::body);
+        plane.chain(space).collect()
+    }
+
+    fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
+        self.set_carrier(&simulation.scene, &simulation.bodies[body], body);
+    }
+
+    fn finds(&self) -> bool {
+        true
+    }
+
+    /// Weights of the vertices, gaps and forces, and the time step that they allow.
+    fn find(&mut self, simulation: &Simulation) -> Result<(), StepError> {
+        let met = self.meet(&simulation.hosts(), simulation.clock.time);
+        met.map_err(|kind| simulation.error(kind))
+    }
+
+    fn time_step(&self) -> f64 {
+        self.time_step
+    }
+
+    fn closing_step(&self) -> f64 {
+        self.closing_step
+    }
+
+    /// Refuses a step in which a gap would close too far at the speed that it closes with now.
+    fn refuse_leaps(&self, simulation: &Simulation, dt: f64) -> Result<(), StepError> {
+        let origin = simulation.origin();
+        let in_space = || self.space.closing_too_fast(dt, &origin);
+        let found = self.plane.closing_too_fast(dt, &origin).or_else(in_space);
+        found.map_or(Ok(()), |kind| Err(simulation.error(kind)))
+    }
+
     /// Adds the contact forces to those at the nodes (eq. 56).
-    pub(in crate::simulation) fn load_nodes(&self, grid: &mut Grid) {
+    fn load(&self, grid: &mut Grid) {
         self.plane.load_nodes(grid);
         self.space.load_nodes(grid);
     }
 
-    /// Power of the contact forces that prescribed boundaries exert, with their velocities at a time \[W\].
-    pub(in crate::simulation) fn power_of_prescribed(&self, half_step: f64) -> f64 {
-        self.plane.power_of_prescribed(half_step) + self.space.power_of_prescribed(half_step)
+    /// Adds the power of the contact forces that prescribed boundaries exert.
+    fn settle(&mut self, simulation: &mut Simulation, acting: &Acting) -> Result<usize, StepError> {
+        let [_, half_step] = acting.half_steps;
+        simulation.ledger.sums.power +=
+            self.plane.power_of_prescribed(half_step) + self.space.power_of_prescribed(half_step);
+        Ok(self.plane.under_pressure() + self.space.under_pressure())
+    }
+
+    /// Moves all vertices with the velocity after the solve (eq. 29, 30).
+    fn advance(&mut self, simulation: &Simulation, acting: &Acting, drift: f64) {
+        let hosts = simulation.hosts();
+        self.plane.advance(&hosts, drift, acting.half_steps[1]);
+        self.space.advance(&hosts, drift, acting.half_steps[1]);
+    }
+
+    /// What the normal laws store.
+    fn energy(&self) -> f64 {
+        self.plane.energy() + self.space.energy()
+    }
+
+    fn save(&self) -> Remembered {
+        let mut saved = self.plane.save();
+        saved.extend(self.space.save());
+        saved
+    }
+
+    fn restore(&mut self, saved: &Remembered) {
+        let mut lists = saved.iter();
+        self.plane.restore(&mut lists);
+        self.space.restore(&mut lists);
     }
 }
 
 impl Simulation {
-    /// Weights of the vertices, gaps and forces, and the time step that they allow.
-    pub(in crate::simulation) fn meet_boundaries(&mut self) -> Result<(), StepError> {
-        let time = self.clock.time;
-        let mut state = std::mem::take(&mut self.mortar);
-        let met = state.meet(&self.hosts(), time);
-        self.mortar = state;
-        met.map_err(|kind| self.error(kind))
-    }
-
     /// What boundaries need to know of the bodies that carry them.
     fn hosts(&self) -> Hosts<'_> {
         let mesh = &self.scene.mesh;
@@ -47,22 +108,5 @@ impl Simulation {
             },
             origin: self.origin(),
         }
-    }
-
-    /// Refuses a step in which a gap would close too far at the speed that it closes with now.
-    pub(in crate::simulation) fn refuse_fast_closing(&self, dt: f64) -> Result<(), StepError> {
-        let (state, origin) = (&self.mortar, self.origin());
-        let in_space = || state.space.closing_too_fast(dt, &origin);
-        let found = state.plane.closing_too_fast(dt, &origin).or_else(in_space);
-        found.map_or(Ok(()), |kind| Err(self.error(kind)))
-    }
-
-    /// Moves all vertices with the velocity after the solve (eq. 29, 30).
-    pub(in crate::simulation) fn move_vertices(&mut self, drift: f64, half_step: f64) {
-        let mut state = std::mem::take(&mut self.mortar);
-        let hosts = self.hosts();
-        state.plane.advance(&hosts, drift, half_step);
-        state.space.advance(&hosts, drift, half_step);
-        self.mortar = state;
     }
 }

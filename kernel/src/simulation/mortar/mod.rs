@@ -9,18 +9,20 @@ mod change;
 mod cycle;
 mod gradients;
 mod pair;
+mod remembered;
 mod setup;
 mod surface;
 mod vertices;
+mod words;
 
-pub(crate) use boundaries::Boundaries;
 pub use vertices::{BoundaryVertex, VertexState};
+pub(super) use words::words;
 
 use super::error::StepErrorKind;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;
-use boundaries::Hosts;
+use boundaries::{Boundaries, Hosts};
 
 /// What mortar contact keeps from step to step. Of the two dimensions one is empty.
 #[derive(Clone, Debug)]
@@ -49,26 +51,6 @@ impl Default for MortarState {
 }
 
 impl MortarState {
-    /// Whether anything has a boundary. Vertices follow their body also where nothing is in contact with it.
-    pub(crate) fn acts(&self) -> bool {
-        !(self.plane.surfaces.is_empty() && self.space.surfaces.is_empty())
-    }
-
-    /// Bodies whose boundary moves with a velocity field of their own.
-    pub(super) fn bodies(&self) -> impl Iterator<Item = usize> {
-        let plane = self
-            .plane
-            .surfaces
-            .iter()
-            .filter_map(surface::Surface::body);
-        plane.chain(
-            self.space
-                .surfaces
-                .iter()
-                .filter_map(surface::Surface::body),
-        )
-    }
-
     /// Weights of the vertices, gaps and forces of the pairs, and the time steps that they allow.
     fn meet(&mut self, hosts: &Hosts<'_>, time: f64) -> Result<(), StepErrorKind> {
         self.plane.weigh(hosts, time)?;
@@ -80,9 +62,5 @@ impl MortarState {
         self.time_step = plane.min(self.space.time_step(nodes));
         self.closing_step = self.plane.closing_step().min(self.space.closing_step());
         Ok(())
-    }
-
-    pub(super) fn vertices_under_pressure(&self) -> usize {
-        self.plane.under_pressure() + self.space.under_pressure()
     }
 }

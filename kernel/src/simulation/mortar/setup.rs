@@ -13,16 +13,25 @@ use crate::mortar::space::skin::{skin, triangles};
 use crate::scene::{Body, BodyBoundary, Dimension, PlaneCondition, Scene, Vector, Vertices};
 use crate::simulation::BodyRun;
 use crate::simulation::error::SetupError;
+use crate::simulation::interaction::Made;
 use crate::simulation::needs;
 use std::fmt::Display;
 
 impl MortarState {
-    /// Boundaries and pairs of a scene.
-    pub(in crate::simulation) fn new(
+    /// Boundaries and pairs of a scene, where anything has a boundary. Vertices follow their body also where nothing is in
+    /// contact with it.
+    pub(in crate::simulation) fn of(
         scene: &Scene,
         bodies: &[BodyRun],
         memory: &mut Memory,
-    ) -> Result<Self, SetupError> {
+    ) -> Option<Made> {
+        match Self::new(scene, bodies, memory) {
+            Ok(state) if state.plane.surfaces.is_empty() && state.space.surfaces.is_empty() => None,
+            state => Some(state.map(|state| Box::new(state) as _)),
+        }
+    }
+
+    fn new(scene: &Scene, bodies: &[BodyRun], memory: &mut Memory) -> Result<Self, SetupError> {
         let mut state = Self::default();
         for given in &scene.mortar.boundaries {
             let (Some(index), Some(body)) = (

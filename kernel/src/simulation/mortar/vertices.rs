@@ -1,11 +1,13 @@
 //! What mortar contact tells of itself.
 
+use super::MortarState;
 use super::boundaries::Boundaries;
 use super::surface::{in_scene, to_vector};
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
+use crate::simulation::interaction::Interaction;
 
 /// What a vertex of a slave feels, for output.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +52,7 @@ impl Simulation {
     /// Whether anything has a boundary: a body, or a rigid line or surface.
     #[must_use]
     pub fn has_boundaries(&self) -> bool {
-        self.mortar.acts()
+        self.mortar().is_some()
     }
 
     /// The vertices of all boundaries, rigid lines and rigid surfaces, one after the other, and the segments or edges of
@@ -59,31 +61,28 @@ impl Simulation {
     pub fn boundaries(&self) -> (Vec<BoundaryVertex>, Vec<[usize; 2]>) {
         let origin = self.origin();
         let (mut vertices, mut edges) = (vec![], vec![]);
-        let plane = &self.mortar.plane;
-        plane.shown(&origin, &mut vertices, &mut edges);
-        let space = &self.mortar.space;
-        space.shown(&origin, &mut vertices, &mut edges);
+        if let Some(MortarState { plane, space, .. }) = self.mortar() {
+            plane.shown(&origin, &mut vertices, &mut edges);
+            space.shown(&origin, &mut vertices, &mut edges);
+        }
         (vertices, edges)
     }
 
     /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline or surface.
     #[must_use]
     pub fn mortar_vertices(&self, contact: i64) -> Option<Vec<VertexState>> {
-        let origin = self.origin();
-        self.mortar
-            .plane
-            .vertices(contact, &origin, |[t]| t)
-            .or_else(|| {
-                let of = |[s, t]: [f64; 2]| libm::hypot(s, t);
-                self.mortar.space.vertices(contact, &origin, of)
-            })
+        let (state, origin) = (self.mortar()?, self.origin());
+        let in_plane = state.plane.vertices(contact, &origin, |[t]| t);
+        in_plane.or_else(|| {
+            let of = |[s, t]: [f64; 2]| libm::hypot(s, t);
+            state.space.vertices(contact, &origin, of)
+        })
     }
 
     /// Vertices of the boundary of a body, or of a rigid line or surface, in the coordinates of the scene \[m\].
     #[must_use]
     pub fn boundary_vertices(&self, id: i64) -> Option<Vec<Vector>> {
-        let origin = self.origin();
-        let state = &self.mortar;
+        let (state, origin) = (self.mortar()?, self.origin());
         let in_space = || state.space.positions(id, &origin);
         state.plane.positions(id, &origin).or_else(in_space)
     }
@@ -91,7 +90,7 @@ impl Simulation {
     /// Mortar contact force on the vertices of a body, or of a rigid line or surface, in the last step \[N\].
     #[must_use]
     pub fn mortar_force(&self, id: i64) -> Option<Vector> {
-        let state = &self.mortar;
+        let state = self.mortar()?;
         state
             .plane
             .force_on(id)
@@ -101,7 +100,11 @@ impl Simulation {
     /// Energy stored in the normal laws of mortar contact as of the last detection \[J\].
     #[must_use]
     pub fn mortar_energy(&self) -> f64 {
-        self.mortar.plane.energy() + self.mortar.space.energy()
+        self.mortar().map_or(0.0, Interaction::energy)
+    }
+
+    fn mortar(&self) -> Option<&MortarState> {
+        self.interaction()
     }
 }
 
@@ -194,7 +197,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         Some(to_vector(&surface.force.iter().sum()))
     }
 
-    fn energy(&self) -> f64 {
+    pub(super) fn energy(&self) -> f64 {
         self.pairs.iter().map(|p| p.forces.energy).sum()
     }
 }

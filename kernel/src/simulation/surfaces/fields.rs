@@ -5,10 +5,8 @@
 //! bodies acts first: at a node that both reach the surface has the last word, and what it brings partners closer by is
 //! left to their contact in the next step.
 
-use crate::contact::Pair;
-use crate::contact::faces::joined;
 use crate::grid::Line;
-use crate::simulation::fields::{Grid, Owner};
+use crate::simulation::fields::Grid;
 use crate::simulation::{BodyRun, Simulation};
 use crate::stage::touch::{TouchedNode, apply};
 
@@ -16,21 +14,9 @@ use crate::stage::touch::{TouchedNode, apply};
 pub(super) struct Fields<'a> {
     grid: &'a Grid,
     bodies: &'a [BodyRun],
-    /// Whether two fields share their velocity, row by row.
-    joined: Vec<bool>,
 }
 
 impl<'a> Fields<'a> {
-    pub(super) fn new(grid: &'a Grid, bodies: &'a [BodyRun], pairs: &[Pair]) -> Self {
-        let owners: Vec<Owner> = grid.fields.iter().map(|field| field.owner).collect();
-        let apart: Vec<bool> = bodies.iter().map(|body| body.apart).collect();
-        Self {
-            grid,
-            bodies,
-            joined: joined(&owners, pairs, &apart),
-        }
-    }
-
     /// The field of a body.
     pub(super) fn of(&self, body: usize) -> usize {
         self.grid.number_of(body)
@@ -65,7 +51,7 @@ impl<'a> Fields<'a> {
         let mut looked = 0;
         while let Some(&from) = found.get(looked) {
             for &other in &present {
-                if self.joined[from * count + other] && !found.contains(&other) {
+                if self.grid.joined[from * count + other] && !found.contains(&other) {
                     found.push(other);
                 }
             }
@@ -78,7 +64,10 @@ impl<'a> Fields<'a> {
 
 impl Simulation {
     pub(super) fn all_fields(&self) -> Fields<'_> {
-        Fields::new(&self.grid, &self.bodies, &self.contact.pairs)
+        Fields {
+            grid: &self.grid,
+            bodies: &self.bodies,
+        }
     }
 
     /// Adds the changes of touched nodes to the velocities of all their fields, in the lanes from `lane` on, and where

@@ -42,7 +42,7 @@ impl Simulation {
     }
 
     /// No body may overlap a surface at the start.
-    pub(in crate::simulation) fn refuse_overlap_with_surfaces(&self) -> Result<(), SetupError> {
+    pub(super) fn refuse_overlap_with_surfaces(&self) -> Result<(), SetupError> {
         let allowed = OVERLAP * self.smallest_cell();
         for surface in 0..self.scene.surfaces.len() {
             let mut deepest: Option<(f64, usize, usize)> = None;

@@ -4,13 +4,17 @@ mod fields;
 mod gap;
 mod near;
 mod nodes;
+mod words;
 
-use super::Simulation;
-use super::acting::{Acting, node_weights};
-use super::error::{StepError, StepErrorKind};
+use super::conditions::Acting;
+use super::error::{SetupError, StepError, StepErrorKind};
 use super::history::integral;
+use super::interaction::{Again, Interaction, Made, Remembered};
+use super::mapping::node_weights;
 use super::motion::at_half_step_after;
+use super::{BodyRun, Simulation};
 use crate::grid::GridShape;
+use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::{Planes, Wall};
 use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
@@ -19,6 +23,7 @@ pub(super) use gap::local;
 use gap::velocity;
 use near::{Near, Place};
 use std::collections::BTreeMap;
+pub(super) use words::words;
 
 /// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
 const TOLERANCE: f64 = 1e-6;
@@ -51,9 +56,13 @@ struct Touches {
 }
 
 impl Surfaces {
-    pub(super) fn new(scene: &Scene) -> Option<Self> {
+    /// Rigid surfaces, where a scene has any.
+    pub(super) fn of(scene: &Scene, _: &[BodyRun], _: &mut Memory) -> Option<Made> {
+        if scene.surfaces.is_empty() {
+            return None;
+        }
         let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; scene.surfaces.len()];
-        (!scene.surfaces.is_empty()).then(|| Self {
+        Some(Ok(Box::new(Self {
             near: None,
             trial: Touches::default(),
             mapped: Touches::default(),
@@ -61,12 +70,61 @@ impl Surfaces {
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
-        })
+        })))
+    }
+}
+
+impl Interaction for Surfaces {
+    fn boxed(&self) -> Box<dyn Interaction> {
+        Box::new(self.clone())
     }
 
-    /// Particles have new places.
-    pub(super) fn forget(&mut self) {
+    fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
+        simulation.refuse_overlap_with_surfaces()
+    }
+
+    fn sorted(&mut self, _: &Simulation) {
         self.near = None;
+    }
+
+    fn settles(&self) -> bool {
+        true
+    }
+
+    fn settle(&mut self, simulation: &mut Simulation, acting: &Acting) -> Result<usize, StepError> {
+        simulation.push(self, acting)?;
+        Ok(0)
+    }
+
+    fn settle_again(
+        &mut self,
+        simulation: &mut Simulation,
+        acting: &Acting,
+        again: Again,
+    ) -> Result<(), StepError> {
+        simulation.hold(self, acting, again.lane())
+    }
+
+    fn save(&self) -> Remembered {
+        let flat =
+            |impulses: &[Vec<Vector>]| impulses.iter().flatten().flatten().copied().collect();
+        vec![
+            ("time of the last impulses".into(), vec![self.last_kick]),
+            ("last impulses of surfaces".into(), flat(&self.last)),
+            ("impulses of surfaces".into(), flat(&self.total)),
+        ]
+    }
+
+    fn restore(&mut self, saved: &Remembered) {
+        self.last_kick = saved[0].1[0];
+        for (impulses, (_, values)) in [&mut self.last, &mut self.total]
+            .into_iter()
+            .zip(&saved[1..])
+        {
+            for (impulse, value) in impulses.iter_mut().flatten().flatten().zip(values) {
+                *impulse = *value;
+            }
+        }
     }
 }
 
@@ -83,7 +141,7 @@ impl Simulation {
     }
 
     pub(super) fn surface_force_on(&self, surface: usize, set: usize) -> Vector {
-        match &self.surfaces {
+        match self.interaction::<Surfaces>() {
             Some(s) if s.last_kick > 0.0 => s.last[surface][set].map(|i| i / s.last_kick),
             _ => [0.0; 3],
         }
@@ -92,8 +150,7 @@ impl Simulation {
     /// Impulse of a surface on a body since the start \[N s\].
     #[must_use]
     pub fn surface_impulse(&self, surface: usize, set: usize) -> Vector {
-        self.surfaces
-            .as_ref()
+        self.interaction::<Surfaces>()
             .map_or([0.0; 3], |s| s.total[surface][set])
     }
 
@@ -105,19 +162,10 @@ impl Simulation {
     }
 
     /// Corrects the nodal velocities after the solve so that no particle goes through a surface.
-    pub(super) fn touch_surfaces(&mut self, acting: &Acting) -> Result<(), StepError> {
-        let Some(mut surfaces) = self.surfaces.take() else {
-            return Ok(());
-        };
-        let done = self.push(&mut surfaces, acting);
-        self.surfaces = Some(surfaces);
-        done
-    }
-
     fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
         let trial = &mut surfaces.trial;
         self.touches(&mut surfaces.near, acting, 1, trial)?;
-        match self.plan.local_damping {
+        match acting.local_damping {
             None => {
                 resolve(&mut trial.list, &mut trial.nodes, TOLERANCE, SWEEPS);
             }
@@ -178,19 +226,6 @@ impl Simulation {
     /// stops noise towards it, would swell the layer of particles on the surface step by step.
     ///
     /// `lane` is where the nodes hold the velocities.
-    pub(super) fn hold_at_surfaces(
-        &mut self,
-        acting: &Acting,
-        lane: usize,
-    ) -> Result<(), StepError> {
-        let Some(mut surfaces) = self.surfaces.take() else {
-            return Ok(());
-        };
-        let done = self.hold(&mut surfaces, acting, lane);
-        self.surfaces = Some(surfaces);
-        done
-    }
-
     fn hold(
         &mut self,
         surfaces: &mut Surfaces,
@@ -384,8 +419,10 @@ fn mobility(
     let mass: f64 = sharing.iter().map(|f| fields.mass(*f, node)).sum();
     let driven = |field: &usize| match field {
         0 => {
-            let known = acting.driven.binary_search_by_key(&node, |d| d.node);
-            known.is_ok()
+            let lists = [&acting.driven[..], &acting.held];
+            lists
+                .iter()
+                .any(|list| list.binary_search_by_key(&node, |d| d.node).is_ok())
         }
         _ => fields.is_driven(*field),
     };

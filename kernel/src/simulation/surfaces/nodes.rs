@@ -1,5 +1,6 @@
 //! What surfaces did at the nodes, for those who look at it from outside.
 
+use super::Surfaces;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 
@@ -10,7 +11,8 @@ impl Simulation {
     pub(in crate::simulation) fn surface_forces_at_nodes(
         &self,
     ) -> impl Iterator<Item = (usize, usize, Vector, f64)> {
-        let surfaces = self.surfaces.iter().filter(|s| s.last_kick > 0.0);
+        let surfaces = self.interaction::<Surfaces>();
+        let surfaces = surfaces.into_iter().filter(|s| s.last_kick > 0.0);
         surfaces.flat_map(|s| {
             let touches = s.trial.list.iter().zip(&s.trial.places);
             touches.flat_map(move |(touch, place)| {

@@ -1,15 +1,97 @@
-//! Loads as nodal list entries.
+//! Point loads and tractions, as forces on nodes.
 
-use super::error::SetupError;
+use super::{Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
-use crate::scene::{Scene, Vector};
-use crate::stage::solve::{DrivenNode, NodeForce};
+use crate::scene::{Scene, Traction, Vector};
+use crate::simulation::error::SetupError;
+use crate::simulation::fields::SlabField;
+use crate::stage::solve::{EmptyNode, NodeForce};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// Forces on the nodes of all fields together, one for each node, increasing.
+struct NodalLoads(Vec<NodeForce>);
+
+/// Nodal loads.
+pub(super) const NODAL_LOADS: Kind = Kind {
+    words: |scene, list| {
+        let acts = !(scene.point_loads.is_empty() && scene.tractions.is_empty());
+        list.choose(
+            "stage",
+            "nodal loads",
+            acts,
+            "point loads or tractions are given",
+            "none is given",
+        );
+    },
+    make: Some(of),
+    planes: false,
+};
+
+fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+    match nodal(scene, shape) {
+        Ok(loads) if loads.is_empty() => None,
+        loads => Some(loads.map(|loads| Arc::new(NodalLoads(loads)) as _)),
+    }
+}
+
+impl Condition for NodalLoads {
+    fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
+        let own = self.share(field)?;
+        field.parts().0.load(&own)
+    }
+
+    fn settled(&self, field: &mut FieldNodes<'_, '_>) {
+        // The loads found their nodes when they were added.
+        if let Ok(own) = self.share(field) {
+            let (planes, _, sums) = field.parts();
+            planes.add_power_of_loads(&own, sums);
+        }
+    }
+}
+
+impl NodalLoads {
+    /// The share of a field: that of its mass in the mass of all fields of a node that move freely.
+    fn share(&self, field: &FieldNodes<'_, '_>) -> Result<Cow<'_, [NodeForce]>, EmptyNode> {
+        let (slab, now) = (&*field.slab, field.now);
+        if slab.fields.len() == 1 {
+            return Ok(Cow::Borrowed(&self.0));
+        }
+        let shape = slab.shape();
+        let first = slab.range().start * shape.plane_nodes();
+        let last = slab.range().end * shape.plane_nodes();
+        let mut share = vec![];
+        for load in self.0.iter().filter(|l| (first..last).contains(&l.node)) {
+            let [plane, row, k] = shape.indices(load.node);
+            let mass = |field: &SlabField<'_>| {
+                let free = now.prescribed(field.owner).is_none();
+                if free && field.planes.rows.span(plane, row).contains(&k) {
+                    field.planes.nodes[load.node - first][0]
+                } else {
+                    0.0
+                }
+            };
+            let total: f64 = slab.fields.iter().map(mass).sum();
+            if total <= 0.0 {
+                return Err(EmptyNode(load.node));
+            }
+            let mass = mass(&slab.fields[field.number]);
+            if mass > 0.0 {
+                share.push(NodeForce {
+                    force: load.force.map(|f| f * (mass / total)),
+                    ..*load
+                });
+            }
+        }
+        Ok(Cow::Owned(share))
+    }
+}
 
 /// All nodal loads of a scene, one entry per node, in order of the node.
 ///
 /// # Errors
 /// A point load that is not at a node, or a traction outside the mesh.
-pub fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupError> {
+fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupError> {
     let mut all = vec![];
     for (i, load) in scene.point_loads.iter().enumerate() {
         let path = format!("nodal_point_load[{i}]");
@@ -34,37 +116,6 @@ pub fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupEr
         }
     }
     Ok(merged)
-}
-
-/// Nodes that stand still, increasing, each once.
-pub fn held(scene: &Scene, shape: &GridShape) -> Vec<DrivenNode> {
-    let mut nodes = vec![];
-    for held in &scene.held_boxes {
-        let along: [Vec<usize>; 3] = std::array::from_fn(|axis| {
-            if axis < shape.axes {
-                held.nodes_along(&scene.mesh, axis).collect()
-            } else {
-                vec![0]
-            }
-        });
-        for &x in &along[0] {
-            for &y in &along[1] {
-                for &z in &along[2] {
-                    nodes.push(shape.index(shape.mesh_node([x, y, z])));
-                }
-            }
-        }
-    }
-    nodes.sort_unstable();
-    nodes.dedup();
-    nodes
-        .into_iter()
-        .map(|node| DrivenNode {
-            node,
-            before: [0.0; 3],
-            after: [0.0; 3],
-        })
-        .collect()
 }
 
 /// Coordinate in cells from the mesh origin; a node where it is one to round-off of the coordinates.
@@ -100,7 +151,7 @@ fn traction(
     scene: &Scene,
     shape: &GridShape,
     i: usize,
-    load: &crate::scene::Traction,
+    load: &Traction,
     all: &mut Vec<NodeForce>,
 ) -> Result<(), SetupError> {
     let axes = shape.axes;

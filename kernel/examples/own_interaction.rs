@@ -1,0 +1,87 @@
+//! An interaction of one's own: two bodies that fill the same space, as a skeleton and what flows through it, and drag on
+//! each other. Their relative velocity falls as exp(-r t), and their momentum stays.
+//!
+//!     cargo run --release --package proctor-kernel --example own_interaction
+
+use proctor_kernel::prelude::*;
+use std::error::Error;
+
+/// Speed of the first body, and less that of the second \[m/s\]: so slow that they stay where they are.
+const SPEED: f64 = 1.0e-5;
+const RATE: f64 = 3.0;
+
+/// Force on one body against the other, proportional to their relative velocity.
+#[derive(Clone)]
+struct Drag {
+    /// Places of the bodies in the scene.
+    bodies: [usize; 2],
+    /// Rate at which the relative velocity falls \[1/s\].
+    rate: f64,
+}
+
+impl Interaction for Drag {
+    fn boxed(&self) -> Box<dyn Interaction> {
+        Box::new(self.clone())
+    }
+
+    fn owners(&self) -> Vec<usize> {
+        self.bodies.to_vec()
+    }
+
+    fn on_slabs(&mut self, grid: &Grid, _: Visit) -> Vec<Box<dyn OnSlab + '_>> {
+        let this = &*self;
+        let on_slab = |_| Box::new(this) as Box<dyn OnSlab>;
+        grid.slabs.iter().map(on_slab).collect()
+    }
+}
+
+impl OnSlab for &Drag {
+    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, _: &mut [PlaneSums]) {
+        // Exact for any step: the share of the relative velocity that is lost in the time over which velocities change.
+        let lost = 1.0 - (-self.rate * now.acting().kick).exp();
+        slab.for_each_shared(self.bodies, now, |[a, b]| {
+            let (m_a, m_b) = (a.mass(), b.mass());
+            let (v_a, v_b) = (a.velocity(), b.velocity());
+            let impulse: Vector =
+                std::array::from_fn(|k| lost * m_a * m_b / (m_a + m_b) * (v_b[k] - v_a[k]));
+            a.set_velocity(std::array::from_fn(|k| v_a[k] + impulse[k] / m_a));
+            b.set_velocity(std::array::from_fn(|k| v_b[k] - impulse[k] / m_b));
+        });
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut scene = Scene::plane([12, 12], 0.05).lasting(0.2);
+    for (density, speed) in [(2000.0, SPEED), (500.0, -SPEED)] {
+        let material = scene.add_material(LinearElastic::new(1e5, 0.3), density);
+        let block = Shape::rectangle([0.2, 0.2], [0.4, 0.4]);
+        scene.add_body(block, material).velocity = [speed, 0.0, 0.0];
+    }
+
+    let drag = Drag {
+        bodies: [0, 1],
+        rate: RATE,
+    };
+    let mut simulation = scene.simulate(&Options {
+        interactions: vec![Box::new(drag)],
+        ..Options::default()
+    })?;
+    let [before, _, _] = simulation.momentum();
+    while simulation.time() < scene.time {
+        simulation.step(scene.time)?;
+    }
+
+    let [a, b] = [0, 1].map(|body| simulation.center(body).2[0]);
+    let share = (a - b) / (2.0 * SPEED);
+    let exact = (-RATE * simulation.velocity_time()).exp();
+    let [after, _, _] = simulation.momentum();
+    println!("relative velocity {share:.7} of that at the start, exactly {exact:.7}");
+    assert!((share - exact).abs() < 1e-6, "{share} and {exact}");
+    assert!((after / before - 1.0).abs() < 1e-12, "{before} and {after}");
+    Ok(())
+}
+
+#[test]
+fn runs() -> Result<(), Box<dyn Error>> {
+    main()
+}

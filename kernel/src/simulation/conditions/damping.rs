@@ -1,0 +1,57 @@
+//! Damping. Local damping is a number of the acceleration; the others are no conditions on nodes, and only the plan
+//! speaks of them here.
+
+use super::{Acting, Condition, Kind, Made};
+use crate::grid::GridShape;
+use crate::scene::{Damping, Scene};
+use crate::simulation::Simulation;
+use std::sync::Arc;
+
+struct LocalDamping(f64);
+
+const NOT_ZERO: &str = "its factor is not zero";
+const ZERO: &str = "not asked for, or its factor is zero";
+
+/// Kinetic damping, which acts on all particles at once (`relaxation.rs`).
+pub(super) const KINETIC_DAMPING: Kind = Kind {
+    words: |scene, list| {
+        let acts = scene.damping == Damping::Kinetic;
+        let why = "asked for: velocities are set to zero at each peak of kinetic energy";
+        list.choose("stage", "kinetic damping", acts, why, "not asked for");
+    },
+    make: None,
+    planes: false,
+};
+
+/// Viscous damping, which acts while forces are mapped (`stage/p2g`).
+pub(super) const VISCOUS_DAMPING: Kind = Kind {
+    words: |scene, list| {
+        let acts = matches!(scene.damping, Damping::Viscous { alpha } if alpha != 0.0);
+        list.choose("stage", "viscous damping", acts, NOT_ZERO, ZERO);
+    },
+    make: None,
+    planes: false,
+};
+
+/// Local damping.
+pub(super) const LOCAL_DAMPING: Kind = Kind {
+    words: |scene, list| {
+        let acts = matches!(scene.damping, Damping::Local { alpha } if alpha != 0.0);
+        list.choose("stage", "local damping", acts, NOT_ZERO, ZERO);
+    },
+    make: Some(of),
+    planes: false,
+};
+
+fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+    match scene.damping {
+        Damping::Local { alpha } if alpha != 0.0 => Some(Ok(Arc::new(LocalDamping(alpha)))),
+        _ => None,
+    }
+}
+
+impl Condition for LocalDamping {
+    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
+        acting.local_damping = Some(self.0);
+    }
+}

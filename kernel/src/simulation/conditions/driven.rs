@@ -1,0 +1,140 @@
+//! Bodies that move as prescribed.
+//!
+//! In the common field they take all nodes along that their particles reach. One with a velocity field of its own has no
+//! equation of motion there: its nodes move as it does.
+
+use super::{Acting, Condition, FieldNodes, Kind, Made};
+use crate::grid::GridShape;
+use crate::particles::{Layout, ParticleSet};
+use crate::scene::{Scene, Vector};
+use crate::simulation::clock::StepInfo;
+use crate::simulation::error::StepError;
+use crate::simulation::fields::Owner;
+use crate::simulation::mapping::node_weights;
+use crate::simulation::{BodyRun, Simulation, history_value};
+use crate::stage::g2p::FaultKind;
+use crate::stage::solve::DrivenNode;
+use std::sync::Arc;
+
+struct DrivenBodies;
+
+/// Driven bodies.
+pub(super) const DRIVEN_BODIES: Kind = Kind {
+    words: |scene, list| {
+        let acts = scene.bodies.iter().any(|body| body.motion.is_some());
+        list.choose(
+            "stage",
+            "driven bodies",
+            acts,
+            "a body has a prescribed velocity",
+            "no body has a prescribed velocity",
+        );
+    },
+    make: Some(of),
+    planes: false,
+};
+
+fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+    let any = scene.bodies.iter().any(|body| body.motion.is_some());
+    any.then(|| Ok(Arc::new(DrivenBodies) as _))
+}
+
+impl Condition for DrivenBodies {
+    /// Where two driven bodies share a node the later body decides, whatever the order of particles, and a held node
+    /// stands still.
+    fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
+        let mut driven: Vec<DrivenNode> = vec![];
+        for (set, body) in simulation.sets.iter().zip(&simulation.bodies) {
+            if let (Some(motion), false) = (&body.motion, body.in_layer) {
+                let [before, after] = acting.half_steps.map(|t| history_value(motion, t));
+                let nodes = nodes_of(set, body, &simulation.grid.shape, simulation.stencil);
+                driven.extend(nodes.into_iter().map(|node| DrivenNode {
+                    node,
+                    before,
+                    after,
+                }));
+            }
+        }
+        driven.sort_by_key(|d| d.node);
+        driven.dedup_by(|later, kept| {
+            let same = later.node == kept.node;
+            if same {
+                *kept = *later;
+            }
+            same
+        });
+        if !acting.held.is_empty() {
+            let is_held = |d: &DrivenNode| acting.held.binary_search_by_key(&d.node, |h| h.node);
+            driven.retain(|d| is_held(d).is_err());
+        }
+        acting.driven = driven;
+    }
+
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        self.again(field);
+    }
+
+    fn again(&self, field: &mut FieldNodes<'_, '_>) {
+        if field.owner() == Owner::Phase {
+            let now = field.now;
+            field.drive(&now.acting.driven);
+        }
+    }
+}
+
+impl Simulation {
+    /// Bodies with a prescribed velocity move by it.
+    pub(in crate::simulation) fn move_driven_bodies(
+        &mut self,
+        info: &StepInfo,
+        mesh_shift: &[f64; 3],
+    ) -> Result<(), StepError> {
+        let half = self.clock.time + 0.5 * info.dt;
+        let mesh = &self.scene.mesh;
+        let mut travel = 0.0_f64;
+        let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
+        for (index, (set, body)) in self.sets.iter_mut().zip(&self.bodies).enumerate() {
+            let Some(motion) = &body.motion else { continue };
+            let v = history_value(motion, half);
+            for axis in 0..set.layout.axes {
+                let shift = v[axis] * info.dt - mesh_shift[axis];
+                let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
+                for (p, x) in set.columns[Layout::POSITION + axis].iter_mut().enumerate() {
+                    *x += shift;
+                    let inside = (0.0..=extent).contains(x);
+                    if !inside && faults.last().is_none_or(|&(i, ..)| i != index) {
+                        faults.push((index, p, FaultKind::Outside));
+                    }
+                }
+                set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
+                travel = travel.max((shift / mesh.cell[axis]).abs());
+            }
+        }
+        self.travel += travel;
+        self.judge(&faults)
+    }
+}
+
+/// Velocity half a step before and after of each body whose motion is prescribed \[m/s\].
+pub(in crate::simulation) fn prescribed(
+    bodies: &[BodyRun],
+    acting: &Acting,
+) -> Vec<Option<[Vector; 2]>> {
+    let mut all = vec![];
+    for body in bodies {
+        let motion = body.motion.as_ref();
+        all.push(motion.map(|motion| acting.half_steps.map(|t| history_value(motion, t))));
+    }
+    all
+}
+
+/// Nodes with a positive weight of any particle of a driven body, increasing.
+fn nodes_of(set: &ParticleSet, body: &BodyRun, shape: &GridShape, stencil: usize) -> Vec<usize> {
+    let mut nodes: Vec<usize> = (0..set.len())
+        .flat_map(|p| node_weights(set, body, shape, stencil, p))
+        .map(|(node, _)| node)
+        .collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+}

@@ -1,0 +1,156 @@
+//! Conditions on the nodes of a velocity field: what acts on it from outside.
+//!
+//! Each kind has a file of its own, and [`ALL`] lists them: a scene that has none of a kind has no element of it in its
+//! list, and nothing in the cycle asks for it. What a library user adds ([`Options::conditions`](super::Options)) comes
+//! after those of the scene, by the same trait.
+//!
+//! Gravity and local damping are numbers in [`Acting`], since they lie in the loop of the acceleration, where a sweep of
+//! their own over the nodes would cost more than they do. Viscous damping acts while forces are mapped (`stage/p2g`),
+//! kinetic damping on all particles at once (`relaxation.rs`), box loads and body forces on particles: none of these is a
+//! condition on nodes.
+
+mod base;
+mod damping;
+mod driven;
+mod gravity;
+mod held;
+mod loads;
+mod nodes;
+mod walls;
+
+pub(super) use driven::prescribed;
+pub use nodes::{FieldNodes, Node};
+
+use super::Simulation;
+use super::error::SetupError;
+use crate::grid::GridShape;
+use crate::plan::Words;
+use crate::scene::{Scene, Vector};
+use crate::stage::solve::{DrivenNode, EmptyNode, Wall};
+use std::sync::Arc;
+
+/// A condition on the nodes of velocity fields.
+///
+/// A step asks it in this order: [`Condition::prescribe`] once its length is known; then for each field, on each slab of
+/// planes that a thread owns, [`Condition::before`] and [`Condition::after`] the acceleration, [`Condition::settled`] when
+/// contact has acted, and [`Condition::again`] on velocities that are mapped a second time. Slabs and fields are visited at
+/// once by several threads, and their number must not change a result: what is done at a node may depend on that node
+/// alone. A body whose motion is prescribed has no equation of motion, and no condition is asked about its field.
+pub trait Condition: Send + Sync {
+    /// Adds what it prescribes in a step to what others do.
+    fn prescribe(&self, _simulation: &Simulation, _acting: &mut Acting) {}
+
+    /// Adds forces at the nodes; mass, velocity and force of the particles are there.
+    ///
+    /// # Errors
+    /// A node that a force acts on has no mass.
+    fn before(&self, _field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
+        Ok(())
+    }
+
+    /// Changes velocities after the acceleration, before contact.
+    fn after(&self, _field: &mut FieldNodes<'_, '_>) {}
+
+    /// Adds the power of its forces \[W\], with the velocities after contact.
+    fn settled(&self, _field: &mut FieldNodes<'_, '_>) {}
+
+    /// Changes velocities that were mapped a second time, from which strain is taken (MUSL, USF). What was done to the
+    /// velocities before is in the particles, and so in these; what must hold exactly is prescribed once more.
+    fn again(&self, _field: &mut FieldNodes<'_, '_>) {}
+}
+
+/// What acts at the nodes in one step, as its conditions prescribe it.
+#[derive(Clone, Debug, Default)]
+pub struct Acting {
+    /// Boundary planes with a condition, by axis and side, with their velocities.
+    pub walls: Vec<Wall>,
+    /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
+    pub driven: Vec<DrivenNode>,
+    /// Nodes of all fields that stand still, each once, increasing.
+    pub held: Arc<[DrivenNode]>,
+    /// Acceleration of gravity \[m/s²\].
+    pub gravity: Vector,
+    /// Factor of local damping.
+    pub local_damping: Option<f64>,
+    /// Time over which velocities change \[s\].
+    pub kick: f64,
+    /// Times of the velocities before and after \[s\], half a step before and half a step after the positions.
+    pub half_steps: [f64; 2],
+    /// Time over which positions move \[s\].
+    pub drift: f64,
+}
+
+/// A condition, or why there cannot be one.
+type Made = Result<Arc<dyn Condition>, SetupError>;
+
+/// Makes the condition of a kind, where a scene has any.
+type Make = fn(&Scene, &GridShape) -> Option<Made>;
+
+/// A kind of condition.
+struct Kind {
+    /// What the plan says of it.
+    words: fn(&Scene, &mut Words),
+    /// How it is made, if it is one on nodes.
+    make: Option<Make>,
+    /// Whether it is one of the boundary planes, which have the last word at a node.
+    planes: bool,
+}
+
+/// All kinds, as the plan lists them. Where one needs what another prescribes, it comes after it.
+const ALL: [Kind; 9] = [
+    gravity::GRAVITY,
+    walls::PLANES,
+    damping::LOCAL_DAMPING,
+    damping::KINETIC_DAMPING,
+    damping::VISCOUS_DAMPING,
+    base::MOVING_BASE,
+    held::HELD_NODES,
+    loads::NODAL_LOADS,
+    driven::DRIVEN_BODIES,
+];
+
+/// What the plan says of conditions.
+pub(crate) fn describe(scene: &Scene, list: &mut Words) {
+    for kind in ALL {
+        (kind.words)(scene, list);
+    }
+}
+
+/// The conditions of a scene, those of the user after them.
+///
+/// # Errors
+/// A load that has no place on the grid.
+pub(super) fn of(
+    scene: &Scene,
+    shape: &GridShape,
+    own: &[Arc<dyn Condition>],
+) -> Result<Vec<Arc<dyn Condition>>, SetupError> {
+    let made = |planes| {
+        let kinds = ALL.into_iter().filter(move |kind| kind.planes == planes);
+        kinds.filter_map(|kind| kind.make?(scene, shape))
+    };
+    let all = made(false).chain(made(true));
+    all.chain(own.iter().cloned().map(Ok)).collect()
+}
+
+impl Simulation {
+    /// Makes the conditions of the scene anew, after it has changed.
+    pub(super) fn set_conditions(&mut self) -> Result<(), SetupError> {
+        self.conditions = of(&self.scene, &self.grid.shape, &self.own_conditions)?;
+        Ok(())
+    }
+
+    /// What acts in a step of length `dt` \[s\].
+    pub(super) fn acting(&self, dt: f64) -> Acting {
+        let mut acting = Acting {
+            kick: 0.5 * (self.clock.dt_before + dt),
+            half_steps: [self.velocity_time(), self.clock.time + 0.5 * dt],
+            drift: dt,
+            ..Acting::default()
+        };
+        for condition in &self.conditions {
+            condition.prescribe(self, &mut acting);
+        }
+        acting
+    }
+}

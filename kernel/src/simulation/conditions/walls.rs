@@ -1,0 +1,82 @@
+//! The boundary planes of the mesh, free of stress, sliding or fixed.
+//!
+//! What lies beyond them is known to the mapping too, which folds it back ([`Planes::fold`](crate::stage::solve::Planes)).
+
+use super::{Acting, Condition, FieldNodes, Kind, Made};
+use crate::grid::GridShape;
+use crate::scene::{PlaneCondition, Scene};
+use crate::simulation::Simulation;
+use crate::simulation::interaction::Again;
+use crate::stage::solve::Wall;
+use std::sync::Arc;
+
+/// The planes that are not free.
+struct Walls(Vec<Wall>);
+
+/// Boundary planes.
+pub(super) const PLANES: Kind = Kind {
+    words: |scene, list| {
+        for (axis, letter) in ["X", "Y", "Z"]
+            .iter()
+            .enumerate()
+            .take(scene.dimension.axes())
+        {
+            for (side, end) in ["0", "n"].iter().enumerate() {
+                let condition = scene.mesh.planes[axis][side];
+                let base = scene.base_motion.as_ref();
+                let moving = base.is_some_and(|b| b.axis == axis && b.side == side);
+                let acts = moving || condition != PlaneCondition::Free;
+                let why = if moving {
+                    "its velocity is prescribed"
+                } else if condition == PlaneCondition::Fixed {
+                    "fixed"
+                } else {
+                    "sliding"
+                };
+                list.choose("stage", &format!("plane {letter}{end}"), acts, why, "free");
+            }
+        }
+    },
+    make: Some(of),
+    planes: true,
+};
+
+fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+    let mut walls = vec![];
+    for axis in 0..shape.axes {
+        for side in 0..2 {
+            let condition = scene.mesh.planes[axis][side];
+            if condition != PlaneCondition::Free {
+                walls.push(Wall {
+                    axis,
+                    side,
+                    fixed: condition == PlaneCondition::Fixed,
+                    before: [0.0; 3],
+                    after: [0.0; 3],
+                });
+            }
+        }
+    }
+    let act = !walls.is_empty() || scene.base_motion.is_some();
+    act.then(|| Ok(Arc::new(Walls(walls)) as _))
+}
+
+impl Condition for Walls {
+    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
+        acting.walls.extend_from_slice(&self.0);
+    }
+
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let (planes, now, sums) = field.parts();
+        planes.add_power_of_walls(&now.walls, now.acting.kick, sums);
+        planes.constrain(&now.walls, true);
+    }
+
+    fn again(&self, field: &mut FieldNodes<'_, '_>) {
+        let (planes, now, _) = field.parts();
+        match now.again {
+            Some(Again::OldPositions) => planes.constrain_remapped(&now.walls),
+            _ => planes.constrain(&now.walls, false),
+        }
+    }
+}

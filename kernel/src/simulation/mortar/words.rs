@@ -1,0 +1,50 @@
+//! What the plan says of mortar contact.
+
+use crate::mortar::motion::Follow;
+use crate::mortar::points::Detection;
+use crate::plan::Words;
+use crate::scene::{Dimension, Enforcement, Scene};
+
+/// One entry for each boundary, and one for each pair.
+pub(in crate::simulation) fn words(scene: &Scene, list: &mut Words) {
+    for boundary in &scene.mortar.boundaries {
+        list.keep(
+            "stage",
+            &format!("boundary of body {}", boundary.body),
+            match boundary.follow {
+                Follow::Unaugmented => {
+                    "its vertices follow the velocities of the nodes, those without mass too"
+                }
+                Follow::Velocity => "its vertices follow the velocities of the nodes",
+                Follow::Spin => "its vertices follow velocities and spins of the nodes",
+                Follow::Gradient => {
+                    "its vertices follow velocities and velocity gradients of the nodes"
+                }
+            },
+        );
+    }
+    for contact in &scene.mortar.contacts {
+        list.keep(
+            "stage",
+            &format!("mortar contact {}", contact.id),
+            &format!(
+                "master {}, slave {}, critical gap {} m, normal stiffness {} Pa/m, friction {}; {}, {}",
+                contact.master,
+                contact.slave,
+                contact.critical_gap,
+                contact.normal_stiffness,
+                contact.friction,
+                match contact.enforcement {
+                    Enforcement::Barrier => "barrier",
+                    Enforcement::Penalty => "penalty",
+                },
+                match (contact.detection, scene.dimension) {
+                    (Detection::Mortar, Dimension::Two) => "mortar segments",
+                    (Detection::Mortar, Dimension::Three) => "mortar triangles",
+                    (Detection::NodeToSegment, Dimension::Two) => "node to segment",
+                    (Detection::NodeToSegment, Dimension::Three) => "node to triangle",
+                },
+            ),
+        );
+    }
+}
