@@ -81,9 +81,8 @@ impl BodiesOnto<'_> {
         groups
     }
 
-    /// The first mapping of a step: mass, velocity and force of all fields, what lies beyond the walls folded back.
-    pub(super) fn run_first(&self, slab: &mut Slab<'_>, walls: &[Wall]) -> usize {
-        let groups = self.run(slab);
+    /// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
+    pub(super) fn fold(&self, slab: &mut Slab<'_>, walls: &[Wall]) {
         for planes in slab.planes() {
             planes.fold(walls, true, true);
             if self.free.carry == Carry::AllAndSpin {
@@ -91,7 +90,6 @@ impl BodiesOnto<'_> {
             }
             planes.velocities();
         }
-        groups
     }
 
     /// Maps the bodies of one field.

@@ -2,10 +2,11 @@
 
 use super::conditions::FieldNodes;
 use super::fields::{Owner, Slab};
-use super::interaction::{Now, OnSlab};
+use super::interaction::{Again, Now, OnSlab};
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
+use std::borrow::Cow;
 
 /// From mapped sums to velocities that keep to the conditions and to each other; the sums of each plane.
 pub(super) fn solve(
@@ -199,6 +200,21 @@ pub(super) fn total<'a>(planes: impl IntoIterator<Item = &'a PlaneSums>) -> Plan
 }
 
 impl Now<'_> {
+    /// The first mapping of a step: mass, velocity and force of all fields; the number of groups in the layers of
+    /// particles that the slab owns.
+    pub(super) fn map(&self, slab: &mut Slab<'_>) -> usize {
+        let groups = self.mapping.run(slab);
+        self.mapping.fold(slab, &self.walls);
+        groups
+    }
+
+    /// The same for a second mapping, of the velocities after the kick.
+    pub(super) fn again(mut self, again: Again) -> Self {
+        self.walls = Cow::Owned(at_half_step_after(&self.walls));
+        self.again = Some(again);
+        self
+    }
+
     /// What enters the acceleration beside stress.
     fn acceleration(&self) -> Acceleration {
         Acceleration {

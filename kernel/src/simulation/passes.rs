@@ -6,7 +6,7 @@ use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
 use super::interaction::{Again, Interaction, Interactions, Now, Visit, on_slabs};
 use super::mapping::bodies_onto;
-use super::motion::{at_half_step_after, solve, solve_mapped, solve_remapped, sums_after, total};
+use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::Phase;
 use super::step::Watcher;
 use crate::stage::g2p::{self, Found, G2p, Task};
@@ -90,7 +90,7 @@ impl Simulation {
         stale
     }
 
-    /// Mass, momentum and force to the nodes of all fields, where something looks for contact before the time step is
+    /// Mass, momentum and force to the nodes of all fields, where an interaction looks at them before the time step is
     /// chosen. Elsewhere the equation of motion follows at once, and the same visit does both.
     pub(super) fn map_to_nodes(&mut self) {
         self.set_body_force();
@@ -98,12 +98,12 @@ impl Simulation {
         if self.finds() {
             let acting = self.acting(self.clock.dt_before);
             let (now, grid, _) = self.divide(Carry::All, &acting);
-            let groups = grid.visit(|mut slab| now.mapping.run_first(&mut slab, &now.walls));
+            let groups = grid.visit(|mut slab| now.map(&mut slab));
             self.mapped = Some(groups.into_iter().sum());
         }
     }
 
-    /// The equation of motion of all fields; the number of nodes or vertices where a contact force acts.
+    /// The equation of motion of all fields; the number of nodes or vertices where an interaction acts.
     pub(super) fn solve_nodes(
         &mut self,
         acting: &Acting,
@@ -120,7 +120,7 @@ impl Simulation {
         let results = grid.visit_with(parts, |mut slab, mut parts| {
             let groups = match mapped {
                 Some(_) => 0,
-                None => now.mapping.run_first(&mut slab, &now.walls),
+                None => now.map(&mut slab),
             };
             let sums = solve(&mut slab, &mut parts, &now)?;
             Ok(Solved { sums, groups })
@@ -137,15 +137,12 @@ impl Simulation {
         Ok(touching)
     }
 
-    /// The equation of motion on the sums that lie on the nodes, without contact. A load on an empty node, which a step
+    /// The equation of motion on the sums that lie on the nodes, without interactions. A load on an empty node, which a step
     /// would report, is left to the step.
     pub(super) fn solve_alone(&mut self, acting: &Acting) {
         let (now, grid, _) = self.divide(Carry::All, acting);
         grid.visit(|mut slab| {
-            for planes in slab.planes() {
-                planes.fold(&now.walls, true, true);
-                planes.velocities();
-            }
+            now.mapping.fold(&mut slab, &now.walls);
             solve(&mut slab, &mut [], &now).is_ok()
         });
     }
@@ -181,9 +178,8 @@ impl Simulation {
                 Carry::Momentum
             }
         };
-        let (mut now, grid, interactions) = self.divide(carry, acting);
-        now.walls = Cow::Owned(at_half_step_after(&acting.walls));
-        now.again = Some(again);
+        let (now, grid, interactions) = self.divide(carry, acting);
+        let now = now.again(again);
         let parts = on_slabs(interactions, grid, Visit::Again(again));
         grid.visit_with(parts, |mut slab, mut parts| match again {
             Again::OldPositions => solve_remapped(&mut slab, &mut parts, &now),

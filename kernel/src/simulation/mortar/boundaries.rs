@@ -13,23 +13,11 @@ use crate::mortar::elements::Elements;
 use crate::mortar::motion::{Follow, vertex_velocity};
 use crate::mortar::pair::{Surfaces, contact_forces_to};
 use crate::mortar::weights::VertexWeights;
-use crate::particles::ParticleSet;
 use crate::scene::Vector;
-use crate::simulation::BodyRun;
+use crate::simulation::Simulation;
 use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
 use nalgebra::SMatrix;
-
-/// The bodies and their velocity fields.
-pub(super) struct Hosts<'a> {
-    pub(super) grid: &'a Grid,
-    pub(super) sets: &'a [ParticleSet],
-    pub(super) bodies: &'a [BodyRun],
-    pub(super) stencil: usize,
-    pub(super) mirrors: Mirrors,
-    /// Origin of the mesh in the coordinates of the scene \[m\].
-    pub(super) origin: Vector,
-}
 
 /// Boundaries of elements with D vertices whose patches have N nodes and whose vertices T tangents, and their pairs.
 #[derive(Clone, Debug)]
@@ -129,7 +117,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     ///
     /// # Errors
     /// The first vertex without a node with mass near it.
-    pub(super) fn weigh(&mut self, hosts: &Hosts<'_>, time: f64) -> Result<(), StepErrorKind> {
+    pub(super) fn weigh(&mut self, hosts: &Simulation) -> Result<(), StepErrorKind> {
+        let (time, mirrors) = (hosts.clock.time, Mirrors::of(&hosts.scene.mesh));
         let shape = &hosts.grid.shape;
         for surface in &mut self.surfaces {
             let (index, follow) = match &surface.carrier {
@@ -150,18 +139,18 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             for (vertex, x) in surface.boundary.points().iter().enumerate() {
                 let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
                 let raw = VertexWeights::<D, N>::new(mapping.family, &xi, half_length);
-                let raw = hosts.mirrors.fold(raw);
+                let raw = mirrors.fold(raw);
                 let (nodes, masses) = nodes_of_patch::<D, N>(raw.base, shape, &field.rows, lines);
                 let weights = if follow == Follow::Unaugmented {
                     Ok(raw.on_mass(&masses))
                 } else {
-                    raw.augmented(&hosts.mirrors.with_images(raw.base, masses))
+                    raw.augmented(&mirrors.with_images(raw.base, masses))
                 };
                 let Ok(weights) = weights else {
                     return Err(StepErrorKind::VertexLost {
                         body: surface.id,
                         vertex,
-                        position: in_scene(x, &hosts.origin),
+                        position: in_scene(x, &hosts.origin()),
                     });
                 };
                 let mut patch = Patch {
@@ -341,7 +330,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
-    pub(super) fn advance(&mut self, hosts: &Hosts<'_>, drift: f64, half_step: f64) {
+    pub(super) fn advance(&mut self, hosts: &Simulation, drift: f64, half_step: f64) {
         let shape = &hosts.grid.shape;
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {

@@ -1,9 +1,7 @@
 //! The parts of a step that mortar contact adds.
 
 use super::MortarState;
-use super::boundaries::Hosts;
-use super::surface::{Mirrors, Surface};
-use crate::scene::PlaneCondition;
+use super::surface::Surface;
 use crate::simulation::Simulation;
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::StepError;
@@ -32,8 +30,7 @@ impl Interaction for MortarState {
 
     /// Weights of the vertices, gaps and forces, and the time step that they allow.
     fn find(&mut self, simulation: &Simulation) -> Result<(), StepError> {
-        let met = self.meet(&simulation.hosts(), simulation.clock.time);
-        met.map_err(|kind| simulation.error(kind))
+        self.meet(simulation).map_err(|kind| simulation.error(kind))
     }
 
     fn time_step(&self) -> f64 {
@@ -68,9 +65,9 @@ impl Interaction for MortarState {
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).
     fn advance(&mut self, simulation: &Simulation, acting: &Acting, drift: f64) {
-        let hosts = simulation.hosts();
-        self.plane.advance(&hosts, drift, acting.half_steps[1]);
-        self.space.advance(&hosts, drift, acting.half_steps[1]);
+        let [_, half_step] = acting.half_steps;
+        self.plane.advance(simulation, drift, half_step);
+        self.space.advance(simulation, drift, half_step);
     }
 
     /// What the normal laws store.
@@ -88,25 +85,5 @@ impl Interaction for MortarState {
         let mut lists = saved.iter();
         self.plane.restore(&mut lists);
         self.space.restore(&mut lists);
-    }
-}
-
-impl Simulation {
-    /// What boundaries need to know of the bodies that carry them.
-    fn hosts(&self) -> Hosts<'_> {
-        let mesh = &self.scene.mesh;
-        Hosts {
-            grid: &self.grid,
-            sets: &self.sets,
-            bodies: &self.bodies,
-            stencil: self.stencil,
-            mirrors: Mirrors {
-                planes: mesh
-                    .planes
-                    .map(|sides| sides.map(|condition| condition != PlaneCondition::Free)),
-                cells: mesh.cells,
-            },
-            origin: self.origin(),
-        }
     }
 }

@@ -18,11 +18,12 @@ mod words;
 pub use vertices::{BoundaryVertex, VertexState};
 pub(super) use words::words;
 
+use super::Simulation;
 use super::error::StepErrorKind;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;
-use boundaries::{Boundaries, Hosts};
+use boundaries::Boundaries;
 
 /// What mortar contact keeps from step to step. Of the two dimensions one is empty.
 #[derive(Clone, Debug)]
@@ -52,11 +53,12 @@ impl Default for MortarState {
 
 impl MortarState {
     /// Weights of the vertices, gaps and forces of the pairs, and the time steps that they allow.
-    fn meet(&mut self, hosts: &Hosts<'_>, time: f64) -> Result<(), StepErrorKind> {
-        self.plane.weigh(hosts, time)?;
-        self.space.weigh(hosts, time)?;
-        self.plane.meet_all(&hosts.origin)?;
-        self.space.meet_all(&hosts.origin)?;
+    fn meet(&mut self, simulation: &Simulation) -> Result<(), StepErrorKind> {
+        let origin = simulation.origin();
+        self.plane.weigh(simulation)?;
+        self.space.weigh(simulation)?;
+        self.plane.meet_all(&origin)?;
+        self.space.meet_all(&origin)?;
         let nodes = &mut self.stiffness;
         let plane = self.plane.time_step(nodes);
         self.time_step = plane.min(self.space.time_step(nodes));

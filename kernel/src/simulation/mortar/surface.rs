@@ -4,7 +4,7 @@ use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
 use crate::mortar::weights::{NODES, VertexWeights, in_patch};
-use crate::scene::{History, Vector};
+use crate::scene::{History, Mesh, PlaneCondition, Vector};
 use crate::simulation::{BodyRun, history_value};
 
 /// What moves the vertices of a surface.
@@ -123,12 +123,21 @@ pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mirrors {
     /// Whether the lower and the upper plane along each axis do.
-    pub(super) planes: [[bool; 2]; 3],
+    planes: [[bool; 2]; 3],
     /// Cells of the mesh.
-    pub(super) cells: [usize; 3],
+    cells: [usize; 3],
 }
 
 impl Mirrors {
+    /// Those of a mesh.
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        let mirrors = |condition| condition != PlaneCondition::Free;
+        Self {
+            planes: mesh.planes.map(|sides| sides.map(mirrors)),
+            cells: mesh.cells,
+        }
+    }
+
     /// Whether a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
     fn at(&self, axis: usize, lower: i64, upper: i64) -> [bool; 2] {
         let [below, above] = self.planes[axis];
