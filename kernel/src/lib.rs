@@ -40,6 +40,7 @@ pub mod particles;
 pub mod plan;
 pub mod prelude;
 pub mod scene;
+pub mod shape;
 pub mod simulation;
 pub mod stage;
 pub mod surface;

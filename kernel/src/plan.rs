@@ -1,8 +1,9 @@
 //! The plan: what this scene needs, and nothing else.
 //!
-//! [`Plan::new`] decides once. What is left out is never called and its fields are never allocated.
+//! [`Plan::of`] decides once. What is left out is never called and its fields are never allocated.
 
 mod entries;
+mod stability;
 mod warnings;
 
 use crate::mortar::motion::Follow;
@@ -14,6 +15,7 @@ use crate::stage::g2p::Affine;
 use crate::weights::Family;
 pub(crate) use entries::Words;
 use entries::is_list;
+pub use stability::{has_safe_step, stability_number};
 use std::fmt;
 
 /// What a library user asks for beyond the scene.
@@ -26,6 +28,9 @@ pub struct Demands {
     /// A body force is given as a function.
     pub body_force: bool,
 }
+
+/// Says what it makes of a scene.
+pub(crate) type Feature = fn(&Scene, &mut Words);
 
 /// Decisions for one scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,9 +77,9 @@ pub struct Entry {
 }
 
 impl Plan {
-    /// Decides what the scene needs.
+    /// Decides what the scene needs; `features` say what they make of it, in their order.
     #[must_use]
-    pub fn new(scene: &Scene, demands: Demands) -> Self {
+    pub(crate) fn of(scene: &Scene, demands: Demands, features: &[Feature]) -> Self {
         let axes = scene.dimension.axes();
         let domain_update = match scene.weighting {
             Weighting::ContiguousGimp(update) => Some(update),
@@ -148,7 +153,7 @@ impl Plan {
             entries: vec![],
             warnings: warnings::warnings(scene),
         };
-        plan.entries = plan.describe(scene, demands);
+        plan.entries = plan.describe(scene, demands, features);
         plan
     }
 

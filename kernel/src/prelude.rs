@@ -5,7 +5,7 @@ pub use crate::laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, Objecti
 pub use crate::particles::Variable;
 pub use crate::scene::{
     Body, Contact, ContactNormal, Damping, Dimension, History, Mesh, PlaneCondition, Scene, Shape,
-    StartError, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
+    StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
 };
 pub use crate::simulation::{
     Acting, Condition, FieldNodes, Grid, InitialState, Interaction, Node, Now, OnSlab, Options,

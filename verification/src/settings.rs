@@ -2,10 +2,10 @@
 
 use std::fmt;
 
+use proctor_kernel::plan::{has_safe_step, stability_number};
 use proctor_kernel::scene::{
     DomainUpdate, Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
 };
-use proctor_kernel::simulation::{has_safe_step, stability_number};
 
 /// Weighting function, stress scheme and transfer: a line of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,7 +13,7 @@ use crate::show::{case as show, precision as show_study};
 use crate::suite::{self, Ran};
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::plan::{Demands, Plan};
+use proctor_kernel::plan::Demands;
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{self, Size};
 use proctor_verification::study;
@@ -105,7 +105,7 @@ fn verify(
         out.flush()?;
         if let Some(rung) = ran.rungs.last() {
             let scene = ran.case.scene(&rung.rung);
-            let plan = Plan::new(&scene, Demands::default());
+            let plan = proctor_kernel::simulation::plan(&scene, Demands::default());
             record
                 .details
                 .push_plan(&format!("{}, {}", ran.case.name(), rung.rung.label), &plan);

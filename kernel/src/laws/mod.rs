@@ -1,19 +1,16 @@
 //! Constitutive laws: stress and internal variables after a strain increment, wave speeds, energies.
 //!
 //! A law is a type with the trait [`Law`], written once for all lanes and dimensions. Those that scene files name stand in
-//! [`ALL`]; a program adds its own by handing it to [`Scene::add_material`](crate::scene::Scene::add_material).
+//! one list; a program adds its own by handing it to [`Scene::add_material`](crate::scene::Scene::add_material).
 
 mod any;
 mod constants;
-pub mod linear_elastic;
-pub mod neo_hookean;
 mod strain;
 pub mod tensor;
 
 pub use any::{AnyLaw, Kind, Readable};
 pub use constants::{Accepted, Choice, Constant, Isotropic};
-pub use linear_elastic::{LinearElastic, ObjectiveRate};
-pub use neo_hookean::NeoHookean;
+pub use linear_elastic::ObjectiveRate;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 
 use crate::lanes::Lanes;
@@ -22,8 +19,23 @@ use constants::{POISSON, YOUNG};
 use std::fmt;
 use tensor::{Configuration, Matrix};
 
-/// The laws that scene files name, in the order in which messages list them.
-pub static ALL: [Kind; 2] = [Kind::of::<LinearElastic>(), Kind::of::<NeoHookean>()];
+/// Laws, each in the file of that name, in the order in which messages list them.
+macro_rules! list {
+    ($($file:ident: $law:ident,)*) => {
+        $(
+            pub mod $file;
+            pub use $file::$law;
+        )*
+
+        /// The laws that scene files name.
+        pub static ALL: &[Kind] = &[$(Kind::of::<$law>()),*];
+    };
+}
+
+list! {
+    linear_elastic: LinearElastic,
+    neo_hookean: NeoHookean,
+}
 
 /// A constitutive law.
 ///

@@ -2,7 +2,7 @@
 
 use super::boundary::{Chain, Side};
 use super::{Point, cross};
-use crate::scene::{Shape, Vector};
+use crate::shape::{Shape, Vector};
 use std::f64::consts::TAU;
 use std::fmt;
 

@@ -1,13 +1,18 @@
 //! What the plan says of each thing that it keeps or leaves out, and why.
 
-use super::{Demands, Entry, Plan};
+use super::stability::has_safe_step;
+use super::{Demands, Entry, Feature, Plan};
 use crate::particles::Layout;
 use crate::scene::{Body, Dimension, DomainUpdate, Scene, Shape, StressScheme, Weighting};
-use crate::simulation::{conditions, has_safe_step, interaction};
 use crate::stage::g2p::Affine;
 
 impl Plan {
-    pub(super) fn describe(&self, scene: &Scene, demands: Demands) -> Vec<Entry> {
+    pub(super) fn describe(
+        &self,
+        scene: &Scene,
+        demands: Demands,
+        features: &[Feature],
+    ) -> Vec<Entry> {
         let mut list = Words(vec![]);
         let dimension = match scene.dimension {
             Dimension::Two => "2D, plane strain",
@@ -49,8 +54,9 @@ impl Plan {
             "the PIC fraction is not zero",
             "the PIC fraction is zero",
         );
-        conditions::describe(scene, &mut list);
-        interaction::describe(scene, &mut list);
+        for feature in features {
+            feature(scene, &mut list);
+        }
         list.choose(
             "stage",
             "measurement at the nodes",

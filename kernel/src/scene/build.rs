@@ -1,9 +1,7 @@
 //! Scenes by hand: the usual choices in few words. Every field stays open to who wants another.
 
-use super::{Body, Dimension, Material, Mesh, PlaneCondition, Scene, SceneError, Shape, Vector};
+use super::{Body, Dimension, Material, Mesh, PlaneCondition, Scene, Shape, Vector};
 use crate::laws::AnyLaw;
-use crate::simulation::{Options, SetupError, Simulation};
-use std::fmt;
 
 impl Scene {
     /// A scene in the plane (plane strain, unit thickness) with a mesh of square cells of edge `h` \[m\] from the origin
@@ -73,61 +71,5 @@ impl Scene {
         });
         let last = self.bodies.len() - 1;
         &mut self.bodies[last]
-    }
-
-    /// Checks the scene and sets it in motion.
-    ///
-    /// # Errors
-    /// What is wrong with the scene, every problem with the path of its value, or why it cannot be set up.
-    pub fn simulate(&self, options: &Options) -> Result<Simulation, StartError> {
-        self.check().map_err(StartError::Scene)?;
-        Simulation::new(self, options).map_err(StartError::Setup)
-    }
-}
-
-impl Shape {
-    /// A rectangle of the plane between two corners \[m\].
-    #[must_use]
-    pub fn rectangle([x_1, y_1]: [f64; 2], [x_2, y_2]: [f64; 2]) -> Self {
-        Self::Cuboid {
-            p1: [x_1, y_1, 0.0],
-            p2: [x_2, y_2, 0.0],
-        }
-    }
-
-    /// A disc of the plane \[m\].
-    #[must_use]
-    pub fn disc([x, y]: [f64; 2], radius: f64) -> Self {
-        Self::Sphere {
-            center: [x, y, 0.0],
-            radius,
-        }
-    }
-}
-
-/// Why a scene does not start.
-#[derive(Debug)]
-pub enum StartError {
-    /// The scene is not sound.
-    Scene(SceneError),
-    /// It cannot be set up.
-    Setup(SetupError),
-}
-
-impl fmt::Display for StartError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Scene(error) => error.fmt(f),
-            Self::Setup(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for StartError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::Scene(error) => Some(error),
-            Self::Setup(error) => Some(error),
-        }
     }
 }

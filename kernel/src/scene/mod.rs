@@ -18,8 +18,8 @@ mod mortar;
 mod results;
 mod surface;
 
-pub use body::{Body, ParticleSeed, Shape};
-pub use build::StartError;
+pub use crate::shape::{Dimension, ParticleSeed, Shape, Vector};
+pub use body::Body;
 pub use contact::{Contact, ContactNormal};
 pub use error::{Location, Problem, SceneError};
 pub use load::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Traction};
@@ -33,29 +33,6 @@ pub use mortar::{
 };
 pub use results::{Field, NodalField, Outside, Probe, Results};
 pub use surface::RigidSurface;
-
-/// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.
-pub type Vector = [f64; 3];
-
-/// Number of space dimensions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dimension {
-    /// Plane strain in the x-y plane, unit thickness (1 m).
-    Two,
-    /// Three dimensions.
-    Three,
-}
-
-impl Dimension {
-    /// Number of axes, 2 or 3.
-    #[must_use]
-    pub fn axes(self) -> usize {
-        match self {
-            Self::Two => 2,
-            Self::Three => 3,
-        }
-    }
-}
 
 /// Everything that is simulated.
 #[derive(Clone, Debug)]

@@ -21,10 +21,11 @@ mod rehearsal;
 mod relaxation;
 mod saved;
 mod setup;
+mod start;
 mod step;
 mod surfaces;
 
-pub use clock::{Bound, Clock, StepInfo, has_safe_step, stability_number};
+pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
 pub use error::{
     Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
@@ -38,6 +39,7 @@ pub use nodes::NodeValues;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
 pub use saved::{RestoreError, Saved, SavedBody};
+pub use start::{StartError, plan};
 
 use crate::lanes::{LaneChoice, Selected};
 use crate::laws::{AnyLaw, UNDEFORMED};

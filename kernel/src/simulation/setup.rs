@@ -38,7 +38,7 @@ impl Simulation {
             measure: options.measure,
             body_force: options.body_force.is_some(),
         };
-        let plan = Plan::new(scene, demands);
+        let plan = super::start::plan(scene, demands);
         let lanes = Selected::new(options.lanes).map_err(SetupError::Lanes)?;
         let shape = GridShape::new(&scene.mesh, scene.dimension);
         let mut memory = options.memory.unwrap_or_else(Memory::of_machine);

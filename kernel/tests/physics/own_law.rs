@@ -53,6 +53,7 @@ impl Law for Habitual {
         for axis in 0..2 {
             variables[1 + axis] = variables[1 + axis] + increment.gradient[axis][axis];
         }
+        let speed_squared = ELASTIC.update::<L, D>(increment, stress, &mut []);
         let old = L::splat(0.01).lt(variables[0]);
         match self.0 {
             Habit::AddsUp => {}
@@ -63,7 +64,7 @@ impl Law for Habitual {
                 stress[3] = L::select(old, L::splat(f64::INFINITY), stress[3]);
             }
         }
-        ELASTIC.update::<L, D>(increment, stress, &mut [])
+        speed_squared
     }
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         ELASTIC.energy(particle)

@@ -217,7 +217,7 @@ fn stages_that_are_kept_act() {
 #[test]
 fn the_plan_says_why() {
     let scene = plain(Dimension::Two);
-    let plan = Plan::new(&scene, Demands::default());
+    let plan = proctor_kernel::simulation::plan(&scene, Demands::default());
     assert_eq!(
         plan.layouts,
         vec![Layout::new(
@@ -239,7 +239,7 @@ fn the_plan_says_why() {
         kind: TransferKind::Apic,
         pic_fraction: 1.0,
     };
-    let plan = Plan::new(
+    let plan = proctor_kernel::simulation::plan(
         &Scene {
             transfer: with,
             ..scene

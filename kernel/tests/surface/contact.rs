@@ -378,13 +378,19 @@ fn the_plan_keeps_it_or_says_why_not() {
             .find(|e| e.name == "contact with rigid surfaces");
         found.expect("an entry").clone()
     };
-    let with = entry(&Plan::new(&scene, Demands::default()));
+    let with = entry(&proctor_kernel::simulation::plan(
+        &scene,
+        Demands::default(),
+    ));
     assert!(
         with.kept && with.because.contains("2 triangles, 4 open edges"),
         "{with:?}"
     );
     scene.surfaces.clear();
-    let without = entry(&Plan::new(&scene, Demands::default()));
+    let without = entry(&proctor_kernel::simulation::plan(
+        &scene,
+        Demands::default(),
+    ));
     assert!(!without.kept);
 }
 

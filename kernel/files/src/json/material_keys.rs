@@ -57,7 +57,26 @@ pub(super) fn choices() -> Vec<&'static Choice> {
     all
 }
 
-const OF_ALL: [&str; 3] = ["type", "id", "density"];
+/// A key that a material may have. One that it may not is refused while it is read, so that the error has its place.
+struct Key(String);
+
+impl<'de> Deserialize<'de> for Key {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let key = String::deserialize(deserializer)?;
+        let of_all = ["type", "id", "density"].into_iter();
+        let numbers = constants().into_iter().map(|constant| constant.key);
+        let words = choices().into_iter().map(|choice| choice.key);
+        let known: Vec<&str> = of_all.chain(numbers).chain(words).collect();
+        if known.contains(&key.as_str()) {
+            return Ok(Self(key));
+        }
+        let known: Vec<String> = known.into_iter().map(|key| format!("`{key}`")).collect();
+        let known = known.join(", ");
+        Err(D::Error::custom(format!(
+            "unknown field `{key}`, expected one of {known}"
+        )))
+    }
+}
 
 struct Keys;
 
@@ -72,7 +91,7 @@ impl<'de> Visitor<'de> for Keys {
         let (constants, choices) = (constants(), choices());
         let mut material = RawMaterial::default();
         let mut seen: Vec<String> = vec![];
-        while let Some(key) = map.next_key::<String>()? {
+        while let Some(Key(key)) = map.next_key()? {
             // The words of serde's own errors for keys of a struct, so that all are reported alike.
             if seen.contains(&key) {
                 return Err(A::Error::custom(format!("duplicate field `{key}`")));
@@ -86,15 +105,6 @@ impl<'de> Visitor<'de> for Keys {
                         material.numbers.push((constant.key, map.next_value()?));
                     } else if let Some(choice) = choices.iter().find(|c| c.key == key) {
                         material.words.push((choice.key, map.next_value()?));
-                    } else {
-                        let known = OF_ALL.into_iter().chain(constants.iter().map(|c| c.key));
-                        let known: Vec<String> = (known.chain(choices.iter().map(|c| c.key)))
-                            .map(|key| format!("`{key}`"))
-                            .collect();
-                        let known = known.join(", ");
-                        return Err(A::Error::custom(format!(
-                            "unknown field `{key}`, expected one of {known}"
-                        )));
                     }
                 }
             }

@@ -4,7 +4,7 @@ use proctor_files::json::from_json;
 use proctor_kernel::mortar::boundary::Side;
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::plan::{Demands, Plan};
+use proctor_kernel::plan::Demands;
 use proctor_kernel::scene::{Contact, ContactNormal, Enforcement, Scene, SceneError, Vertices};
 use proctor_kernel::simulation::{Options, Simulation};
 use std::path::Path;
@@ -258,7 +258,7 @@ fn a_pair_with_two_methods_of_contact_is_refused() {
 fn coarse_and_stiff_contacts_are_warned_about() {
     let warnings = |from: &str, to: &str| {
         let scene = changed(from, to).unwrap_or_else(|e| panic!("{e}"));
-        Plan::new(&scene, Demands::default()).warnings
+        proctor_kernel::simulation::plan(&scene, Demands::default()).warnings
     };
     assert!(warnings("0.3", "0.3").is_empty());
     let wide = warnings(r#""critical_gap": 0.04"#, r#""critical_gap": 0.11"#);

@@ -3,7 +3,7 @@
 use super::Point;
 use super::refine::fill;
 use crate::mortar::outline::{OutlineError, along, around, parts, signed_area};
-use crate::scene::Shape;
+use crate::shape::Shape;
 use nalgebra::Vector2;
 use std::f64::consts::{PI, TAU};
 

@@ -4,7 +4,7 @@ use super::bases::FOLDER;
 use proctor_files::json::from_json;
 use proctor_files::run::{Go, Run};
 use proctor_kernel::memory::Memory;
-use proctor_kernel::plan::{Demands, Plan};
+use proctor_kernel::plan::Demands;
 use proctor_kernel::simulation::Options;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -77,7 +77,7 @@ fn of(text: &str) -> Outcome {
         Ok(scene) => scene,
         Err(error) => return Outcome::Refused(error.to_string()),
     };
-    let plan = Plan::new(&scene, Demands::default());
+    let plan = proctor_kernel::simulation::plan(&scene, Demands::default());
     let _ = plan.to_string();
     let options = Options {
         threads: scene.threads.is_none().then_some(1),

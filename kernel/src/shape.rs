@@ -1,0 +1,176 @@
+//! Shapes of bodies, and the space that they are in.
+
+use std::sync::Arc;
+
+/// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.
+pub type Vector = [f64; 3];
+
+/// Number of space dimensions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// Plane strain in the x-y plane, unit thickness (1 m).
+    Two,
+    /// Three dimensions.
+    Three,
+}
+
+impl Dimension {
+    /// Number of axes, 2 or 3.
+    #[must_use]
+    pub fn axes(self) -> usize {
+        match self {
+            Self::Two => 2,
+            Self::Three => 3,
+        }
+    }
+}
+
+/// Shape of a body, in the coordinates of the scene \[m\].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// Axis-aligned box between two corners; a rectangle in two dimensions.
+    Cuboid {
+        /// Lower corner.
+        p1: Vector,
+        /// Upper corner.
+        p2: Vector,
+    },
+    /// Sphere; a disc in two dimensions.
+    Sphere {
+        /// Centre.
+        center: Vector,
+        /// Radius.
+        radius: f64,
+    },
+    /// Ring between two radii (2D).
+    Ring {
+        /// Centre.
+        center: Vector,
+        /// Inner radius.
+        inner: f64,
+        /// Outer radius.
+        outer: f64,
+    },
+    /// Circular cylinder between the centres of its two end faces (3D).
+    Cylinder {
+        /// Centre of the first end face.
+        p1: Vector,
+        /// Centre of the second end face.
+        p2: Vector,
+        /// Radius.
+        radius: f64,
+    },
+    /// Simple polygon, either orientation, not closed (2D).
+    Polygon {
+        /// Corners; the third component is unused.
+        points: Vec<Vector>,
+    },
+    /// Simple polygon extruded along an axis (3D).
+    ExtrudedPolygon {
+        /// Corners in the plane of the two other axes, in axis order.
+        points: Vec<[f64; 2]>,
+        /// Axis of extrusion, 0 to 2.
+        axis: usize,
+        /// Lower and upper coordinate along the axis.
+        range: [f64; 2],
+    },
+    /// Particles given one by one.
+    Particles(Arc<Vec<ParticleSeed>>),
+}
+
+/// One particle of a particle list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParticleSeed {
+    /// Position \[m\].
+    pub position: Vector,
+    /// Volume \[m³\]; in two dimensions area times unit thickness.
+    pub volume: f64,
+}
+
+impl Shape {
+    /// A rectangle of the plane between two corners \[m\].
+    #[must_use]
+    pub fn rectangle([x_1, y_1]: [f64; 2], [x_2, y_2]: [f64; 2]) -> Self {
+        Self::Cuboid {
+            p1: [x_1, y_1, 0.0],
+            p2: [x_2, y_2, 0.0],
+        }
+    }
+
+    /// A disc of the plane \[m\].
+    #[must_use]
+    pub fn disc([x, y]: [f64; 2], radius: f64) -> Self {
+        Self::Sphere {
+            center: [x, y, 0.0],
+            radius,
+        }
+    }
+
+    /// The same shape in coordinates that begin at `origin`. What is far from zero but near `origin` loses no digit.
+    #[must_use]
+    pub fn relative_to(&self, origin: &Vector) -> Self {
+        let moved = |x: &Vector| -> Vector { std::array::from_fn(|axis| x[axis] - origin[axis]) };
+        match self {
+            Self::Cuboid { p1, p2 } => Self::Cuboid {
+                p1: moved(p1),
+                p2: moved(p2),
+            },
+            Self::Sphere { center, radius } => Self::Sphere {
+                center: moved(center),
+                radius: *radius,
+            },
+            Self::Ring {
+                center,
+                inner,
+                outer,
+            } => Self::Ring {
+                center: moved(center),
+                inner: *inner,
+                outer: *outer,
+            },
+            Self::Cylinder { p1, p2, radius } => Self::Cylinder {
+                p1: moved(p1),
+                p2: moved(p2),
+                radius: *radius,
+            },
+            Self::Polygon { points } => Self::Polygon {
+                points: points.iter().map(moved).collect(),
+            },
+            Self::ExtrudedPolygon {
+                points,
+                axis,
+                range,
+            } => {
+                let [u, v] = [(1, 2), (0, 2), (0, 1)].map(|(u, v)| [origin[u], origin[v]])[*axis];
+                Self::ExtrudedPolygon {
+                    points: points.iter().map(|[a, b]| [a - u, b - v]).collect(),
+                    axis: *axis,
+                    range: range.map(|x| x - origin[*axis]),
+                }
+            }
+            Self::Particles(seeds) => {
+                let seed = |seed: &ParticleSeed| ParticleSeed {
+                    position: moved(&seed.position),
+                    ..*seed
+                };
+                Self::Particles(Arc::new(seeds.iter().map(seed).collect()))
+            }
+        }
+    }
+
+    /// Word for the shape in a scene file, by the number of dimensions.
+    #[must_use]
+    pub fn word(&self, dimension: Dimension) -> &'static str {
+        match (self, dimension) {
+            (Self::Cuboid { .. }, Dimension::Three) => "cuboid",
+            (Self::Cuboid { .. }, Dimension::Two) => "rectangle",
+            (Self::Sphere { .. }, Dimension::Three) => "sphere",
+            (Self::Sphere { .. }, Dimension::Two) => "disc",
+            (Self::Ring { .. }, _) => "ring",
+            (Self::Cylinder { .. }, _) => "cylinder",
+            (Self::Polygon { .. }, _) => "polygon",
+            (Self::ExtrudedPolygon { .. }, _) => "extruded_polygon",
+            (Self::Particles(_), _) => "particles",
+        }
+    }
+}
