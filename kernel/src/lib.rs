@@ -34,6 +34,7 @@ pub mod contact;
 pub mod grid;
 pub mod lanes;
 pub mod laws;
+pub mod layout;
 pub mod memory;
 pub mod mortar;
 pub mod particles;

@@ -6,8 +6,8 @@ mod entries;
 mod stability;
 mod warnings;
 
+use crate::layout::{Layout, Optional};
 use crate::mortar::motion::Follow;
-use crate::particles::{Layout, Optional};
 use crate::scene::{
     Damping, Dimension, DomainUpdate, Field, Scene, StressScheme, TransferKind, Weighting,
 };
@@ -125,7 +125,7 @@ impl Plan {
                     axes,
                     Optional {
                         displacement_origin: displacement || demands.body_force,
-                        deformation: law.from_deformation()
+                        deformation: law.needs_deformation()
                             || domain_update.is_some()
                             || written(Field::DeformationGradient),
                         affine: affine != Affine::Leave || spin,

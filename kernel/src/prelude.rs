@@ -2,7 +2,7 @@
 
 pub use crate::lanes::Lanes;
 pub use crate::laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, ObjectiveRate, Particle};
-pub use crate::particles::Variable;
+pub use crate::layout::Variable;
 pub use crate::scene::{
     Body, Contact, ContactNormal, Damping, Dimension, History, Mesh, PlaneCondition, Scene, Shape,
     StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,

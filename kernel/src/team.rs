@@ -7,6 +7,8 @@ use std::ops::Range;
 
 /// Fewest items that are worth handing to another thread.
 const SHORTEST_SHARE: usize = 1 << 10;
+/// The same for items that each take a search or a system of equations.
+const SHORTEST_SHARE_OF_SEARCHES: usize = 1 << 5;
 
 /// Threads that work together. What they do does not depend on how many they are; one alone is the caller's, and then
 /// no other thread is ever woken.
@@ -81,9 +83,27 @@ impl Team {
         items: Range<usize>,
         value: impl Fn(usize) -> R + Send + Sync,
     ) -> Vec<R> {
+        self.collect_in_shares(items, SHORTEST_SHARE, value)
+    }
+
+    /// `value` of items that each take a search or a system of equations; the results in order.
+    pub fn search<R: Send>(
+        &self,
+        items: Range<usize>,
+        value: impl Fn(usize) -> R + Send + Sync,
+    ) -> Vec<R> {
+        self.collect_in_shares(items, SHORTEST_SHARE_OF_SEARCHES, value)
+    }
+
+    fn collect_in_shares<R: Send>(
+        &self,
+        items: Range<usize>,
+        shortest: usize,
+        value: impl Fn(usize) -> R + Send + Sync,
+    ) -> Vec<R> {
         match &self.pool {
-            Some(pool) if items.len() > SHORTEST_SHARE => pool.install(|| {
-                let items = items.into_par_iter().with_min_len(SHORTEST_SHARE);
+            Some(pool) if items.len() > shortest => pool.install(|| {
+                let items = items.into_par_iter().with_min_len(shortest);
                 items.map(value).collect()
             }),
             _ => items.map(value).collect(),

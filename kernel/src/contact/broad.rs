@@ -2,7 +2,8 @@
 
 use super::Pair;
 use crate::grid::{GHOSTS_BELOW, GridShape};
-use crate::particles::{Layout, ParticleSet};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::weights::base_offset;
 
 /// Nodes along an axis of the scene that the particles of a body can reach until the next sort, first and last.

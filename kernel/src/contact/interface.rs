@@ -3,7 +3,8 @@
 
 use super::{Pair, broad};
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape};
-use crate::particles::{Layout, ParticleSet, rows_of_some};
+use crate::layout::Layout;
+use crate::particles::{ParticleSet, rows_of_some};
 use crate::weights::base_offset;
 use std::ops::Range;
 

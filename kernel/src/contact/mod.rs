@@ -3,11 +3,9 @@
 //! Each body that is near a partner has a velocity field of its own. Bodies that are not stay in that of the phase, as in
 //! a scene without contact.
 //!
-//! - [`faces`]: what is known of the surface of a body at the nodes, and of the particles near it.
 //! - [`broad`]: which pairs are near, at each sort, by boxes of nodes.
 //! - [`interface`]: the particles that partners can share a node with; no other is asked for normals and distances.
 //! - [`surface`]: normals from mass gradients, and the distance of the bodies along them.
-//! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
 //! - [`overlap`]: bodies that overlap at the start.
 //! - [`coulomb`]: impulses at one node: impenetrability and Coulomb friction, for any number of bodies.
 //!
@@ -23,15 +21,11 @@
 
 pub mod broad;
 pub mod coulomb;
-pub mod faces;
 pub mod interface;
-pub mod meeting;
 pub mod overlap;
 pub mod surface;
 
 use crate::scene::{ContactNormal, Vector};
-use faces::Faces;
-use meeting::{Done, Meetings};
 
 /// A pair of bodies in contact, as the cycle sees it.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,28 +56,4 @@ impl Pair {
             .sum::<f64>()
             .sqrt()
     }
-}
-
-/// What contact keeps from step to step.
-#[derive(Clone, Debug, Default)]
-pub struct State {
-    /// All pairs, in order of the identifiers of their bodies.
-    pub pairs: Vec<Pair>,
-    /// Which of them are near, as of the last sort.
-    pub near: Vec<bool>,
-    /// Surfaces of the bodies of near pairs.
-    pub faces: Faces,
-    /// Where bodies met and what contact did there, per slab, as of the last equation of motion.
-    pub met: Vec<Met>,
-    /// Force on the slave of each pair in the last step \[N\].
-    pub forces: Vec<Vector>,
-}
-
-/// Contact in one slab: where bodies meet, and what was done there.
-#[derive(Clone, Debug, Default)]
-pub struct Met {
-    /// The nodes.
-    pub meetings: Meetings,
-    /// Forces, power and warnings.
-    pub done: Done,
 }

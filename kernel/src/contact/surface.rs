@@ -6,7 +6,8 @@
 
 use super::interface::Interface;
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
-use crate::particles::{Layout, ParticleSet};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::scene::{ContactNormal, Vector};
 use crate::stage::solve::{Planes, Wall};
 use crate::weights::base_offset;

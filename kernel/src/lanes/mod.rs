@@ -77,6 +77,7 @@ pub trait Lanes:
 
     /// True in the first `count` lanes.
     #[inline(always)]
+    #[must_use]
     fn first(count: usize) -> Self::Mask {
         const INDEX: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
         Self::load(&INDEX).lt(Self::splat(count as f64))

@@ -14,7 +14,7 @@ pub use linear_elastic::ObjectiveRate;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 
 use crate::lanes::Lanes;
-use crate::particles::Variable;
+use crate::layout::Variable;
 use constants::{POISSON, YOUNG};
 use std::fmt;
 use tensor::{Configuration, Matrix};

@@ -6,7 +6,7 @@ use super::tensor::{
 };
 use super::{Constant, Increment, Law, Particle};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
-use crate::particles::{Layout, Variable};
+use crate::layout::{Layout, Variable};
 use std::any::Any;
 use std::fmt;
 use std::ops::Range;
@@ -33,6 +33,7 @@ impl Gradients {
 
     /// Those of a group that begins at particle `at` of the block.
     #[inline(always)]
+    #[must_use]
     pub fn load<L: Lanes, const D: usize>(&self, at: usize) -> Matrix<L> {
         // One bound for all components.
         let at = at.min(BLOCK);
@@ -96,7 +97,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// See [`Law::VARIABLES`].
     fn variables(&self) -> &'static [Variable];
     /// See [`Law::FROM_DEFORMATION`].
-    fn from_deformation(&self) -> bool;
+    fn needs_deformation(&self) -> bool;
     /// See [`Law::young`].
     fn young(&self) -> f64;
     /// See [`Law::wave_speed`].
@@ -121,7 +122,7 @@ impl<M: Law> Strain for M {
     fn variables(&self) -> &'static [Variable] {
         M::VARIABLES
     }
-    fn from_deformation(&self) -> bool {
+    fn needs_deformation(&self) -> bool {
         M::FROM_DEFORMATION
     }
     fn young(&self) -> f64 {

@@ -6,7 +6,7 @@ use super::points::{MortarPoint, Search};
 
 /// A boundary made of straight elements with D vertices each in D dimensions, and T = D - 1 tangents: segments in the
 /// plane, triangles in space.
-pub trait Elements<const D: usize, const T: usize> {
+pub trait Elements<const D: usize, const T: usize>: Sync {
     /// Positions of the vertices \[m\].
     fn points(&self) -> &[PointIn<D>];
 

@@ -4,6 +4,7 @@ use super::elements::Elements;
 use super::law::{Friction, NormalLaw};
 use super::points::{Detection, MortarPoints, Search};
 use super::{Point, PointIn, cross};
+use crate::team::Team;
 use std::array;
 
 /// How a pair behaves.
@@ -157,20 +158,29 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
     slip: &mut Slip<T>,
 ) -> PairForces<D, T> {
     let mut forces = PairForces::default();
-    contact_forces_to(&mut forces, surfaces, law, slip, &mut Workspace::default());
+    contact_forces_to(
+        &mut forces,
+        surfaces,
+        law,
+        slip,
+        &mut Workspace::default(),
+        &Team::ALONE,
+    );
     forces
 }
 
 /// Gap, pressure and friction at the slave's vertices (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
 /// f_m = M^T lambda (eq. 54, 55).
 ///
-/// The slip of a vertex is forgotten where there is no pressure.
+/// The threads of `team` share the search; sums are formed by one, in the order of the points. The slip of a vertex is
+/// forgotten where there is no pressure.
 pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     forces: &mut PairForces<D, T>,
     surfaces: Surfaces<'_, B, D>,
     law: &PairLaw,
     slip: &mut Slip<T>,
     work: &mut Workspace<D>,
+    team: &Team,
 ) {
     let Surfaces { slave, master, .. } = surfaces;
     let count = slave.points().len();
@@ -181,7 +191,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         rows,
     } = work;
     slave.normals_to(normals);
-    found.find(slave, normals, master, law.detection, law.search);
+    found.find(team, slave, normals, master, law.detection, law.search);
     let points = &found.points;
 
     rows.clear();

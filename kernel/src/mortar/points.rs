@@ -6,6 +6,7 @@
 use super::PointIn;
 use super::broad::Near;
 use super::elements::Elements;
+use crate::team::Team;
 
 /// How contact is found along the slave.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,6 +40,9 @@ impl Search {
         self.reach.max(self.depth)
     }
 }
+
+/// Fewest elements of a slave that are worth handing to another thread.
+const SHORTEST_SHARE: usize = 16;
 
 /// Cosine between the normals of facing elements, below which they can touch.
 pub const FACING: f64 = -0.2;
@@ -84,9 +88,11 @@ pub struct MortarPoints<const D: usize> {
 }
 
 impl<const D: usize> MortarPoints<D> {
-    /// Finds the points. `normals` are those of the slave's vertices.
+    /// Finds the points, sharing the elements of the slave among the threads of `team`. `normals` are those of the slave's
+    /// vertices.
     pub fn find<B: Elements<D, T>, const T: usize>(
         &mut self,
+        team: &Team,
         slave: &B,
         normals: &[PointIn<D>],
         master: &B,
@@ -97,9 +103,31 @@ impl<const D: usize> MortarPoints<D> {
         points.clear();
         near.find(slave, master, search.margin());
         match detection {
-            Detection::Mortar => {
+            Detection::Mortar if team.count() == 1 => {
                 for pairs in near.by_slave() {
                     slave.points_of_element(normals, master, pairs, search, cuts, points);
+                }
+            }
+            Detection::Mortar => {
+                let elements: Vec<&[[usize; 2]]> = near.by_slave().collect();
+                let shares =
+                    elements.chunks(SHORTEST_SHARE.max(elements.len() / (4 * team.count())));
+                // In the order of the elements, whoever found them.
+                for found in team.map(shares.collect(), |share| {
+                    let (mut cuts, mut points) = (vec![], vec![]);
+                    for pairs in share {
+                        slave.points_of_element(
+                            normals,
+                            master,
+                            pairs,
+                            search,
+                            &mut cuts,
+                            &mut points,
+                        );
+                    }
+                    points
+                }) {
+                    points.extend(found);
                 }
             }
             Detection::NodeToSegment => {

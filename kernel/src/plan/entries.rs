@@ -2,7 +2,7 @@
 
 use super::stability::has_safe_step;
 use super::{Demands, Entry, Feature, Plan};
-use crate::particles::Layout;
+use crate::layout::Layout;
 use crate::scene::{Body, Dimension, DomainUpdate, Scene, Shape, StressScheme, Weighting};
 use crate::stage::g2p::Affine;
 

@@ -6,9 +6,9 @@
 
 use super::Simulation;
 use super::error::SetupError;
-use super::mortar::MortarState;
+use super::interactions::grid::State;
+use super::interactions::mortar::MortarState;
 use super::setup::fastest;
-use crate::contact::State;
 use crate::scene::{Damping, History, Vector};
 use std::convert::Infallible;
 

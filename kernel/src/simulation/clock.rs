@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use super::error::{StepError, StepErrorKind, Unstable};
-use super::interaction::Interaction;
+use super::interactions::Interaction;
 use super::phase::Phase;
 use super::step::Watcher;
 use crate::plan::stability_number;

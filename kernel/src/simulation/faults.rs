@@ -2,7 +2,8 @@
 
 use super::Simulation;
 use super::error::{Event, EventKind, ParticleAt, StepError, StepErrorKind};
-use crate::particles::{Layout, ParticleSet};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::scene::Outside;
 use crate::stage::g2p::FaultKind;
 

@@ -2,9 +2,10 @@
 //! they do not depend on how particles are stored.
 
 use super::Simulation;
-use super::interaction::Interaction;
+use super::interactions::Interaction;
 use crate::laws::{Particle, UNDEFORMED};
-use crate::particles::{Layout, ParticleSet};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::stage::solve::PlaneSums;
 

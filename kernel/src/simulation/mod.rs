@@ -3,15 +3,13 @@
 mod change;
 mod clock;
 pub(crate) mod conditions;
-mod contact;
 mod error;
 mod faults;
 pub(crate) mod fields;
 mod history;
-pub(crate) mod interaction;
+pub(crate) mod interactions;
 mod mapping;
 mod measure;
-mod mortar;
 mod motion;
 mod needs;
 mod nodes;
@@ -23,7 +21,6 @@ mod saved;
 mod setup;
 mod start;
 mod step;
-mod surfaces;
 
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
@@ -32,9 +29,9 @@ pub use error::{
 };
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, value as history_value};
-pub use interaction::{Again, Interaction, Now, OnSlab, Remembered, Visit};
+pub use interactions::mortar::{BoundaryVertex, VertexState};
+pub use interactions::{Again, Interaction, Now, OnSlab, Remembered, Visit};
 pub use measure::{Energy, state_hash};
-pub use mortar::{BoundaryVertex, VertexState};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
@@ -43,8 +40,9 @@ pub use start::{StartError, plan};
 
 use crate::lanes::{LaneChoice, Selected};
 use crate::laws::{AnyLaw, UNDEFORMED};
+use crate::layout::Layout;
 use crate::memory::Memory;
-use crate::particles::{Layout, ParticleSet};
+use crate::particles::ParticleSet;
 use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
@@ -161,7 +159,7 @@ pub struct Simulation {
     /// Nodes per axis of the stencil, 3 or 4.
     pub(crate) stencil: usize,
     /// What acts between velocity fields; those of the user come last.
-    pub(crate) interactions: interaction::Interactions,
+    pub(crate) interactions: interactions::Interactions,
     /// Largest travel in cells since the last sort.
     pub(crate) travel: f64,
     pub(crate) groups: passes::Groups,

@@ -2,7 +2,7 @@
 
 use super::conditions::FieldNodes;
 use super::fields::{Owner, Slab};
-use super::interaction::{Again, Now, OnSlab};
+use super::interactions::{Again, Now, OnSlab};
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};

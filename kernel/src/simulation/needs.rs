@@ -6,8 +6,9 @@
 use super::error::SetupError;
 use crate::bodies::{FILLED, FillError, Room};
 use crate::grid::{GridShape, Line};
+use crate::layout::Layout;
 use crate::memory::Memory;
-use crate::particles::{Layout, ParticleSet};
+use crate::particles::ParticleSet;
 use crate::scene::{Field, Scene};
 use crate::stage::solve::{DrivenNode, NodeForce};
 

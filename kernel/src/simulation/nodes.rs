@@ -1,7 +1,7 @@
 //! What lies at the nodes, for those who look at it from outside.
 
 use super::Simulation;
-use crate::contact::State;
+use super::interactions::grid::State;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
 use crate::scene::{PlaneCondition, Vector};
 use std::collections::HashMap;

@@ -4,7 +4,7 @@ use super::Simulation;
 use super::conditions::{Acting, prescribed};
 use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
-use super::interaction::{Again, Interaction, Interactions, Now, Visit, on_slabs};
+use super::interactions::{Again, Interaction, Interactions, Now, Visit, on_slabs};
 use super::mapping::bodies_onto;
 use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::Phase;

@@ -5,7 +5,7 @@ use super::clock::StepInfo;
 use super::conditions::Acting;
 use super::error::StepError;
 use super::fields::Owner;
-use super::interaction::{Again, Interactions};
+use super::interactions::{Again, Interactions};
 use super::saved::Saved;
 use crate::grid::ActiveRows;
 use crate::stage::g2p::Task;

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use super::clock::StepInfo;
-use crate::particles::Layout;
+use crate::layout::Layout;
 
 /// Memory of dynamic relaxation: kinetic energies of the last two half-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -6,8 +6,9 @@
 use super::Simulation;
 use super::clock::Clock;
 use super::error::Event;
-use super::interaction::{Interaction, Remembered};
-use crate::particles::{Layout, ParticleSet};
+use super::interactions::{Interaction, Remembered};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::stage::g2p::Found;
 use std::fmt;

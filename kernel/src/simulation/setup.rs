@@ -6,15 +6,16 @@ use super::measure::Ledger;
 use super::passes::Groups;
 use super::relaxation::Relaxation;
 use super::{
-    BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, conditions, interaction,
-    needs, surfaces,
+    BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, conditions, interactions,
+    needs,
 };
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::grid::GridShape;
 use crate::lanes::Selected;
 use crate::laws::Particle;
+use crate::layout::Layout;
 use crate::memory::Memory;
-use crate::particles::{Layout, ParticleSet};
+use crate::particles::ParticleSet;
 use crate::plan::{Demands, Plan};
 use crate::scene::{Body, BoxLoad, DomainUpdate, Scene, Weighting};
 use crate::stage::Mapping;
@@ -88,7 +89,7 @@ impl Simulation {
             .iter()
             .map(|b| b.found.half_length)
             .fold(0.0, f64::max);
-        let interactions = interaction::of(scene, &bodies, &options.interactions, &mut memory)?;
+        let interactions = interactions::of(scene, &bodies, &options.interactions, &mut memory)?;
         let mut simulation = Self {
             stencil: if widest > 0.5 { 4 } else { 3 },
             base: scene
@@ -113,7 +114,7 @@ impl Simulation {
             relaxation: Relaxation::default(),
             ledger: Ledger::default(),
             events: vec![],
-            local_surfaces: surfaces::local(scene),
+            local_surfaces: interactions::surfaces::local(scene),
         };
         for set in &mut simulation.sets {
             set.sort_by_position(&simulation.grid.team);
@@ -177,7 +178,7 @@ fn fill_body(
     let axes = plan.axes;
     let mut set = ParticleSet::zeros(layout, first_id, filled.volume.len());
     set.columns[Layout::MASS] = filled.volume.iter().map(|v| v * material.density).collect();
-    set.columns[Layout::VOLUME] = if law.from_deformation() || plan.domain_update.is_some() {
+    set.columns[Layout::VOLUME] = if law.needs_deformation() || plan.domain_update.is_some() {
         // As the cycle will form it from F = 1, so that a body at rest keeps its bits.
         set.columns[Layout::MASS]
             .iter()

@@ -1,6 +1,6 @@
 //! From a scene to a simulation.
 
-use super::{Options, SetupError, Simulation, conditions, interaction};
+use super::{Options, SetupError, Simulation, conditions, interactions};
 use crate::plan::{Demands, Plan};
 use crate::scene::{Scene, SceneError};
 use std::fmt;
@@ -22,7 +22,7 @@ pub fn plan(scene: &Scene, demands: Demands) -> Plan {
     Plan::of(
         scene,
         demands,
-        &[conditions::describe, interaction::describe],
+        &[conditions::describe, interactions::describe],
     )
 }
 

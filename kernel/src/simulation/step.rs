@@ -3,10 +3,10 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::StepError;
-use super::interaction::{Again, Interaction};
+use super::interactions::{Again, Interaction};
 use super::phase::Phase;
 use crate::laws::tensor::Configuration;
-use crate::particles::Layout;
+use crate::layout::Layout;
 use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};
 use std::sync::Arc;

@@ -10,7 +10,7 @@ pub mod weigh;
 
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::{Lanes, load};
-use crate::particles::Layout;
+use crate::layout::Layout;
 use crate::weights::{Family, base_offset, gimp_weights, hat_weights};
 
 /// How particles of one set see the grid.

@@ -7,7 +7,8 @@ use crate::grid::{GridShape, Line, Nodes};
 use crate::lanes::{Kernel, LaneChoice, Selected, WholeLines};
 use crate::laws::tensor::Configuration;
 use crate::laws::{AnyLaw, LinearElastic, NeoHookean};
-use crate::particles::{Layout, Optional, ParticleSet};
+use crate::layout::{Layout, Optional};
+use crate::particles::ParticleSet;
 use crate::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
 use crate::team::Team;
 use crate::weights::Family;
@@ -232,7 +233,7 @@ fn check_particles<
     affine: Affine,
 ) {
     let law = law.into();
-    let finite = law.from_deformation();
+    let finite = law.needs_deformation();
     let wanted = Optional {
         deformation: finite,
         affine: affine != Affine::Leave,

@@ -6,6 +6,7 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::points::{Detection, MortarPoint, MortarPoints, Search};
 use proctor_kernel::mortar::segments::{feet, project};
+use proctor_kernel::team::Team;
 use proptest::prelude::*;
 
 const SEARCH: Search = Search {
@@ -15,7 +16,14 @@ const SEARCH: Search = Search {
 
 fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<MortarPoint<2>> {
     let mut found = MortarPoints::default();
-    found.find(slave, &slave.normals(), master, detection, SEARCH);
+    found.find(
+        &Team::ALONE,
+        slave,
+        &slave.normals(),
+        master,
+        detection,
+        SEARCH,
+    );
     found.points
 }
 
@@ -145,5 +153,34 @@ fn a_corner_is_covered_once() {
     for p in &found {
         let on: Point = p.on_master(&master.points);
         assert!(on.y.abs() < 1e-14);
+    }
+}
+
+/// Threads share the elements of the slave, and the points come in the same order.
+#[test]
+fn threads_find_the_same_points() {
+    let line = |count: i32, wave: f64| -> Vec<f64> {
+        (0..=count)
+            .map(|i| f64::from(i) + wave * f64::from(i).sin())
+            .collect()
+    };
+    let (slave, master) = (ceiling(&line(300, 0.3), 0.1), floor(&line(200, 0.2), 0.0));
+    let found = |threads| {
+        let team = Team::new(threads).expect("threads");
+        let mut found = MortarPoints::default();
+        found.find(
+            &team,
+            &slave,
+            &slave.normals(),
+            &master,
+            Detection::Mortar,
+            SEARCH,
+        );
+        found.points
+    };
+    let one = found(1);
+    assert!(one.len() > 700, "{}", one.len());
+    for threads in [2, 3, 5] {
+        assert_eq!(found(threads), one, "{threads} threads");
     }
 }

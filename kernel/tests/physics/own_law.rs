@@ -3,7 +3,7 @@
 use crate::common::{DENSITY, block, first_error, material, options, rough_drift};
 use proctor_kernel::lanes::{LaneChoice, Lanes};
 use proctor_kernel::laws::{Increment, Law, LinearElastic, Particle};
-use proctor_kernel::particles::Variable;
+use proctor_kernel::layout::Variable;
 use proctor_kernel::scene::{Dimension, Scene, StressScheme};
 use proctor_kernel::simulation::{Options, Simulation, StepErrorKind};
 

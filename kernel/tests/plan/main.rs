@@ -10,7 +10,7 @@ use common::{
     BLEND, DIMENSIONS, NEO_HOOKEAN, SCHEMES, WEIGHTINGS, block, body, cuboid, material, options,
     particles, rough, run,
 };
-use proctor_kernel::particles::Layout;
+use proctor_kernel::layout::Layout;
 use proctor_kernel::plan::{Demands, Entry, Plan};
 use proctor_kernel::scene::{
     BaseMotion, BoxLoad, Contact, ContactNormal, Damping, Dimension, Field, History, Motion,
@@ -222,7 +222,7 @@ fn the_plan_says_why() {
         plan.layouts,
         vec![Layout::new(
             2,
-            proctor_kernel::particles::Optional::default(),
+            proctor_kernel::layout::Optional::default(),
             &[]
         )]
     );

@@ -3,7 +3,8 @@
 use crate::common::{WEIGHTINGS, mesh};
 use proctor_kernel::grid::{GridShape, Nodes};
 use proctor_kernel::lanes::Selected;
-use proctor_kernel::particles::{Layout, Optional, ParticleSet};
+use proctor_kernel::layout::{Layout, Optional};
+use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{Dimension, Weighting};
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::p2g::{self, Carry, P2g};

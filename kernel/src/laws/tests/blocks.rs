@@ -6,7 +6,8 @@ use crate::laws::tensor::Configuration;
 use crate::laws::{
     Block, Gradients, Increment, Law, LinearElastic, NeoHookean, Particle, Strained,
 };
-use crate::particles::{Layout, Optional, ParticleSet, Variable};
+use crate::layout::{Layout, Optional, Variable};
+use crate::particles::ParticleSet;
 
 const PARTICLES: usize = 43;
 const DT: f64 = 1.0e-3;

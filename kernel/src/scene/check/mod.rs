@@ -13,7 +13,7 @@ mod surface;
 use self::collector::Collector;
 use super::{Damping, Dimension, PlaneCondition, Scene, SceneError, TimeStep};
 use crate::laws::Accepted;
-use crate::particles::Variable;
+use crate::layout::Variable;
 
 impl Scene {
     /// Checks every value of the scene.

@@ -5,7 +5,8 @@
 
 use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
-use crate::particles::{Layout, ParticleSet};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::scene::{Scene, Vector};
 use crate::simulation::clock::StepInfo;
 use crate::simulation::error::StepError;

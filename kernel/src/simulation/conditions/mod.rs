@@ -1,6 +1,6 @@
 //! Conditions on the nodes of a velocity field: what acts on it from outside.
 //!
-//! Each kind has a file of its own, and [`ALL`] lists them: a scene that has none of a kind has no element of it in its
+//! Each kind stands in one list, under the file that it is in: a scene that has none of a kind has no element of it in its
 //! list, and nothing in the cycle asks for it. What a library user adds ([`Options::conditions`](super::Options)) comes
 //! after those of the scene, by the same trait.
 //!
@@ -9,14 +9,7 @@
 //! kinetic damping on all particles at once (`relaxation.rs`), box loads and body forces on particles: none of these is a
 //! condition on nodes.
 
-mod base;
-mod damping;
-mod driven;
-mod gravity;
-mod held;
-mod loads;
 mod nodes;
-mod walls;
 
 pub(super) use driven::prescribed;
 pub use nodes::{FieldNodes, Node};
@@ -96,18 +89,25 @@ struct Kind {
     planes: bool,
 }
 
-/// All kinds, as the plan lists them. Where one needs what another prescribes, it comes after it.
-const ALL: [Kind; 9] = [
-    gravity::GRAVITY,
-    walls::PLANES,
-    damping::LOCAL_DAMPING,
-    damping::KINETIC_DAMPING,
-    damping::VISCOUS_DAMPING,
-    base::MOVING_BASE,
-    held::HELD_NODES,
-    loads::NODAL_LOADS,
-    driven::DRIVEN_BODIES,
-];
+/// Kinds of conditions by the file that they are in, as the plan lists them. Where one needs what another prescribes, it
+/// comes after it.
+macro_rules! list {
+    ($($file:ident: [$($kind:ident),*],)*) => {
+        $(mod $file;)*
+
+        const ALL: &[Kind] = &[$($($file::$kind),*),*];
+    };
+}
+
+list! {
+    gravity: [GRAVITY],
+    walls: [PLANES],
+    damping: [LOCAL_DAMPING, KINETIC_DAMPING, VISCOUS_DAMPING],
+    base: [MOVING_BASE],
+    held: [HELD_NODES],
+    loads: [NODAL_LOADS],
+    driven: [DRIVEN_BODIES],
+}
 
 /// What the plan says of conditions.
 pub(crate) fn describe(scene: &Scene, list: &mut Words) {
@@ -126,7 +126,7 @@ pub(super) fn of(
     own: &[Arc<dyn Condition>],
 ) -> Result<Vec<Arc<dyn Condition>>, SetupError> {
     let made = |planes| {
-        let kinds = ALL.into_iter().filter(move |kind| kind.planes == planes);
+        let kinds = ALL.iter().filter(move |kind| kind.planes == planes);
         kinds.filter_map(|kind| kind.make?(scene, shape))
     };
     let all = made(false).chain(made(true));

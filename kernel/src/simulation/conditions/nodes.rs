@@ -3,7 +3,7 @@
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::simulation::fields::{Owner, Slab, SlabField};
-use crate::simulation::interaction::{Again, Now};
+use crate::simulation::interactions::{Again, Now};
 use crate::stage::solve::{DrivenNode, PlaneSums, Planes, is_ghost};
 
 /// One velocity field in the planes of nodes that one thread owns.

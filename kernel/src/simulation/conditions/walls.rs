@@ -6,7 +6,7 @@ use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::{PlaneCondition, Scene};
 use crate::simulation::Simulation;
-use crate::simulation::interaction::Again;
+use crate::simulation::interactions::Again;
 use crate::stage::solve::Wall;
 use std::sync::Arc;
 

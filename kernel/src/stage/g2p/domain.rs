@@ -2,7 +2,7 @@
 
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::laws::tensor::{Matrix, determinant, left_stretch_diagonal, stretch_diagonal};
-use crate::particles::Layout;
+use crate::layout::Layout;
 use crate::scene::DomainUpdate;
 use std::ops::Range;
 

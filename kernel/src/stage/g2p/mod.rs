@@ -12,7 +12,7 @@ use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::laws::tensor::Configuration;
 use crate::laws::{BLOCK, Block, Gradients, Strain};
-use crate::particles::Layout;
+use crate::layout::Layout;
 use crate::scene::DomainUpdate;
 use interpolate::{Sums, interpolate};
 use std::ops::Range;

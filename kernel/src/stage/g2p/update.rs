@@ -3,7 +3,7 @@
 use super::interpolate::Sums;
 use super::{Affine, FaultKind, Found, G2p};
 use crate::lanes::{Lanes, load, store};
-use crate::particles::Layout;
+use crate::layout::Layout;
 use std::ops::Range;
 
 /// Writes the new velocity, affine velocity and position of one group; returns the lanes that went wrong.

@@ -12,7 +12,7 @@ mod scratch;
 use super::{Mapping, group_at, layer_of};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Selected};
-use crate::particles::Layout;
+use crate::layout::Layout;
 use add::{Below, add_group};
 use scratch::{Scratch, Source};
 use std::ops::Range;

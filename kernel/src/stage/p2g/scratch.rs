@@ -2,7 +2,7 @@
 
 use super::{Carry, MASS_GRADIENT, SPIN, voigt};
 use crate::lanes::{Lanes, Quad, load};
-use crate::particles::Layout;
+use crate::layout::Layout;
 use crate::stage::{Group, Mapping, weights_of};
 
 /// Where the quantities come from, and which are wanted.

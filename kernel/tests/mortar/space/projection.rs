@@ -5,6 +5,7 @@ use crate::common::cases;
 use nalgebra::Rotation3;
 use proctor_kernel::mortar::points::{Detection, MortarPoint, MortarPoints, Search};
 use proctor_kernel::mortar::space::facets::Facets;
+use proctor_kernel::team::Team;
 use proptest::prelude::*;
 
 const SEARCH: Search = Search {
@@ -14,7 +15,14 @@ const SEARCH: Search = Search {
 
 fn points(slave: &Facets, master: &Facets, detection: Detection) -> Vec<MortarPoint<3>> {
     let mut found = MortarPoints::default();
-    found.find(slave, &slave.normals(), master, detection, SEARCH);
+    found.find(
+        &Team::ALONE,
+        slave,
+        &slave.normals(),
+        master,
+        detection,
+        SEARCH,
+    );
     found.points
 }
 

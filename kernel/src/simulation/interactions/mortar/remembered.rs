@@ -3,7 +3,7 @@
 use super::boundaries::Boundaries;
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
-use crate::simulation::interaction::Remembered;
+use crate::simulation::interactions::Remembered;
 use std::slice::Iter;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {

@@ -1,23 +1,19 @@
 //! What acts between velocity fields, or between them and what is no material.
 //!
-//! Contact on the grid, mortar contact and rigid surfaces are made by one list ([`ALL`]), each in a folder of its own; what
+//! Contact on the grid, mortar contact and rigid surfaces are made by one list, each in a folder of its own; what
 //! a library user adds ([`Options::interactions`](super::Options)) comes after them, by the same trait. A scene that has
 //! none of a kind has no element of it, and nothing in the cycle asks for it.
 
-use super::conditions::{Acting, Condition};
-use super::contact as grid;
-use super::error::{SetupError, StepError};
-use super::fields::{Grid, Slab};
-use super::mapping::BodiesOnto;
-use super::mortar::{self, MortarState};
-use super::phase::Phase;
-use super::step::Watcher;
-use super::surfaces::{self, Surfaces};
-use super::{BodyRun, Simulation};
-use crate::contact;
 use crate::memory::Memory;
 use crate::plan::Words;
 use crate::scene::{Scene, Vector};
+use crate::simulation::conditions::{Acting, Condition};
+use crate::simulation::error::{SetupError, StepError};
+use crate::simulation::fields::{Grid, Slab};
+use crate::simulation::mapping::BodiesOnto;
+use crate::simulation::phase::Phase;
+use crate::simulation::step::Watcher;
+use crate::simulation::{BodyRun, Simulation};
 use crate::stage::solve::{PlaneSums, Wall};
 use std::any::Any;
 use std::borrow::Cow;
@@ -241,21 +237,33 @@ pub(super) type Made = Result<Box<dyn Interaction>, SetupError>;
 /// Makes the interaction of a kind, where a scene has any.
 type Make = fn(&Scene, &[BodyRun], &mut Memory) -> Option<Made>;
 
-/// A kind of interaction: what the plan says of it, and how it is made.
-type Kind = (fn(&Scene, &mut Words), Option<Make>);
+/// A kind of interaction.
+struct Kind {
+    /// What the plan says of it.
+    words: fn(&Scene, &mut Words),
+    /// How it is made.
+    make: Make,
+}
 
-/// All kinds, in the order in which they act.
-const ALL: [Kind; 4] = [
-    (grid::pair_words, Some(contact::State::of)),
-    (mortar::words, Some(MortarState::of)),
-    (grid::words, None),
-    (surfaces::words, Some(Surfaces::of)),
-];
+/// Kinds of interactions, each in the folder of that name, in the order in which they act.
+macro_rules! list {
+    ($($folder:ident: $kind:ident,)*) => {
+        $(pub(super) mod $folder;)*
+
+        const ALL: &[Kind] = &[$($folder::$kind),*];
+    };
+}
+
+list! {
+    grid: GRID,
+    mortar: MORTAR,
+    surfaces: SURFACES,
+}
 
 /// What the plan says of interactions.
 pub(crate) fn describe(scene: &Scene, list: &mut Words) {
-    for (words, _) in ALL {
-        words(scene, list);
+    for kind in ALL {
+        (kind.words)(scene, list);
     }
 }
 
@@ -269,8 +277,9 @@ pub(super) fn of(
     own: &[Box<dyn Interaction>],
     memory: &mut Memory,
 ) -> Result<Interactions, SetupError> {
-    let makes = ALL.into_iter().filter_map(|(_, make)| make);
-    let made = makes.filter_map(|make| make(scene, bodies, memory));
+    let made = ALL
+        .iter()
+        .filter_map(|kind| (kind.make)(scene, bodies, memory));
     let all = made.chain(own.iter().cloned().map(Ok));
     all.map(|one| one.map(Some)).collect()
 }

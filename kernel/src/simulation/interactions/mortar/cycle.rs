@@ -6,7 +6,7 @@ use crate::simulation::Simulation;
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::StepError;
 use crate::simulation::fields::Grid;
-use crate::simulation::interaction::{Interaction, Remembered};
+use crate::simulation::interactions::{Interaction, Remembered};
 
 impl Interaction for MortarState {
     fn boxed(&self) -> Box<dyn Interaction> {

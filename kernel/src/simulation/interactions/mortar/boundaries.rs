@@ -17,6 +17,7 @@ use crate::scene::Vector;
 use crate::simulation::Simulation;
 use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
+use crate::team::Team;
 use nalgebra::SMatrix;
 
 /// Boundaries of elements with D vertices whose patches have N nodes and whose vertices T tangents, and their pairs.
@@ -56,7 +57,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Gaps and forces of a pair.
-    pub(super) fn meet(&mut self, p: usize) {
+    pub(super) fn meet(&mut self, p: usize, team: &Team) {
         let pair = &mut self.pairs[p];
         let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
         let box_of = |s: &Surface<B, D, N>, margin| Bounds::around(s.boundary.points(), margin);
@@ -75,6 +76,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 &pair.law,
                 &mut pair.slip,
                 &mut pair.work,
+                team,
             );
         } else {
             pair.forces.clear(0, 0);
@@ -92,12 +94,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     ///
     /// # Errors
     /// The first pair that closed too far, is too deep in each other, or meets at edges.
-    pub(super) fn meet_all(&mut self, origin: &Vector) -> Result<(), StepErrorKind> {
+    pub(super) fn meet_all(&mut self, origin: &Vector, team: &Team) -> Result<(), StepErrorKind> {
         for surface in &mut self.surfaces {
             surface.force.fill(PointIn::zeros());
         }
         for p in 0..self.pairs.len() {
-            self.meet(p);
+            self.meet(p, team);
             self.judge(p, origin)?;
             let pair = &self.pairs[p];
             for (surface, forces) in [
@@ -135,8 +137,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let lines = field.nodes.lines();
             let mapping = &hosts.bodies[index].mapping;
             let half_length = mapping.half_length[..D].iter().copied().fold(0.5, f64::min);
-            surface.patches.clear();
-            for (vertex, x) in surface.boundary.points().iter().enumerate() {
+            let points = surface.boundary.points();
+            let weigh = |vertex: usize| {
+                let x = &points[vertex];
                 let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
                 let raw = VertexWeights::<D, N>::new(mapping.family, &xi, half_length);
                 let raw = mirrors.fold(raw);
@@ -146,15 +149,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 } else {
                     raw.augmented(&mirrors.with_images(raw.base, masses))
                 };
-                let Ok(weights) = weights else {
-                    return Err(StepErrorKind::VertexLost {
-                        body: surface.id,
-                        vertex,
-                        position: in_scene(x, &hosts.origin()),
-                    });
-                };
                 let mut patch = Patch {
-                    weights,
+                    weights: weights.ok()?,
                     masses,
                     nodes,
                     spins: [0.0; N],
@@ -168,7 +164,19 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         patch.spins[k] = line[7] / line[0];
                     }
                 }
-                surface.velocity[vertex] = surface.boundary.held(vertex, v);
+                Some((patch, surface.boundary.held(vertex, v)))
+            };
+            let weighed = hosts.grid.team.search(0..points.len(), weigh);
+            surface.patches.clear();
+            for (vertex, one) in weighed.into_iter().enumerate() {
+                let Some((patch, v)) = one else {
+                    return Err(StepErrorKind::VertexLost {
+                        body: surface.id,
+                        vertex,
+                        position: in_scene(&surface.boundary.points()[vertex], &hosts.origin()),
+                    });
+                };
+                surface.velocity[vertex] = v;
                 surface.patches.push(patch);
             }
         }
@@ -358,9 +366,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                             shape,
                             lines,
                             hosts.stencil,
+                            &hosts.grid.team,
                         )
                     });
-                    for (vertex, patch) in surface.patches.iter().enumerate() {
+                    let moved = |vertex: usize| {
+                        let patch = &surface.patches[vertex];
                         let velocities = patch.nodes.map(|n| velocity_at(&lines[n]));
                         let around = std::array::from_fn(|k| match &gradients {
                             Some(gradients) => gradients.at(patch.nodes[k]),
@@ -368,8 +378,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         });
                         let v =
                             vertex_velocity(&patch.weights, &velocities, &around, *follow, &cell);
-                        surface.moved[vertex] = surface.boundary.held(vertex, v) * drift;
-                    }
+                        surface.boundary.held(vertex, v) * drift
+                    };
+                    surface.moved = hosts.grid.team.search(0..surface.patches.len(), moved);
                 }
             }
             for (x, moved) in surface.boundary.points_mut().iter_mut().zip(&surface.moved) {

@@ -1,18 +1,58 @@
-//! Contact on the grid in the cycle, and what it tells of itself.
+//! Contact on the grid in the cycle, and what it tells of itself; what it is made of is in [`contact`](crate::contact).
+//!
+//! - [`faces`]: what is known of the surface of a body at the nodes, and of the particles near it.
+//! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
 
+pub mod faces;
+pub mod meeting;
 mod on_slab;
 
-use super::conditions::Acting;
-use super::error::{Overlapping, SetupError, StepError, StepErrorKind};
-use super::fields::Grid;
-use super::interaction::{Interaction, Made, OnSlab, Remembered, Visit};
-use super::{BodyRun, Simulation};
-use crate::contact::meeting::Tunnelling;
+use crate::simulation::conditions::Acting;
+use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
+use crate::simulation::fields::Grid;
+use super::Kind;
+use crate::simulation::interactions::{Interaction, Made, OnSlab, Remembered, Visit};
+use crate::simulation::{BodyRun, Simulation};
+use faces::Faces;
+use meeting::{Done, Meetings, Tunnelling};
 use crate::contact::overlap::overlap;
-use crate::contact::{Pair, State, broad};
+use crate::contact::{Pair, broad};
 use crate::memory::Memory;
 use crate::plan::Words;
 use crate::scene::{Contact, ContactNormal, Scene, Vector};
+
+/// Contact on the grid.
+pub(super) const GRID: Kind = Kind {
+    words: |scene, list| {
+        pair_words(scene, list);
+        words(scene, list);
+    },
+    make: State::of,
+};
+
+/// What contact keeps from step to step.
+#[derive(Clone, Debug, Default)]
+pub struct State {
+    /// All pairs, in order of the identifiers of their bodies.
+    pub pairs: Vec<Pair>,
+    /// Which of them are near, as of the last sort.
+    pub near: Vec<bool>,
+    /// Surfaces of the bodies of near pairs.
+    pub faces: Faces,
+    /// Where bodies met and what contact did there, per slab, as of the last equation of motion.
+    pub met: Vec<Met>,
+    /// Force on the slave of each pair in the last step \[N\].
+    pub forces: Vec<Vector>,
+}
+
+/// Contact in one slab: where bodies meet, and what was done there.
+#[derive(Clone, Debug, Default)]
+pub struct Met {
+    /// The nodes.
+    pub meetings: Meetings,
+    /// Forces, power and warnings.
+    pub done: Done,
+}
 
 impl State {
     /// Contact on the grid, where a scene has any.
@@ -266,7 +306,7 @@ impl Simulation {
 }
 
 /// What the plan says of each pair.
-pub(super) fn pair_words(scene: &Scene, list: &mut Words) {
+fn pair_words(scene: &Scene, list: &mut Words) {
     let driven = |id: i64| {
         scene
             .bodies
@@ -293,7 +333,7 @@ pub(super) fn pair_words(scene: &Scene, list: &mut Words) {
 }
 
 /// What it says of contact as a whole.
-pub(super) fn words(scene: &Scene, list: &mut Words) {
+fn words(scene: &Scene, list: &mut Words) {
     if scene.contacts.is_empty() && !scene.mortar.contacts.is_empty() {
         return;
     }

@@ -1,7 +1,7 @@
 //! Gaps between the bodies of pairs at the nodes where they meet.
 
 use super::{Bodies, Meetings, PLAUSIBLE};
-use crate::contact::faces::SlabFields;
+use crate::simulation::interactions::grid::faces::SlabFields;
 use crate::contact::surface::{self, Probe, Search, Side};
 use crate::scene::{ContactNormal, Vector};
 

@@ -2,10 +2,10 @@
 
 mod gaps;
 
-use super::Pair;
-use super::coulomb::{Coulomb, Law, Member, Touch};
+use crate::contact::Pair;
+use crate::contact::coulomb::{Coulomb, Law, Member, Touch};
 use super::faces::SlabFields;
-use super::surface::{Side, normal};
+use crate::contact::surface::{Side, normal};
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::fields::Owner;

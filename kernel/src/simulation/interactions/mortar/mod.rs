@@ -15,11 +15,17 @@ mod surface;
 mod vertices;
 mod words;
 
-pub use vertices::{BoundaryVertex, VertexState};
-pub(super) use words::words;
+/// Mortar contact.
+pub(super) const MORTAR: Kind = Kind {
+    words: words::words,
+    make: MortarState::of,
+};
 
-use super::Simulation;
-use super::error::StepErrorKind;
+pub use vertices::{BoundaryVertex, VertexState};
+
+use super::Kind;
+use crate::simulation::Simulation;
+use crate::simulation::error::StepErrorKind;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;
@@ -57,8 +63,9 @@ impl MortarState {
         let origin = simulation.origin();
         self.plane.weigh(simulation)?;
         self.space.weigh(simulation)?;
-        self.plane.meet_all(&origin)?;
-        self.space.meet_all(&origin)?;
+        let team = &simulation.grid.team;
+        self.plane.meet_all(&origin, team)?;
+        self.space.meet_all(&origin, team)?;
         let nodes = &mut self.stiffness;
         let plane = self.plane.time_step(nodes);
         self.time_step = plane.min(self.space.time_step(nodes));

@@ -13,8 +13,9 @@ use crate::mortar::space::skin::{skin, triangles};
 use crate::scene::{Body, BodyBoundary, Dimension, PlaneCondition, Scene, Vector, Vertices};
 use crate::simulation::BodyRun;
 use crate::simulation::error::SetupError;
-use crate::simulation::interaction::Made;
+use crate::simulation::interactions::Made;
 use crate::simulation::needs;
+use crate::team::Team;
 use std::fmt::Display;
 
 impl MortarState {
@@ -149,7 +150,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 
     /// Refuses a pair whose surfaces overlap, or whose edges meet, at the start.
     fn refuse_overlap(&mut self, p: usize, scene: &Scene) -> Result<(), SetupError> {
-        self.meet(p);
+        self.meet(p, &Team::ALONE);
         let pair = &self.pairs[p];
         let name = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
         let name = name.map_or("", |c| &c.name);

@@ -3,8 +3,8 @@
 //! A second line per node holds the mass gradient, and the interface the particles that can share a node with a partner.
 //! Both are there for exactly the bodies that have a field because of this contact.
 
-use super::Pair;
-use super::interface::Interface;
+use crate::contact::Pair;
+use crate::contact::interface::Interface;
 use crate::grid::{GridShape, Line, Nodes};
 use crate::particles::ParticleSet;
 use crate::simulation::fields::{Grid, Owner, Slab, split};

@@ -1,10 +1,11 @@
 //! Contact on the grid in one slab.
 
-use crate::contact::faces::{SlabFace, SlabFields};
-use crate::contact::meeting::{Bodies, Meetings, On, States};
-use crate::contact::{Met, Pair, State, surface};
+use crate::simulation::interactions::grid::faces::{SlabFace, SlabFields};
+use crate::simulation::interactions::grid::meeting::{Bodies, Meetings, On, States};
+use super::{Met, State};
+use crate::contact::{Pair, surface};
 use crate::simulation::fields::{Grid, Slab};
-use crate::simulation::interaction::{Again, Now, OnSlab, Visit};
+use crate::simulation::interactions::{Again, Now, OnSlab, Visit};
 use crate::stage::solve::{PlaneSums, Planes};
 use std::sync::Arc;
 

@@ -4,8 +4,10 @@ use super::surface::{Patch, velocity_at};
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::motion::NodalGradient;
-use crate::particles::{Layout, ParticleSet};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::simulation::BodyRun;
+use crate::team::Team;
 use crate::weights::{axis_weights_at, base_offset};
 use nalgebra::SMatrix;
 use std::array;
@@ -33,6 +35,7 @@ impl<const D: usize> NodalGradients<D> {
         shape: &GridShape,
         lines: &[Line],
         stencil: usize,
+        team: &Team,
     ) -> Self {
         let mut slots = vec![0_u32; lines.len()];
         let mut sums: Vec<NodalGradient<D>> = vec![];
@@ -66,18 +69,24 @@ impl<const D: usize> NodalGradients<D> {
         let reached: Vec<[usize; D]> = (0..stencil.pow(D as u32))
             .map(|k| array::from_fn(|axis| k / stencil.pow((D - 1 - axis) as u32) % stencil))
             .collect();
-        for p in 0..set.len() {
-            let xi: [f64; D] = array::from_fn(|axis| {
+        let scaled = |p: usize| -> [f64; D] {
+            array::from_fn(|axis| {
                 set.columns[Layout::POSITION + axis][p] * mapping.inverse_cell[axis]
-            });
+            })
+        };
+        let base_of = |xi: &[f64; D]| {
             let mut base = [0; 3];
             for axis in 0..D {
                 base[shape.direction(axis)] =
                     ((xi[axis] - offset).floor() + GHOSTS_BELOW as f64) as usize;
             }
-            if !near[place(base)] {
-                continue;
-            }
+            base
+        };
+        let is_near: Vec<bool> = team.collect(0..set.len(), |p| near[place(base_of(&scaled(p)))]);
+        let particles: Vec<usize> = (0..set.len()).filter(|&p| is_near[p]).collect();
+        let gradient_of = |p: usize| {
+            let xi = scaled(p);
+            let base = base_of(&xi);
             let axes: [([f64; 4], [f64; 4]); D] = array::from_fn(|axis| {
                 let l = mapping
                     .half_length_column
@@ -116,12 +125,16 @@ impl<const D: usize> NodalGradients<D> {
                 });
                 gradient += velocity_at(&lines[node(at)]) * slope.transpose();
             }
+            let of_nodes = reached.iter().map(|at| (node(at), weight(at)));
+            let wanted = of_nodes.filter(|(node, _)| slots[*node] > 0);
+            (gradient, wanted.collect::<Vec<(usize, f64)>>())
+        };
+        // Each particle by whatever thread; the sums by one, in the order of the particles.
+        let found = team.search(0..particles.len(), |i| gradient_of(particles[i]));
+        for (p, (gradient, nodes)) in particles.into_iter().zip(found) {
             let mass = set.columns[Layout::MASS][p];
-            for at in &reached {
-                let slot = slots[node(at)];
-                if slot > 0 {
-                    sums[slot as usize - 1].add(weight(at), mass, &gradient);
-                }
+            for (node, weight) in nodes {
+                sums[slots[node] as usize - 1].add(weight, mass, &gradient);
             }
         }
         Self { slots, sums }

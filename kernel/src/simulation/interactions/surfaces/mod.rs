@@ -6,24 +6,31 @@ mod near;
 mod nodes;
 mod words;
 
-use super::conditions::Acting;
-use super::error::{SetupError, StepError, StepErrorKind};
-use super::history::integral;
-use super::interaction::{Again, Interaction, Made, Remembered};
-use super::mapping::node_weights;
-use super::motion::at_half_step_after;
-use super::{BodyRun, Simulation};
+use super::Kind;
+use crate::simulation::conditions::Acting;
+use crate::simulation::error::{SetupError, StepError, StepErrorKind};
+use crate::simulation::history::integral;
+use crate::simulation::interactions::{Again, Interaction, Made, Remembered};
+use crate::simulation::mapping::node_weights;
+use crate::simulation::motion::at_half_step_after;
+use crate::simulation::{BodyRun, Simulation};
 use crate::grid::GridShape;
 use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::{Planes, Wall};
 use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
+use crate::surface::Nearest;
 use fields::Fields;
-pub(super) use gap::local;
+pub(in crate::simulation) use gap::local;
 use gap::velocity;
 use near::{Near, Place};
 use std::collections::BTreeMap;
-pub(super) use words::words;
+
+/// Contact with rigid surfaces.
+pub(super) const SURFACES: Kind = Kind {
+    words: words::words,
+    make: Surfaces::of,
+};
 
 /// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
 const TOLERANCE: f64 = 1e-6;
@@ -53,6 +60,12 @@ struct Touches {
     list: Vec<Touch>,
     places: Vec<Place>,
     nodes: Vec<TouchedNode>,
+}
+
+/// The nodes that touching particles reach, and their places in this list by field and node.
+struct Reached<'a> {
+    nodes: &'a mut Vec<TouchedNode>,
+    known: BTreeMap<(usize, usize), usize>,
 }
 
 impl Surfaces {
@@ -280,9 +293,21 @@ impl Simulation {
         nodes.clear();
         let known = self.near_surfaces(near.take(), acting.drift);
         let fields = self.all_fields();
-        let mut known_nodes = BTreeMap::new();
-        for place in &known.particles {
-            let touch = self.touch(*place, acting, lane, &fields, nodes, &mut known_nodes)?;
+        let mut reached = Reached {
+            nodes,
+            known: BTreeMap::new(),
+        };
+        // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
+        let gaps = self.grid.team.search(0..known.particles.len(), |i| {
+            let Place { surface, set, p } = known.particles[i];
+            let margin = self.scene.surfaces[surface].distance_threshold + self.smallest_cell();
+            self.surface_gap(surface, set, p, margin)
+        });
+        for (place, gap) in known.particles.iter().zip(gaps) {
+            let Some(gap) = gap else {
+                continue;
+            };
+            let touch = self.touch(*place, gap, acting, lane, &fields, &mut reached)?;
             if let Some(touch) = touch {
                 list.push(touch);
                 places.push(*place);
@@ -292,22 +317,18 @@ impl Simulation {
         Ok(())
     }
 
-    /// The touch of one particle, if it is within the threshold. `known_nodes` are places in `nodes` by field and node.
+    /// The touch of one particle with this gap, if it is within the threshold.
     fn touch(
         &self,
         place: Place,
+        (gap, nearest): (f64, Nearest),
         acting: &Acting,
         lane: usize,
         fields: &Fields<'_>,
-        nodes: &mut Vec<TouchedNode>,
-        known_nodes: &mut BTreeMap<(usize, usize), usize>,
+        reached: &mut Reached<'_>,
     ) -> Result<Option<Touch>, StepError> {
         let Place { surface, set, p } = place;
         let rigid = &self.scene.surfaces[surface];
-        let margin = rigid.distance_threshold + self.smallest_cell();
-        let Some((gap, nearest)) = self.surface_gap(surface, set, p, margin) else {
-            return Ok(None);
-        };
         if nearest.distance < 0.0 {
             return Err(self.error(StepErrorKind::ThroughSurface {
                 particle: self.particle_at(set, p),
@@ -353,12 +374,13 @@ impl Simulation {
         let weights = folded
             .into_iter()
             .map(|(node, w)| {
-                let place = *known_nodes.entry((field, node)).or_insert_with(|| {
+                let Reached { nodes, known } = &mut *reached;
+                let place = *known.entry((field, node)).or_insert_with(|| {
                     let sharing = fields.sharing(field, node);
                     // Another body may have been there whose field moves together with this one.
-                    let known = |t: &TouchedNode| t.node == node && t.fields == sharing;
+                    let same = |t: &TouchedNode| t.node == node && t.fields == sharing;
                     let first = (sharing.len() > 1)
-                        .then(|| nodes.iter().position(known))
+                        .then(|| nodes.iter().position(same))
                         .flatten();
                     first.unwrap_or_else(|| {
                         nodes.push(TouchedNode {

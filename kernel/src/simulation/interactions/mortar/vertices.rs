@@ -7,7 +7,7 @@ use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
-use crate::simulation::interaction::Interaction;
+use crate::simulation::interactions::Interaction;
 
 /// What a vertex of a slave feels, for output.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! Gaps between particles and surfaces, and the motion of surfaces.
 
-use crate::particles::{Layout, ParticleSet};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
 use crate::scene::{RigidSurface, Scene, Vector};
 use crate::simulation::error::SetupError;
 use crate::simulation::history::integral;
