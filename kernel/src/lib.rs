@@ -29,21 +29,17 @@
 // What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-pub mod bodies;
 pub mod contact;
 pub mod grid;
 pub mod lanes;
 pub mod laws;
 pub mod layout;
-pub mod memory;
-pub mod mortar;
 pub mod particles;
 pub mod plan;
 pub mod prelude;
 pub mod scene;
-pub mod shape;
 pub mod simulation;
 pub mod stage;
-pub mod surface;
-pub mod team;
 pub mod weights;
+
+pub use proctor_geometry::{bodies, memory, mortar, shape, surface, team};

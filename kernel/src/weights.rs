@@ -18,6 +18,8 @@
 //! them is negative.
 
 use crate::lanes::Lanes;
+use crate::mortar::PointIn;
+use crate::mortar::weights::{NODES, VertexWeights};
 
 /// Which family of functions a particle set uses; the half-length comes with the particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,4 +158,17 @@ pub fn weights_at<const N: usize, const D: usize>(
     }
     let (w, g) = crate::lanes::Selected::any().run(Axes::<N, D>(family, within, l));
     (base, w, g)
+}
+
+/// Unmodified weights `S_Iv` of a vertex of a boundary at a position in cells of the mesh. `half_length` is that of the
+/// domain of the vertex in cells, at most 1/2; any value works, as it makes no difference that could be measured.
+#[must_use]
+pub fn vertex_weights<const D: usize, const N: usize>(
+    family: Family,
+    xi: &PointIn<D>,
+    half_length: f64,
+) -> VertexWeights<D, N> {
+    let at = std::array::from_fn(|axis| xi[axis]);
+    let (base, w, _) = weights_at::<NODES, D>(family, at, half_length);
+    VertexWeights::new(xi, base, &w)
 }

@@ -21,8 +21,7 @@ mod scalar;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use scalar::Pair;
-use scalar::Scalar;
+pub use scalar::{Pair, Scalar};
 
 /// A group of f64 lanes.
 pub trait Lanes:
@@ -296,9 +295,9 @@ impl Selected {
     }
 }
 
-/// One lane at a time.
+/// One lane at a time, in plain Rust: what the others are compared with.
 #[derive(Clone, Copy)]
-struct ScalarBackend;
+pub struct ScalarBackend;
 
 impl Backend for ScalarBackend {
     type Native = Scalar;
@@ -308,17 +307,12 @@ impl Backend for ScalarBackend {
 }
 
 /// Eight lanes in plain Rust, with lines taken as one register: the paths of AVX-512 on any machine.
-#[cfg(test)]
 #[derive(Clone, Copy)]
-pub(crate) struct WholeLines;
+pub struct WholeLines;
 
-#[cfg(test)]
 impl Backend for WholeLines {
     type Native = Pair<Pair<Pair<Scalar>>>;
     type Line = Pair<Pair<Pair<Scalar>>>;
     type Half = Pair<Pair<Scalar>>;
     const WHOLE_LINE: bool = true;
 }
-
-#[cfg(test)]
-mod tests;

@@ -11,7 +11,7 @@ pub mod tensor;
 pub use any::{AnyLaw, Kind, Readable};
 pub use constants::{Accepted, Choice, Constant, Isotropic};
 pub use linear_elastic::ObjectiveRate;
-pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
+pub use strain::{BLOCK, Block, Gradients, OfBlock, Strain, Strained};
 
 use crate::lanes::Lanes;
 use crate::layout::Variable;
@@ -123,6 +123,3 @@ pub struct Particle<'a> {
     /// Internal variables.
     pub variables: &'a [f64],
 }
-
-#[cfg(test)]
-mod tests;

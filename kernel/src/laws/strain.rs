@@ -18,7 +18,7 @@ pub(super) const MOST_VARIABLES: usize = 16;
 
 /// Velocity gradients of a block \[1/s\]: component D a + b of particle i at `[D * a + b][i]`. A whole group of lanes may
 /// be written behind the last particle.
-pub struct Gradients(pub(super) [[f64; BLOCK + MOST_LANES]; 9]);
+pub struct Gradients(pub [[f64; BLOCK + MOST_LANES]; 9]);
 
 /// The widest group.
 const MOST_LANES: usize = 8;
@@ -208,10 +208,8 @@ const fn components(variables: &[Variable]) -> usize {
     count
 }
 
-pub(super) struct OfBlock<'a, 'b, 'm, M, const D: usize>(
-    pub(super) &'m M,
-    pub(super) Block<'a, 'b>,
-);
+/// The strain of a block as a kernel, for laws of one type.
+pub struct OfBlock<'a, 'b, 'm, M, const D: usize>(pub &'m M, pub Block<'a, 'b>);
 
 impl<M: Law, const D: usize> Kernel for OfBlock<'_, '_, '_, M, D> {
     type Output = Strained;

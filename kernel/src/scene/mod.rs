@@ -12,19 +12,19 @@ mod contact;
 mod error;
 mod load;
 mod material;
-mod mesh;
 mod method;
 mod mortar;
 mod results;
 mod surface;
 
-pub use crate::shape::{Dimension, ParticleSeed, Shape, Vector};
 pub use body::Body;
 pub use contact::{Contact, ContactNormal};
 pub use error::{Location, Problem, SceneError};
 pub use load::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Traction};
 pub use material::Material;
-pub use mesh::{Mesh, PlaneCondition};
+pub use proctor_geometry::mesh::{Mesh, PlaneCondition};
+pub use proctor_geometry::shape::{Dimension, ParticleSeed, Shape, Vector};
+
 pub use method::{
     Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
 };

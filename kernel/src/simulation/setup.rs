@@ -170,7 +170,14 @@ fn fill_body(
         body: body.name.clone(),
         reason: e.to_string(),
     };
-    let filled = fill_within(body, &scene.mesh, scene.dimension, &room).map_err(refused)?;
+    let filled = fill_within(
+        &body.shape,
+        body.particles_per_cell,
+        &scene.mesh,
+        scene.dimension,
+        &room,
+    )
+    .map_err(refused)?;
     needs::particles(filled.count(), &room, memory).map_err(refused)?;
     let material = &scene.materials[body.material];
     let law = material.law.clone();

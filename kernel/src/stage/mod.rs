@@ -134,6 +134,3 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     }
     (w, g)
 }
-
-#[cfg(test)]
-mod tests;

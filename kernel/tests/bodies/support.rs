@@ -68,7 +68,12 @@ impl Setting {
             velocity: [0.0; 3],
             motion: None,
         };
-        fill(&body, &self.mesh(), self.dimension)
+        fill(
+            &body.shape,
+            body.particles_per_cell,
+            &self.mesh(),
+            self.dimension,
+        )
     }
 
     /// Fills, and checks what holds for every shape.

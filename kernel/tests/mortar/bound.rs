@@ -3,8 +3,8 @@
 use crate::support::point;
 use proctor_kernel::mortar::bound::{Closing, NodalStiffness, SAFETY, allowed_approach};
 use proctor_kernel::mortar::pair::VertexContact;
-use proctor_kernel::mortar::weights::VertexWeights;
 use proctor_kernel::weights::Family;
+use proctor_kernel::weights::vertex_weights;
 
 const NODES: [usize; 9] = [7, 8, 9, 17, 18, 19, 27, 28, 29];
 
@@ -13,7 +13,7 @@ fn one_node_on_a_spring() {
     // All of the vertex hangs on one node of mass m: omega² = k/m on a rigid body, 2 k/m between two equal ones.
     let mut masses = [0.0; 9];
     masses[4] = 2.0;
-    let w = VertexWeights::new(Family::Gimp, &point(1.1, 0.9), 0.25)
+    let w = vertex_weights(Family::Gimp, &point(1.1, 0.9), 0.25)
         .augmented(&masses)
         .expect("has mass");
     let mut nodes = NodalStiffness::default();
@@ -36,7 +36,7 @@ fn the_bound_is_above_the_frequencies_of_a_patch() {
     let mut nodes = NodalStiffness::default();
     let mut k = nalgebra::SMatrix::<f64, 9, 9>::zeros();
     for (x, y, stiffness) in [(0.7, 0.8, 30.0), (1.1, 1.2, 70.0), (1.4, 1.45, 20.0)] {
-        let w = VertexWeights::new(Family::Gimp, &point(x, y), 0.25)
+        let w = vertex_weights(Family::Gimp, &point(x, y), 0.25)
             .augmented(&masses)
             .expect("has mass");
         assert_eq!(w.base, [0, 0]);

@@ -6,13 +6,14 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::motion::{Follow, NodalGradient, vertex_velocity};
 use proctor_kernel::mortar::weights::VertexWeights;
 use proctor_kernel::weights::Family;
+use proctor_kernel::weights::vertex_weights;
 
 const CELL: [f64; 2] = [0.25, 0.5];
 
 /// Velocity of a vertex at a place given in cells, in a field v = c + G x on nodes with the given masses.
 fn follow(xi: Point, gradient: Matrix2<f64>, masses: &[f64; 9], how: Follow) -> (Point, Point) {
     let cell = Point::from(CELL);
-    let w = VertexWeights::new(Family::Gimp, &xi, 0.25)
+    let w = vertex_weights(Family::Gimp, &xi, 0.25)
         .augmented(masses)
         .expect("has mass");
     let field = |x: Point| point(0.3, -0.7) + gradient * x;
@@ -66,7 +67,7 @@ fn the_nodal_gradient_is_the_mean_by_mass() {
 /// translation, and drifts off the body.
 #[test]
 fn without_augmentation_a_vertex_lags_behind_a_translation() {
-    let raw = VertexWeights::new(Family::Gimp, &point(7.3, 2.1), 0.25);
+    let raw = vertex_weights(Family::Gimp, &point(7.3, 2.1), 0.25);
     let v = point(2.0, -1.0);
     let velocities = LEFT.map(|mass| if mass > 0.0 { v } else { Point::zeros() });
     let still = [Matrix2::zeros(); 9];

@@ -2,8 +2,9 @@
 
 use crate::common::cases;
 use crate::support::point;
-use proctor_kernel::mortar::weights::{Lost, VertexWeights};
+use proctor_kernel::mortar::weights::Lost;
 use proctor_kernel::weights::Family;
+use proctor_kernel::weights::vertex_weights;
 use proptest::prelude::*;
 
 fn family() -> impl Strategy<Value = (Family, f64)> {
@@ -20,7 +21,7 @@ proptest! {
     fn weights_are_a_partition_of_unity_and_know_where_the_vertex_is(
         (family, l) in family(), x in -20.0..20.0_f64, y in -20.0..20.0_f64,
     ) {
-        let w = VertexWeights::new(family, &point(x, y), l);
+        let w = vertex_weights(family, &point(x, y), l);
         prop_assert!((w.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
         for k in 0..9 {
             let node = point((w.base[0] + k / 3) as f64, (w.base[1] + k % 3) as f64);
@@ -37,7 +38,7 @@ proptest! {
         (family, l) in family(), x in 0.0..2.0_f64, y in 0.0..2.0_f64, masses in prop::array::uniform9(
             prop_oneof![Just(0.0), 1e-12..1.0_f64, 1.0..10.0_f64]),
     ) {
-        let raw = VertexWeights::new(family, &point(x, y), l);
+        let raw = vertex_weights(family, &point(x, y), l);
         let reachable = (0..9).any(|k| raw.weights[k] * masses[k] > 0.0);
         match raw.augmented(&masses) {
             Err(Lost) => prop_assert!(!reachable),

@@ -2,8 +2,8 @@
 
 use super::collector::Collector;
 use super::load::check_history;
-use super::polygon;
 use crate::scene::{Body, Dimension, Mesh, Scene, Shape, Vector};
+use proctor_geometry::polygon;
 
 pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector) {
     if scene.bodies.is_empty() {

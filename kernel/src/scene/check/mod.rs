@@ -7,7 +7,6 @@ mod collector;
 mod contact;
 mod load;
 mod mortar;
-mod polygon;
 mod surface;
 
 use self::collector::Collector;

@@ -158,7 +158,8 @@ fn entry<
     lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>(call))
 }
 
-pub(super) struct Instance<
+/// One of these stages as a kernel; `UPPER` takes gradients of the upper lanes.
+pub struct Instance<
     'a,
     'b,
     const D: usize,
@@ -167,7 +168,7 @@ pub(super) struct Instance<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
->(pub(super) G2p<'a, 'b>);
+>(pub G2p<'a, 'b>);
 
 impl<
     const D: usize,

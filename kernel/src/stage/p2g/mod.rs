@@ -57,10 +57,12 @@ pub struct P2g<'a> {
     pub viscous_rate: f64,
 }
 
-/// What an instance carries beyond mass, momentum and force: nothing, the mass gradient instead of them, or the spin.
-pub(super) const NOTHING: u8 = 0;
-pub(super) const MASS_GRADIENT: u8 = 1;
-pub(super) const SPIN: u8 = 2;
+/// An instance carries nothing beyond mass, momentum and force.
+pub const NOTHING: u8 = 0;
+/// It carries the mass gradient instead of them.
+pub const MASS_GRADIENT: u8 = 1;
+/// It carries the spin too.
+pub const SPIN: u8 = 2;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
@@ -116,14 +118,15 @@ fn entry<
     lanes.run(Instance::<'_, D, N, FULL, GRADIENT, EXTRA>(call))
 }
 
-pub(super) struct Instance<
+/// One of these stages as a kernel; `EXTRA` is what else is mapped.
+pub struct Instance<
     'a,
     const D: usize,
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
     const EXTRA: u8,
->(pub(super) P2g<'a>);
+>(pub P2g<'a>);
 
 impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, const EXTRA: u8> Kernel
     for Instance<'_, D, N, FULL, GRADIENT, EXTRA>

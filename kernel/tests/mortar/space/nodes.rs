@@ -8,6 +8,7 @@ use proctor_kernel::mortar::motion::{Follow, NodalGradient, vertex_velocity};
 use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::weights::{Lost, VertexWeights, in_patch};
 use proctor_kernel::weights::Family;
+use proctor_kernel::weights::vertex_weights;
 use proptest::prelude::*;
 
 type Weights = VertexWeights<3, 27>;
@@ -25,7 +26,7 @@ proptest! {
         at in prop::array::uniform3(-20.0..20.0_f64), l in 0.01..=0.5_f64, hat in any::<bool>(),
     ) {
         let x = Point::from(at);
-        let w = Weights::new(if hat { Family::Hat } else { Family::Gimp }, &x, l);
+        let w = vertex_weights(if hat { Family::Hat } else { Family::Gimp }, &x, l);
         prop_assert!((w.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
         for k in 0..27 {
             prop_assert!((node(&w, k) + w.offset(k) - x).norm() < 1e-13);
@@ -44,7 +45,7 @@ proptest! {
         let cell = point(0.25, 0.5, 0.1);
         let x = Point::from(at);
         let masses = std::array::from_fn(|k| if full[k] { 1.0 + k as f64 } else { 0.0 });
-        let raw = Weights::new(Family::Gimp, &x, 0.25);
+        let raw = vertex_weights(Family::Gimp, &x, 0.25);
         let reachable = (0..27).any(|k| raw.weights[k] * masses[k] > 0.0);
         let w = match raw.augmented(&masses) {
             Err(Lost) => { prop_assert!(!reachable); return Ok(()); }
@@ -86,7 +87,7 @@ fn the_bound_is_above_the_frequencies_of_a_patch() {
         (1.1, 1.2, 0.9, 70.0),
         (1.4, 1.45, 1.3, 20.0),
     ] {
-        let w = Weights::new(Family::Gimp, &point(x, y, z), 0.25)
+        let w = vertex_weights(Family::Gimp, &point(x, y, z), 0.25)
             .augmented(&masses)
             .expect("has mass");
         assert_eq!(w.base, [0; 3]);

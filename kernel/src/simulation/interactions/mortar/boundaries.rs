@@ -12,7 +12,7 @@ use crate::mortar::broad::Bounds;
 use crate::mortar::elements::Elements;
 use crate::mortar::motion::{Follow, vertex_velocity};
 use crate::mortar::pair::{Surfaces, contact_forces_to};
-use crate::mortar::weights::VertexWeights;
+use crate::weights::vertex_weights;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 use crate::simulation::error::StepErrorKind;
@@ -141,7 +141,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let weigh = |vertex: usize| {
                 let x = &points[vertex];
                 let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
-                let raw = VertexWeights::<D, N>::new(mapping.family, &xi, half_length);
+                let raw = vertex_weights::<D, N>(mapping.family, &xi, half_length);
                 let raw = mirrors.fold(raw);
                 let (nodes, masses) = nodes_of_patch::<D, N>(raw.base, shape, &field.rows, lines);
                 let weights = if follow == Follow::Unaugmented {

@@ -1,17 +1,17 @@
 //! The paths of AVX-512, eight particles at once and lines summed whole, have the bits of the lanes of this machine.
 
-use super::Mapping;
-use super::g2p::{self, Affine, FaultKind, G2p, Task};
-use super::p2g::{self, Carry, MASS_GRADIENT, NOTHING, P2g, SPIN};
-use crate::grid::{GridShape, Line, Nodes};
-use crate::lanes::{Kernel, LaneChoice, Selected, WholeLines};
-use crate::laws::tensor::Configuration;
-use crate::laws::{AnyLaw, LinearElastic, NeoHookean};
-use crate::layout::{Layout, Optional};
-use crate::particles::ParticleSet;
-use crate::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
-use crate::team::Team;
-use crate::weights::Family;
+use proctor_kernel::grid::{GridShape, Line, Nodes};
+use proctor_kernel::lanes::{Kernel, LaneChoice, Selected, WholeLines};
+use proctor_kernel::laws::tensor::Configuration;
+use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
+use proctor_kernel::layout::{Layout, Optional};
+use proctor_kernel::particles::ParticleSet;
+use proctor_kernel::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
+use proctor_kernel::stage::Mapping;
+use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task};
+use proctor_kernel::stage::p2g::{self, Carry, MASS_GRADIENT, NOTHING, P2g, SPIN};
+use proctor_kernel::team::Team;
+use proctor_kernel::weights::Family;
 
 const CELLS: usize = 4;
 const PARTICLES: usize = 150;

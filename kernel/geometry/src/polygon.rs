@@ -5,7 +5,8 @@ type Point = [f64; 2];
 
 /// What is wrong with a polygon: fewer than three corners, coinciding corners, crossing or touching edges.
 /// `None` if it is simple.
-pub(super) fn fault(points: &[Point]) -> Option<String> {
+#[must_use]
+pub fn fault(points: &[Point]) -> Option<String> {
     let n = points.len();
     if n < 3 {
         return Some(format!("{n} corners"));

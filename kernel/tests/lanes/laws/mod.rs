@@ -1,12 +1,13 @@
 //! Stress and deformation updates against exact solutions and against nalgebra.
 
-use super::tensor::{
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
+use proctor_kernel::laws::tensor::{Configuration, Matrix};
+use proctor_kernel::laws::tensor::{
     determinant, inverse, left_stretch_diagonal, relative_deformation, stretch_diagonal,
     volume_ratio,
 };
-use super::*;
-use crate::lanes::{Backend, Kernel, Selected};
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use proctor_kernel::laws::{Increment, Law, LinearElastic, NeoHookean, ObjectiveRate};
 use std::f64::consts::PI;
 
 mod blocks;

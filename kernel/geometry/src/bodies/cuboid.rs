@@ -3,7 +3,7 @@
 use super::Filled;
 use super::error::FillError;
 use super::lattice::Lattice;
-use crate::scene::Vector;
+use crate::shape::Vector;
 use std::iter::repeat_n;
 
 /// Particles of a box along one axis. Coordinates are relative to the mesh \[m\].

@@ -1,11 +1,10 @@
 //! Weights of a boundary vertex on the nodes around it.
 
 use super::PointIn;
-use crate::weights::{Family, weights_at};
 use std::array;
 
 /// Nodes per axis that a vertex can reach.
-pub(crate) const NODES: usize = 3;
+pub const NODES: usize = 3;
 
 /// Weights of a vertex on a patch of three nodes per axis, N = 3^D in all; node (i, j) of a patch of the plane has the
 /// place 3 i + j, node (i, j, k) in space 9 i + 3 j + k.
@@ -30,12 +29,9 @@ pub fn in_patch<const D: usize>(node: usize) -> [usize; D] {
 pub struct Lost;
 
 impl<const D: usize, const N: usize> VertexWeights<D, N> {
-    /// Unmodified weights S_Iv at a position in cells of the mesh. `half_length` is that of the domain of the vertex in
-    /// cells, at most 1/2; any value works, as it makes no difference that could be measured.
+    /// Weights at a position in cells of the mesh, from those along each axis, whose lowest nodes are `base`.
     #[must_use]
-    pub fn new(family: Family, xi: &PointIn<D>, half_length: f64) -> Self {
-        let at = array::from_fn(|axis| xi[axis]);
-        let (base, w, _) = weights_at::<NODES, D>(family, at, half_length);
+    pub fn new(xi: &PointIn<D>, base: [f64; D], w: &[[f64; NODES]; D]) -> Self {
         Self {
             base: base.map(|b| b as i64),
             weights: array::from_fn(|k| {

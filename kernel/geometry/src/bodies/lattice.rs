@@ -2,7 +2,8 @@
 
 use super::error::{FillError, mesh_range};
 use super::{Filled, HalfLength, Room};
-use crate::scene::{Dimension, Mesh, Vector};
+use crate::mesh::Mesh;
+use crate::shape::{Dimension, Vector};
 use std::iter::repeat_n;
 use std::ops::Range;
 

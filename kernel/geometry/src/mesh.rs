@@ -1,6 +1,6 @@
 //! The background mesh and the conditions on its planes.
 
-use super::{Dimension, Vector};
+use crate::shape::{Dimension, Vector};
 
 /// Regular background mesh of equal cells.
 #[derive(Clone, Debug, PartialEq)]

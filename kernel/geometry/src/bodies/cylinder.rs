@@ -4,7 +4,7 @@ use super::Filled;
 use super::ball::runs_where;
 use super::error::FillError;
 use super::lattice::Lattice;
-use crate::scene::Vector;
+use crate::shape::Vector;
 use std::f64::consts::PI;
 
 fn dot(a: Vector, b: Vector) -> f64 {

@@ -3,7 +3,7 @@
 use super::Filled;
 use super::error::FillError;
 use super::lattice::Lattice;
-use crate::scene::Vector;
+use crate::shape::Vector;
 use std::ops::Range;
 
 /// A point of the plane, relative to the mesh \[m\].

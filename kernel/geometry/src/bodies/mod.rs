@@ -27,7 +27,8 @@ mod polygon;
 pub use error::FillError;
 
 use crate::memory::Memory;
-use crate::scene::{Body, Dimension, Mesh, Shape};
+use crate::mesh::Mesh;
+use crate::shape::{Dimension, Shape};
 use lattice::Lattice;
 
 /// The particles of one body.
@@ -93,18 +94,23 @@ pub struct Room {
     pub per_particle: f64,
 }
 
-/// Fills a body with particles. Deterministic: the same arguments give the same bits.
+/// Fills a shape with particles, so many per cell and axis. Deterministic: the same arguments give the same bits.
 ///
 /// # Errors
 ///
 /// [`FillError`] where the body gets no particle, a particle lies outside the mesh, a number is not finite or
 /// not positive, the shape does not exist in this dimension, or the particles do not fit into memory.
-pub fn fill(body: &Body, mesh: &Mesh, dimension: Dimension) -> Result<Filled, FillError> {
+pub fn fill(
+    shape: &Shape,
+    particles_per_cell: [usize; 3],
+    mesh: &Mesh,
+    dimension: Dimension,
+) -> Result<Filled, FillError> {
     let room = Room {
         memory: Memory::of_machine(),
         per_particle: FILLED,
     };
-    fill_within(body, mesh, dimension, &room)
+    fill_within(shape, particles_per_cell, mesh, dimension, &room)
 }
 
 /// [`fill`], unless the particles and what is made of them need more than there is room for.
@@ -112,15 +118,16 @@ pub fn fill(body: &Body, mesh: &Mesh, dimension: Dimension) -> Result<Filled, Fi
 /// # Errors
 /// As [`fill`].
 pub fn fill_within(
-    body: &Body,
+    shape: &Shape,
+    particles_per_cell: [usize; 3],
     mesh: &Mesh,
     dimension: Dimension,
     room: &Room,
 ) -> Result<Filled, FillError> {
     // A particle list needs no lattice.
-    let lattice = || Lattice::new(mesh, body.particles_per_cell, dimension, *room);
+    let lattice = || Lattice::new(mesh, particles_per_cell, dimension, *room);
     let refuse = |shape| Err(FillError::Dimension { shape, dimension });
-    match (&body.shape, dimension) {
+    match (shape, dimension) {
         (Shape::Cuboid { p1, p2 }, _) => cuboid::fill(&lattice()?, *p1, *p2),
         (Shape::Sphere { center, radius }, _) => ball::fill(&lattice()?, *center, 0.0, *radius),
         (

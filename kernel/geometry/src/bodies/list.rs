@@ -2,7 +2,8 @@
 
 use super::error::{FillError, mesh_range};
 use super::{Filled, HalfLength};
-use crate::scene::{Dimension, Mesh, ParticleSeed};
+use crate::mesh::Mesh;
+use crate::shape::{Dimension, ParticleSeed};
 
 /// The particles of a list, in its order. Each gets the half-lengths of a cube, in two dimensions a square,
 /// of its volume: the list says nothing of their shape.

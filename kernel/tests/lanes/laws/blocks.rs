@@ -1,13 +1,12 @@
 //! Blocks of particles have the same bits for all lanes, and internal variables follow their particles.
 
-use crate::lanes::{Kernel, LaneChoice, Lanes, Selected, WholeLines};
-use crate::laws::strain::OfBlock;
-use crate::laws::tensor::Configuration;
-use crate::laws::{
-    Block, Gradients, Increment, Law, LinearElastic, NeoHookean, Particle, Strained,
+use proctor_kernel::lanes::{Kernel, LaneChoice, Lanes, Selected, WholeLines};
+use proctor_kernel::laws::tensor::Configuration;
+use proctor_kernel::laws::{
+    Block, Gradients, Increment, Law, LinearElastic, NeoHookean, OfBlock, Particle, Strained,
 };
-use crate::layout::{Layout, Optional, Variable};
-use crate::particles::ParticleSet;
+use proctor_kernel::layout::{Layout, Optional, Variable};
+use proctor_kernel::particles::ParticleSet;
 
 const PARTICLES: usize = 43;
 const DT: f64 = 1.0e-3;
@@ -114,7 +113,7 @@ fn strained<M: Law>(
 }
 
 fn check<M: Law>(law: &M) {
-    use crate::laws::Strain;
+    use proctor_kernel::laws::Strain;
     for axes in [2, 3] {
         let whole = strained::<M>(axes, &|block| {
             if axes == 2 {
@@ -148,7 +147,7 @@ fn blocks_have_the_same_bits_for_all_lanes() {
 
 #[test]
 fn internal_variables_begin_and_go_on_as_their_law_says() {
-    use crate::laws::Strain;
+    use proctor_kernel::laws::Strain;
     let law = Counting(LinearElastic::new(1.0e3, 0.3));
     let (mut set, gradients) = particles::<Counting>(2);
     assert_eq!(set.column("steps"), Some(&[2.0; PARTICLES][..]));

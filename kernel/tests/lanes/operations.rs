@@ -1,6 +1,6 @@
 //! All backends agree bit by bit, on ordinary numbers, signed zeros, infinities, NaN and denormals.
 
-use super::{Backend, Kernel, LaneChoice, Lanes, Quad, ScalarBackend, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Quad, ScalarBackend, Selected};
 
 /// Every operation on eight pairs of numbers, through the natural vector of the backend.
 struct EveryOperation<'a> {

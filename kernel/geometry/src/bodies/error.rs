@@ -1,7 +1,8 @@
 //! Why a body could not be filled.
 
 use crate::memory::OutOfMemory;
-use crate::scene::{Dimension, Mesh, Vector};
+use crate::mesh::Mesh;
+use crate::shape::{Dimension, Vector};
 use std::fmt;
 
 /// Why a body could not be filled. Positions and ranges are in the coordinates of the scene.

@@ -1,0 +1,16 @@
+//! Geometry for the cycle of `proctor-kernel`, which has it under the same names: shapes and the particles that fill them
+//! ([`bodies`]), boundaries of bodies and the points where they meet ([`mortar`]), rigid surfaces ([`surface`]); and what
+//! all of it shares: the background mesh, the memory of the machine, a team of threads.
+
+#![deny(unsafe_code)]
+// What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
+pub mod bodies;
+pub mod memory;
+pub mod mesh;
+pub mod mortar;
+pub mod polygon;
+pub mod shape;
+pub mod surface;
+pub mod team;

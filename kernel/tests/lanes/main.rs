@@ -1,0 +1,5 @@
+//! Lanes, and what is written in them: the same bits whatever their number, and laws against exact solutions.
+
+mod laws;
+mod operations;
+mod stages;
