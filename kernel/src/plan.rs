@@ -1,6 +1,6 @@
 //! The plan: what this scene needs, and nothing else.
 //!
-//! [`Plan::of`] decides once. What is left out is never called and its fields are never allocated.
+//! It is decided once. What is left out is never called and its fields are never allocated.
 
 mod entries;
 mod stability;

@@ -170,20 +170,17 @@ impl Files {
         }
         for probe in &self.probes {
             let set = &simulation.sets()[probe.set];
-            match set.id.iter().position(|id| *id == probe.id) {
-                Some(p) => {
-                    let u = simulation
-                        .displacement(probe.set, p)
-                        .unwrap_or([f64::NAN; 3]);
-                    row.extend_from_slice(&u[..axes]);
-                    row.extend_from_slice(&set.velocity(p)[..axes]);
-                    row.extend_from_slice(&set.stress(p));
-                    row.extend(set.variables(p));
-                }
-                None => {
-                    let cells = 2 * axes + STRESS.len() + set.layout.components().count();
-                    row.extend(std::iter::repeat_n(f64::NAN, cells));
-                }
+            if let Some(p) = set.id.iter().position(|id| *id == probe.id) {
+                let u = simulation
+                    .displacement(probe.set, p)
+                    .unwrap_or([f64::NAN; 3]);
+                row.extend_from_slice(&u[..axes]);
+                row.extend_from_slice(&set.velocity(p)[..axes]);
+                row.extend_from_slice(&set.stress(p));
+                row.extend(set.variables(p));
+            } else {
+                let cells = 2 * axes + STRESS.len() + set.layout.components().count();
+                row.extend(std::iter::repeat_n(f64::NAN, cells));
             }
         }
         row.push(simulation.velocity_time());

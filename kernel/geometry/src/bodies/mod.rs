@@ -1,6 +1,6 @@
 //! Bodies: from a shape to particles.
 //!
-//! [`fill`] turns the shape of one [`Body`] into positions, volumes and half-lengths of particles.
+//! [`fill`] turns a [`Shape`] into positions, volumes and half-lengths of particles.
 //!
 //! - A cuboid gets its own lattice: per axis the fewest equal intervals that are not longer than the
 //!   sub-cell h / ppc. An edge within round-off of a sub-cell line is that line, so that a box that is
