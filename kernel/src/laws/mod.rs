@@ -51,7 +51,7 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
 
     /// Whether the stress follows from the deformation gradient, not from the stress before. Such a law is given F and
     /// J = det F but no stress, and volumes are V_0 J; any other is given the stress before, and must not use F.
-    const FROM_DEFORMATION: bool = false;
+    const NEEDS_DEFORMATION: bool = false;
 
     /// Name in plans and messages.
     fn name(&self) -> &'static str;
@@ -92,7 +92,7 @@ pub struct Increment<L> {
     pub configuration: Configuration,
     /// Time step \[s\].
     pub dt: f64,
-    /// Deformation gradient after the step, and its determinant; see [`Law::FROM_DEFORMATION`].
+    /// Deformation gradient after the step, and its determinant; see [`Law::NEEDS_DEFORMATION`].
     pub deformation: Matrix<L>,
     /// J.
     pub jacobian: L,

@@ -36,7 +36,7 @@ impl NeoHookean {
 
 impl Law for NeoHookean {
     const CONSTANTS: &'static [Constant] = &[super::YOUNG, super::POISSON];
-    const FROM_DEFORMATION: bool = true;
+    const NEEDS_DEFORMATION: bool = true;
 
     fn name(&self) -> &'static str {
         Self::NAME

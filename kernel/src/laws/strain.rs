@@ -96,7 +96,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn constants(&self) -> Vec<(Constant, f64)>;
     /// See [`Law::VARIABLES`].
     fn variables(&self) -> &'static [Variable];
-    /// See [`Law::FROM_DEFORMATION`].
+    /// See [`Law::NEEDS_DEFORMATION`].
     fn needs_deformation(&self) -> bool;
     /// See [`Law::young`].
     fn young(&self) -> f64;
@@ -123,7 +123,7 @@ impl<M: Law> Strain for M {
         M::VARIABLES
     }
     fn needs_deformation(&self) -> bool {
-        M::FROM_DEFORMATION
+        M::NEEDS_DEFORMATION
     }
     fn young(&self) -> f64 {
         Law::young(self)
@@ -268,7 +268,7 @@ fn group<L: Lanes, M: Law, const D: usize>(
     }
     // Where F has a use in the cycle the volume is V_0 det F, so that volume, density and F agree to round-off;
     // an F that is only written must not change a bit.
-    let volume = if M::FROM_DEFORMATION || block.volume_of_deformation {
+    let volume = if M::NEEDS_DEFORMATION || block.volume_of_deformation {
         mass * L::splat(1.0 / block.density) * jacobian
     } else {
         load::<L>(block.columns[Layout::VOLUME], at, count)
@@ -279,7 +279,7 @@ fn group<L: Lanes, M: Law, const D: usize>(
     let components_of_stress = const { Layout::stress_components_of(D) };
     let of_stress = Layout::stress(D)..Layout::stress(D) + components_of_stress;
     let mut stress = [zero; 6];
-    if !M::FROM_DEFORMATION {
+    if !M::NEEDS_DEFORMATION {
         let columns = &block.columns[of_stress.clone()];
         for i in 0..components_of_stress {
             stress[i] = load(columns[i], at, count);

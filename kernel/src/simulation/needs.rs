@@ -142,6 +142,7 @@ pub(super) fn per_particle(scene: &Scene, layout: &Layout) -> f64 {
         Field::DeformationGradient => 9.0,
         Field::Stress => 6.0,
         Field::Displacement | Field::Velocity | Field::ExternalForce => 3.0,
+        Field::InternalVariables => layout.components().count() as f64,
         _ => 1.0,
     };
     let written: f64 = if scene.results.print > 0 {

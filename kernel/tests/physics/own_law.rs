@@ -71,14 +71,17 @@ impl Law for Habitual {
     }
 }
 
-/// Elasticity that asks for a variable twice.
+/// Elasticity that asks for a column twice: for one by its own name, and as a component of another.
 #[derive(Debug, PartialEq)]
 struct Forgetful;
 
 impl Law for Forgetful {
     const VARIABLES: &'static [Variable] = &[
-        Variable::scalar("void ratio", ""),
-        Variable::scalar("void ratio", ""),
+        Variable {
+            components: 2,
+            ..Variable::scalar("void ratio", "")
+        },
+        Variable::scalar("void ratio 2", ""),
     ];
 
     fn name(&self) -> &'static str {
@@ -203,7 +206,7 @@ fn a_law_that_asks_for_a_column_twice_is_refused_by_name() {
     assert_eq!(error.problems[0].path, "materials[0].law");
     let words = error.to_string();
     assert!(
-        words.contains("forgetful") && words.contains("void ratio"),
+        words.contains("forgetful") && words.contains("void ratio 2"),
         "{words}"
     );
 }

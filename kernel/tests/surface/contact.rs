@@ -1,6 +1,7 @@
 //! Contact with rigid surfaces in the cycle.
 
-use crate::slope::{GRAVITY, H, Slope, dot, start};
+use crate::slide::start;
+use crate::slope::{GRAVITY, H, Slope, dot};
 use proctor_kernel::plan::{Demands, Plan};
 use proctor_kernel::scene::{History, StressScheme, Transfer, TransferKind};
 use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, StepErrorKind};

@@ -3,5 +3,6 @@
 mod beside_contact;
 mod contact;
 mod search;
+mod slide;
 mod slope;
 mod topology;

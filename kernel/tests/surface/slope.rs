@@ -4,7 +4,6 @@ use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
     Body, Dimension, Material, Mesh, ParticleSeed, RigidSurface, Scene, Shape, StressScheme, Vector,
 };
-use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::surface::Surface;
 use std::sync::Arc;
 
@@ -38,12 +37,6 @@ impl Slope {
             tilt: 30.0_f64.to_radians(),
             end: 0.5,
         }
-    }
-
-    /// g (sin 30 - mu cos 30).
-    pub fn acceleration(&self) -> f64 {
-        let angle = 30.0_f64.to_radians();
-        self.gravity * (angle.sin() - self.friction * angle.cos())
     }
 
     /// Down the slope.
@@ -112,19 +105,6 @@ impl Slope {
         });
         scene
     }
-
-    pub fn simulation(&self, threads: usize) -> Simulation {
-        start(&self.scene(), threads)
-    }
-}
-
-pub fn start(scene: &Scene, threads: usize) -> Simulation {
-    scene.check().expect("a sound scene");
-    let options = Options {
-        threads: Some(threads),
-        ..Options::default()
-    };
-    Simulation::new(scene, &options).expect("a scene that can start")
 }
 
 pub fn dot(a: &Vector, b: &Vector) -> f64 {

@@ -3,7 +3,6 @@
 mod fixtures;
 mod restart;
 // The slope on which the kernel's own tests slide a block.
-#[allow(dead_code)]
 #[path = "../../../tests/surface/slope.rs"]
 mod slope;
 mod stl;

@@ -181,9 +181,14 @@ impl Scene {
     }
 }
 
-/// The first name that two internal variables have.
-fn named_twice(variables: &[Variable]) -> Option<&'static str> {
-    (0..variables.len())
-        .find(|&i| variables[..i].iter().any(|v| v.name == variables[i].name))
-        .map(|i| variables[i].name)
+/// The first name that two internal variables, or components of them, have.
+fn named_twice(variables: &[Variable]) -> Option<String> {
+    let of = |variable: &Variable| {
+        let variable = *variable;
+        (0..variable.components).map(move |i| variable.component(i))
+    };
+    let mut names: Vec<String> = variables.iter().flat_map(of).collect();
+    names.sort_unstable();
+    let twice = names.windows(2).find(|pair| pair[0] == pair[1])?;
+    Some(twice[0].clone())
 }

@@ -62,7 +62,7 @@ fn bits(set: &ParticleSet) -> Vec<Vec<u64>> {
 /// Particles with numbers, and the velocity gradients of those from `first` on.
 fn particles<M: Law>(axes: usize) -> (ParticleSet, Gradients) {
     let wanted = Optional {
-        deformation: M::FROM_DEFORMATION,
+        deformation: M::NEEDS_DEFORMATION,
         ..Optional::default()
     };
     let layout = Layout::new(axes, wanted, M::VARIABLES);
