@@ -7,7 +7,7 @@ use crate::weights::base_offset;
 use std::ops::Range;
 
 /// The particles of one body.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ParticleSet {
     /// Columns and where they are.
     pub layout: Layout,

@@ -21,7 +21,7 @@ mod scalar;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use scalar::{Pair, Scalar};
+use scalar::{Pair, Scalar};
 
 /// A group of f64 lanes.
 pub trait Lanes:
@@ -193,8 +193,8 @@ enum Kind {
     Avx2,
     /// Scalar lanes with a hardware fused multiply-add.
     ScalarFused,
-    /// Scalar lanes where fused multiply-add is a library call.
-    ScalarSoft,
+    /// Lanes in plain Rust, where fused multiply-add is a library call.
+    Plain,
 }
 
 /// The machine lacks the lanes that were asked for.
@@ -233,11 +233,9 @@ impl Selected {
             match choice {
                 LaneChoice::Auto | LaneChoice::Avx512 if avx512 => Ok(Self(Kind::Avx512)),
                 LaneChoice::Auto | LaneChoice::Avx2 if avx2 => Ok(Self(Kind::Avx2)),
-                LaneChoice::Auto | LaneChoice::Scalar => Ok(Self(if fma {
-                    Kind::ScalarFused
-                } else {
-                    Kind::ScalarSoft
-                })),
+                LaneChoice::Auto | LaneChoice::Scalar => {
+                    Ok(Self(if fma { Kind::ScalarFused } else { Kind::Plain }))
+                }
                 missing => Err(LanesUnavailable(missing)),
             }
         }
@@ -249,7 +247,7 @@ impl Selected {
                     Ok(Self(if cfg!(target_arch = "aarch64") {
                         Kind::ScalarFused
                     } else {
-                        Kind::ScalarSoft
+                        Kind::Plain
                     }))
                 }
                 missing => Err(LanesUnavailable(missing)),
@@ -260,7 +258,14 @@ impl Selected {
     /// The widest backend of this machine.
     #[must_use]
     pub fn any() -> Self {
-        Self::new(LaneChoice::Auto).unwrap_or(Self(Kind::ScalarSoft))
+        Self::new(LaneChoice::Auto).unwrap_or(Self::plain())
+    }
+
+    /// What a machine without fused multiply-add takes: lanes in plain Rust, eight at once, on any machine. What all others
+    /// are compared with, and the paths of AVX-512 where there is none.
+    #[must_use]
+    pub fn plain() -> Self {
+        Self(Kind::Plain)
     }
 
     /// Name for summaries: `avx512`, `avx2`, `scalar`, or `scalar without fused multiply-add` where every
@@ -273,7 +278,7 @@ impl Selected {
             #[cfg(target_arch = "x86_64")]
             Kind::Avx2 => "avx2",
             Kind::ScalarFused => "scalar",
-            Kind::ScalarSoft => "scalar without fused multiply-add",
+            Kind::Plain => "scalar without fused multiply-add",
         }
     }
 
@@ -290,14 +295,14 @@ impl Selected {
             Kind::ScalarFused => unsafe { x86::run_scalar_fused(kernel) },
             #[cfg(not(target_arch = "x86_64"))]
             Kind::ScalarFused => kernel.run::<ScalarBackend>(),
-            Kind::ScalarSoft => kernel.run::<ScalarBackend>(),
+            Kind::Plain => kernel.run::<Plain>(),
         }
     }
 }
 
-/// One lane at a time, in plain Rust: what the others are compared with.
+/// One lane at a time.
 #[derive(Clone, Copy)]
-pub struct ScalarBackend;
+struct ScalarBackend;
 
 impl Backend for ScalarBackend {
     type Native = Scalar;
@@ -306,11 +311,11 @@ impl Backend for ScalarBackend {
     const WHOLE_LINE: bool = false;
 }
 
-/// Eight lanes in plain Rust, with lines taken as one register: the paths of AVX-512 on any machine.
+/// Eight lanes in plain Rust, with lines taken as one register as with AVX-512.
 #[derive(Clone, Copy)]
-pub struct WholeLines;
+struct Plain;
 
-impl Backend for WholeLines {
+impl Backend for Plain {
     type Native = Pair<Pair<Pair<Scalar>>>;
     type Line = Pair<Pair<Pair<Scalar>>>;
     type Half = Pair<Pair<Scalar>>;

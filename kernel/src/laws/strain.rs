@@ -209,7 +209,7 @@ const fn components(variables: &[Variable]) -> usize {
 }
 
 /// The strain of a block as a kernel, for laws of one type.
-pub struct OfBlock<'a, 'b, 'm, M, const D: usize>(pub &'m M, pub Block<'a, 'b>);
+struct OfBlock<'a, 'b, 'm, M, const D: usize>(pub &'m M, pub Block<'a, 'b>);
 
 impl<M: Law, const D: usize> Kernel for OfBlock<'_, '_, '_, M, D> {
     type Output = Strained;

@@ -19,7 +19,7 @@ impl Simulation {
     /// # Errors
     /// A component that is not finite, or one along an axis that does not exist.
     pub fn set_gravity(&mut self, gravity: Vector) -> Result<(), SetupError> {
-        let flat = gravity[self.plan.axes..].iter().all(|g| *g == 0.0);
+        let flat = gravity[self.decided.plan.axes..].iter().all(|g| *g == 0.0);
         if !flat || gravity.iter().any(|g| !g.is_finite()) {
             return Err(refused(
                 "gravity",
@@ -27,10 +27,10 @@ impl Simulation {
             ));
         }
         let before = self.dead_load_potential();
-        self.ledger.external_work += before - self.ledger.dead_load_origin;
-        self.scene.gravity = gravity;
+        self.state.books.external_work += before - self.state.books.dead_load_origin;
+        self.decided.scene.gravity = gravity;
         self.set_conditions()?;
-        self.ledger.dead_load_origin = self.dead_load_potential();
+        self.state.books.dead_load_origin = self.dead_load_potential();
         Ok(())
     }
 
@@ -45,7 +45,13 @@ impl Simulation {
                 &format!("{friction}; accepted: a number, 0 or greater"),
             ));
         }
-        if let Some(entry) = self.scene.contacts.iter_mut().find(|c| c.id == contact) {
+        if let Some(entry) = self
+            .decided
+            .scene
+            .contacts
+            .iter_mut()
+            .find(|c| c.id == contact)
+        {
             entry.friction = friction;
             if let Some(State { pairs, .. }) = self.interaction_mut() {
                 for pair in pairs.iter_mut().filter(|p| p.id == contact) {
@@ -54,7 +60,7 @@ impl Simulation {
             }
             return Ok(());
         }
-        let mut contacts = self.scene.mortar.contacts.iter_mut();
+        let mut contacts = self.decided.scene.mortar.contacts.iter_mut();
         let Some(entry) = contacts.find(|c| c.id == contact) else {
             return Err(refused(
                 "contact",
@@ -90,8 +96,8 @@ impl Simulation {
                 &format!("{friction}; accepted: a finite number, 0 or greater"),
             ));
         }
-        let count = self.scene.surfaces.len();
-        let Some(entry) = self.scene.surfaces.get_mut(surface) else {
+        let count = self.decided.scene.surfaces.len();
+        let Some(entry) = self.decided.scene.surfaces.get_mut(surface) else {
             return Err(refused(
                 "surface",
                 &format!("{surface}; accepted: below {count}, the number of surfaces"),
@@ -107,7 +113,7 @@ impl Simulation {
     /// # Errors
     /// No such body, or a history that is empty or not finite or whose times do not increase.
     pub fn set_motion(&mut self, body: i64, motion: Option<History>) -> Result<(), SetupError> {
-        let Some(index) = self.bodies.iter().position(|b| b.id == body) else {
+        let Some(index) = self.decided.bodies.iter().position(|b| b.id == body) else {
             return Err(refused(
                 "body",
                 &format!("{body}, which no body has as its id"),
@@ -126,13 +132,11 @@ impl Simulation {
                 ));
             }
         }
-        self.scene.bodies[index].motion.clone_from(&motion);
-        let run = &mut self.bodies[index];
-        run.motion = motion;
-        run.found.speed_squared = run
-            .found
-            .speed_squared
-            .max(fastest(&self.scene.bodies[index]));
+        self.decided.scene.bodies[index].motion.clone_from(&motion);
+        self.decided.bodies[index].motion = motion;
+        let found = &mut self.state.found[index];
+        let fastest = fastest(&self.decided.scene.bodies[index]);
+        found.speed_squared = found.speed_squared.max(fastest);
         let Ok(()) = self.each::<Infallible>(|one, simulation| {
             one.motion_changed(simulation, index);
             Ok(())
@@ -147,7 +151,7 @@ impl Simulation {
     /// A factor outside 0 to 1, or a scene with another kind of damping.
     pub fn set_local_damping(&mut self, alpha: Option<f64>) -> Result<(), SetupError> {
         if matches!(
-            self.scene.damping,
+            self.decided.scene.damping,
             Damping::Kinetic | Damping::Viscous { .. }
         ) {
             return Err(refused("damping", "the scene has another kind of damping"));
@@ -158,7 +162,7 @@ impl Simulation {
                 &format!("{alpha:?}; accepted: a number from 0 to 1"),
             ));
         }
-        self.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
+        self.decided.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
         self.set_conditions()
     }
 }

@@ -76,12 +76,12 @@ impl Simulation {
     fn critical(&self) -> (f64, Bound, f64, f64) {
         let mut wave_speed = 0.0_f64;
         let mut square = 0.0_f64;
-        for body in &self.bodies {
-            wave_speed = wave_speed.max(body.found.wave_speed());
-            square = square.max(body.found.speed_squared);
+        for found in &self.state.found {
+            wave_speed = wave_speed.max(found.wave_speed());
+            square = square.max(found.speed_squared);
         }
         let particle_speed = square.sqrt();
-        let h = self.scene.mesh.cell[..self.plan.axes]
+        let h = self.decided.scene.mesh.cell[..self.decided.plan.axes]
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
@@ -106,15 +106,16 @@ impl Simulation {
     #[must_use]
     pub fn stability_number(&self) -> f64 {
         let smallest = self
+            .decided
             .bodies
             .iter()
-            .flat_map(|body| &body.mapping.half_length[..self.plan.axes])
+            .flat_map(|body| &body.mapping.half_length[..self.decided.plan.axes])
             .copied()
             .fold(f64::INFINITY, f64::min);
         stability_number(
-            self.scene.weighting,
-            self.scene.scheme,
-            self.scene.transfer.kind,
+            self.decided.scene.weighting,
+            self.decided.scene.scheme,
+            self.decided.scene.transfer.kind,
             smallest,
         )
     }
@@ -124,7 +125,7 @@ impl Simulation {
         let (critical, bound, wave_speed, particle_speed) = self.critical();
         let steps = self.interactions().map(Interaction::closing_step);
         let closing = CLOSING_SHARE * steps.fold(f64::INFINITY, f64::min);
-        let (dt, bound, allow) = match self.scene.time_step {
+        let (dt, bound, allow) = match self.decided.scene.time_step {
             TimeStep::Automatic if closing < AUTOMATIC_SHARE * critical => {
                 (closing, Bound::Closing, false)
             }
@@ -133,7 +134,7 @@ impl Simulation {
                 multiplier,
                 allow_unstable,
             } => {
-                let h = self.scene.mesh.cell[..self.plan.axes]
+                let h = self.decided.scene.mesh.cell[..self.decided.plan.axes]
                     .iter()
                     .copied()
                     .fold(f64::INFINITY, f64::min);
@@ -167,7 +168,7 @@ impl Simulation {
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
-        let clock = &mut self.clock;
+        let clock = &mut self.state.clock;
         let step = clock.step + 1;
         let (dt, time, bound) = if bound == Bound::Fixed {
             (most, step as f64 * most, bound)
@@ -222,13 +223,17 @@ impl Simulation {
     /// Smallest, largest and smallest critical time step so far \[s\].
     #[must_use]
     pub fn time_steps(&self) -> (f64, f64, f64) {
-        (self.clock.dt_min, self.clock.dt_max, self.clock.dt_critical)
+        (
+            self.state.clock.dt_min,
+            self.state.clock.dt_max,
+            self.state.clock.dt_critical,
+        )
     }
 
     pub(super) fn error(&self, kind: StepErrorKind) -> StepError {
         StepError {
-            step: self.clock.step + 1,
-            time: self.clock.time,
+            step: self.state.clock.step + 1,
+            time: self.state.clock.time,
             kind,
         }
     }

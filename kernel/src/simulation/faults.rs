@@ -15,7 +15,7 @@ impl Simulation {
             match kind {
                 FaultKind::NotFinite => return Err(self.error(self.not_finite(set, p))),
                 FaultKind::Inverted => return Err(self.error(StepErrorKind::Inverted(at))),
-                FaultKind::Outside if self.scene.outside == Outside::Stop => {
+                FaultKind::Outside if self.decided.scene.outside == Outside::Stop => {
                     return Err(self.error(StepErrorKind::Outside(at)));
                 }
                 FaultKind::Outside => self.remove_outside(set)?,
@@ -25,22 +25,22 @@ impl Simulation {
     }
 
     pub(super) fn remove_outside(&mut self, set: usize) -> Result<(), StepError> {
-        let mesh = &self.scene.mesh;
+        let mesh = &self.decided.scene.mesh;
         let mut gone = vec![];
-        for p in 0..self.sets[set].len() {
-            let x = self.sets[set].position(p);
-            let layout = &self.sets[set].layout;
+        for p in 0..self.state.sets[set].len() {
+            let x = self.state.sets[set].position(p);
+            let layout = &self.state.sets[set].layout;
             let sound = (Layout::VOLUME..Layout::stress(layout.axes) + layout.stress_components())
                 .chain(layout.variables..layout.columns);
             // The first fault of the set was a particle outside; others may lie behind it.
-            if { sound }.any(|column| !self.sets[set].columns[column][p].is_finite()) {
+            if { sound }.any(|column| !self.state.sets[set].columns[column][p].is_finite()) {
                 return Err(self.error(self.not_finite(set, p)));
             }
-            if self.sets[set].columns[Layout::VOLUME][p] <= 0.0 {
+            if self.state.sets[set].columns[Layout::VOLUME][p] <= 0.0 {
                 let at = self.particle_at(set, p);
                 return Err(self.error(StepErrorKind::Inverted(at)));
             }
-            let inside = (0..self.plan.axes)
+            let inside = (0..self.decided.plan.axes)
                 .all(|axis| x[axis] >= 0.0 && x[axis] <= mesh.cells[axis] as f64 * mesh.cell[axis]);
             if !inside {
                 gone.push(p);
@@ -49,13 +49,13 @@ impl Simulation {
         for &p in &gone {
             let at = self.particle_at(set, p);
             self.close_account(set, p);
-            self.events.push(Event {
-                step: self.clock.step + 1,
-                time: self.clock.time,
+            self.state.events.push(Event {
+                step: self.state.clock.step + 1,
+                time: self.state.clock.time,
                 kind: EventKind::Removed(at),
             });
         }
-        self.sets[set].remove(&gone, &self.grid.team);
+        self.state.sets[set].remove(&gone, &self.work.grid.team);
         Ok(())
     }
 
@@ -75,7 +75,7 @@ impl Simulation {
         let particle = self.particle_at(set, p);
         let ParticleSet {
             layout, columns, ..
-        } = &self.sets[set];
+        } = &self.state.sets[set];
         let stress = Layout::stress(layout.axes);
         let others =
             (Layout::VOLUME..stress).chain(stress + layout.stress_components()..layout.variables);
@@ -93,7 +93,7 @@ impl Simulation {
         };
         StepErrorKind::Law {
             particle,
-            law: self.bodies[set].law.name(),
+            law: self.decided.bodies[set].law.name(),
             column,
         }
     }
@@ -101,8 +101,8 @@ impl Simulation {
     pub(super) fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
         let (mass, volume) = self.mass_and_volume(set, p);
         ParticleAt {
-            id: self.sets[set].id[p],
-            body: self.bodies[set].id,
+            id: self.state.sets[set].id[p],
+            body: self.decided.bodies[set].id,
             position: self.position(set, p),
             volume,
             mass,
@@ -112,19 +112,20 @@ impl Simulation {
     /// Takes four nodes per axis once a particle domain exceeds half a cell.
     pub(super) fn widen_stencil(&mut self) -> Result<(), StepError> {
         let half_length = self
-            .bodies
+            .state
+            .found
             .iter()
-            .map(|b| b.found.half_length)
+            .map(|found| found.half_length)
             .fold(0.0, f64::max);
         if half_length > 1.0 {
             return Err(self.error(StepErrorKind::DomainTooLarge { half_length }));
         }
-        if half_length > 0.5 && self.stencil == 3 {
-            self.stencil = 4;
-            self.travel = f64::INFINITY;
-            self.events.push(Event {
-                step: self.clock.step + 1,
-                time: self.clock.time,
+        if half_length > 0.5 && self.state.stencil == 3 {
+            self.state.stencil = 4;
+            self.state.travel = f64::INFINITY;
+            self.state.events.push(Event {
+                step: self.state.clock.step + 1,
+                time: self.state.clock.time,
                 kind: EventKind::WiderStencil,
             });
         }

@@ -1,13 +1,12 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
-use super::BodyRun;
 use super::fields::{Owner, Slab, SlabField};
+use super::{BodyRun, Decided, State};
 use crate::contact::interface::Interface;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::plan::Plan;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
@@ -17,13 +16,12 @@ use std::ops::Range;
 /// The mapping of a kind; [`Carry::All`] has spins with it where the plan asks for them. Borrows the particles alone, so
 /// that the nodes can be written meanwhile.
 pub(super) fn bodies_onto<'a>(
-    plan: &Plan,
-    sets: &'a [ParticleSet],
-    bodies: &'a [BodyRun],
-    lanes: Selected,
-    stencil: usize,
+    decided: &'a Decided,
+    state: &'a State,
+    own_field: &'a [bool],
     carry: Carry,
 ) -> BodiesOnto<'a> {
+    let (plan, stencil) = (&decided.plan, state.stencil);
     let carry = match carry {
         Carry::All if plan.spin => Carry::AllAndSpin,
         carry => carry,
@@ -33,9 +31,10 @@ pub(super) fn bodies_onto<'a>(
         call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
     };
     BodiesOnto {
-        sets,
-        bodies,
-        lanes,
+        sets: &state.sets,
+        bodies: &decided.bodies,
+        own_field,
+        lanes: decided.lanes,
         stencil,
         affine: plan.affine != Affine::Leave,
         free: instance(carry),
@@ -57,6 +56,8 @@ pub(super) struct BodiesOnto<'a> {
     pub(super) sets: &'a [ParticleSet],
     /// Their bodies.
     pub(super) bodies: &'a [BodyRun],
+    /// Whether each of them has a field of its own.
+    own_field: &'a [bool],
     lanes: Selected,
     /// Nodes per axis of the stencil.
     pub(super) stencil: usize,
@@ -101,7 +102,7 @@ impl BodiesOnto<'_> {
             Owner::Phase => {
                 let mut groups = 0;
                 for (index, body) in self.bodies.iter().enumerate() {
-                    if body.motion.is_none() && !body.in_layer {
+                    if body.motion.is_none() && !self.own_field[index] {
                         groups += self.map(index, planes);
                     }
                 }

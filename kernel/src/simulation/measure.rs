@@ -7,7 +7,6 @@ use crate::laws::{Particle, UNDEFORMED};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
-use crate::stage::solve::PlaneSums;
 
 /// Energies of a simulation \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,24 +23,11 @@ pub struct Energy {
     pub dissipated: f64,
 }
 
-/// Running sums of a simulation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Ledger {
-    /// Sums of the last step.
-    pub sums: PlaneSums,
-    /// Work of nodal loads and of what has a prescribed velocity so far \[J\].
-    pub external_work: f64,
-    /// Sum of force times position over particles with dead loads at the start, less those removed \[J\].
-    pub dead_load_origin: f64,
-    /// Kinetic and strain energy at the start, and from the first step on that of mortar contact \[J\].
-    pub initial_energy: f64,
-}
-
 impl Simulation {
     /// Begins the energy balance.
     pub(super) fn open_ledger(&mut self) {
-        self.ledger.dead_load_origin = self.dead_load_potential();
-        self.ledger.initial_energy = self.kinetic_energy() + self.strain_energy();
+        self.state.books.dead_load_origin = self.dead_load_potential();
+        self.state.books.initial_energy = self.kinetic_energy() + self.strain_energy();
     }
 
     /// Total mass \[kg\].
@@ -61,7 +47,7 @@ impl Simulation {
     /// Mass, centre of mass and mean velocity of a body \[kg, m, m/s\].
     #[must_use]
     pub fn center(&self, set: usize) -> (f64, Vector, Vector) {
-        let particles = &self.sets[set];
+        let particles = &self.state.sets[set];
         let (mut mass, mut x, mut v) = (0.0, [0.0; 3], [0.0; 3]);
         for p in in_order(particles) {
             let m = particles.columns[Layout::MASS][p];
@@ -93,7 +79,7 @@ impl Simulation {
     #[must_use]
     pub fn strain_energy(&self) -> f64 {
         let mut total = 0.0;
-        for (index, (set, body)) in self.sets.iter().zip(&self.bodies).enumerate() {
+        for (index, (set, body)) in self.state.sets.iter().zip(&self.decided.bodies).enumerate() {
             for p in in_order(set) {
                 let (mass, volume) = self.mass_and_volume(index, p);
                 total += body.law.energy(&Particle {
@@ -113,11 +99,11 @@ impl Simulation {
     #[must_use]
     pub fn energy(&self) -> Energy {
         let (kinetic, strain) = (self.kinetic_energy(), self.strain_energy());
-        let external_work =
-            self.ledger.external_work + self.dead_load_potential() - self.ledger.dead_load_origin;
+        let external_work = self.state.books.external_work + self.dead_load_potential()
+            - self.state.books.dead_load_origin;
         let stored: f64 = self.interactions().map(Interaction::energy).sum();
         let present = kinetic + strain + stored;
-        let dissipated = self.ledger.initial_energy + external_work - present;
+        let dissipated = self.state.books.initial_energy + external_work - present;
         Energy {
             kinetic,
             strain,
@@ -129,14 +115,14 @@ impl Simulation {
     /// Hash of the particle state in order of the identifier; see [`state_hash`].
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        state_hash(&self.sets)
+        state_hash(&self.state.sets)
     }
 
     /// Sum over all particles in order of the identifier, compensated (Neumaier 1974): a million equal terms
     /// would otherwise leave 1e-11 of the sum as round-off.
     fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64) -> f64 {
         let (mut sum, mut lost) = (0.0_f64, 0.0);
-        for set in &self.sets {
+        for set in &self.state.sets {
             for p in in_order(set) {
                 let x = term(set, p);
                 let next = sum + x;
@@ -157,8 +143,9 @@ impl Simulation {
     }
 
     fn dead_load(&self, set: &ParticleSet, p: usize) -> f64 {
-        let g = self.scene.gravity;
-        let x: Vector = std::array::from_fn(|axis| set.position(p)[axis] + self.mesh_shift[axis]);
+        let g = self.decided.scene.gravity;
+        let x: Vector =
+            std::array::from_fn(|axis| set.position(p)[axis] + self.state.mesh_shift[axis]);
         let m = set.columns[Layout::MASS][p];
         let own = set
             .layout
@@ -169,7 +156,7 @@ impl Simulation {
 
     /// Takes a particle that is removed out of the balance of dead loads.
     pub(super) fn close_account(&mut self, set: usize, p: usize) {
-        self.ledger.dead_load_origin -= self.dead_load(&self.sets[set], p);
+        self.state.books.dead_load_origin -= self.dead_load(&self.state.sets[set], p);
     }
 }
 

@@ -3,6 +3,7 @@
 mod change;
 mod clock;
 pub(crate) mod conditions;
+mod decided;
 mod error;
 mod faults;
 pub(crate) mod fields;
@@ -17,10 +18,11 @@ mod passes;
 mod phase;
 mod rehearsal;
 mod relaxation;
-mod saved;
 mod setup;
 mod start;
+mod state;
 mod step;
+mod work;
 
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
@@ -33,20 +35,22 @@ pub use interactions::mortar::{BoundaryVertex, VertexState};
 pub use interactions::{Again, Interaction, Now, OnSlab, Remembered, Visit};
 pub use measure::{Energy, state_hash};
 pub use nodes::NodeValues;
+pub use passes::Groups;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
-pub use saved::{RestoreError, Saved, SavedBody};
 pub use start::{StartError, plan};
+pub use state::{Books, RestoreError, Saved, State};
+
+pub(crate) use decided::{BodyRun, Decided};
+use work::Work;
 
 use crate::lanes::{LaneChoice, Selected};
-use crate::laws::{AnyLaw, UNDEFORMED};
+use crate::laws::UNDEFORMED;
 use crate::layout::Layout;
 use crate::memory::Memory;
 use crate::particles::ParticleSet;
 use crate::plan::Plan;
-use crate::scene::{DomainUpdate, History, Scene, Vector};
-use crate::stage::Mapping;
-use crate::stage::g2p::Found;
+use crate::scene::{Scene, Vector};
 use std::fmt;
 use std::sync::Arc;
 
@@ -123,145 +127,101 @@ impl fmt::Debug for Options {
     }
 }
 
-/// What the cycle knows of one body beyond its particles.
-#[derive(Clone, Debug)]
-pub(crate) struct BodyRun {
-    pub(crate) id: i64,
-    pub(crate) material_id: i64,
-    pub(crate) law: AnyLaw,
-    /// Initial density \[kg/m³\].
-    pub(crate) density: f64,
-    pub(crate) mapping: Mapping,
-    pub(crate) domain_update: Option<DomainUpdate>,
-    pub(crate) motion: Option<History>,
-    /// Rate of viscous damping \[1/s\].
-    pub(crate) viscous_rate: f64,
-    pub(crate) found: Found,
-    /// Half-lengths of its particles at the start \[m\], the mean where they differ.
-    pub(crate) particle_half_length: Vector,
-    /// Whether it has a velocity field of its own, as of the last sort.
-    pub(crate) in_layer: bool,
-    /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
-    /// function has no domain.
-    pub(crate) reach: Option<[f64; 3]>,
-}
-
-/// A scene in motion.
+/// A scene in motion: what was decided of it, its state, and what a step works with.
 pub struct Simulation {
-    pub(crate) scene: Scene,
-    pub(crate) plan: Plan,
-    pub(crate) lanes: Selected,
-    pub(crate) sets: Vec<ParticleSet>,
-    pub(crate) bodies: Vec<BodyRun>,
-    pub(crate) grid: Grid,
-    /// Groups of the first mapping of this step, where it is done already.
-    mapped: Option<usize>,
-    /// Nodes per axis of the stencil, 3 or 4.
-    pub(crate) stencil: usize,
-    /// What acts between velocity fields; those of the user come last.
-    pub(crate) interactions: interactions::Interactions,
-    /// Largest travel in cells since the last sort.
-    pub(crate) travel: f64,
-    pub(crate) groups: passes::Groups,
-    pub(crate) clock: Clock,
-    /// Displacement of the mesh since the start \[m\].
-    pub(crate) mesh_shift: Vector,
-    /// What acts at the nodes from outside; those of the user come last.
-    pub(crate) conditions: Vec<Arc<dyn Condition>>,
-    pub(crate) own_conditions: Vec<Arc<dyn Condition>>,
-    pub(crate) base: Option<BaseVelocity>,
-    pub(crate) body_force: Option<BodyForce>,
-    pub(crate) relaxation: relaxation::Relaxation,
-    pub(crate) ledger: measure::Ledger,
-    pub(crate) events: Vec<Event>,
-    /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
-    /// 1e-10 m only.
-    pub(crate) local_surfaces: Vec<Arc<crate::surface::Surface>>,
+    pub(crate) decided: Decided,
+    pub(crate) state: State,
+    pub(crate) work: Work,
 }
 
 impl Simulation {
     /// The scene.
     #[must_use]
     pub fn scene(&self) -> &Scene {
-        &self.scene
+        &self.decided.scene
     }
 
     /// The plan.
     #[must_use]
     pub fn plan(&self) -> &Plan {
-        &self.plan
+        &self.decided.plan
     }
 
     /// Particle sets, one per body, in the order of the scene.
     #[must_use]
     pub fn sets(&self) -> &[ParticleSet] {
-        &self.sets
+        &self.state.sets
     }
 
     /// Number of particles.
     #[must_use]
     pub fn particles(&self) -> usize {
-        self.sets.iter().map(ParticleSet::len).sum()
+        self.state.sets.iter().map(ParticleSet::len).sum()
     }
 
     /// Number of nodes that particles can reach until the next sort.
     #[must_use]
     pub fn nodes_active(&self) -> usize {
-        self.grid.fields[0].rows.count()
+        self.work.grid.fields[0].rows.count()
     }
 
     /// Time of positions and stresses \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.clock.time
+        self.state.clock.time
     }
 
     /// Time of the velocities, half a step before that of the positions \[s\] (leapfrog).
     #[must_use]
     pub fn velocity_time(&self) -> f64 {
-        self.clock.time - 0.5 * self.clock.dt_before
+        self.state.clock.time - 0.5 * self.state.clock.dt_before
     }
 
     /// Number of steps done.
     #[must_use]
     pub fn steps(&self) -> u64 {
-        self.clock.step
+        self.state.clock.step
     }
 
     /// Number of threads in use.
     #[must_use]
     pub fn threads(&self) -> usize {
-        self.grid.team.count()
+        self.work.grid.team.count()
     }
 
     /// Lanes in use.
     #[must_use]
     pub fn lanes(&self) -> Selected {
-        self.lanes
+        self.decided.lanes
     }
 
     /// What happened so far.
     #[must_use]
     pub fn events(&self) -> &[Event] {
-        &self.events
+        &self.state.events
     }
 
     /// Identifier of the body and of the material of a set.
     #[must_use]
     pub fn body_and_material(&self, set: usize) -> (i64, i64) {
-        (self.bodies[set].id, self.bodies[set].material_id)
+        (
+            self.decided.bodies[set].id,
+            self.decided.bodies[set].material_id,
+        )
     }
 
     /// Lower corner of the mesh now \[m\]. A base that moves along its normal takes the mesh with it.
     #[must_use]
     pub fn origin(&self) -> Vector {
-        std::array::from_fn(|axis| self.scene.mesh.origin[axis] + self.mesh_shift[axis])
+        std::array::from_fn(|axis| {
+            self.decided.scene.mesh.origin[axis] + self.state.mesh_shift[axis]
+        })
     }
 
     /// Position of a particle in the coordinates of the scene \[m\].
     #[must_use]
     pub fn position(&self, set: usize, p: usize) -> Vector {
-        let x = self.sets[set].position(p);
+        let x = self.state.sets[set].position(p);
         std::array::from_fn(|axis| x[axis] + self.origin()[axis])
     }
 
@@ -269,7 +229,12 @@ impl Simulation {
     #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let mut names: Vec<String> = vec![];
-        for (variable, i, _) in self.sets.iter().flat_map(|set| set.layout.components()) {
+        for (variable, i, _) in self
+            .state
+            .sets
+            .iter()
+            .flat_map(|set| set.layout.components())
+        {
             let name = variable.component(i);
             if !names.contains(&name) {
                 names.push(name);
@@ -281,27 +246,27 @@ impl Simulation {
     /// Displacement of a particle since the start \[m\], where the plan keeps it.
     #[must_use]
     pub fn displacement(&self, set: usize, p: usize) -> Option<Vector> {
-        let set = &self.sets[set];
+        let set = &self.state.sets[set];
         let origin = set.vector(set.layout.displacement_origin?, p);
         let x = set.position(p);
         Some(std::array::from_fn(|axis| {
-            x[axis] - origin[axis] + self.mesh_shift[axis]
+            x[axis] - origin[axis] + self.state.mesh_shift[axis]
         }))
     }
 
     /// Position of a particle at the start in the coordinates of the scene \[m\], where the plan keeps it.
     #[must_use]
     pub fn initial_position(&self, set: usize, p: usize) -> Option<Vector> {
-        let x = self.sets[set].vector(self.sets[set].layout.displacement_origin?, p);
+        let x = self.state.sets[set].vector(self.state.sets[set].layout.displacement_origin?, p);
         Some(std::array::from_fn(|axis| {
-            x[axis] + self.scene.mesh.origin[axis]
+            x[axis] + self.decided.scene.mesh.origin[axis]
         }))
     }
 
     /// Deformation gradient of a particle, where the plan keeps it.
     #[must_use]
     pub fn deformation(&self, set: usize, p: usize) -> Option<[[f64; 3]; 3]> {
-        let set = &self.sets[set];
+        let set = &self.state.sets[set];
         let first = set.layout.deformation?;
         let axes = set.layout.axes;
         let mut f = [[0.0; 3]; 3];
@@ -317,19 +282,19 @@ impl Simulation {
     /// Mass and volume of a particle \[kg, m³\].
     #[must_use]
     pub fn mass_and_volume(&self, set: usize, p: usize) -> (f64, f64) {
-        let columns = &self.sets[set].columns;
+        let columns = &self.state.sets[set].columns;
         (columns[Layout::MASS][p], columns[Layout::VOLUME][p])
     }
 
     /// External force on a particle \[N\]: its weight, box loads and body force.
     #[must_use]
     pub fn external_force(&self, set: usize, p: usize) -> Vector {
-        let particles = &self.sets[set];
+        let particles = &self.state.sets[set];
         let own = particles
             .layout
             .force
             .map_or([0.0; 3], |first| particles.vector(first, p));
         let m = particles.columns[Layout::MASS][p];
-        std::array::from_fn(|axis| m * self.scene.gravity[axis] + own[axis])
+        std::array::from_fn(|axis| m * self.decided.scene.gravity[axis] + own[axis])
     }
 }

@@ -29,10 +29,10 @@ impl Simulation {
     #[must_use]
     pub fn nodes_with_mass(&self) -> usize {
         let mut count = 0;
-        for plane in 0..self.grid.shape.nodes[0] {
-            for row in 0..self.grid.shape.nodes[1] {
-                let first = self.grid.shape.index([plane, row, 0]);
-                count += self.grid.fields[0]
+        for plane in 0..self.work.grid.shape.nodes[0] {
+            for row in 0..self.work.grid.shape.nodes[1] {
+                let first = self.work.grid.shape.index([plane, row, 0]);
+                count += self.work.grid.fields[0]
                     .rows
                     .span(plane, row)
                     .filter(|&k| {
@@ -53,22 +53,22 @@ impl Simulation {
         let touching = self.contact_by_node();
         let mut all = vec![];
         for (body, rows, lines) in self.fields() {
-            for plane in 0..self.grid.shape.nodes[0] {
-                for row in 0..self.grid.shape.nodes[1] {
-                    let first = self.grid.shape.index([plane, row, 0]);
+            for plane in 0..self.work.grid.shape.nodes[0] {
+                for row in 0..self.work.grid.shape.nodes[1] {
+                    let first = self.work.grid.shape.index([plane, row, 0]);
                     for k in rows.span(plane, row) {
                         let (node, line) = (first + k, &lines[first + k]);
                         if line[0] <= 0.0 || self.is_ghost([plane, row, k]) {
                             continue;
                         }
-                        let local = self.grid.shape.position(node);
+                        let local = self.work.grid.shape.position(node);
                         let (contact_force, contact_gap) = touching
                             .get(&(body, node))
                             .copied()
                             .unwrap_or(([0.0; 3], f64::NAN));
                         all.push(NodeValues {
                             position: std::array::from_fn(|a| local[a] + self.origin()[a]),
-                            body: body.map(|b| self.bodies[b].id),
+                            body: body.map(|b| self.decided.bodies[b].id),
                             mass: line[0],
                             velocity: [line[1], line[2], line[3]],
                             contact_force,
@@ -83,7 +83,7 @@ impl Simulation {
 
     /// All fields: the body whose own field it is, rows in use, values.
     fn fields(&self) -> impl Iterator<Item = (Option<usize>, &ActiveRows, &[Line])> {
-        let fields = self.grid.fields.iter();
+        let fields = self.work.grid.fields.iter();
         fields.map(|field| (field.owner.body(), &field.rows, field.nodes.lines()))
     }
 
@@ -107,23 +107,23 @@ impl Simulation {
             }
         }
         for (set, node, force, gap) in self.surface_forces_at_nodes() {
-            add(self.bodies[set].in_layer.then_some(set), node, force, gap);
+            add(self.work.own_field[set].then_some(set), node, force, gap);
         }
         found
     }
 
     /// Whether a node lies behind a plane with a condition.
     fn is_ghost(&self, at: [usize; 3]) -> bool {
-        let shape = &self.grid.shape;
+        let shape = &self.work.grid.shape;
         (0..shape.axes).any(|axis| {
             let index = at[shape.direction(axis)];
             let upper = GHOSTS_BELOW + shape.cells[axis];
             let moving = |side| {
-                let base = self.scene.base_motion.as_ref();
+                let base = self.decided.scene.base_motion.as_ref();
                 base.is_some_and(|b| b.axis == axis && b.side == side)
             };
             let wall = |side: usize| {
-                self.scene.mesh.planes[axis][side] != PlaneCondition::Free || moving(side)
+                self.decided.scene.mesh.planes[axis][side] != PlaneCondition::Free || moving(side)
             };
             (index < GHOSTS_BELOW && wall(0)) || (index > upper && wall(1))
         })

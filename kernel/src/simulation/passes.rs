@@ -1,6 +1,5 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
-use super::Simulation;
 use super::conditions::{Acting, prescribed};
 use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
@@ -9,6 +8,7 @@ use super::mapping::bodies_onto;
 use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::Phase;
 use super::step::Watcher;
+use super::{Simulation, Work};
 use crate::stage::g2p::{self, Found, G2p, Task};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, PlaneSums};
@@ -53,37 +53,39 @@ impl Simulation {
         carry: Carry,
         acting: &'a Acting,
     ) -> (Now<'a>, &'a mut Grid, &'a mut Interactions) {
-        let mapping = bodies_onto(
-            &self.plan,
-            &self.sets,
-            &self.bodies,
-            self.lanes,
-            self.stencil,
-            carry,
-        );
+        let origin = self.origin();
+        let Work {
+            grid,
+            own_field,
+            interactions,
+            ..
+        } = &mut self.work;
+        let mapping = bodies_onto(&self.decided, &self.state, own_field, carry);
         let now = Now {
             mapping,
             acting,
-            conditions: &self.conditions,
-            origin: self.origin(),
+            conditions: &self.decided.conditions,
+            origin,
             walls: Cow::Borrowed(&acting.walls),
-            prescribed: prescribed(&self.bodies, acting),
+            prescribed: prescribed(&self.decided.bodies, acting),
             again: None,
-            measure: self.plan.measure,
+            measure: self.decided.plan.measure,
             settles: false,
         };
-        (now, &mut self.grid, &mut self.interactions)
+        (now, grid, interactions)
     }
 
     /// Sorts particles once they have travelled far enough since the last sort; whether it did.
     pub(super) fn sort_if_stale(&mut self, ended: Watcher<'_>) -> bool {
-        let superfluous = self.groups.superfluous as f64;
-        let stale =
-            self.travel > SORT_AFTER || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
+        let superfluous = self.state.groups.superfluous as f64;
+        let stale = self.state.travel > SORT_AFTER
+            || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
         if stale {
-            self.grid.sort(&mut self.sets, self.stencil);
-            self.travel = 0.0;
-            self.groups = Groups::default();
+            self.work
+                .grid
+                .sort(&mut self.state.sets, self.state.stencil);
+            self.state.travel = 0.0;
+            self.state.groups = Groups::default();
             self.sorted();
         }
         ended(Phase::Sort);
@@ -94,12 +96,12 @@ impl Simulation {
     /// chosen. Elsewhere the equation of motion follows at once, and the same visit does both.
     pub(super) fn map_to_nodes(&mut self) {
         self.set_body_force();
-        self.mapped = None;
+        self.work.mapped = None;
         if self.finds() {
-            let acting = self.acting(self.clock.dt_before);
+            let acting = self.acting(self.state.clock.dt_before);
             let (now, grid, _) = self.divide(Carry::All, &acting);
             let groups = grid.visit(|mut slab| now.map(&mut slab));
-            self.mapped = Some(groups.into_iter().sum());
+            self.work.mapped = Some(groups.into_iter().sum());
         }
     }
 
@@ -109,10 +111,10 @@ impl Simulation {
         acting: &Acting,
         ended: Watcher<'_>,
     ) -> Result<usize, StepError> {
-        for one in self.interactions.iter().flatten() {
-            one.load(&mut self.grid);
+        for one in self.work.interactions.iter().flatten() {
+            one.load(&mut self.work.grid);
         }
-        let mapped = self.mapped.take();
+        let mapped = self.work.mapped.take();
         let settles = self.interactions().any(Interaction::settles);
         let (mut now, grid, interactions) = self.divide(Carry::All, acting);
         now.settles = settles;
@@ -129,9 +131,9 @@ impl Simulation {
         for result in results {
             solved.push(result.map_err(|EmptyNode(node)| self.load_on_empty_node(node))?);
         }
-        self.ledger.sums = total(solved.iter().flat_map(|slab| &slab.sums));
+        self.work.sums = total(solved.iter().flat_map(|slab| &slab.sums));
         let groups = solved.iter().map(|slab| slab.groups).sum();
-        self.groups.count(mapped.unwrap_or(groups));
+        self.state.groups.count(mapped.unwrap_or(groups));
         let touching = self.settle(acting)?;
         ended(Phase::NodesFromParticles);
         Ok(touching)
@@ -155,7 +157,7 @@ impl Simulation {
     }
 
     fn load_on_empty_node(&self, node: usize) -> StepError {
-        let local = self.grid.shape.position(node);
+        let local = self.work.grid.shape.position(node);
         let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
         self.error(StepErrorKind::LoadOnEmptyNode { position })
     }
@@ -192,26 +194,34 @@ impl Simulation {
 
     /// Nodal values to the particles of all bodies that are not driven.
     pub(super) fn interpolate(&mut self, task: Task) -> Result<(), StepError> {
-        let call = g2p::instance(self.plan.axes, self.stencil, &task);
-        let mesh = &self.scene.mesh;
+        let call = g2p::instance(self.decided.plan.axes, self.state.stencil, &task);
+        let mesh = &self.decided.scene.mesh;
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
-        let lanes = self.lanes;
+        let lanes = self.decided.lanes;
         let mut travel = 0.0_f64;
         let mut faults = vec![];
-        for (index, (set, body)) in self.sets.iter_mut().zip(&mut self.bodies).enumerate() {
+        for (index, (set, body)) in self
+            .state
+            .sets
+            .iter_mut()
+            .zip(&self.decided.bodies)
+            .enumerate()
+        {
             if body.motion.is_some() {
                 continue;
             }
             let ranges: Vec<Range<usize>> = self
+                .work
                 .grid
                 .slabs
                 .iter()
                 .map(|slab| set.in_layers(slab.clone()))
                 .collect();
             let layout = set.layout;
-            let run = &*body;
-            let nodes = self.grid.fields[self.grid.number_of(index)].nodes.lines();
+            let nodes = self.work.grid.fields[self.work.grid.number_of(index)]
+                .nodes
+                .lines();
             let act = |mut columns: Vec<&mut [f64]>| {
                 call(
                     lanes,
@@ -219,10 +229,10 @@ impl Simulation {
                         lanes,
                         columns: &mut columns,
                         layout: &layout,
-                        mapping: &run.mapping,
-                        law: &*run.law,
-                        density: run.density,
-                        domain_update: run.domain_update,
+                        mapping: &body.mapping,
+                        law: &*body.law,
+                        density: body.density,
+                        domain_update: body.domain_update,
                         nodes,
                         beyond,
                         task,
@@ -230,31 +240,32 @@ impl Simulation {
                 )
             };
             let parts = set.split_mut(&ranges);
-            let found: Vec<Found> = self.grid.team.map(parts, act);
+            let parts: Vec<Found> = self.work.grid.team.map(parts, act);
             let mut all = Found::default();
-            for (part, range) in found.into_iter().zip(&ranges) {
+            for (part, range) in parts.into_iter().zip(&ranges) {
                 let fault = part.fault.map(|(p, kind)| (range.start + p, kind));
                 all = all.and(Found { fault, ..part });
             }
             travel = travel.max(all.travel);
+            let found = &mut self.state.found[index];
             if task.kick {
-                body.found.speed_squared = all.speed_squared;
+                found.speed_squared = all.speed_squared;
             }
             if task.strain.is_some() {
-                body.found.wave_speed_squared = all.wave_speed_squared;
-                body.found.half_length = all.half_length.max(if body.domain_update.is_some() {
+                found.wave_speed_squared = all.wave_speed_squared;
+                found.half_length = all.half_length.max(if body.domain_update.is_some() {
                     0.0
                 } else {
-                    body.found.half_length
+                    found.half_length
                 });
             }
             if let Some((p, kind)) = all.fault {
                 faults.push((index, p, kind));
             }
         }
-        self.travel += travel;
+        self.state.travel += travel;
         self.judge(&faults)?;
-        if task.strain.is_some() && self.plan.domain_update.is_some() {
+        if task.strain.is_some() && self.decided.plan.domain_update.is_some() {
             self.widen_stencil()?;
         }
         Ok(())

@@ -6,7 +6,7 @@ use super::conditions::Acting;
 use super::error::StepError;
 use super::fields::Owner;
 use super::interactions::{Again, Interactions};
-use super::saved::Saved;
+use super::state::Saved;
 use crate::grid::ActiveRows;
 use crate::stage::g2p::Task;
 use crate::stage::p2g::Carry;
@@ -58,7 +58,7 @@ impl Part {
 
 /// What a step changes and a rehearsal gives back: the state, and what can be asked of the last step beside it.
 struct Kept {
-    state: Saved,
+    saved: Saved,
     fields: Vec<(Owner, ActiveRows)>,
     slabs: Vec<Range<usize>>,
     sums: PlaneSums,
@@ -82,11 +82,11 @@ impl Simulation {
     /// If the next step cannot be begun; see [`StepErrorKind`](super::StepErrorKind).
     pub fn rehearse(&mut self, part: Part) -> Result<Rehearsal<'_>, StepError> {
         let kept = Kept {
-            state: self.save(),
-            fields: self.grid.rows(),
-            slabs: self.grid.slabs.clone(),
-            sums: self.ledger.sums,
-            interactions: self.interactions.clone(),
+            saved: self.save(),
+            fields: self.work.grid.rows(),
+            slabs: self.work.grid.slabs.clone(),
+            sums: self.work.sums,
+            interactions: self.work.interactions.clone(),
         };
         self.map_to_nodes();
         self.find(&mut |_| ())?;
@@ -115,7 +115,7 @@ impl Rehearsal<'_> {
             Part::Weights | Part::Sort | Part::NodesFromParticles => {}
             Part::Solve => simulation.map_alone(&self.acting),
             Part::Remap | Part::ParticlesFromNodes => {
-                for (set, was) in simulation.sets.iter_mut().zip(&kept.state.bodies) {
+                for (set, was) in simulation.state.sets.iter_mut().zip(&kept.saved.state.sets) {
                     for (column, was) in set.columns.iter_mut().zip(&was.columns) {
                         column.copy_from_slice(was);
                     }
@@ -140,7 +140,7 @@ impl Rehearsal<'_> {
                     std::hint::black_box(simulation.weigh());
                 }
                 Part::Sort => {
-                    simulation.travel = f64::INFINITY;
+                    simulation.state.travel = f64::INFINITY;
                     simulation.sort_if_stale(&mut |_| ());
                 }
                 Part::NodesFromParticles => simulation.map_alone(acting),
@@ -161,12 +161,15 @@ impl Rehearsal<'_> {
 impl Drop for Rehearsal<'_> {
     fn drop(&mut self) {
         let (simulation, kept) = (&mut *self.simulation, &mut self.kept);
-        let restored = simulation.restore(kept.state.clone());
+        let restored = simulation.restore(kept.saved.clone());
         debug_assert!(restored.is_ok(), "{restored:?}");
-        simulation.grid.set_rows(std::mem::take(&mut kept.fields));
-        simulation.grid.slabs = std::mem::take(&mut kept.slabs);
-        simulation.ledger.sums = kept.sums;
-        simulation.interactions = std::mem::take(&mut kept.interactions);
+        simulation
+            .work
+            .grid
+            .set_rows(std::mem::take(&mut kept.fields));
+        simulation.work.grid.slabs = std::mem::take(&mut kept.slabs);
+        simulation.work.sums = kept.sums;
+        simulation.work.interactions = std::mem::take(&mut kept.interactions);
     }
 }
 
@@ -181,10 +184,14 @@ impl Simulation {
 
     /// Weights of all particles, slab by slab.
     fn weigh(&self) -> f64 {
-        let (lanes, axes, stencil) = (self.lanes, self.plan.axes, self.stencil);
-        let (slabs, team) = (&self.grid.slabs, &self.grid.team);
+        let (lanes, axes, stencil) = (
+            self.decided.lanes,
+            self.decided.plan.axes,
+            self.state.stencil,
+        );
+        let (slabs, team) = (&self.work.grid.slabs, &self.work.grid.team);
         let mut sum = 0.0;
-        for (set, body) in self.sets.iter().zip(&self.bodies) {
+        for (set, body) in self.state.sets.iter().zip(&self.decided.bodies) {
             let of_slab = |slab: &Range<usize>| {
                 let range = set.in_layers(slab.clone());
                 weigh::weights(lanes, axes, stencil, set, &body.mapping, range)

@@ -4,26 +4,19 @@ use super::Simulation;
 use super::clock::StepInfo;
 use crate::layout::Layout;
 
-/// Memory of dynamic relaxation: kinetic energies of the last two half-steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Relaxation {
-    /// One half-step ago and two half-steps ago \[J\].
-    pub last: [f64; 2],
-}
-
 impl Simulation {
     /// Dynamic relaxation: where the kinetic energy has passed a peak, the drift (negative or zero) that takes
     /// the positions back to it \[s\].
     ///
     /// The energies at t - 3dt/2, t - dt/2 and t + dt/2 define a parabola whose vertex lies in (t - dt, t).
     pub(super) fn peak_of_kinetic_energy(&mut self, info: &StepInfo) -> Option<f64> {
-        if !self.plan.kinetic_damping {
+        if !self.decided.plan.kinetic_damping {
             return None;
         }
-        let now = self.ledger.sums.kinetic;
-        let [last, earlier] = self.relaxation.last;
+        let now = self.work.sums.kinetic;
+        let [last, earlier] = self.state.kinetic;
         if now >= last || last == 0.0 {
-            self.relaxation.last = [now, last];
+            self.state.kinetic = [now, last];
             return None;
         }
         let curvature = earlier - 2.0 * last + now;
@@ -32,14 +25,14 @@ impl Simulation {
         } else {
             0.0
         };
-        self.relaxation.last = [0.0; 2];
+        self.state.kinetic = [0.0; 2];
         Some((vertex.clamp(-0.5, 0.5) - 0.5) * info.dt)
     }
 
     /// Sets all velocities to zero, at the time of the positions.
     pub(super) fn stop_motion(&mut self) {
-        self.clock.dt_before = 0.0;
-        for set in &mut self.sets {
+        self.state.clock.dt_before = 0.0;
+        for set in &mut self.state.sets {
             let first = Layout::velocity(set.layout.axes);
             for column in &mut set.columns[first..first + set.layout.axes] {
                 column.fill(0.0);

@@ -2,12 +2,10 @@
 
 use super::error::SetupError;
 use super::fields::Grid;
-use super::measure::Ledger;
-use super::passes::Groups;
-use super::relaxation::Relaxation;
+use super::work::Work;
 use super::{
-    BaseVelocity, BodyRun, Clock, InitialState, Options, Simulation, conditions, interactions,
-    needs,
+    BaseVelocity, BodyRun, Decided, InitialState, Options, Simulation, State, conditions,
+    interactions, needs,
 };
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::grid::GridShape;
@@ -53,23 +51,23 @@ impl Simulation {
         needs::frames(scene, &mut memory)?;
         needs::loads(scene, &shape, &mut memory)?;
         let conditions = conditions::of(scene, &shape, &options.conditions)?;
-        let (mut sets, mut bodies) = (vec![], vec![]);
+        let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
         let mut next_id = 0;
         for i in 0..scene.bodies.len() {
-            let (set, run) = fill_body(scene, &plan, &shape, i, next_id, &mut memory)?;
+            let (mut set, run, mut found) =
+                fill_body(scene, &plan, &shape, i, next_id, &mut memory)?;
             next_id += set.len() as u64;
             if next_id > u64::from(u32::MAX) {
                 return Err(SetupError::TooLarge {
                     what: format!("more than {} particles", u32::MAX),
                 });
             }
-            let mut set = set;
-            let mut run = run;
             if let Some(initial) = &options.initial {
-                start_from(&mut set, scene, &mut run, initial.as_ref());
+                start_from(&mut set, scene, &run, &mut found, initial.as_ref());
             }
             sets.push(set);
             bodies.push(run);
+            all_found.push(found);
         }
         if options.body_force.is_some() && !scene.box_loads.is_empty() {
             return Err(SetupError::Load {
@@ -85,39 +83,24 @@ impl Simulation {
         }
         needs::layers(scene, &shape, &sets, &mut memory)?;
         let team = team(scene, options, next_id as usize)?;
-        let widest = bodies
-            .iter()
-            .map(|b| b.found.half_length)
-            .fold(0.0, f64::max);
         let interactions = interactions::of(scene, &bodies, &options.interactions, &mut memory)?;
         let mut simulation = Self {
-            stencil: if widest > 0.5 { 4 } else { 3 },
-            base: scene
-                .base_motion
-                .as_ref()
-                .map(|base| BaseVelocity::new(&base.motion)),
-            scene: scene.clone(),
-            plan,
-            lanes,
-            sets,
-            bodies,
-            grid: Grid::new(shape, team),
-            mapped: None,
-            interactions,
-            travel: f64::INFINITY,
-            groups: Groups::default(),
-            clock: Clock::default(),
-            mesh_shift: [0.0; 3],
-            conditions,
-            own_conditions: options.conditions.clone(),
-            body_force: options.body_force.clone(),
-            relaxation: Relaxation::default(),
-            ledger: Ledger::default(),
-            events: vec![],
-            local_surfaces: interactions::surfaces::local(scene),
+            state: State::new(sets, all_found),
+            work: Work::new(Grid::new(shape, team), interactions, bodies.len()),
+            decided: Decided {
+                scene: scene.clone(),
+                plan,
+                lanes,
+                bodies,
+                conditions,
+                own_conditions: options.conditions.clone(),
+                base: (scene.base_motion.as_ref()).map(|base| BaseVelocity::new(&base.motion)),
+                body_force: options.body_force.clone(),
+                local_surfaces: interactions::surfaces::local(scene),
+            },
         };
-        for set in &mut simulation.sets {
-            set.sort_by_position(&simulation.grid.team);
+        for set in &mut simulation.state.sets {
+            set.sort_by_position(&simulation.work.grid.team);
         }
         simulation.sort_if_stale(&mut |_| ());
         for one in simulation.interactions() {
@@ -160,7 +143,7 @@ fn fill_body(
     index: usize,
     first_id: u64,
     memory: &mut Memory,
-) -> Result<(ParticleSet, BodyRun), SetupError> {
+) -> Result<(ParticleSet, BodyRun, Found), SetupError> {
     let body = &scene.bodies[index];
     let room = Room {
         memory: *memory,
@@ -234,26 +217,25 @@ fn fill_body(
         viscous_rate: plan
             .viscous_damping
             .map_or(0.0, |alpha| alpha / h * (young / material.density).sqrt()),
-        found: Found {
-            speed_squared: speed.max(fastest(body)),
-            wave_speed_squared,
-            travel: 0.0,
-            half_length: widest,
-            fault: None,
-        },
         particle_half_length: match &filled.half_length {
             HalfLength::Uniform(l) => *l,
             HalfLength::PerParticle(l) => {
                 std::array::from_fn(|axis| l[axis].iter().sum::<f64>() / l[axis].len() as f64)
             }
         },
-        in_layer: false,
         reach: match filled.half_length {
             HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
             _ => None,
         },
     };
-    Ok((set, run))
+    let found = Found {
+        speed_squared: speed.max(fastest(body)),
+        wave_speed_squared,
+        travel: 0.0,
+        half_length: widest,
+        fault: None,
+    };
+    Ok((set, run, found))
 }
 
 /// Largest squared speed of a prescribed motion.
@@ -312,7 +294,8 @@ fn fill_half_lengths(
 fn start_from(
     set: &mut ParticleSet,
     scene: &Scene,
-    run: &mut BodyRun,
+    run: &BodyRun,
+    found: &mut Found,
     initial: &(dyn Fn(&[f64; 3]) -> InitialState + Send + Sync),
 ) {
     let axes = set.layout.axes;
@@ -332,7 +315,7 @@ fn start_from(
             }
         }
         let square: f64 = state.velocity[..axes].iter().map(|v| v * v).sum();
-        run.found.speed_squared = run.found.speed_squared.max(square);
+        found.speed_squared = found.speed_squared.max(square);
         let s = state.stress;
         let components: &[f64] = if axes == 2 {
             &[s[0], s[1], s[2], s[5]]
@@ -354,9 +337,9 @@ fn start_from(
                 deformation: state.deformation,
                 variables: &set.variables(p),
             });
-            run.found.wave_speed_squared = run.found.wave_speed_squared.max(square);
+            found.wave_speed_squared = found.wave_speed_squared.max(square);
             let widest = start_domain(set, run.domain_update, &f, p);
-            run.found.half_length = run.found.half_length.max(widest);
+            found.half_length = found.half_length.max(widest);
         }
         if let Some(first) = set.layout.deformation {
             for a in 0..axes {

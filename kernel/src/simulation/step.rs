@@ -62,10 +62,10 @@ impl Simulation {
 
     /// Has a thread of the team do `work`; the caller does it where there is one slab, and so nothing to share.
     pub(super) fn led<R: Send>(&mut self, work: impl FnOnce(&mut Self) -> R + Send) -> R {
-        if self.grid.slabs.len() == 1 {
+        if self.work.grid.slabs.len() == 1 {
             return work(self);
         }
-        let team = Arc::clone(&self.grid.team);
+        let team = Arc::clone(&self.work.grid.team);
         team.lead(|| work(self))
     }
 
@@ -78,7 +78,7 @@ impl Simulation {
         info.contact_nodes = self.solve_nodes(&acting, ended)?;
         let way = self.way(&mut info);
         self.advance(&acting, way.time, ended);
-        match self.plan.scheme {
+        match self.decided.plan.scheme {
             StressScheme::Usl => self.gather(Gather::All, &way, ended)?,
             StressScheme::Musl => {
                 self.gather(Gather::Kick, &way, ended)?;
@@ -135,14 +135,14 @@ impl Simulation {
     pub(super) fn task(&self, drift: Option<f64>, strain: Option<f64>) -> Task {
         Task {
             kick: false,
-            pic_fraction: self.scene.transfer.pic_fraction,
+            pic_fraction: self.decided.scene.transfer.pic_fraction,
             drift,
             mesh_shift: [0.0; 3],
             strain: strain.map(|dt| (dt, Configuration::Beginning)),
             gradient_of_upper: false,
-            affine: match self.plan.affine {
+            affine: match self.decided.plan.affine {
                 // The velocity gradient is kept for the spins alone.
-                Affine::Leave if self.plan.spin => Affine::Tpic,
+                Affine::Leave if self.decided.plan.spin => Affine::Tpic,
                 affine => affine,
             },
         }
@@ -151,9 +151,9 @@ impl Simulation {
     /// How far positions move in this step: over its time, or back to a peak of kinetic energy. Notes the kinetic energy
     /// and residual norm of the step, where measured.
     fn way(&mut self, info: &mut StepInfo) -> Way {
-        let sums = self.ledger.sums;
+        let sums = self.work.sums;
         let measured = (sums.kinetic, sums.unbalanced_squared.sqrt());
-        info.measured = self.plan.measure.then_some(measured);
+        info.measured = self.decided.plan.measure.then_some(measured);
         let relaxed = self.peak_of_kinetic_energy(info);
         let time = relaxed.unwrap_or(info.dt);
         Way {
@@ -165,11 +165,15 @@ impl Simulation {
 
     /// Evaluates the body force at the positions of this step.
     pub(super) fn set_body_force(&mut self) {
-        let Some(body_force) = &self.body_force else {
+        let Some(body_force) = &self.decided.body_force else {
             return;
         };
-        let (time, start_origin, origin) = (self.clock.time, self.scene.mesh.origin, self.origin());
-        for set in &mut self.sets {
+        let (time, start_origin, origin) = (
+            self.state.clock.time,
+            self.decided.scene.mesh.origin,
+            self.origin(),
+        );
+        for set in &mut self.state.sets {
             let axes = set.layout.axes;
             let (Some(force), Some(start)) = (set.layout.force, set.layout.displacement_origin)
             else {
@@ -185,7 +189,7 @@ impl Simulation {
                     time,
                 )
             };
-            let values: Vec<[f64; 3]> = self.grid.team.collect(0..set.len(), evaluate);
+            let values: Vec<[f64; 3]> = self.work.grid.team.collect(0..set.len(), evaluate);
             for axis in 0..axes {
                 let masses = set.columns[Layout::MASS].clone();
                 for ((out, value), m) in set.columns[force + axis]
@@ -208,17 +212,18 @@ impl Simulation {
         ended: Watcher<'_>,
     ) -> Result<StepInfo, StepError> {
         self.move_driven_bodies(info, &way.mesh_shift)?;
-        self.mesh_shift = std::array::from_fn(|axis| self.mesh_shift[axis] + way.mesh_shift[axis]);
-        self.ledger.external_work += self.ledger.sums.power * info.dt;
-        if self.clock.step == 0 {
+        self.state.mesh_shift =
+            std::array::from_fn(|axis| self.state.mesh_shift[axis] + way.mesh_shift[axis]);
+        self.state.books.external_work += self.work.sums.power * info.dt;
+        if self.state.clock.step == 0 {
             // Gaps are first measured in the first step, at the positions of the start.
             let stored: f64 = self.interactions().map(Interaction::energy).sum();
-            self.ledger.initial_energy += stored;
+            self.state.books.initial_energy += stored;
         }
         self.note_end_of_record(info);
-        self.clock.step = info.step;
-        self.clock.time = info.time;
-        self.clock.dt_before = info.dt;
+        self.state.clock.step = info.step;
+        self.state.clock.time = info.time;
+        self.state.clock.dt_before = info.dt;
         if way.reset {
             self.stop_motion();
         }

@@ -1,7 +1,7 @@
 //! The paths of AVX-512, eight particles at once and lines summed whole, have the bits of the lanes of this machine.
 
 use proctor_kernel::grid::{GridShape, Line, Nodes};
-use proctor_kernel::lanes::{Kernel, LaneChoice, Selected, WholeLines};
+use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::tensor::Configuration;
 use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::layout::{Layout, Optional};
@@ -9,7 +9,7 @@ use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task};
-use proctor_kernel::stage::p2g::{self, Carry, MASS_GRADIENT, NOTHING, P2g, SPIN};
+use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::Family;
 
@@ -96,15 +96,16 @@ fn mapping(shape: &GridShape, stencil: usize, set: &ParticleSet) -> Mapping {
     Mapping::new(shape, Family::Gimp, half_length, set.layout.half_length)
 }
 
-/// The nodes after one mapping by `run`.
+/// The nodes after one mapping.
 fn nodes_after(
+    lanes: Selected,
     axes: usize,
     stencil: usize,
-    (full, spin): (bool, bool),
+    full: bool,
     carry: Carry,
-    run: &dyn Fn(P2g<'_>),
 ) -> Vec<Line> {
     let shape = shape(axes);
+    let spin = carry == Carry::AllAndSpin;
     let wanted = Optional {
         affine: full || spin,
         force: full,
@@ -112,88 +113,83 @@ fn nodes_after(
     };
     let set = particles(&shape, stencil, wanted);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
-    run(P2g {
-        columns: &set.columns,
-        layout: &set.layout,
-        mapping: &mapping(&shape, stencil, &set),
-        layers: (0..shape.bases()[0])
-            .map(|layer| (set.in_layers(layer..layer + 1), true))
-            .collect(),
-        planes: 0..shape.nodes[0],
-        nodes: nodes.lines_mut(),
-        carry,
-        spin: set.layout.affine.filter(|_| spin),
-        viscous_rate: if full { 0.5 } else { 0.0 },
-    });
+    let map = p2g::instance(axes, stencil, full, carry);
+    map(
+        lanes,
+        P2g {
+            columns: &set.columns,
+            layout: &set.layout,
+            mapping: &mapping(&shape, stencil, &set),
+            layers: (0..shape.bases()[0])
+                .map(|layer| (set.in_layers(layer..layer + 1), true))
+                .collect(),
+            planes: 0..shape.nodes[0],
+            nodes: nodes.lines_mut(),
+            carry,
+            spin: set.layout.affine.filter(|_| spin),
+            viscous_rate: if full { 0.5 } else { 0.0 },
+        },
+    );
     nodes.lines().to_vec()
 }
 
-fn check_sums<
-    const D: usize,
-    const N: usize,
-    const FULL: bool,
-    const GRADIENT: bool,
-    const EXTRA: u8,
->(
-    carry: Carry,
-) {
-    let kinds = (FULL, EXTRA == SPIN);
-    let whole = nodes_after(D, N, kinds, carry, &|call| {
-        p2g::Instance::<'_, D, N, FULL, GRADIENT, EXTRA>(call).run::<WholeLines>();
-    });
+fn check_sums(axes: usize, stencil: usize, full: bool, carry: Carry) {
+    let after = |lanes| nodes_after(lanes, axes, stencil, full, carry);
+    let whole = after(Selected::plain());
     assert!(
         whole.iter().flatten().any(|value| *value != 0.0),
         "nothing was mapped"
     );
     for lanes in lanes() {
-        let halves = nodes_after(D, N, kinds, carry, &|call| {
-            lanes.run(p2g::Instance::<'_, D, N, FULL, GRADIENT, EXTRA>(call));
-        });
-        for (node, (found, expected)) in halves.iter().zip(&whole).enumerate() {
+        for (node, (found, expected)) in after(lanes).iter().zip(&whole).enumerate() {
             assert_eq!(
                 found.map(f64::to_bits),
                 expected.map(f64::to_bits),
-                "{} lanes, {carry:?} in {D}D with {N} nodes per axis, full {FULL}: {found:?} {expected:?} at {node}",
+                "{} lanes, {carry:?} in {axes}D with {stencil} nodes per axis, full {full}: {found:?} {expected:?} at {node}",
                 lanes.name()
             );
         }
     }
 }
 
-fn check_all_sums<const D: usize, const N: usize>() {
-    check_sums::<D, N, false, true, NOTHING>(Carry::All);
-    check_sums::<D, N, false, true, NOTHING>(Carry::Force);
-    check_sums::<D, N, false, false, NOTHING>(Carry::Momentum);
-    check_sums::<D, N, false, false, NOTHING>(Carry::Remap);
-    check_sums::<D, N, false, true, MASS_GRADIENT>(Carry::MassGradient);
-    for carry in [Carry::All, Carry::Force, Carry::Momentum, Carry::Remap] {
-        check_sums::<D, N, true, true, NOTHING>(carry);
+fn check_all_sums(axes: usize) {
+    for stencil in [3, 4] {
+        for carry in [Carry::All, Carry::Force, Carry::Momentum, Carry::Remap] {
+            check_sums(axes, stencil, false, carry);
+            check_sums(axes, stencil, true, carry);
+        }
+        check_sums(axes, stencil, false, Carry::MassGradient);
     }
 }
 
 #[test]
 fn a_line_has_the_same_bits_whole_and_by_halves_in_the_plane() {
-    check_all_sums::<2, 3>();
-    check_all_sums::<2, 4>();
-    check_sums::<2, 3, true, true, SPIN>(Carry::AllAndSpin);
-    check_sums::<2, 4, true, true, SPIN>(Carry::AllAndSpin);
+    check_all_sums(2);
+    check_sums(2, 3, true, Carry::AllAndSpin);
+    check_sums(2, 4, true, Carry::AllAndSpin);
 }
 
 #[test]
 fn a_line_has_the_same_bits_whole_and_by_halves_in_space() {
-    check_all_sums::<3, 3>();
-    check_all_sums::<3, 4>();
+    check_all_sums(3);
 }
 
-/// The particles after one interpolation by `run` from nodes with numbers, and what went wrong.
+/// The particles after one interpolation from nodes with numbers, and what went wrong.
 fn particles_after(
+    lanes: Selected,
     axes: usize,
     stencil: usize,
-    wanted: Optional,
     law: &AnyLaw,
     task: Task,
-    run: &dyn Fn(G2p<'_, '_>) -> g2p::Found,
 ) -> (Vec<Vec<u64>>, g2p::Found) {
+    let finite = law.needs_deformation();
+    let wanted = Optional {
+        deformation: finite,
+        affine: task.affine != Affine::Leave,
+        half_length: finite,
+        initial_half_length: finite,
+        ..Optional::default()
+    };
     let shape = shape(axes);
     let mut set = particles(&shape, stencil, wanted);
     let mapping = mapping(&shape, stencil, &set);
@@ -204,8 +200,8 @@ fn particles_after(
     }
     let found = {
         let mut columns: Vec<&mut [f64]> = set.columns.iter_mut().map(Vec::as_mut_slice).collect();
-        run(G2p {
-            lanes: Selected::any(),
+        let call = G2p {
+            lanes,
             columns: &mut columns,
             layout: &set.layout,
             mapping: &mapping,
@@ -215,86 +211,72 @@ fn particles_after(
             nodes: nodes.lines(),
             beyond: [(CELLS as f64).next_up(); 3],
             task,
-        })
+        };
+        g2p::instance(axes, stencil, &task)(lanes, call)
     };
     let bits = |column: &Vec<f64>| column.iter().map(|value| value.to_bits()).collect();
     (set.columns.iter().map(bits).collect(), found)
 }
 
-fn check_particles<
-    const D: usize,
-    const N: usize,
-    const KICK: bool,
-    const GRADIENT: bool,
-    const APIC: bool,
-    const UPPER: bool,
->(
+/// What a pass does: kick, strain, gradients of the upper lanes.
+type Pass = [bool; 3];
+
+fn check_particles(
+    axes: usize,
+    stencil: usize,
     law: impl Into<AnyLaw>,
     affine: Affine,
+    [kick, strain, gradient_of_upper]: Pass,
 ) {
     let law = law.into();
-    let finite = law.needs_deformation();
-    let wanted = Optional {
-        deformation: finite,
-        affine: affine != Affine::Leave,
-        half_length: finite,
-        initial_half_length: finite,
-        ..Optional::default()
-    };
     let task = Task {
-        kick: KICK,
+        kick,
         pic_fraction: 0.25,
         drift: Some(0.01),
         mesh_shift: [0.001, 0.0, 0.0],
-        strain: GRADIENT.then_some((0.01, Configuration::Beginning)),
-        gradient_of_upper: UPPER,
+        strain: strain.then_some((0.01, Configuration::Beginning)),
+        gradient_of_upper,
         affine,
     };
-    let after =
-        |run: &dyn Fn(G2p<'_, '_>) -> g2p::Found| particles_after(D, N, wanted, &law, task, run);
-    let (expected, all) = after(&|call| {
-        g2p::Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>(call).run::<WholeLines>()
-    });
+    let after = |lanes| particles_after(lanes, axes, stencil, &law, task);
+    let (expected, all) = after(Selected::plain());
     // Some particles lie close to the boundary and leave.
     assert!(matches!(all.fault, None | Some((_, FaultKind::Outside))));
     for lanes in lanes() {
-        let (found, sums) = after(&|call| {
-            lanes.run(g2p::Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>(
-                call,
-            ))
-        });
-        assert_eq!(
-            sums,
-            all,
-            "{} lanes, {D}D, {N} nodes per axis",
-            lanes.name()
-        );
+        let name = lanes.name();
+        let (found, sums) = after(lanes);
+        assert_eq!(sums, all, "{name} lanes, {axes}D, {stencil} nodes per axis");
         for (column, (found, expected)) in found.iter().zip(&expected).enumerate() {
             assert_eq!(
-                found,
-                expected,
-                "{} lanes, {D}D, {N}: column {column}",
-                lanes.name()
+                found, expected,
+                "{name} lanes, {axes}D, {stencil}: column {column}"
             );
         }
     }
 }
 
-fn check_all_particles<const D: usize, const N: usize>() {
-    let elastic = LinearElastic::new(1e3, 0.3);
-    let neo_hookean = NeoHookean::new(1e3, 0.3);
-    check_particles::<D, N, true, true, false, false>(elastic, Affine::Leave);
-    check_particles::<D, N, true, true, false, false>(neo_hookean, Affine::Tpic);
-    check_particles::<D, N, true, true, true, false>(neo_hookean, Affine::Apic);
-    check_particles::<D, N, true, false, false, false>(elastic, Affine::Leave);
-    check_particles::<D, N, false, true, false, true>(elastic, Affine::Leave);
-    check_particles::<D, N, false, true, false, false>(elastic, Affine::Leave);
-}
-
 #[test]
 fn particles_have_the_same_bits_eight_at_once() {
-    check_all_particles::<2, 3>();
-    check_all_particles::<2, 4>();
-    check_all_particles::<3, 3>();
-    check_all_particles::<3, 4>();
+    let elastic = LinearElastic::new(1e3, 0.3);
+    let neo_hookean = NeoHookean::new(1e3, 0.3);
+    for (axes, stencil) in [(2, 3), (2, 4), (3, 3), (3, 4)] {
+        check_particles(axes, stencil, elastic, Affine::Leave, [true, true, false]);
+        check_particles(
+            axes,
+            stencil,
+            neo_hookean,
+            Affine::Tpic,
+            [true, true, false],
+        );
+        check_particles(
+            axes,
+            stencil,
+            neo_hookean,
+            Affine::Apic,
+            [true, true, false],
+        );
+        check_particles(axes, stencil, elastic, Affine::Leave, [true, false, false]);
+        check_particles(axes, stencil, elastic, Affine::Leave, [false, true, true]);
+        check_particles(axes, stencil, elastic, Affine::Leave, [false, true, false]);
+    }
 }

@@ -43,12 +43,16 @@ fn a_state_taken_up_goes_on_with_the_same_bits() {
 type Spoil = (&'static str, fn(&mut Saved) -> bool);
 
 const SPOILS: [Spoil; 13] = [
-    ("bodies", |s| s.bodies.pop().is_some()),
-    ("columns of body 0", |s| s.bodies[0].columns.pop().is_some()),
-    ("values in a column of body 0", |s| {
-        s.bodies[0].columns[3].pop().is_some()
+    ("bodies", |s| s.state.sets.pop().is_some()),
+    ("columns of body 0", |s| {
+        s.state.sets[0].columns.pop().is_some()
     }),
-    ("layers of body 0", |s| s.bodies[0].layers.pop().is_some()),
+    ("values in a column of body 0", |s| {
+        s.state.sets[0].columns[3].pop().is_some()
+    }),
+    ("layers of body 0", |s| {
+        s.state.sets[0].layers.pop().is_some()
+    }),
     ("interactions", |s| s.interactions.pop().is_some()),
     ("lists of an interaction", |s| {
         s.interactions.iter_mut().any(|lists| lists.pop().is_some())
@@ -96,7 +100,7 @@ fn a_state_of_another_scene_is_refused_and_changes_nothing() {
         }
         for place in [-1.0, 1.0e3, f64::NAN] {
             let mut spoilt = saved.clone();
-            spoilt.bodies[0].columns[2][0] = place;
+            spoilt.state.sets[0].columns[2][0] = place;
             let error = simulation.restore(spoilt).expect_err("outside the mesh");
             let is_place = matches!(error, RestoreError::Places { body: 0, .. });
             assert!(is_place, "{error}");

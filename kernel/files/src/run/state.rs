@@ -4,7 +4,7 @@ use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::scene::{Results, Scene};
 use proctor_kernel::simulation::{
-    Clock, Event, EventKind, ParticleAt, RestoreError, Saved, Simulation,
+    Books, Clock, Event, EventKind, Groups, ParticleAt, RestoreError, Saved, Simulation, State,
 };
 use proctor_kernel::stage::g2p::Found;
 
@@ -36,10 +36,10 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
 pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     let saved = simulation.save();
     let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
-    checkpoint.push::<u64>("counters", counters(&saved).to_vec());
-    checkpoint.push::<f64>("numbers", numbers(&saved).to_vec());
-    for (i, body) in saved.bodies.into_iter().enumerate() {
-        let found = body.found;
+    checkpoint.push::<u64>("counters", counters(&saved.state).to_vec());
+    checkpoint.push::<f64>("numbers", numbers(&saved.state).to_vec());
+    let state = saved.state;
+    for (i, (set, found)) in state.sets.into_iter().zip(state.found).enumerate() {
         checkpoint.push::<f64>(
             format!("set{i}/found"),
             vec![
@@ -49,12 +49,12 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
                 found.half_length,
             ],
         );
-        checkpoint.push::<u64>(format!("set{i}/id"), body.id);
+        checkpoint.push::<u64>(format!("set{i}/id"), set.id);
         checkpoint.push::<u64>(
             format!("set{i}/layers"),
-            body.layers.into_iter().map(|l| l as u64).collect(),
+            set.layers.into_iter().map(|l| l as u64).collect(),
         );
-        for (c, column) in body.columns.into_iter().enumerate() {
+        for (c, column) in set.columns.into_iter().enumerate() {
             checkpoint.push::<f64>(format!("set{i}/column{c}"), column);
         }
     }
@@ -63,7 +63,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
             checkpoint.push::<f64>(format!("interaction{i}/{name}"), values);
         }
     }
-    save_events(&saved.events, &mut checkpoint);
+    save_events(&state.events, &mut checkpoint);
     checkpoint
 }
 
@@ -99,30 +99,30 @@ fn misfit(error: RestoreError) -> CheckpointError {
     }
 }
 
-fn counters(saved: &Saved) -> [u64; 4] {
+fn counters(state: &State) -> [u64; 4] {
     [
-        saved.clock.step,
-        saved.stencil as u64,
-        saved.sorted_groups as u64,
-        saved.superfluous_groups as u64,
+        state.clock.step,
+        state.stencil as u64,
+        state.groups.sorted as u64,
+        state.groups.superfluous as u64,
     ]
 }
 
-fn numbers(saved: &Saved) -> [f64; 14] {
-    let clock = &saved.clock;
-    let [x, y, z] = saved.mesh_shift;
+fn numbers(state: &State) -> [f64; 14] {
+    let (clock, books) = (&state.clock, &state.books);
+    let [x, y, z] = state.mesh_shift;
     [
         clock.time,
         clock.dt_before,
         clock.dt_min,
         clock.dt_max,
         clock.dt_critical,
-        saved.travel,
-        saved.kinetic[0],
-        saved.kinetic[1],
-        saved.external_work,
-        saved.dead_load_origin,
-        saved.initial_energy,
+        state.travel,
+        state.kinetic[0],
+        state.kinetic[1],
+        books.external_work,
+        books.dead_load_origin,
+        books.initial_energy,
         x,
         y,
         z,
@@ -133,7 +133,7 @@ fn numbers(saved: &Saved) -> [f64; 14] {
 fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> {
     let counters = checkpoint.array::<u64>("counters", 4)?;
     let numbers = checkpoint.array::<f64>("numbers", 14)?;
-    let mut saved = Saved {
+    let mut state = State {
         clock: Clock {
             step: counters[0],
             time: numbers[0],
@@ -143,43 +143,51 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
             dt_critical: numbers[4],
         },
         stencil: counters[1] as usize,
-        sorted_groups: counters[2] as usize,
-        superfluous_groups: counters[3] as usize,
+        groups: Groups {
+            sorted: counters[2] as usize,
+            superfluous: counters[3] as usize,
+        },
         travel: numbers[5],
         kinetic: [numbers[6], numbers[7]],
-        external_work: numbers[8],
-        dead_load_origin: numbers[9],
-        initial_energy: numbers[10],
+        books: Books {
+            external_work: numbers[8],
+            dead_load_origin: numbers[9],
+            initial_energy: numbers[10],
+        },
         mesh_shift: [numbers[11], numbers[12], numbers[13]],
-        ..like
+        ..like.state
     };
-    for (i, body) in saved.bodies.iter_mut().enumerate() {
+    for (i, (set, found)) in state.sets.iter_mut().zip(&mut state.found).enumerate() {
         let id = checkpoint.values::<u64>(&format!("set{i}/id"))?;
-        let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), body.layers.len())?;
-        let found = checkpoint.array::<f64>(&format!("set{i}/found"), 4)?;
-        for (c, column) in body.columns.iter_mut().enumerate() {
+        let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), set.layers.len())?;
+        let was = checkpoint.array::<f64>(&format!("set{i}/found"), 4)?;
+        for (c, column) in set.columns.iter_mut().enumerate() {
             *column = checkpoint
                 .array::<f64>(&format!("set{i}/column{c}"), id.len())?
                 .to_vec();
         }
-        body.id = id.to_vec();
-        body.layers = layers.iter().map(|&l| l as usize).collect();
-        body.found = Found {
-            speed_squared: found[0],
-            wave_speed_squared: found[1],
-            travel: found[2],
-            half_length: found[3],
+        set.id = id.to_vec();
+        set.layers = layers.iter().map(|&l| l as usize).collect();
+        *found = Found {
+            speed_squared: was[0],
+            wave_speed_squared: was[1],
+            travel: was[2],
+            half_length: was[3],
             fault: None,
         };
     }
-    for (i, lists) in saved.interactions.iter_mut().enumerate() {
+    state.events = read_events(checkpoint)?;
+    let mut interactions = like.interactions;
+    for (i, lists) in interactions.iter_mut().enumerate() {
         for (name, values) in lists {
             let found = checkpoint.array(&format!("interaction{i}/{name}"), values.len())?;
             values.copy_from_slice(found);
         }
     }
-    saved.events = read_events(checkpoint)?;
-    Ok(saved)
+    Ok(Saved {
+        state,
+        interactions,
+    })
 }
 
 fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {

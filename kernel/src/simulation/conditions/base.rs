@@ -42,7 +42,7 @@ fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
 impl Condition for MovingBase {
     /// The plane is fixed to the base; the others move with the mesh.
     fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
-        let Some(base) = &simulation.base else { return };
+        let Some(base) = &simulation.decided.base else { return };
         let [before, after] = acting.half_steps.map(|time| base.at(time));
         for wall in &mut acting.walls {
             wall.before = simulation.mesh_part(before);
@@ -67,24 +67,24 @@ impl Simulation {
     /// The part of a velocity of the base that the mesh takes part in: that along the normal of the base, so that
     /// the base stays on its plane of nodes however far it moves, and the plane opposite moves with it.
     fn mesh_part(&self, v: Vector) -> Vector {
-        let normal = self.scene.base_motion.as_ref().map(|base| base.axis);
+        let normal = self.decided.scene.base_motion.as_ref().map(|base| base.axis);
         std::array::from_fn(|axis| if Some(axis) == normal { v[axis] } else { 0.0 })
     }
 
     /// Velocity of the mesh in the middle of the step \[m/s\].
     pub(in crate::simulation) fn mesh_velocity(&self, info: &StepInfo) -> Vector {
-        let middle = self.clock.time + 0.5 * info.dt;
-        let base = self.base.as_ref();
+        let middle = self.state.clock.time + 0.5 * info.dt;
+        let base = self.decided.base.as_ref();
         base.map_or([0.0; 3], |base| self.mesh_part(base.at(middle)))
     }
 
     /// Notes the end of a record of the base, if it lies in this step.
     pub(in crate::simulation) fn note_end_of_record(&mut self, info: &StepInfo) {
-        if let Some(base) = &self.base
-            && self.clock.time < base.end()
+        if let Some(base) = &self.decided.base
+            && self.state.clock.time < base.end()
             && info.time >= base.end()
         {
-            self.events.push(Event {
+            self.state.events.push(Event {
                 step: info.step,
                 time: info.time,
                 kind: EventKind::RecordEnded,

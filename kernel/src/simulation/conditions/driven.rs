@@ -45,10 +45,11 @@ impl Condition for DrivenBodies {
     /// stands still.
     fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
         let mut driven: Vec<DrivenNode> = vec![];
-        for (set, body) in simulation.sets.iter().zip(&simulation.bodies) {
-            if let (Some(motion), false) = (&body.motion, body.in_layer) {
+        let (sets, own_field) = (&simulation.state.sets, &simulation.work.own_field);
+        for (index, body) in simulation.decided.bodies.iter().enumerate() {
+            if let (Some(motion), false) = (&body.motion, own_field[index]) {
                 let [before, after] = acting.half_steps.map(|t| history_value(motion, t));
-                let nodes = nodes_of(set, body, &simulation.grid.shape, simulation.stencil);
+                let nodes = nodes_of(&sets[index], body, &simulation.work.grid.shape, simulation.state.stencil);
                 driven.extend(nodes.into_iter().map(|node| DrivenNode {
                     node,
                     before,
@@ -90,11 +91,11 @@ impl Simulation {
         info: &StepInfo,
         mesh_shift: &[f64; 3],
     ) -> Result<(), StepError> {
-        let half = self.clock.time + 0.5 * info.dt;
-        let mesh = &self.scene.mesh;
+        let half = self.state.clock.time + 0.5 * info.dt;
+        let mesh = &self.decided.scene.mesh;
         let mut travel = 0.0_f64;
         let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
-        for (index, (set, body)) in self.sets.iter_mut().zip(&self.bodies).enumerate() {
+        for (index, (set, body)) in self.state.sets.iter_mut().zip(&self.decided.bodies).enumerate() {
             let Some(motion) = &body.motion else { continue };
             let v = history_value(motion, half);
             for axis in 0..set.layout.axes {
@@ -111,7 +112,7 @@ impl Simulation {
                 travel = travel.max((shift / mesh.cell[axis]).abs());
             }
         }
-        self.travel += travel;
+        self.state.travel += travel;
         self.judge(&faults)
     }
 }

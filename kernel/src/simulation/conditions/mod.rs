@@ -136,19 +136,23 @@ pub(super) fn of(
 impl Simulation {
     /// Makes the conditions of the scene anew, after it has changed.
     pub(super) fn set_conditions(&mut self) -> Result<(), SetupError> {
-        self.conditions = of(&self.scene, &self.grid.shape, &self.own_conditions)?;
+        self.decided.conditions = of(
+            &self.decided.scene,
+            &self.work.grid.shape,
+            &self.decided.own_conditions,
+        )?;
         Ok(())
     }
 
     /// What acts in a step of length `dt` \[s\].
     pub(super) fn acting(&self, dt: f64) -> Acting {
         let mut acting = Acting {
-            kick: 0.5 * (self.clock.dt_before + dt),
-            half_steps: [self.velocity_time(), self.clock.time + 0.5 * dt],
+            kick: 0.5 * (self.state.clock.dt_before + dt),
+            half_steps: [self.velocity_time(), self.state.clock.time + 0.5 * dt],
             drift: dt,
             ..Acting::default()
         };
-        for condition in &self.conditions {
+        for condition in &self.decided.conditions {
             condition.prescribe(self, &mut acting);
         }
         acting

@@ -308,7 +308,7 @@ pub(super) fn on_slabs<'a>(
 impl Simulation {
     /// All interactions.
     pub(super) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
-        self.interactions.iter().flatten().map(|one| &**one)
+        self.work.interactions.iter().flatten().map(|one| &**one)
     }
 
     /// The interaction of a kind, for what it tells of itself.
@@ -319,7 +319,7 @@ impl Simulation {
     }
 
     pub(super) fn interaction_mut<T: Interaction>(&mut self) -> Option<&mut T> {
-        let mut all = self.interactions.iter_mut().flatten();
+        let mut all = self.work.interactions.iter_mut().flatten();
         all.find_map(|one| (&mut **one as &mut dyn Any).downcast_mut())
     }
 
@@ -328,10 +328,10 @@ impl Simulation {
         &mut self,
         mut act: impl FnMut(&mut dyn Interaction, &mut Self) -> Result<(), E>,
     ) -> Result<(), E> {
-        for place in 0..self.interactions.len() {
-            if let Some(mut one) = self.interactions[place].take() {
+        for place in 0..self.work.interactions.len() {
+            if let Some(mut one) = self.work.interactions[place].take() {
                 let done = act(&mut *one, self);
-                self.interactions[place] = Some(one);
+                self.work.interactions[place] = Some(one);
                 done?;
             }
         }
@@ -350,12 +350,14 @@ impl Simulation {
     /// Gives each body that needs one its velocity field.
     pub(crate) fn set_fields(&mut self) {
         let mut owners: Vec<usize> = self.interactions().flat_map(Interaction::owners).collect();
-        owners.sort_by_key(|&i| self.bodies[i].id);
+        owners.sort_by_key(|&i| self.decided.bodies[i].id);
         owners.dedup();
-        for (index, body) in self.bodies.iter_mut().enumerate() {
-            body.in_layer = owners.contains(&index);
+        for (index, own) in self.work.own_field.iter_mut().enumerate() {
+            *own = owners.contains(&index);
         }
-        self.grid.set_owners(&owners, &self.sets, self.stencil);
+        self.work
+            .grid
+            .set_owners(&owners, &self.state.sets, self.state.stencil);
         self.join_fields(&owners);
         let Ok(()) = self.each::<Infallible>(|one, simulation| {
             one.fields_given(simulation);
@@ -365,7 +367,7 @@ impl Simulation {
 
     /// Which fields share their velocity; `owners` have one each, after that of the phase.
     fn join_fields(&mut self, owners: &[usize]) {
-        let mut numbers = vec![None; self.bodies.len()];
+        let mut numbers = vec![None; self.decided.bodies.len()];
         for (place, &body) in owners.iter().enumerate() {
             numbers[body] = Some(1 + place);
         }
@@ -387,7 +389,7 @@ impl Simulation {
                 separate(numbers[a], numbers[b]);
             }
         }
-        self.grid.joined = joined;
+        self.work.grid.joined = joined;
     }
 
     /// Whether gaps and forces are sought between the mapping and the choice of the time step.

@@ -159,7 +159,7 @@ fn entry<
 }
 
 /// One of these stages as a kernel; `UPPER` takes gradients of the upper lanes.
-pub struct Instance<
+struct Instance<
     'a,
     'b,
     const D: usize,

@@ -58,11 +58,11 @@ pub struct P2g<'a> {
 }
 
 /// An instance carries nothing beyond mass, momentum and force.
-pub const NOTHING: u8 = 0;
+const NOTHING: u8 = 0;
 /// It carries the mass gradient instead of them.
-pub const MASS_GRADIENT: u8 = 1;
+const MASS_GRADIENT: u8 = 1;
 /// It carries the spin too.
-pub const SPIN: u8 = 2;
+const SPIN: u8 = 2;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
@@ -119,7 +119,7 @@ fn entry<
 }
 
 /// One of these stages as a kernel; `EXTRA` is what else is mapped.
-pub struct Instance<
+struct Instance<
     'a,
     const D: usize,
     const N: usize,

@@ -1,9 +1,9 @@
 //! Blocks of particles have the same bits for all lanes, and internal variables follow their particles.
 
-use proctor_kernel::lanes::{Kernel, LaneChoice, Lanes, Selected, WholeLines};
+use proctor_kernel::lanes::{LaneChoice, Lanes, Selected};
 use proctor_kernel::laws::tensor::Configuration;
 use proctor_kernel::laws::{
-    Block, Gradients, Increment, Law, LinearElastic, NeoHookean, OfBlock, Particle, Strained,
+    Block, Gradients, Increment, Law, LinearElastic, NeoHookean, Particle, Strained,
 };
 use proctor_kernel::layout::{Layout, Optional, Variable};
 use proctor_kernel::particles::ParticleSet;
@@ -115,13 +115,7 @@ fn strained<M: Law>(
 fn check<M: Law>(law: &M) {
     use proctor_kernel::laws::Strain;
     for axes in [2, 3] {
-        let whole = strained::<M>(axes, &|block| {
-            if axes == 2 {
-                OfBlock::<M, 2>(law, block).run::<WholeLines>()
-            } else {
-                OfBlock::<M, 3>(law, block).run::<WholeLines>()
-            }
-        });
+        let whole = strained::<M>(axes, &|block| law.strain(Selected::plain(), block));
         assert!(whole.1.fault.is_none() && whole.1.speed_squared > 0.0);
         for choice in [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar] {
             let Ok(lanes) = Selected::new(choice) else {

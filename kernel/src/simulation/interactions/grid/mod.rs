@@ -88,10 +88,10 @@ impl State {
 
     fn tunnelling(&self, at: Tunnelling, simulation: &Simulation) -> StepError {
         let pair = &self.pairs[at.pair];
-        let shape = &simulation.grid.shape;
+        let shape = &simulation.work.grid.shape;
         let (local, origin) = (shape.position(shape.index(at.at)), simulation.origin());
         simulation.error(StepErrorKind::Tunnelling {
-            bodies: [pair.master, pair.slave].map(|body| simulation.bodies[body].id),
+            bodies: [pair.master, pair.slave].map(|body| simulation.decided.bodies[body].id),
             position: Some(std::array::from_fn(|axis| local[axis] + origin[axis])),
             approach: at.approach,
             distance: at.distance,
@@ -106,17 +106,17 @@ impl Interaction for State {
 
     /// Refuses bodies of a pair that overlap.
     fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
-        let bodies = simulation.bodies.iter();
+        let bodies = simulation.decided.bodies.iter();
         let half_lengths: Vec<Vector> = bodies.map(|b| b.particle_half_length).collect();
         let origin = simulation.origin();
         let near = self.pairs.iter().zip(&self.near).filter(|(_, near)| **near);
         let overlapping = near.filter_map(|(pair, _)| {
-            let found = overlap(pair, &simulation.sets, &half_lengths)?;
-            let mut contacts = simulation.scene.contacts.iter();
+            let found = overlap(pair, &simulation.state.sets, &half_lengths)?;
+            let mut contacts = simulation.decided.scene.contacts.iter();
             let name = contacts.find(|c| c.id == pair.id);
             Some(Overlapping {
                 contact: name.map_or_else(String::new, |c| c.name.clone()),
-                bodies: [pair.master, pair.slave].map(|body| simulation.bodies[body].id),
+                bodies: [pair.master, pair.slave].map(|body| simulation.decided.bodies[body].id),
                 depth: found.depth,
                 position: std::array::from_fn(|axis| found.at[axis] + origin[axis]),
             })
@@ -130,8 +130,8 @@ impl Interaction for State {
     }
 
     fn sorted(&mut self, simulation: &Simulation) {
-        let (shape, stencil) = (&simulation.grid.shape, simulation.stencil);
-        self.near = broad::near(&self.pairs, &simulation.sets, shape, stencil);
+        let (shape, stencil) = (&simulation.work.grid.shape, simulation.state.stencil);
+        self.near = broad::near(&self.pairs, &simulation.state.sets, shape, stencil);
     }
 
     /// Bodies of near pairs.
@@ -154,39 +154,39 @@ impl Interaction for State {
     /// Has surfaces for the bodies of near pairs, in order of the identifier.
     fn fields_given(&mut self, simulation: &Simulation) {
         let mut bodies = self.owners();
-        bodies.sort_by_key(|&i| simulation.bodies[i].id);
+        bodies.sort_by_key(|&i| simulation.decided.bodies[i].id);
         bodies.dedup();
         self.faces.set(
             &bodies,
             &self.pairs,
             &self.near,
-            &simulation.sets,
-            &simulation.grid,
-            simulation.stencil,
+            &simulation.state.sets,
+            &simulation.work.grid,
+            simulation.state.stencil,
         );
     }
 
     /// Pairs of two driven bodies do not act, so the pairs may be others now.
     fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
-        *self = Self::new(&simulation.scene, &simulation.bodies);
+        *self = Self::new(&simulation.decided.scene, &simulation.decided.bodies);
     }
 
     /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
     /// other without sharing a node. Only a scene that allows unstable steps gets there.
     fn refuse_leaps(&self, simulation: &Simulation, dt: f64) -> Result<(), StepError> {
-        let h = simulation.scene.mesh.cell[..simulation.plan.axes]
+        let h = simulation.decided.scene.mesh.cell[..simulation.decided.plan.axes]
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
         for pair in &self.pairs {
-            let bodies = [pair.master, pair.slave].map(|body| &simulation.bodies[body]);
-            let approach = bodies
-                .map(|body| body.found.speed_squared.sqrt() * dt)
+            let pair = [pair.master, pair.slave];
+            let approach = pair
+                .map(|body| simulation.state.found[body].speed_squared.sqrt() * dt)
                 .iter()
                 .sum::<f64>();
             if approach > h * (1.0 + 1e-9) {
                 return Err(simulation.error(StepErrorKind::Tunnelling {
-                    bodies: bodies.map(|body| body.id),
+                    bodies: pair.map(|body| simulation.decided.bodies[body].id),
                     position: None,
                     approach,
                     distance: h,
@@ -267,8 +267,8 @@ impl Simulation {
     /// of a pair that have no other it is the same number with opposite signs.
     #[must_use]
     pub fn contact_force(&self, set: usize) -> Vector {
-        let mut sum = self.mortar_force(self.bodies[set].id).unwrap_or_default();
-        for surface in 0..self.scene.surfaces.len() {
+        let mut sum = self.mortar_force(self.decided.bodies[set].id).unwrap_or_default();
+        for surface in 0..self.decided.scene.surfaces.len() {
             let force = self.surface_force_on(surface, set);
             sum = std::array::from_fn(|axis| sum[axis] + force[axis]);
         }
@@ -293,15 +293,15 @@ impl Simulation {
             let mut pairs = state.pairs.iter();
             pairs.any(|p| p.master == set || p.slave == set)
         };
-        !self.scene.surfaces.is_empty()
+        !self.decided.scene.surfaces.is_empty()
             || self.interaction().is_some_and(in_pair)
-            || self.mortar_force(self.bodies[set].id).is_some()
+            || self.mortar_force(self.decided.bodies[set].id).is_some()
     }
 
     /// Number of velocity fields beside that of the phase: bodies with a boundary, or near a partner of contact.
     #[must_use]
     pub fn contact_layers(&self) -> usize {
-        self.grid.fields.len() - 1
+        self.work.grid.fields.len() - 1
     }
 }
 

@@ -120,8 +120,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     /// # Errors
     /// The first vertex without a node with mass near it.
     pub(super) fn weigh(&mut self, hosts: &Simulation) -> Result<(), StepErrorKind> {
-        let (time, mirrors) = (hosts.clock.time, Mirrors::of(&hosts.scene.mesh));
-        let shape = &hosts.grid.shape;
+        let (time, mirrors) = (hosts.state.clock.time, Mirrors::of(&hosts.decided.scene.mesh));
+        let shape = &hosts.work.grid.shape;
         for surface in &mut self.surfaces {
             let (index, follow) = match &surface.carrier {
                 Carrier::Body { index, follow } => (*index, *follow),
@@ -131,11 +131,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     continue;
                 }
             };
-            let Some(field) = hosts.grid.own_field(index) else {
+            let Some(field) = hosts.work.grid.own_field(index) else {
                 continue;
             };
             let lines = field.nodes.lines();
-            let mapping = &hosts.bodies[index].mapping;
+            let mapping = &hosts.decided.bodies[index].mapping;
             let half_length = mapping.half_length[..D].iter().copied().fold(0.5, f64::min);
             let points = surface.boundary.points();
             let weigh = |vertex: usize| {
@@ -166,7 +166,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 }
                 Some((patch, surface.boundary.held(vertex, v)))
             };
-            let weighed = hosts.grid.team.search(0..points.len(), weigh);
+            let weighed = hosts.work.grid.team.search(0..points.len(), weigh);
             surface.patches.clear();
             for (vertex, one) in weighed.into_iter().enumerate() {
                 let Some((patch, v)) = one else {
@@ -339,7 +339,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
     pub(super) fn advance(&mut self, hosts: &Simulation, drift: f64, half_step: f64) {
-        let shape = &hosts.grid.shape;
+        let shape = &hosts.work.grid.shape;
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {
             match &surface.carrier {
@@ -348,7 +348,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     surface.moved.fill(v * drift);
                 }
                 Carrier::Body { index, follow } => {
-                    let Some(field) = hosts.grid.own_field(*index) else {
+                    let Some(field) = hosts.work.grid.own_field(*index) else {
                         continue;
                     };
                     let lines = field.nodes.lines();
@@ -361,12 +361,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     let gradients = summed.then(|| {
                         NodalGradients::new(
                             &surface.patches,
-                            &hosts.sets[*index],
-                            &hosts.bodies[*index],
+                            &hosts.state.sets[*index],
+                            &hosts.decided.bodies[*index],
                             shape,
                             lines,
-                            hosts.stencil,
-                            &hosts.grid.team,
+                            hosts.state.stencil,
+                            &hosts.work.grid.team,
                         )
                     });
                     let moved = |vertex: usize| {
@@ -380,7 +380,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                             vertex_velocity(&patch.weights, &velocities, &around, *follow, &cell);
                         surface.boundary.held(vertex, v) * drift
                     };
-                    surface.moved = hosts.grid.team.search(0..surface.patches.len(), moved);
+                    surface.moved = hosts.work.grid.team.search(0..surface.patches.len(), moved);
                 }
             }
             for (x, moved) in surface.boundary.points_mut().iter_mut().zip(&surface.moved) {

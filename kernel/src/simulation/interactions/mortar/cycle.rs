@@ -21,7 +21,7 @@ impl Interaction for MortarState {
     }
 
     fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
-        self.set_carrier(&simulation.scene, &simulation.bodies[body], body);
+        self.set_carrier(&simulation.decided.scene, &simulation.decided.bodies[body], body);
     }
 
     fn finds(&self) -> bool {
@@ -58,7 +58,7 @@ impl Interaction for MortarState {
     /// Adds the power of the contact forces that prescribed boundaries exert.
     fn settle(&mut self, simulation: &mut Simulation, acting: &Acting) -> Result<usize, StepError> {
         let [_, half_step] = acting.half_steps;
-        simulation.ledger.sums.power +=
+        simulation.work.sums.power +=
             self.plane.power_of_prescribed(half_step) + self.space.power_of_prescribed(half_step);
         Ok(self.plane.under_pressure() + self.space.under_pressure())
     }

@@ -63,7 +63,7 @@ impl MortarState {
         let origin = simulation.origin();
         self.plane.weigh(simulation)?;
         self.space.weigh(simulation)?;
-        let team = &simulation.grid.team;
+        let team = &simulation.work.grid.team;
         self.plane.meet_all(&origin, team)?;
         self.space.meet_all(&origin, team)?;
         let nodes = &mut self.stiffness;

@@ -65,8 +65,8 @@ impl<'a> Fields<'a> {
 impl Simulation {
     pub(super) fn all_fields(&self) -> Fields<'_> {
         Fields {
-            grid: &self.grid,
-            bodies: &self.bodies,
+            grid: &self.work.grid,
+            bodies: &self.decided.bodies,
         }
     }
 
@@ -78,7 +78,7 @@ impl Simulation {
         lane: usize,
         increments: bool,
     ) {
-        for (number, field) in self.grid.fields.iter_mut().enumerate() {
+        for (number, field) in self.work.grid.fields.iter_mut().enumerate() {
             apply(nodes, number, field.nodes.lines_mut(), lane, increments);
         }
     }

@@ -25,31 +25,31 @@ impl Simulation {
         p: usize,
         within: f64,
     ) -> Option<(f64, Nearest)> {
-        let shift = self.surface_shift(surface, self.clock.time);
+        let shift = self.surface_shift(surface, self.state.clock.time);
         let (gap, mut nearest) = gap(
-            &self.local_surfaces[surface],
-            &self.on_surface(&self.sets[set].position(p), &shift),
-            &half_lengths(&self.sets[set], &self.bodies[set], p),
+            &self.decided.local_surfaces[surface],
+            &self.on_surface(&self.state.sets[set].position(p), &shift),
+            &half_lengths(&self.state.sets[set], &self.decided.bodies[set], p),
             within,
         )?;
-        let origin = &self.scene.mesh.origin;
+        let origin = &self.decided.scene.mesh.origin;
         nearest.point = std::array::from_fn(|axis| nearest.point[axis] + origin[axis]);
         Some((gap, nearest))
     }
 
     /// A position relative to the mesh as it is in the coordinates of a local surface that has moved by `shift`.
     pub(super) fn on_surface(&self, x: &Vector, shift: &Vector) -> Vector {
-        std::array::from_fn(|axis| x[axis] + self.mesh_shift[axis] - shift[axis])
+        std::array::from_fn(|axis| x[axis] + self.state.mesh_shift[axis] - shift[axis])
     }
 
     /// No body may overlap a surface at the start.
     pub(super) fn refuse_overlap_with_surfaces(&self) -> Result<(), SetupError> {
         let allowed = OVERLAP * self.smallest_cell();
-        for surface in 0..self.scene.surfaces.len() {
+        for surface in 0..self.decided.scene.surfaces.len() {
             let mut deepest: Option<(f64, usize, usize)> = None;
-            for set in 0..self.sets.len() {
-                for p in 0..self.sets[set].len() {
-                    let threshold = self.scene.surfaces[surface].distance_threshold;
+            for set in 0..self.state.sets.len() {
+                for p in 0..self.state.sets[set].len() {
+                    let threshold = self.decided.scene.surfaces[surface].distance_threshold;
                     if let Some((gap, _)) = self.surface_gap(surface, set, p, threshold)
                         && gap < -allowed
                         && deepest.is_none_or(|d| gap < d.0)
@@ -61,11 +61,11 @@ impl Simulation {
             if let Some((gap, set, p)) = deepest {
                 let [x, y, z] = self.position(set, p);
                 return Err(SetupError::Body {
-                    body: self.scene.bodies[set].name.clone(),
+                    body: self.decided.scene.bodies[set].name.clone(),
                     reason: format!(
                         "it reaches {} m through the surface {:?} at the start, at ({x}, {y}, {z}) m; accepted: bodies \
                          on the side to which the normals of the surface point",
-                        -gap, self.scene.surfaces[surface].name
+                        -gap, self.decided.scene.surfaces[surface].name
                     ),
                 });
             }
@@ -74,7 +74,7 @@ impl Simulation {
     }
 
     pub(super) fn smallest_cell(&self) -> f64 {
-        self.scene.mesh.cell[..self.plan.axes]
+        self.decided.scene.mesh.cell[..self.decided.plan.axes]
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min)

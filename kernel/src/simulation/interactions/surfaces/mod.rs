@@ -146,7 +146,7 @@ impl Simulation {
     #[must_use]
     pub fn surface_force(&self, surface: usize) -> Vector {
         let mut force = [0.0; 3];
-        for set in 0..self.sets.len() {
+        for set in 0..self.state.sets.len() {
             let own = self.surface_force_on(surface, set);
             force = std::array::from_fn(|axis| force[axis] - own[axis]);
         }
@@ -170,7 +170,7 @@ impl Simulation {
     /// Displacement of a surface since the start \[m\].
     #[must_use]
     pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
-        let motion = self.scene.surfaces[surface].motion.as_ref();
+        let motion = self.decided.scene.surfaces[surface].motion.as_ref();
         motion.map_or([0.0; 3], |motion| integral(motion, time))
     }
 
@@ -197,7 +197,7 @@ impl Simulation {
         surfaces.pushed.clear();
         for (touch, place) in trial.list.iter().zip(&trial.places) {
             if let (true, held) = touch.pushes_and_holds() {
-                let id = self.sets[place.set].id[place.p];
+                let id = self.state.sets[place.set].id[place.p];
                 surfaces.pushed.insert((place.surface, place.set, id), held);
             }
             let impulse = touch.impulse();
@@ -207,8 +207,8 @@ impl Simulation {
         }
         let mut power = 0.0;
         for surface in 0..surfaces.last.len() {
-            let v = velocity(&self.scene.surfaces[surface], self.clock.time, acting.drift);
-            for set in 0..self.sets.len() {
+            let v = velocity(&self.decided.scene.surfaces[surface], self.state.clock.time, acting.drift);
+            for set in 0..self.state.sets.len() {
                 for axis in 0..3 {
                     let impulse = surfaces.last[surface][set][axis];
                     surfaces.total[surface][set][axis] += impulse;
@@ -224,7 +224,7 @@ impl Simulation {
     /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
     fn sum_after_contact(&mut self, acting: &Acting, power: f64) {
         let planes = self.sums_of_planes(acting);
-        let sums = &mut self.ledger.sums;
+        let sums = &mut self.work.sums;
         sums.power += power;
         for plane in planes {
             sums.power += plane.power;
@@ -248,7 +248,7 @@ impl Simulation {
         let mapped = &mut surfaces.mapped;
         self.touches(&mut surfaces.near, acting, lane, mapped)?;
         let mut held = mapped.places.iter().map(|place| {
-            let id = self.sets[place.set].id[place.p];
+            let id = self.state.sets[place.set].id[place.p];
             surfaces.pushed.get(&(place.surface, place.set, id))
         });
         mapped.list.retain_mut(|touch| {
@@ -269,7 +269,7 @@ impl Simulation {
                 planes.unfold(&still, false);
             }
         };
-        self.grid.visit(|mut slab| slab.planes().for_each(keep));
+        self.work.grid.visit(|mut slab| slab.planes().for_each(keep));
         Ok(())
     }
 
@@ -298,9 +298,9 @@ impl Simulation {
             known: BTreeMap::new(),
         };
         // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
-        let gaps = self.grid.team.search(0..known.particles.len(), |i| {
+        let gaps = self.work.grid.team.search(0..known.particles.len(), |i| {
             let Place { surface, set, p } = known.particles[i];
-            let margin = self.scene.surfaces[surface].distance_threshold + self.smallest_cell();
+            let margin = self.decided.scene.surfaces[surface].distance_threshold + self.smallest_cell();
             self.surface_gap(surface, set, p, margin)
         });
         for (place, gap) in known.particles.iter().zip(gaps) {
@@ -328,7 +328,7 @@ impl Simulation {
         reached: &mut Reached<'_>,
     ) -> Result<Option<Touch>, StepError> {
         let Place { surface, set, p } = place;
-        let rigid = &self.scene.surfaces[surface];
+        let rigid = &self.decided.scene.surfaces[surface];
         if nearest.distance < 0.0 {
             return Err(self.error(StepErrorKind::ThroughSurface {
                 particle: self.particle_at(set, p),
@@ -336,11 +336,11 @@ impl Simulation {
                 depth: -nearest.distance,
             }));
         }
-        let shape = &self.grid.shape;
-        let weights = node_weights(&self.sets[set], &self.bodies[set], shape, self.stencil, p);
+        let shape = &self.work.grid.shape;
+        let weights = node_weights(&self.state.sets[set], &self.decided.bodies[set], shape, self.state.stencil, p);
         let field = fields.of(set);
         let lines = fields.lines(field);
-        let v_s = velocity(rigid, self.clock.time, acting.drift);
+        let v_s = velocity(rigid, self.state.clock.time, acting.drift);
         let mut relative = v_s.map(|v| -v);
         for &(node, w) in &weights {
             for axis in 0..3 {

@@ -26,22 +26,23 @@ pub(super) struct Place {
 impl Simulation {
     /// The list of particles near a surface, made anew where it no longer covers what may touch in this step.
     pub(super) fn near_surfaces(&self, known: Option<Near>, dt: f64) -> Near {
-        let cell = &self.scene.mesh.cell;
+        let cell = &self.decided.scene.mesh.cell;
         let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
         let speed = self
-            .bodies
+            .state
+            .found
             .iter()
-            .map(|b| b.found.speed_squared)
+            .map(|found| found.speed_squared)
             .fold(0.0, f64::max)
             .sqrt();
-        let shifts: Vec<Vector> = (0..self.scene.surfaces.len())
-            .map(|s| self.surface_shift(s, self.clock.time))
+        let shifts: Vec<Vector> = (0..self.decided.scene.surfaces.len())
+            .map(|s| self.surface_shift(s, self.state.clock.time))
             .collect();
         let fastest = self
-            .scene
+            .decided.scene
             .surfaces
             .iter()
-            .map(|s| length(&velocity(s, self.clock.time, dt)))
+            .map(|s| length(&velocity(s, self.state.clock.time, dt)))
             .fold(0.0, f64::max);
         // Twice the way at the present speed, since contact and forces may make particles faster within the step.
         let step = 2.0 * dt * (speed + fastest);
@@ -51,7 +52,7 @@ impl Simulation {
                 .zip(&near.shifts)
                 .map(|(a, b)| length(&std::array::from_fn(|axis| a[axis] - b[axis])))
                 .fold(0.0, f64::max);
-            let moved = (self.travel - near.travel) * diagonal + by_surface;
+            let moved = (self.state.travel - near.travel) * diagonal + by_surface;
             if moved + step <= near.margin {
                 return near;
             }
@@ -59,15 +60,15 @@ impl Simulation {
         let margin = (0.25 * diagonal).max(2.0 * step);
         let mut particles = vec![];
         for (surface, shift) in shifts.iter().enumerate() {
-            for set in 0..self.sets.len() {
-                if self.bodies[set].motion.is_none() {
+            for set in 0..self.state.sets.len() {
+                if self.decided.bodies[set].motion.is_none() {
                     particles.extend(self.near_particles(surface, set, shift, margin));
                 }
             }
         }
         Near {
             particles,
-            travel: self.travel,
+            travel: self.state.travel,
             shifts,
             margin,
         }
@@ -82,19 +83,19 @@ impl Simulation {
         margin: f64,
     ) -> Vec<Place> {
         let (rigid, particles, body) = (
-            &self.scene.surfaces[surface],
-            &self.sets[set],
-            &self.bodies[set],
+            &self.decided.scene.surfaces[surface],
+            &self.state.sets[set],
+            &self.decided.bodies[set],
         );
         let is_near = |p: usize| {
             let local = self.on_surface(&particles.position(p), shift);
             let reach = length(&half_lengths(particles, body, p));
             let within = rigid.distance_threshold + reach + margin;
-            self.local_surfaces[surface]
+            self.decided.local_surfaces[surface]
                 .nearest(&local, within)
                 .is_some()
         };
-        let near = self.grid.team.collect(0..particles.len(), is_near);
+        let near = self.work.grid.team.collect(0..particles.len(), is_near);
         let mut found: Vec<usize> = (0..near.len()).filter(|&p| near[p]).collect();
         found.sort_unstable_by_key(|&p| particles.id[p]);
         found

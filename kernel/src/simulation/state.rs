@@ -1,60 +1,64 @@
-//! The state of a simulation as one plain value, to be kept somewhere and gone on from, bit by bit.
+//! The state: what a step leaves behind and the next one needs.
 //!
-//! [`Saved`] holds what a step leaves behind and the next one needs, and nothing that can be had from the scene: neither
+//! It is one plain value. A checkpoint writes it, a rehearsal and a restart take it up again, a change between stages goes
+//! on with it, all by [`Simulation::save`] and [`Simulation::restore`]. What can be had from the scene is not in it: neither
 //! the grid, which is scratch between steps, nor laws, loads and surfaces. How it is written is not known here.
 
 use super::Simulation;
 use super::clock::Clock;
 use super::error::Event;
 use super::interactions::{Interaction, Remembered};
+use super::passes::Groups;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::stage::g2p::Found;
 use std::fmt;
 
-/// The state of a simulation: see [`Simulation::save`].
+/// What a step leaves behind and the next one needs, but for what interactions remember: see [`Saved`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Saved {
+pub struct State {
+    /// Particle sets, one per body, in the order of the scene. The order of particles in a set decides in which order sums
+    /// are formed.
+    pub sets: Vec<ParticleSet>,
+    /// What the last step found in each set: the next time step is chosen by it.
+    pub found: Vec<Found>,
     /// Step counter, time, and the time steps so far.
     pub clock: Clock,
     /// Nodes per axis of the stencil, 3 or 4.
     pub stencil: usize,
     /// Largest travel of a particle since the last sort, in cells.
     pub travel: f64,
-    /// Groups of particles that share a base node, after the last sort.
-    pub sorted_groups: usize,
-    /// Groups met beyond those, summed over the steps since: their number decides when to sort.
-    pub superfluous_groups: usize,
+    /// Groups of particles that share a base node: their number decides when to sort.
+    pub groups: Groups,
     /// Displacement of the mesh since the start \[m\].
     pub mesh_shift: Vector,
     /// Kinetic energies one and two half-steps ago, with kinetic damping \[J\].
     pub kinetic: [f64; 2],
-    /// Work of nodal loads and of what has a prescribed velocity so far \[J\].
-    pub external_work: f64,
-    /// Sum of force times position over particles with dead loads at the start \[J\].
-    pub dead_load_origin: f64,
-    /// Energy at the start \[J\].
-    pub initial_energy: f64,
-    /// The bodies, in the order of the scene.
-    pub bodies: Vec<SavedBody>,
-    /// What each interaction remembers, in the order in which they act.
-    pub interactions: Vec<Remembered>,
+    /// The energy balance.
+    pub books: Books,
     /// What happened so far.
     pub events: Vec<Event>,
 }
 
-/// The particles of a body, in the order in which they are kept: it decides in which order sums are formed.
+/// Running sums of the energy balance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Books {
+    /// Work of nodal loads and of what has a prescribed velocity so far \[J\].
+    pub external_work: f64,
+    /// Sum of force times position over particles with dead loads at the start, less those removed \[J\].
+    pub dead_load_origin: f64,
+    /// Kinetic and strain energy at the start, and from the first step on that of mortar contact \[J\].
+    pub initial_energy: f64,
+}
+
+/// The whole state of a simulation: see [`Simulation::save`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct SavedBody {
-    /// Identifiers.
-    pub id: Vec<u64>,
-    /// State, one list per column of the layout.
-    pub columns: Vec<Vec<f64>>,
-    /// First particle of each base layer along the slow axis, and the number of particles.
-    pub layers: Vec<usize>,
-    /// What the last step found: the next time step is chosen by it.
-    pub found: Found,
+pub struct Saved {
+    /// The state.
+    pub state: State,
+    /// What each interaction remembers, in the order in which they act.
+    pub interactions: Vec<Remembered>,
 }
 
 /// A saved state that is not one of the scene of the simulation.
@@ -102,34 +106,33 @@ impl fmt::Display for RestoreError {
 
 impl std::error::Error for RestoreError {}
 
+impl State {
+    /// The state at time zero of sets that were just filled; what each body was found to be.
+    pub(super) fn new(sets: Vec<ParticleSet>, found: Vec<Found>) -> Self {
+        let widest = found.iter().map(|f| f.half_length).fold(0.0, f64::max);
+        Self {
+            sets,
+            found,
+            clock: Clock::default(),
+            stencil: if widest > 0.5 { 4 } else { 3 },
+            // Nothing is sorted yet.
+            travel: f64::INFINITY,
+            groups: Groups::default(),
+            mesh_shift: [0.0; 3],
+            kinetic: [0.0; 2],
+            books: Books::default(),
+            events: vec![],
+        }
+    }
+}
+
 impl Simulation {
     /// The state: a simulation of the same scene that takes it up goes on with the same bits.
     #[must_use]
     pub fn save(&self) -> Saved {
         Saved {
-            clock: self.clock,
-            stencil: self.stencil,
-            travel: self.travel,
-            sorted_groups: self.groups.sorted,
-            superfluous_groups: self.groups.superfluous,
-            mesh_shift: self.mesh_shift,
-            kinetic: self.relaxation.last,
-            external_work: self.ledger.external_work,
-            dead_load_origin: self.ledger.dead_load_origin,
-            initial_energy: self.ledger.initial_energy,
-            bodies: (self.sets.iter().zip(&self.bodies))
-                .map(|(set, body)| SavedBody {
-                    id: set.id.clone(),
-                    columns: set.columns.clone(),
-                    layers: set.layers.clone(),
-                    found: Found {
-                        fault: None,
-                        ..body.found
-                    },
-                })
-                .collect(),
+            state: self.state.clone(),
             interactions: self.interactions().map(Interaction::save).collect(),
-            events: self.events.clone(),
         }
     }
 
@@ -142,28 +145,13 @@ impl Simulation {
     /// simulation is then as it was.
     pub fn restore(&mut self, saved: Saved) -> Result<(), RestoreError> {
         self.fits(&saved)?;
-        for ((set, body), was) in (self.sets.iter_mut())
-            .zip(&mut self.bodies)
-            .zip(saved.bodies)
-        {
-            set.id = was.id;
-            set.columns = was.columns;
-            set.layers = was.layers;
-            body.found = was.found;
+        let layouts: Vec<Layout> = self.state.sets.iter().map(|set| set.layout).collect();
+        self.state = saved.state;
+        for (set, layout) in self.state.sets.iter_mut().zip(layouts) {
+            set.layout = layout;
         }
-        self.clock = saved.clock;
-        self.stencil = saved.stencil;
-        self.travel = saved.travel;
-        self.groups.sorted = saved.sorted_groups;
-        self.groups.superfluous = saved.superfluous_groups;
-        self.mesh_shift = saved.mesh_shift;
-        self.relaxation.last = saved.kinetic;
-        self.ledger.external_work = saved.external_work;
-        self.ledger.dead_load_origin = saved.dead_load_origin;
-        self.ledger.initial_energy = saved.initial_energy;
-        self.events = saved.events;
-        self.grid.resume(&self.sets, self.stencil);
-        let interactions = self.interactions.iter_mut().flatten();
+        self.work.grid.resume(&self.state.sets, self.state.stencil);
+        let interactions = self.work.interactions.iter_mut().flatten();
         for (one, was) in interactions.zip(&saved.interactions) {
             one.restore(was);
         }
@@ -173,8 +161,10 @@ impl Simulation {
 
     /// Whether a state can be one of this scene.
     fn fits(&self, saved: &Saved) -> Result<(), RestoreError> {
-        same("bodies", self.sets.len(), saved.bodies.len())?;
-        for (body, (set, was)) in self.sets.iter().zip(&saved.bodies).enumerate() {
+        let (own, was) = (&self.state, &saved.state);
+        same("bodies", own.sets.len(), was.sets.len())?;
+        same("bodies", own.sets.len(), was.found.len())?;
+        for (body, (set, was)) in own.sets.iter().zip(&was.sets).enumerate() {
             self.particles_fit(body, set, was)?;
         }
         let interactions: Vec<Remembered> = self.interactions().map(Interaction::save).collect();
@@ -193,7 +183,7 @@ impl Simulation {
         &self,
         body: usize,
         set: &ParticleSet,
-        was: &SavedBody,
+        was: &ParticleSet,
     ) -> Result<(), RestoreError> {
         let columns = format!("columns of body {body}");
         same(columns, set.layout.columns, was.columns.len())?;
@@ -205,7 +195,7 @@ impl Simulation {
         same(layers, set.layers.len(), was.layers.len())?;
         let in_layers = was.layers.last().copied().unwrap_or(0);
         let ordered = was.layers.is_sorted() && in_layers == was.id.len();
-        let mesh = &self.scene.mesh;
+        let mesh = &self.decided.scene.mesh;
         let inside = (0..set.layout.axes).all(|axis| {
             let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
             let x = &was.columns[Layout::POSITION + axis];

@@ -1,0 +1,48 @@
+//! What is decided of a scene before its first step, and again only between two stages.
+
+use super::conditions::Condition;
+use super::{BaseVelocity, BodyForce};
+use crate::lanes::Selected;
+use crate::laws::AnyLaw;
+use crate::plan::Plan;
+use crate::scene::{DomainUpdate, History, Scene, Vector};
+use crate::stage::Mapping;
+use crate::surface::Surface;
+use std::sync::Arc;
+
+/// What is decided of a scene: a step reads it and leaves it as it is.
+pub(crate) struct Decided {
+    pub(crate) scene: Scene,
+    pub(crate) plan: Plan,
+    pub(crate) lanes: Selected,
+    /// The bodies, in the order of the scene.
+    pub(crate) bodies: Vec<BodyRun>,
+    /// What acts at the nodes from outside; those of the user come last.
+    pub(crate) conditions: Vec<Arc<dyn Condition>>,
+    pub(crate) own_conditions: Vec<Arc<dyn Condition>>,
+    pub(crate) base: Option<BaseVelocity>,
+    pub(crate) body_force: Option<BodyForce>,
+    /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
+    /// 1e-10 m only.
+    pub(crate) local_surfaces: Vec<Arc<Surface>>,
+}
+
+/// What the cycle knows of one body beyond its particles.
+#[derive(Clone, Debug)]
+pub(crate) struct BodyRun {
+    pub(crate) id: i64,
+    pub(crate) material_id: i64,
+    pub(crate) law: AnyLaw,
+    /// Initial density \[kg/m³\].
+    pub(crate) density: f64,
+    pub(crate) mapping: Mapping,
+    pub(crate) domain_update: Option<DomainUpdate>,
+    pub(crate) motion: Option<History>,
+    /// Rate of viscous damping \[1/s\].
+    pub(crate) viscous_rate: f64,
+    /// Half-lengths of its particles at the start \[m\], the mean where they differ.
+    pub(crate) particle_half_length: Vector,
+    /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
+    /// function has no domain.
+    pub(crate) reach: Option<[f64; 3]>,
+}
