@@ -29,8 +29,6 @@
 // What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-pub mod contact;
-pub mod grid;
 pub mod lanes;
 pub mod laws;
 pub mod layout;
@@ -39,7 +37,18 @@ pub mod plan;
 pub mod prelude;
 pub mod scene;
 pub mod simulation;
+pub mod transfers;
+pub mod weighting;
+
+// What the cycle is made of: open to the tests and benchmarks beside it, and not meant for a user. What a user's own
+// condition or interaction meets of it is in `simulation`.
+#[doc(hidden)]
+pub mod contact;
+#[doc(hidden)]
+pub mod grid;
+#[doc(hidden)]
 pub mod stage;
+#[doc(hidden)]
 pub mod weights;
 
 pub use proctor_geometry::{bodies, memory, mortar, shape, surface, team};

@@ -8,9 +8,7 @@ mod warnings;
 
 use crate::layout::{Layout, Optional};
 use crate::mortar::motion::Follow;
-use crate::scene::{
-    Damping, Dimension, DomainUpdate, Field, Scene, StressScheme, TransferKind, Weighting,
-};
+use crate::scene::{Damping, Dimension, DomainUpdate, Field, Scene, StressScheme, Weighting};
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
 pub(crate) use entries::Words;
@@ -81,20 +79,9 @@ impl Plan {
     #[must_use]
     pub(crate) fn of(scene: &Scene, demands: Demands, features: &[Feature]) -> Self {
         let axes = scene.dimension.axes();
-        let domain_update = match scene.weighting {
-            Weighting::ContiguousGimp(update) => Some(update),
-            _ => None,
-        };
-        let family = if scene.weighting == Weighting::Linear {
-            Family::Hat
-        } else {
-            Family::Gimp
-        };
-        let affine = match scene.transfer.kind {
-            TransferKind::Flip => Affine::Leave,
-            TransferKind::Apic => Affine::Apic,
-            TransferKind::Tpic => Affine::Tpic,
-        };
+        let domain_update = scene.weighting.domain_update();
+        let family = scene.weighting.kind().family;
+        let affine = scene.transfer.kind.kind().affine;
         let viscous_damping = match scene.damping {
             Damping::Viscous { alpha } if alpha != 0.0 => Some(alpha),
             _ => None,

@@ -8,7 +8,6 @@ pub use crate::scene::{
     StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
 };
 pub use crate::simulation::{
-    Acting, Condition, FieldNodes, Grid, InitialState, Interaction, Node, Now, OnSlab, Options,
-    Simulation, Slab, StepError, StepInfo, Visit,
+    Acting, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, Node, Now, OnSlab,
+    Options, PlaneSums, Simulation, Slab, StepError, StepInfo, Visit,
 };
-pub use crate::stage::solve::{EmptyNode, PlaneSums};

@@ -2,8 +2,10 @@
 
 use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, Dimension, History, Material, Mesh, PointLoad, Scene, Shape, TimeStep, Traction,
+    Body, Dimension, DomainUpdate, History, Material, Mesh, PointLoad, Scene, Shape, TimeStep,
+    Traction, TransferKind, Weighting,
 };
+use proctor_kernel::{transfers, weighting};
 
 fn sound() -> Scene {
     let mesh = Mesh::new(Dimension::Two, [0.0, 0.0, 7.0], [0.5; 3], [4; 3]);
@@ -93,5 +95,33 @@ fn every_problem_is_found_by_path() {
         let paths: Vec<_> = error.problems.iter().map(|p| p.path.as_str()).collect();
         assert_eq!(paths, [path], "{error}");
         assert!(error.problems[0].location.is_none());
+    }
+}
+
+/// Every method is in its list, once, under a name of its own.
+#[test]
+fn methods_stand_in_their_lists() {
+    let updates = [
+        DomainUpdate::Determinant,
+        DomainUpdate::Stretch,
+        DomainUpdate::LeftStretch,
+    ];
+    let mut weightings = updates.map(Weighting::ContiguousGimp).to_vec();
+    weightings.extend([
+        Weighting::Linear,
+        Weighting::UniformGimp,
+        Weighting::QuadraticBSpline,
+    ]);
+    assert_eq!(weighting::ALL.len(), weightings.len());
+    for one in &weightings {
+        assert_eq!(one.kind().weighting, *one);
+        let same_name = |kind: &&weighting::Kind| kind.name == one.kind().name;
+        assert_eq!(weighting::ALL.iter().filter(same_name).count(), 1);
+        assert_eq!(one.kind().update.is_some(), one.domain_update().is_some());
+    }
+    let transfers = [TransferKind::Flip, TransferKind::Apic, TransferKind::Tpic];
+    assert_eq!(transfers::ALL.len(), transfers.len());
+    for one in transfers {
+        assert_eq!(one.kind().transfer, one);
     }
 }

@@ -3,9 +3,7 @@
 use std::fmt;
 
 use proctor_kernel::plan::{has_safe_step, stability_number};
-use proctor_kernel::scene::{
-    DomainUpdate, Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
-};
+use proctor_kernel::scene::{Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting};
 
 /// Weighting function, stress scheme and transfer: a line of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,14 +40,7 @@ impl Method {
     /// Word for the weighting function.
     #[must_use]
     pub fn weighting_word(self) -> &'static str {
-        match self.weighting {
-            Weighting::Linear => "linear",
-            Weighting::UniformGimp => "uGIMP",
-            Weighting::ContiguousGimp(DomainUpdate::Determinant) => "cpGIMP-det",
-            Weighting::ContiguousGimp(DomainUpdate::Stretch) => "cpGIMP",
-            Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => "cpGIMP-V",
-            Weighting::QuadraticBSpline => "B-spline",
-        }
+        self.weighting.kind().name
     }
 
     /// Word for the stress scheme.
@@ -65,11 +56,7 @@ impl Method {
     /// Word for the transfer.
     #[must_use]
     pub fn transfer_word(self) -> &'static str {
-        match self.transfer {
-            TransferKind::Flip => "FLIP",
-            TransferKind::Apic => "APIC",
-            TransferKind::Tpic => "TPIC",
-        }
+        self.transfer.kind().word
     }
 
     /// Whether the kernel knows a time step that is safe for every body.

@@ -2,9 +2,8 @@
 
 use super::config::Config;
 use super::sample::{Kind, Work};
-use proctor_kernel::scene::{
-    DomainUpdate, Scene, SceneError, StressScheme, TransferKind, Weighting,
-};
+use proctor_kernel::scene::{Scene, SceneError, StressScheme, Weighting};
+use proctor_kernel::weighting;
 
 /// A combination that is sampled, with what tables say of it.
 pub struct Slot {
@@ -103,23 +102,25 @@ fn slot(scene: String, name: &str, kind: Kind, values: Scene, threads: usize) ->
 
 /// Weighting function, stress scheme and transfer in the words of scene files.
 pub(super) fn words(scene: &Scene) -> [String; 3] {
-    let weighting = match scene.weighting {
-        Weighting::Linear => "linear",
-        Weighting::UniformGimp => "uGIMP",
-        Weighting::ContiguousGimp(DomainUpdate::Determinant) => "cpGIMP",
-        Weighting::ContiguousGimp(DomainUpdate::Stretch) => "cpGIMP-stretch",
-        Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => "cpGIMP-left-stretch",
-        Weighting::QuadraticBSpline => "quadratic_bspline",
-    };
+    let kind = scene.weighting.kind();
+    // The first update is what the word alone stands for.
+    let update = kind
+        .update
+        .filter(|_| first_of(kind.word) != scene.weighting);
+    let weighting = update.map_or(kind.word.to_owned(), |update| {
+        format!("{}-{}", kind.word, update.replace('_', "-"))
+    });
     let scheme = match scene.scheme {
         StressScheme::Usf => "USF",
         StressScheme::Usl => "USL",
         StressScheme::Musl => "MUSL",
     };
-    let transfer = match scene.transfer.kind {
-        TransferKind::Flip => "FLIP",
-        TransferKind::Apic => "APIC",
-        TransferKind::Tpic => "TPIC",
-    };
-    [weighting, scheme, transfer].map(str::to_owned)
+    let transfer = scene.transfer.kind.kind().word;
+    [weighting, scheme.to_owned(), transfer.to_owned()]
+}
+
+/// The weighting function that a word of scene files stands for by itself.
+fn first_of(word: &str) -> Weighting {
+    let first = weighting::ALL.iter().find(|kind| kind.word == word);
+    first.map_or(Weighting::UniformGimp, |kind| kind.weighting)
 }

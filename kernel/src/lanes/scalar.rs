@@ -5,11 +5,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// One f64.
 #[derive(Clone, Copy)]
-pub struct Scalar(f64);
+pub(super) struct Scalar(f64);
 
 /// Two groups side by side, twice as wide.
 #[derive(Clone, Copy)]
-pub struct Pair<T>(T, T);
+pub(super) struct Pair<T>(T, T);
 
 macro_rules! binary {
     ($trait:ident, $method:ident) => {

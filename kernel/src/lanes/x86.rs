@@ -12,11 +12,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Four lanes.
 #[derive(Clone, Copy)]
-pub struct Avx2Lanes(__m256d);
+pub(super) struct Avx2Lanes(__m256d);
 
 /// Eight lanes.
 #[derive(Clone, Copy)]
-pub struct Avx512Lanes(__m512d);
+pub(super) struct Avx512Lanes(__m512d);
 
 #[derive(Clone, Copy)]
 struct Avx2;
@@ -41,21 +41,21 @@ impl Backend for Avx512 {
 /// # Safety
 /// The machine must have AVX2 and FMA.
 #[target_feature(enable = "avx2,fma")]
-pub unsafe fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
+pub(super) unsafe fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Avx2>()
 }
 
 /// # Safety
 /// The machine must have AVX-512F, AVX2 and FMA.
 #[target_feature(enable = "avx512f,avx2,fma")]
-pub unsafe fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
+pub(super) unsafe fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Avx512>()
 }
 
 /// # Safety
 /// The machine must have FMA (which implies AVX).
 #[target_feature(enable = "fma")]
-pub unsafe fn run_scalar_fused<K: Kernel>(kernel: K) -> K::Output {
+pub(super) unsafe fn run_scalar_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<ScalarBackend>()
 }
 

@@ -3,7 +3,7 @@
 use super::stability::has_safe_step;
 use super::{Demands, Entry, Feature, Plan};
 use crate::layout::Layout;
-use crate::scene::{Body, Dimension, DomainUpdate, Scene, Shape, StressScheme, Weighting};
+use crate::scene::{Body, Dimension, Scene, Shape, StressScheme};
 use crate::stage::g2p::Affine;
 
 impl Plan {
@@ -19,11 +19,7 @@ impl Plan {
             Dimension::Three => "3D",
         };
         list.keep("stage", "dimension", dimension);
-        list.keep(
-            "stage",
-            "weighting function",
-            weighting_words(scene.weighting),
-        );
+        list.keep("stage", "weighting function", scene.weighting.kind().plan);
         list.keep(
             "stage",
             "stress scheme",
@@ -143,23 +139,6 @@ impl Plan {
 /// Whether the particles of a body are given one by one.
 pub(super) fn is_list(body: &Body) -> bool {
     matches!(body.shape, Shape::Particles(_))
-}
-
-fn weighting_words(weighting: Weighting) -> &'static str {
-    match weighting {
-        Weighting::Linear => "linear, 3 nodes per axis",
-        Weighting::UniformGimp => "uGIMP, 3 nodes per axis",
-        Weighting::ContiguousGimp(DomainUpdate::Determinant) => {
-            "cpGIMP, domain by det F; 3 nodes per axis, 4 once a half-length exceeds h/2"
-        }
-        Weighting::ContiguousGimp(DomainUpdate::Stretch) => {
-            "cpGIMP, domain by U_ii; 3 nodes per axis, 4 once a half-length exceeds h/2"
-        }
-        Weighting::ContiguousGimp(DomainUpdate::LeftStretch) => {
-            "cpGIMP, domain by V_ii; 3 nodes per axis, 4 once a half-length exceeds h/2"
-        }
-        Weighting::QuadraticBSpline => "quadratic B-spline, 3 nodes per axis",
-    }
 }
 
 /// The list as it grows.

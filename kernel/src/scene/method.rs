@@ -95,16 +95,3 @@ pub enum Damping {
         alpha: f64,
     },
 }
-
-impl Transfer {
-    /// A transfer with its usual share of PIC: 0 for FLIP, 1 for APIC and TPIC, as those carry in their affine
-    /// part what FLIP keeps in the particle velocity.
-    #[must_use]
-    pub fn new(kind: TransferKind) -> Self {
-        let pic_fraction = match kind {
-            TransferKind::Flip => 0.0,
-            TransferKind::Apic | TransferKind::Tpic => 1.0,
-        };
-        Self { kind, pic_fraction }
-    }
-}

@@ -273,7 +273,7 @@ impl Grid {
 }
 
 /// The nodes of each slab.
-pub fn split<'a>(
+pub(crate) fn split<'a>(
     nodes: &'a mut Nodes,
     slabs: &[Range<usize>],
     per_plane: usize,

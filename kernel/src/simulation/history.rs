@@ -23,7 +23,7 @@ pub fn value(history: &History, time: f64) -> Vector {
 /// Integral of a history from time zero \[m\] for a velocity in m/s: exact, because the history is linear between
 /// its times.
 #[must_use]
-pub fn integral(history: &History, time: f64) -> Vector {
+pub(super) fn integral(history: &History, time: f64) -> Vector {
     let mut sum = [0.0; 3];
     let mut from = (0.0, value(history, 0.0));
     let inner = history

@@ -24,6 +24,8 @@ mod state;
 mod step;
 mod work;
 
+pub use crate::grid::{GridShape, Line};
+pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
 pub use error::{
@@ -40,6 +42,7 @@ pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
 pub use start::{StartError, plan};
 pub use state::{Books, RestoreError, Saved, State};
+pub use step::Way;
 
 pub(crate) use decided::{BodyRun, Decided};
 use work::Work;

@@ -15,7 +15,7 @@ use crate::layout::Layout;
 use crate::memory::Memory;
 use crate::particles::ParticleSet;
 use crate::plan::{Demands, Plan};
-use crate::scene::{Body, BoxLoad, DomainUpdate, Scene, Weighting};
+use crate::scene::{Body, BoxLoad, DomainUpdate, Scene};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
 use crate::team::Team;
@@ -251,12 +251,12 @@ pub(super) fn fastest(body: &Body) -> f64 {
 
 /// Half-lengths in cells where they are the same for all particles of the body.
 fn half_lengths(scene: &Scene, filled: &HalfLength) -> [f64; 3] {
-    match (scene.weighting, filled) {
-        (Weighting::QuadraticBSpline, _) => [0.5; 3],
-        // A hat has no domain; the number only enters the stability bound, which ignores it for hats.
-        (Weighting::Linear, _) => [0.25; 3],
-        (_, HalfLength::Uniform(l)) => std::array::from_fn(|axis| l[axis] / scene.mesh.cell[axis]),
-        (_, HalfLength::PerParticle(l)) => std::array::from_fn(|axis| {
+    if let Some(half_length) = scene.weighting.kind().half_length {
+        return [half_length; 3];
+    }
+    match filled {
+        HalfLength::Uniform(l) => std::array::from_fn(|axis| l[axis] / scene.mesh.cell[axis]),
+        HalfLength::PerParticle(l) => std::array::from_fn(|axis| {
             l[axis].iter().copied().fold(f64::INFINITY, f64::min) / scene.mesh.cell[axis]
         }),
     }

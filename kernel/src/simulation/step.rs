@@ -15,13 +15,14 @@ use std::sync::Arc;
 pub(super) type Watcher<'a> = &'a mut (dyn FnMut(Phase) + Send);
 
 /// How far positions move in a step.
-struct Way {
+#[derive(Clone, Copy, Debug)]
+pub struct Way {
     /// Time over which they move \[s\].
-    time: f64,
-    /// Way of the mesh \[m\].
-    mesh_shift: [f64; 3],
+    pub time: f64,
+    /// Way of the mesh, to which positions are relative \[m\].
+    pub mesh_shift: [f64; 3],
     /// Whether velocities are set to zero after it.
-    reset: bool,
+    pub reset: bool,
 }
 
 /// What a pass over the particles does with the nodal values.
@@ -77,7 +78,7 @@ impl Simulation {
         let mut acting = self.acting(info.dt);
         info.contact_nodes = self.solve_nodes(&acting, ended)?;
         let way = self.way(&mut info);
-        self.advance(&acting, way.time, ended);
+        self.advance(&acting, &way, ended);
         match self.decided.plan.scheme {
             StressScheme::Usl => self.gather(Gather::All, &way, ended)?,
             StressScheme::Musl => {

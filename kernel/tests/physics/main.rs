@@ -14,6 +14,7 @@ mod faults;
 mod loads;
 mod mortar;
 mod mortar_space;
+mod moving_base;
 mod own_law;
 mod rotation;
 mod stages;

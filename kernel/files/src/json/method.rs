@@ -3,10 +3,10 @@
 use super::build::Build;
 use super::keys::{RawDamping, RawScene};
 use super::words::{
-    DAMPINGS, DOMAIN_UPDATES, DampingKind, FIELDS, NODAL_FIELDS, OUTSIDES, SCHEMES,
-    SHAPE_FUNCTIONS, ShapeFunction, TRANSFERS,
+    DAMPINGS, DampingKind, FIELDS, NODAL_FIELDS, OUTSIDES, SCHEMES, domain_updates,
+    shape_functions, transfers,
 };
-use proctor_kernel::scene::{Damping, DomainUpdate, Probe, Scene, TimeStep, Transfer, Weighting};
+use proctor_kernel::scene::{Damping, Probe, Scene, TimeStep, Transfer, Weighting};
 
 impl Build<'_> {
     /// Time step, gravity, weighting, scheme, transfer, damping.
@@ -23,7 +23,7 @@ impl Build<'_> {
         let kind = self.word_or(
             "transfer",
             raw.transfer.as_ref(),
-            TRANSFERS,
+            &transfers(),
             scene.transfer.kind,
         );
         scene.transfer = Transfer::new(kind);
@@ -81,33 +81,21 @@ impl Build<'_> {
         let function = self.word_or(
             "shape_function",
             raw.shape_function.as_ref(),
-            SHAPE_FUNCTIONS,
-            ShapeFunction::UniformGimp,
+            &shape_functions(),
+            Weighting::UniformGimp,
         );
-        let update = raw.domain_update.as_ref().map(|word| {
-            self.word_or(
-                "domain_update",
-                Some(word),
-                DOMAIN_UPDATES,
-                DomainUpdate::Determinant,
-            )
-        });
-        let weighting = match function {
-            ShapeFunction::Linear => Weighting::Linear,
-            ShapeFunction::UniformGimp => Weighting::UniformGimp,
-            ShapeFunction::QuadraticBSpline => Weighting::QuadraticBSpline,
-            ShapeFunction::ContiguousGimp => {
-                return Weighting::ContiguousGimp(update.unwrap_or(DomainUpdate::Determinant));
-            }
+        let Some(word) = &raw.domain_update else {
+            return function;
         };
-        if update.is_some() {
+        let updated = self.word_or("domain_update", Some(word), &domain_updates(), function);
+        if function.domain_update().is_none() {
             self.add(
                 "domain_update",
                 "a domain update without cpGIMP",
                 "no `domain_update`, or `shape_function` \"cpGIMP\"",
             );
         }
-        weighting
+        updated
     }
 
     fn damping(&mut self, raw: &RawDamping) -> Damping {

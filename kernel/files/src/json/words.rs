@@ -3,36 +3,35 @@
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    ContactNormal, Dimension, DomainUpdate, Enforcement, Field, NodalField, Outside,
-    PlaneCondition, StressScheme, TransferKind,
+    ContactNormal, Dimension, Enforcement, Field, NodalField, Outside, PlaneCondition,
+    StressScheme, TransferKind, Weighting,
 };
+use proctor_kernel::{transfers, weighting};
 
 /// A word and what it means.
 pub(super) type Words<T> = &'static [(&'static str, T)];
 
-/// Weighting functions; cpGIMP still lacks its domain update.
-#[derive(Clone, Copy)]
-pub(super) enum ShapeFunction {
-    Linear,
-    UniformGimp,
-    ContiguousGimp,
-    QuadraticBSpline,
+/// Weighting functions, the first of those with the same word; the domain update tells them apart. `GIMP` is what the
+/// manuals' program makes of it: domains keep their initial size.
+pub(super) fn shape_functions() -> Vec<(&'static str, Weighting)> {
+    let mut words: Vec<(&'static str, Weighting)> = vec![];
+    for kind in weighting::ALL {
+        if words.iter().all(|(word, _)| *word != kind.word) {
+            if kind.weighting == Weighting::UniformGimp {
+                words.push(("GIMP", kind.weighting));
+            }
+            words.push((kind.word, kind.weighting));
+        }
+    }
+    words
 }
 
-/// `GIMP` is what the manuals' program makes of it: domains keep their initial size.
-pub(super) const SHAPE_FUNCTIONS: Words<ShapeFunction> = &[
-    ("linear", ShapeFunction::Linear),
-    ("GIMP", ShapeFunction::UniformGimp),
-    ("uGIMP", ShapeFunction::UniformGimp),
-    ("cpGIMP", ShapeFunction::ContiguousGimp),
-    ("quadratic_bspline", ShapeFunction::QuadraticBSpline),
-];
-
-pub(super) const DOMAIN_UPDATES: Words<DomainUpdate> = &[
-    ("determinant", DomainUpdate::Determinant),
-    ("stretch", DomainUpdate::Stretch),
-    ("left_stretch", DomainUpdate::LeftStretch),
-];
+/// Domain updates of all weighting functions that have one.
+pub(super) fn domain_updates() -> Vec<(&'static str, Weighting)> {
+    (weighting::ALL.iter())
+        .filter_map(|kind| Some((kind.update?, kind.weighting)))
+        .collect()
+}
 
 pub(super) const SCHEMES: Words<StressScheme> = &[
     ("USF", StressScheme::Usf),
@@ -40,11 +39,12 @@ pub(super) const SCHEMES: Words<StressScheme> = &[
     ("MUSL", StressScheme::Musl),
 ];
 
-pub(super) const TRANSFERS: Words<TransferKind> = &[
-    ("FLIP", TransferKind::Flip),
-    ("APIC", TransferKind::Apic),
-    ("TPIC", TransferKind::Tpic),
-];
+pub(super) fn transfers() -> Vec<(&'static str, TransferKind)> {
+    transfers::ALL
+        .iter()
+        .map(|kind| (kind.word, kind.transfer))
+        .collect()
+}
 
 pub(super) const PLANE_CONDITIONS: Words<PlaneCondition> = &[
     ("free", PlaneCondition::Free),
@@ -242,13 +242,13 @@ pub fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
 /// other key.
 #[must_use]
 pub fn words_of(key: &str) -> Vec<&'static str> {
-    fn names<T>(words: Words<T>) -> Vec<&'static str> {
+    fn names<T>(words: &[(&'static str, T)]) -> Vec<&'static str> {
         words.iter().map(|(name, _)| *name).collect()
     }
     match key {
-        "shape_function" => names(SHAPE_FUNCTIONS),
+        "shape_function" => names(&shape_functions()),
         "stress_scheme_update" => names(SCHEMES),
-        "transfer" => names(TRANSFERS),
+        "transfer" => names(&transfers()),
         _ => vec![],
     }
 }

@@ -10,14 +10,14 @@ pub(super) struct Collector {
 }
 
 impl Collector {
-    pub fn new(dimension: Dimension) -> Self {
+    pub(super) fn new(dimension: Dimension) -> Self {
         Self {
             dimension,
             found: Vec::new(),
         }
     }
 
-    pub fn add(
+    pub(super) fn add(
         &mut self,
         path: impl Into<String>,
         found: impl Into<String>,
@@ -27,7 +27,7 @@ impl Collector {
     }
 
     /// Finite and greater than zero.
-    pub fn positive(&mut self, path: impl Into<String>, value: f64, unit: &str) {
+    pub(super) fn positive(&mut self, path: impl Into<String>, value: f64, unit: &str) {
         if !(value.is_finite() && value > 0.0) {
             let unit = if unit.is_empty() {
                 String::new()
@@ -43,14 +43,14 @@ impl Collector {
     }
 
     /// Finite and zero or greater.
-    pub fn not_negative(&mut self, path: impl Into<String>, value: f64) {
+    pub(super) fn not_negative(&mut self, path: impl Into<String>, value: f64) {
         if !(value.is_finite() && value >= 0.0) {
             self.add(path, value.to_string(), "a finite number, 0 or greater");
         }
     }
 
     /// From `low` to `high`, both included.
-    pub fn range(&mut self, path: impl Into<String>, value: f64, low: f64, high: f64) {
+    pub(super) fn range(&mut self, path: impl Into<String>, value: f64, low: f64, high: f64) {
         if !(low..=high).contains(&value) {
             self.add(
                 path,
@@ -61,7 +61,7 @@ impl Collector {
     }
 
     /// Finite components, and nothing along an axis that does not exist. Whether the vector is sound.
-    pub fn vector(&mut self, path: impl Into<String>, value: &Vector) -> bool {
+    pub(super) fn vector(&mut self, path: impl Into<String>, value: &Vector) -> bool {
         let path = path.into();
         let before = self.found.len();
         for (axis, x) in value.iter().enumerate() {

@@ -91,13 +91,6 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
             "\"USL\" or \"MUSL\", or `method` \"grid\"",
         );
     }
-    if scene.base_motion.is_some() {
-        problems.add(
-            "earthquake.active",
-            "a moving base with mortar contact, whose boundaries do not follow the mesh",
-            "no `earthquake`, or `method` \"grid\"",
-        );
-    }
     if scene.damping == Damping::Kinetic {
         problems.add(
             "damping.type",

@@ -13,7 +13,7 @@ use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::mapping::BodiesOnto;
 use crate::simulation::phase::Phase;
 use crate::simulation::step::Watcher;
-use crate::simulation::{BodyRun, Simulation};
+use crate::simulation::{BodyRun, Simulation, Way};
 use crate::stage::solve::{PlaneSums, Wall};
 use std::any::Any;
 use std::borrow::Cow;
@@ -136,8 +136,8 @@ pub trait Interaction: Any + Send + Sync {
         Ok(())
     }
 
-    /// Positions move by `drift` \[s\]; called where [`Interaction::finds`].
-    fn advance(&mut self, _simulation: &Simulation, _acting: &Acting, _drift: f64) {}
+    /// Positions move; called where [`Interaction::finds`].
+    fn advance(&mut self, _simulation: &Simulation, _acting: &Acting, _way: &Way) {}
 
     /// Energy that is stored between the fields \[J\].
     fn energy(&self) -> f64 {
@@ -422,11 +422,11 @@ impl Simulation {
         self.each(|one, simulation| one.settle_again(simulation, acting, again))
     }
 
-    /// Positions move by `drift` \[s\].
-    pub(super) fn advance(&mut self, acting: &Acting, drift: f64, ended: Watcher<'_>) {
+    /// Positions move.
+    pub(super) fn advance(&mut self, acting: &Acting, way: &Way, ended: Watcher<'_>) {
         if self.finds() {
             let Ok(()) = self.each::<Infallible>(|one, simulation| {
-                one.advance(simulation, acting, drift);
+                one.advance(simulation, acting, way);
                 Ok(())
             });
             ended(Phase::Contact);

@@ -20,7 +20,7 @@ pub(super) struct Sums<L> {
 
 impl<L: Lanes> Sums<L> {
     #[inline(always)]
-    pub fn zero() -> Self {
+    pub(super) fn zero() -> Self {
         let zero = L::splat(0.0);
         Self {
             velocity: [zero; 3],

@@ -74,7 +74,7 @@ pub(super) struct Maxima<L> {
 
 impl<L: Lanes> Maxima<L> {
     #[inline(always)]
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let zero = L::splat(0.0);
         Self {
             speed_squared: zero,
@@ -84,7 +84,7 @@ impl<L: Lanes> Maxima<L> {
 
     /// What these add to what was found of strains.
     #[inline(always)]
-    pub fn found(&self, of_strain: Found) -> Found {
+    pub(super) fn found(&self, of_strain: Found) -> Found {
         Found {
             speed_squared: self.speed_squared.largest(),
             travel: self.travel.largest(),

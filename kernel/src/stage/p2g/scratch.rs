@@ -56,7 +56,7 @@ pub(super) struct Products<'a, const N: usize> {
 
 impl<const N: usize> Scratch<N> {
     #[inline(always)]
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             w: [[[0.0; 8]; N]; 3],
             g: [[[0.0; 8]; N]; 3],
@@ -72,7 +72,7 @@ impl<const N: usize> Scratch<N> {
 
     /// Weights of a group that begins at particle `at`.
     #[inline(always)]
-    pub fn fill_weights<L: Lanes, const D: usize, const FULL: bool>(
+    pub(super) fn fill_weights<L: Lanes, const D: usize, const FULL: bool>(
         &mut self,
         from: &Source<'_>,
         group: &Group<L>,
@@ -97,7 +97,7 @@ impl<const N: usize> Scratch<N> {
 
     /// Products over slow and middle axis for one plane of nodes in space, `i` planes above the base.
     #[inline(always)]
-    pub fn multiply<L: Lanes, const FULL: bool, const GRADIENT: bool>(&mut self, i: usize) {
+    pub(super) fn multiply<L: Lanes, const FULL: bool, const GRADIENT: bool>(&mut self, i: usize) {
         let (w_0, g_0, q_0) = (
             L::load(&self.w[0][i]),
             L::load(&self.g[0][i]),
@@ -119,7 +119,7 @@ impl<const N: usize> Scratch<N> {
 
     /// The factors of rows: in space of the plane that was multiplied last, in the plane of all rows.
     #[inline(always)]
-    pub fn products<const D: usize>(&self) -> Products<'_, N> {
+    pub(super) fn products<const D: usize>(&self) -> Products<'_, N> {
         if D == 2 {
             Products {
                 ww: &self.w[0],
@@ -138,7 +138,7 @@ impl<const N: usize> Scratch<N> {
     /// Quantities of `count` particles from `at`: formed with lanes = particles, four at a time, and turned to
     /// lanes = quantities.
     #[inline(always)]
-    pub fn fill_lines<
+    pub(super) fn fill_lines<
         Q: Quad,
         const D: usize,
         const FULL: bool,

@@ -13,7 +13,7 @@ use std::ops::Range;
 
 /// The surface of one body.
 #[derive(Clone, Debug)]
-pub struct Face {
+pub(crate) struct Face {
     /// Index of the body.
     pub body: usize,
     /// Second lines of the nodes.
@@ -24,13 +24,13 @@ pub struct Face {
 
 /// The surfaces of all bodies near a partner, in order of the identifier of the body.
 #[derive(Clone, Debug, Default)]
-pub struct Faces {
+pub(crate) struct Faces {
     /// The surfaces.
     pub list: Vec<Face>,
 }
 
 /// The part of a surface that one visit owns.
-pub struct SlabFace<'a> {
+pub(crate) struct SlabFace<'a> {
     /// Index of the body.
     pub body: usize,
     /// Second lines of the nodes.
@@ -40,7 +40,7 @@ pub struct SlabFace<'a> {
 }
 
 /// A slab with the surfaces of its bodies. A field is known by its number in the slab.
-pub struct SlabFields<'s, 'a, 'b> {
+pub(crate) struct SlabFields<'s, 'a, 'b> {
     /// The fields.
     pub slab: &'s mut Slab<'a>,
     /// The surfaces.
@@ -51,7 +51,7 @@ pub struct SlabFields<'s, 'a, 'b> {
 
 impl<'s, 'a, 'b> SlabFields<'s, 'a, 'b> {
     /// Brings fields and surfaces together.
-    pub fn new(slab: &'s mut Slab<'a>, faces: &'s mut [SlabFace<'b>]) -> Self {
+    pub(crate) fn new(slab: &'s mut Slab<'a>, faces: &'s mut [SlabFace<'b>]) -> Self {
         let place = |owner: Owner| faces.iter().position(|f| owner == Owner::Body(f.body));
         let places = slab.fields.iter().map(|f| place(f.owner)).collect();
         Self {
@@ -63,49 +63,49 @@ impl<'s, 'a, 'b> SlabFields<'s, 'a, 'b> {
 
     /// Number of fields.
     #[must_use]
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.slab.fields.len()
     }
 
     /// Shape of the grid.
     #[must_use]
-    pub fn shape(&self) -> &'a GridShape {
+    pub(crate) fn shape(&self) -> &'a GridShape {
         self.slab.shape()
     }
 
     /// Indices of the planes.
     #[must_use]
-    pub fn range(&self) -> Range<usize> {
+    pub(crate) fn range(&self) -> Range<usize> {
         self.slab.range()
     }
 
     /// Whose fields they are.
     #[must_use]
-    pub fn owners(&self) -> Vec<Owner> {
+    pub(crate) fn owners(&self) -> Vec<Owner> {
         self.slab.fields.iter().map(|f| f.owner).collect()
     }
 
     /// Planes of a field.
     #[must_use]
-    pub fn planes(&self, number: usize) -> &Planes<'a> {
+    pub(crate) fn planes(&self, number: usize) -> &Planes<'a> {
         &self.slab.fields[number].planes
     }
 
     /// Nodes of a field.
-    pub fn nodes_mut(&mut self, number: usize) -> &mut [Line] {
+    pub(crate) fn nodes_mut(&mut self, number: usize) -> &mut [Line] {
         self.slab.fields[number].planes.nodes
     }
 
     /// Place among the surfaces of that of a field, if contact keeps one.
     #[must_use]
-    pub fn place_of(&self, number: usize) -> Option<usize> {
+    pub(crate) fn place_of(&self, number: usize) -> Option<usize> {
         self.places[number]
     }
 }
 
 impl Faces {
     /// Has surfaces for exactly these bodies of near pairs (indices in order of the identifier).
-    pub fn set(
+    pub(crate) fn set(
         &mut self,
         bodies: &[usize],
         pairs: &[Pair],
@@ -130,7 +130,7 @@ impl Faces {
     }
 
     /// The surfaces of each slab.
-    pub fn split(&mut self, grid: &Grid) -> Vec<Vec<SlabFace<'_>>> {
+    pub(crate) fn split(&mut self, grid: &Grid) -> Vec<Vec<SlabFace<'_>>> {
         let (slabs, per_plane) = (&grid.slabs, grid.shape.plane_nodes());
         let mut parts: Vec<Vec<SlabFace<'_>>> = slabs.iter().map(|_| vec![]).collect();
         for face in &mut self.list {

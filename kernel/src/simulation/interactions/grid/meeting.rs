@@ -24,7 +24,7 @@ const PLAUSIBLE: f64 = 0.25;
 
 /// The nodes of a slab where fields meet. A field is known by its number in the slab.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Meetings {
+pub(crate) struct Meetings {
     /// The nodes, increasing.
     pub nodes: Vec<Meeting>,
     /// Numbers of the fields that meet, node by node.
@@ -35,7 +35,7 @@ pub struct Meetings {
 
 /// A node where fields meet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Meeting {
+pub(crate) struct Meeting {
     /// Index of the node in the grid.
     pub node: usize,
     /// Which of [`Meetings::fields`] meet here.
@@ -46,7 +46,7 @@ pub struct Meeting {
 
 /// A pair at a node.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touching {
+pub(crate) struct Touching {
     /// Index of the pair.
     pub pair: usize,
     /// Places of master and slave among the fields of the node.
@@ -63,7 +63,7 @@ pub struct Touching {
 
 /// What a pair did at a node.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Touched {
+pub(crate) enum Touched {
     /// No force acts.
     #[default]
     Open,
@@ -74,11 +74,11 @@ pub enum Touched {
 }
 
 /// What pairs did at nodes, by node and pair.
-pub type States = HashMap<(usize, usize), Touched>;
+pub(crate) type States = HashMap<(usize, usize), Touched>;
 
 /// What contact knows of the scene beside the fields.
 #[derive(Clone, Copy)]
-pub struct Bodies<'a> {
+pub(crate) struct Bodies<'a> {
     /// All pairs.
     pub pairs: &'a [Pair],
     /// Which of them are near.
@@ -95,7 +95,7 @@ pub struct Bodies<'a> {
 
 /// Which velocities contact acts on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum On {
+pub(crate) enum On {
     /// Trial velocities in the lower lanes and their increments in the upper ones. Forces are those that act over the
     /// time `kick` \[s\]; `dt` is the step by which bodies move \[s\].
     Trial {
@@ -116,7 +116,7 @@ pub enum On {
 
 /// What contact did in a slab.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Done {
+pub(crate) struct Done {
     /// Force on the slave of each pair \[N\], plane by plane.
     pub forces: Vec<Vector>,
     /// Power of driven bodies \[W\], plane by plane.
@@ -129,7 +129,7 @@ pub struct Done {
 
 /// A pair that would pass through itself in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tunnelling {
+pub(crate) struct Tunnelling {
     /// Index of the pair.
     pub pair: usize,
     /// Storage indices of the node.
@@ -144,7 +144,7 @@ impl Meetings {
     /// Finds the nodes of a slab where fields meet, with the normals and gaps of the pairs. Masses and mass gradients
     /// of the slab must be there, folded.
     #[must_use]
-    pub fn find(fields: &mut SlabFields<'_, '_, '_>, bodies: &Bodies<'_>) -> Self {
+    pub(crate) fn find(fields: &mut SlabFields<'_, '_, '_>, bodies: &Bodies<'_>) -> Self {
         let mut found = Self::default();
         let shape = fields.shape();
         let sides: Vec<Option<[usize; 2]>> = bodies
@@ -230,7 +230,7 @@ impl Meetings {
     }
 
     /// Takes up what pairs did at the same nodes before.
-    pub fn recall(&mut self, states: &States) {
+    pub(crate) fn recall(&mut self, states: &States) {
         for meeting in &self.nodes {
             for touch in &mut self.touches[meeting.touches.clone()] {
                 let before = states.get(&(meeting.node, touch.pair));
@@ -240,7 +240,7 @@ impl Meetings {
     }
 
     /// What pairs did at the nodes where a force acted.
-    pub fn states(&self) -> impl Iterator<Item = ((usize, usize), Touched)> {
+    pub(crate) fn states(&self) -> impl Iterator<Item = ((usize, usize), Touched)> {
         self.nodes.iter().flat_map(|meeting| {
             self.touches[meeting.touches.clone()]
                 .iter()
@@ -250,7 +250,7 @@ impl Meetings {
     }
 
     /// Joins fields without a pair and lets pairs touch, on one kind of velocity.
-    pub fn act(
+    pub(crate) fn act(
         &mut self,
         fields: &mut SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,

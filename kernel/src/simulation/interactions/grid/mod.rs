@@ -3,8 +3,8 @@
 //! - [`faces`]: what is known of the surface of a body at the nodes, and of the particles near it.
 //! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
 
-pub mod faces;
-pub mod meeting;
+pub(crate) mod faces;
+pub(crate) mod meeting;
 mod on_slab;
 
 use crate::simulation::conditions::Acting;
@@ -32,7 +32,7 @@ pub(super) const GRID: Kind = Kind {
 
 /// What contact keeps from step to step.
 #[derive(Clone, Debug, Default)]
-pub struct State {
+pub(crate) struct State {
     /// All pairs, in order of the identifiers of their bodies.
     pub pairs: Vec<Pair>,
     /// Which of them are near, as of the last sort.
@@ -47,7 +47,7 @@ pub struct State {
 
 /// Contact in one slab: where bodies meet, and what was done there.
 #[derive(Clone, Debug, Default)]
-pub struct Met {
+pub(crate) struct Met {
     /// The nodes.
     pub meetings: Meetings,
     /// Forces, power and warnings.

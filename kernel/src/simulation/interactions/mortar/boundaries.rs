@@ -14,7 +14,7 @@ use crate::mortar::motion::{Follow, vertex_velocity};
 use crate::mortar::pair::{Surfaces, contact_forces_to};
 use crate::weights::vertex_weights;
 use crate::scene::Vector;
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, Way};
 use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
 use crate::team::Team;
@@ -338,7 +338,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
-    pub(super) fn advance(&mut self, hosts: &Simulation, drift: f64, half_step: f64) {
+    pub(super) fn advance(&mut self, hosts: &Simulation, way: &Way, half_step: f64) {
+        let drift = way.time;
+        // Positions are relative to the mesh, and what lies in one of its planes goes with it.
+        let mesh: Option<PointIn<D>> =
+            (way.mesh_shift != [0.0; 3]).then(|| from_vector(&way.mesh_shift));
         let shape = &hosts.work.grid.shape;
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {
@@ -378,13 +382,19 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         });
                         let v =
                             vertex_velocity(&patch.weights, &velocities, &around, *follow, &cell);
-                        surface.boundary.held(vertex, v) * drift
+                        match &mesh {
+                            None => surface.boundary.held(vertex, v) * drift,
+                            Some(mesh) => surface.boundary.held(vertex, v * drift - mesh) + mesh,
+                        }
                     };
                     surface.moved = hosts.work.grid.team.search(0..surface.patches.len(), moved);
                 }
             }
             for (x, moved) in surface.boundary.points_mut().iter_mut().zip(&surface.moved) {
                 *x += moved;
+                if let Some(mesh) = &mesh {
+                    *x -= mesh;
+                }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::MortarState;
 use super::surface::Surface;
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, Way};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::StepError;
 use crate::simulation::fields::Grid;
@@ -64,10 +64,10 @@ impl Interaction for MortarState {
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).
-    fn advance(&mut self, simulation: &Simulation, acting: &Acting, drift: f64) {
+    fn advance(&mut self, simulation: &Simulation, acting: &Acting, way: &Way) {
         let [_, half_step] = acting.half_steps;
-        self.plane.advance(simulation, drift, half_step);
-        self.space.advance(simulation, drift, half_step);
+        self.plane.advance(simulation, way, half_step);
+        self.space.advance(simulation, way, half_step);
     }
 
     /// What the normal laws store.

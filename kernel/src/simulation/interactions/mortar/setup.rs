@@ -124,13 +124,17 @@ fn refused(path: &str, reason: &impl Display) -> SetupError {
 /// Planes of a mesh that begins at `origin` and holds what lies in them: axis and coordinate \[m\].
 fn walls(scene: &Scene, origin: &Vector) -> Vec<(usize, f64)> {
     let mesh = &scene.mesh;
+    let base = |axis, side| {
+        let base = scene.base_motion.as_ref();
+        base.is_some_and(|base| (base.axis, base.side) == (axis, side))
+    };
     let mut walls = vec![];
     for axis in 0..scene.dimension.axes() {
         let low = origin[axis];
         let ends = [low, low + mesh.cells[axis] as f64 * mesh.cell[axis]];
-        for (at, condition) in ends.into_iter().zip(mesh.planes[axis]) {
-            if condition != PlaneCondition::Free {
-                walls.push((axis, at));
+        for side in 0..2 {
+            if mesh.planes[axis][side] != PlaneCondition::Free || base(axis, side) {
+                walls.push((axis, ends[side]));
             }
         }
     }

@@ -1,0 +1,56 @@
+//! Kinds of velocity transfer: what a scene chooses one by, what it is called, and what it carries.
+//!
+//! Each stands in one list, under the file that it is in.
+
+use crate::scene::{Transfer, TransferKind};
+use crate::stage::g2p::Affine;
+
+/// A kind of transfer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kind {
+    /// What a scene chooses it by.
+    pub transfer: TransferKind,
+    /// Its word in scene files, which is its name in tables too.
+    pub word: &'static str,
+    /// The affine velocity that it carries.
+    pub affine: Affine,
+    /// Its usual share of PIC, 0 to 1.
+    pub pic_fraction: f64,
+}
+
+/// Kinds by the file that they are in.
+macro_rules! list {
+    ($($file:ident: $kind:ident,)*) => {
+        $(mod $file;)*
+
+        /// All kinds.
+        pub const ALL: &[Kind] = &[$($file::$kind),*];
+    };
+}
+
+list! {
+    flip: FLIP,
+    apic: APIC,
+    tpic: TPIC,
+}
+
+impl TransferKind {
+    /// Its entry in the list.
+    ///
+    /// # Panics
+    /// Never: a test asks for each.
+    #[must_use]
+    pub fn kind(self) -> &'static Kind {
+        let found = ALL.iter().find(|kind| kind.transfer == self);
+        found.expect("every transfer is in the list")
+    }
+}
+
+impl Transfer {
+    /// A transfer with its usual share of PIC.
+    #[must_use]
+    pub fn new(kind: TransferKind) -> Self {
+        let pic_fraction = kind.kind().pic_fraction;
+        Self { kind, pic_fraction }
+    }
+}

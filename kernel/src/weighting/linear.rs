@@ -1,0 +1,17 @@
+//! Linear functions.
+
+use super::Kind;
+use crate::scene::Weighting;
+use crate::weights::Family;
+
+/// The hat at the position of the particle.
+pub(super) const LINEAR: Kind = Kind {
+    weighting: Weighting::Linear,
+    word: "linear",
+    update: None,
+    name: "linear",
+    plan: "linear, 3 nodes per axis",
+    family: Family::Hat,
+    // A hat has no domain; the number only enters the stability bound, which ignores it for hats.
+    half_length: Some(0.25),
+};
