@@ -84,6 +84,8 @@ pub struct Block<'a, 'b> {
 pub struct Strained {
     /// Largest square of a wave speed \[m²/s²\].
     pub speed_squared: f64,
+    /// Largest |dt grad v|² of a particle.
+    pub increment_squared: f64,
     /// First particle of the call whose volume is not positive, or whose stress or internal variables are not finite.
     pub fault: Option<usize>,
 }
@@ -217,7 +219,7 @@ impl<M: Law, const D: usize> Kernel for OfBlock<'_, '_, '_, M, D> {
     #[inline(always)]
     fn run<B: Backend>(self) -> Strained {
         let Self(law, mut block) = self;
-        let mut most = B::Native::splat(0.0);
+        let mut most = [B::Native::splat(0.0); 2];
         let mut fault = None;
         let mut at = block.range.start;
         while at < block.range.end {
@@ -234,7 +236,8 @@ impl<M: Law, const D: usize> Kernel for OfBlock<'_, '_, '_, M, D> {
             at += count;
         }
         Strained {
-            speed_squared: most.largest(),
+            speed_squared: most[0].largest(),
+            increment_squared: most[1].largest(),
             fault,
         }
     }
@@ -247,18 +250,21 @@ fn group<L: Lanes, M: Law, const D: usize>(
     block: &mut Block<'_, '_>,
     at: usize,
     count: usize,
-    most: &mut L,
+    most: &mut [L; 2],
 ) -> u32 {
     let zero = L::splat(0.0);
     let live = L::first(count);
     let dt = L::splat(block.dt);
     let configuration = block.configuration;
     let mut gradient = block.gradients.load::<L, D>(at - block.range.start);
+    let mut square = zero;
     for a in 0..D {
         for b in 0..D {
             gradient[a][b] = gradient[a][b] * dt;
+            square = gradient[a][b].mul_add(gradient[a][b], square);
         }
     }
+    most[1] = most[1].max(L::select(live, square, zero));
     let mass: L = load(block.columns[Layout::MASS], at, count);
     let mut deformation = [[zero; 3]; 3];
     let mut jacobian = L::splat(1.0);
@@ -305,7 +311,7 @@ fn group<L: Lanes, M: Law, const D: usize>(
         &mut stress,
         &mut variables[..count_of_variables],
     );
-    *most = most.max(L::select(live, speed_squared, zero));
+    most[0] = most[0].max(L::select(live, speed_squared, zero));
     let mut finite = zero;
     let columns = &mut block.columns[of_stress];
     for i in 0..components_of_stress {

@@ -31,7 +31,7 @@ pub use method::{
 pub use mortar::{
     BodyBoundary, Enforcement, Mortar, MortarContact, RigidFacets, RigidLine, Vertices,
 };
-pub use results::{Field, NodalField, Outside, Probe, Results};
+pub use results::{Field, NodalField, OnImbalance, Outside, Probe, Results};
 pub use surface::RigidSurface;
 
 /// Everything that is simulated.
@@ -83,6 +83,8 @@ pub struct Scene {
     pub mortar: Mortar,
     /// What happens to a particle that leaves the mesh.
     pub outside: Outside,
+    /// What happens when energy, momentum or a strain increment is out of balance.
+    pub on_imbalance: OnImbalance,
     /// What is written, and how often.
     pub results: Results,
     /// Particles whose history is written to `history.csv`.
@@ -122,6 +124,7 @@ impl Scene {
             contact_distance: None,
             mortar: Mortar::default(),
             outside: Outside::Stop,
+            on_imbalance: OnImbalance::Tell,
             results: Results::default(),
             probes: Vec::new(),
             threads: None,

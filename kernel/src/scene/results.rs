@@ -11,6 +11,15 @@ pub enum Outside {
     Remove,
 }
 
+/// What happens when a balance of the run does not hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OnImbalance {
+    /// The run goes on, and says at its end since when it is not to be trusted.
+    Tell,
+    /// The run stops with a typed error.
+    Stop,
+}
+
 /// What is written, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Results {

@@ -1,5 +1,6 @@
 //! What can go wrong at set-up and in a step.
 
+use super::trust::Doubt;
 use crate::memory::OutOfMemory;
 use std::fmt;
 
@@ -245,6 +246,8 @@ pub enum StepErrorKind {
         /// Distance threshold of the surface \[m\].
         threshold: f64,
     },
+    /// A balance does not hold, and the scene asks to stop then.
+    NotTrusted(Doubt),
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -383,6 +386,7 @@ impl fmt::Display for StepError {
                 "{particle} approaches the surface {surface:?} by {approach} m in one step, more than the distance \
                  threshold {threshold} m; accepted: a smaller time step or a larger distance_threshold"
             ),
+            StepErrorKind::NotTrusted(doubt) => write!(f, "{doubt}"),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
                 "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"

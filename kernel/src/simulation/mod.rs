@@ -22,6 +22,7 @@ mod setup;
 mod start;
 mod state;
 mod step;
+mod trust;
 mod work;
 
 pub use crate::grid::{GridShape, Line};
@@ -43,6 +44,7 @@ pub use rehearsal::{Part, Rehearsal};
 pub use start::{StartError, plan};
 pub use state::{Books, RestoreError, Saved, State};
 pub use step::Way;
+pub use trust::{Doubt, Reason, Trust};
 
 pub(crate) use decided::{BodyRun, Decided};
 use work::Work;

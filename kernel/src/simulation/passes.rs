@@ -253,6 +253,7 @@ impl Simulation {
             }
             if task.strain.is_some() {
                 found.wave_speed_squared = all.wave_speed_squared;
+                found.increment_squared = all.increment_squared;
                 found.half_length = all.half_length.max(if body.domain_update.is_some() {
                     0.0
                 } else {

@@ -231,6 +231,7 @@ fn fill_body(
     let found = Found {
         speed_squared: speed.max(fastest(body)),
         wave_speed_squared,
+        increment_squared: 0.0,
         travel: 0.0,
         half_length: widest,
         fault: None,

@@ -9,6 +9,7 @@ use super::clock::Clock;
 use super::error::Event;
 use super::interactions::{Interaction, Remembered};
 use super::passes::Groups;
+use super::trust::Trust;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
@@ -39,6 +40,8 @@ pub struct State {
     pub books: Books,
     /// What happened so far.
     pub events: Vec<Event>,
+    /// What the balances were seen to do so far.
+    pub trust: Trust,
 }
 
 /// Running sums of the energy balance.
@@ -122,6 +125,7 @@ impl State {
             kinetic: [0.0; 2],
             books: Books::default(),
             events: vec![],
+            trust: Trust::default(),
         }
     }
 }

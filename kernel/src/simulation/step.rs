@@ -155,6 +155,7 @@ impl Simulation {
         let sums = self.work.sums;
         let measured = (sums.kinetic, sums.unbalanced_squared.sqrt());
         info.measured = self.decided.plan.measure.then_some(measured);
+        self.work.momentum = self.momentum_to_watch(info.step);
         let relaxed = self.peak_of_kinetic_energy(info);
         let time = relaxed.unwrap_or(info.dt);
         Way {
@@ -204,7 +205,7 @@ impl Simulation {
         }
     }
 
-    /// Moves what is driven, advances the clock, keeps the books, and after a peak of kinetic energy sets velocities to
+    /// Moves what is driven, advances the clock, keeps the books, looks at the balances, and after a peak of kinetic energy sets velocities to
     /// zero.
     fn finish(
         &mut self,
@@ -228,6 +229,7 @@ impl Simulation {
         if way.reset {
             self.stop_motion();
         }
+        self.watch(info, way)?;
         ended(Phase::Finish);
         Ok(*info)
     }

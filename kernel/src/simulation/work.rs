@@ -2,6 +2,7 @@
 
 use super::fields::Grid;
 use super::interactions::Interactions;
+use super::trust::Momentum;
 use crate::stage::solve::PlaneSums;
 
 /// What a step works with: the grid, which holds nothing between two steps, and what acts between its fields.
@@ -15,6 +16,8 @@ pub(crate) struct Work {
     pub(crate) mapped: Option<usize>,
     /// Sums over the nodes of the last step.
     pub(crate) sums: PlaneSums,
+    /// Momentum in the middle of a step, where it is looked at.
+    pub(crate) momentum: Option<Momentum>,
 }
 
 impl Work {
@@ -26,6 +29,7 @@ impl Work {
             interactions,
             mapped: None,
             sums: PlaneSums::default(),
+            momentum: None,
         }
     }
 }

@@ -6,8 +6,9 @@
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, DomainUpdate, Material, Mesh, Mortar, Outside, PlaneCondition,
-    Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
+    Body, Damping, Dimension, DomainUpdate, Material, Mesh, Mortar, OnImbalance, Outside,
+    PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector,
+    Weighting,
 };
 use proctor_kernel::simulation::{InitialField, InitialState, Options, Simulation};
 use std::sync::Arc;
@@ -118,6 +119,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         contact_distance: None,
         mortar: Mortar::default(),
         outside: Outside::Stop,
+        on_imbalance: OnImbalance::Tell,
         results: Results {
             print: 0,
             fields: vec![],

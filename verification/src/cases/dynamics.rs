@@ -17,7 +17,7 @@ pub const STRESS: &str = "L2(stress)";
 /// Does a step, no further than `stop` (s), unless the observer ends the run.
 ///
 /// # Errors
-/// Why the step failed, or that the run was stopped.
+/// Why the step failed, that the run is not to be trusted, or that it was stopped.
 pub fn step(
     simulation: &mut Simulation,
     stop: f64,
@@ -26,7 +26,11 @@ pub fn step(
     if observer.stop() {
         return Err(STOPPED.into());
     }
-    Ok(simulation.step(stop)?)
+    let info = simulation.step(stop)?;
+    match simulation.trust().doubt {
+        Some(doubt) => Err(doubt.to_string().into()),
+        None => Ok(info),
+    }
 }
 
 /// Does `steps` equal steps.

@@ -76,6 +76,9 @@ impl fmt::Display for Report<'_> {
             }
         }
         row(f, "state hash", &format!("{:016x}", s.state_hash))?;
+        if let Some(doubt) = &s.not_to_be_trusted {
+            row(f, "attention", doubt)?;
+        }
         for event in s.events.iter().take(SHOWN_EVENTS) {
             let text = format!("step {}: {}", event.step, event.message);
             row(f, "event", &text)?;

@@ -77,6 +77,10 @@ pub(super) struct RawScene {
     /// What happens to a particle that leaves the mesh. Default: stop.
     #[schemars(extend("enum" = ["stop", "remove"]))]
     pub outside: Option<String>,
+    /// What happens when energy, momentum or a strain increment is out of balance: the run tells it at its end, or
+    /// stops. Default: tell.
+    #[schemars(extend("enum" = ["tell", "stop"]))]
+    pub on_imbalance: Option<String>,
     /// Particles whose history is written.
     pub probes: Option<Vec<RawProbe>>,
     /// Contact between bodies.

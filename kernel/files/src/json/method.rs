@@ -3,7 +3,7 @@
 use super::build::Build;
 use super::keys::{RawDamping, RawScene};
 use super::words::{
-    DAMPINGS, DampingKind, FIELDS, NODAL_FIELDS, OUTSIDES, SCHEMES, domain_updates,
+    DAMPINGS, DampingKind, FIELDS, NODAL_FIELDS, ON_IMBALANCE, OUTSIDES, SCHEMES, domain_updates,
     shape_functions, transfers,
 };
 use proctor_kernel::scene::{Damping, Probe, Scene, TimeStep, Transfer, Weighting};
@@ -35,6 +35,12 @@ impl Build<'_> {
             .as_ref()
             .map_or(Damping::None, |raw| self.damping(raw));
         scene.outside = self.word_or("outside", raw.outside.as_ref(), OUTSIDES, scene.outside);
+        scene.on_imbalance = self.word_or(
+            "on_imbalance",
+            raw.on_imbalance.as_ref(),
+            ON_IMBALANCE,
+            scene.on_imbalance,
+        );
     }
 
     fn time_step(&mut self, raw: &RawScene) -> TimeStep {

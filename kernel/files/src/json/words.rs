@@ -3,7 +3,7 @@
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    ContactNormal, Dimension, Enforcement, Field, NodalField, Outside, PlaneCondition,
+    ContactNormal, Dimension, Enforcement, Field, NodalField, OnImbalance, Outside, PlaneCondition,
     StressScheme, TransferKind, Weighting,
 };
 use proctor_kernel::{transfers, weighting};
@@ -134,6 +134,9 @@ pub(super) const QUANTITIES: Words<Quantity> = &[
 ];
 
 pub(super) const OUTSIDES: Words<Outside> = &[("stop", Outside::Stop), ("remove", Outside::Remove)];
+
+pub(super) const ON_IMBALANCE: Words<OnImbalance> =
+    &[("tell", OnImbalance::Tell), ("stop", OnImbalance::Stop)];
 
 /// Fields of frames; `all` and `none` stand for lists.
 pub(super) const FIELDS: Words<&[Field]> = &[

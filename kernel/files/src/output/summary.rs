@@ -61,6 +61,9 @@ pub struct Summary {
     /// Energy at the end.
     #[serde(default)]
     pub energy: Energy,
+    /// Since when the run is not to be trusted, and why; nothing where all balances hold.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub not_to_be_trusted: Option<String>,
     /// What happened on the way, in the order of time.
     #[serde(default)]
     pub events: Vec<Event>,

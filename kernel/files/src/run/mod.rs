@@ -183,6 +183,7 @@ impl Run {
                 external_work: Some(energy.external_work),
                 dissipated: Some(energy.dissipated),
             },
+            not_to_be_trusted: simulation.trust().doubt.map(|doubt| doubt.to_string()),
             events: simulation.events().iter().map(event).collect(),
             state_hash: simulation.state_hash(),
             status: match (&self.failure, self.interrupted) {

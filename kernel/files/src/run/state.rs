@@ -4,7 +4,8 @@ use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::scene::{Results, Scene};
 use proctor_kernel::simulation::{
-    Books, Clock, Event, EventKind, Groups, ParticleAt, RestoreError, Saved, Simulation, State,
+    Books, Clock, Doubt, Event, EventKind, Groups, ParticleAt, Reason, RestoreError, Saved,
+    Simulation, State, Trust,
 };
 use proctor_kernel::stage::g2p::Found;
 
@@ -47,6 +48,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
                 found.wave_speed_squared,
                 found.travel,
                 found.half_length,
+                found.increment_squared,
             ],
         );
         checkpoint.push::<u64>(format!("set{i}/id"), set.id);
@@ -64,6 +66,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         }
     }
     save_events(&state.events, &mut checkpoint);
+    save_trust(&state.trust, &mut checkpoint);
     checkpoint
 }
 
@@ -160,7 +163,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
     for (i, (set, found)) in state.sets.iter_mut().zip(&mut state.found).enumerate() {
         let id = checkpoint.values::<u64>(&format!("set{i}/id"))?;
         let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), set.layers.len())?;
-        let was = checkpoint.array::<f64>(&format!("set{i}/found"), 4)?;
+        let was = checkpoint.array::<f64>(&format!("set{i}/found"), 5)?;
         for (c, column) in set.columns.iter_mut().enumerate() {
             *column = checkpoint
                 .array::<f64>(&format!("set{i}/column{c}"), id.len())?
@@ -173,10 +176,12 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
             wave_speed_squared: was[1],
             travel: was[2],
             half_length: was[3],
+            increment_squared: was[4],
             fault: None,
         };
     }
     state.events = read_events(checkpoint)?;
+    state.trust = read_trust(checkpoint)?;
     let mut interactions = like.interactions;
     for (i, lists) in interactions.iter_mut().enumerate() {
         for (name, values) in lists {
@@ -187,6 +192,47 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
     Ok(Saved {
         state,
         interactions,
+    })
+}
+
+/// What was watched; a doubt as step, time, place of its reason and value.
+fn save_trust(trust: &Trust, checkpoint: &mut Checkpoint) {
+    let numbers = vec![
+        trust.given,
+        trust.gain,
+        trust.increment,
+        trust.lost_momentum,
+    ];
+    checkpoint.push::<f64>("trust/numbers", numbers);
+    let place = |doubt: &Doubt| Reason::ALL.iter().position(|r| *r == doubt.reason);
+    let (mut whole, mut real) = (vec![], vec![]);
+    if let Some((doubt, place)) = trust.doubt.as_ref().and_then(|d| Some((d, place(d)?))) {
+        whole.extend([doubt.step, place as u64]);
+        real.extend([doubt.time, doubt.value]);
+    }
+    checkpoint.push::<u64>("trust/doubt/whole", whole);
+    checkpoint.push::<f64>("trust/doubt/real", real);
+}
+
+fn read_trust(checkpoint: &Checkpoint) -> Result<Trust, CheckpointError> {
+    let numbers = checkpoint.array::<f64>("trust/numbers", 4)?;
+    let whole = checkpoint.values::<u64>("trust/doubt/whole")?;
+    let real = checkpoint.array::<f64>("trust/doubt/real", whole.len())?;
+    let doubt = match (whole, real) {
+        (&[step, place], &[time, value]) => Some(Doubt {
+            step,
+            time,
+            reason: *Reason::ALL.get(place as usize).unwrap_or(&Reason::Energy),
+            value,
+        }),
+        _ => None,
+    };
+    Ok(Trust {
+        given: numbers[0],
+        gain: numbers[1],
+        increment: numbers[2],
+        lost_momentum: numbers[3],
+        doubt,
     })
 }
 

@@ -30,6 +30,7 @@ fn complete() -> Summary {
             external_work: Some(3.0),
             dissipated: Some(0.0),
         },
+        not_to_be_trusted: Some("not to be trusted since step 7".into()),
         events: vec![Event {
             kind: "particle_left".to_owned(),
             message: "particle 3 left the mesh".to_owned(),

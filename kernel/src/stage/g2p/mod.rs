@@ -79,6 +79,8 @@ pub struct Found {
     pub speed_squared: f64,
     /// Largest square of a wave speed \[m²/s²\].
     pub wave_speed_squared: f64,
+    /// Largest |dt grad v|² of the last strain.
+    pub increment_squared: f64,
     /// Largest move in cells along any axis.
     pub travel: f64,
     /// Largest half-length of a particle domain in cells.
@@ -105,6 +107,7 @@ impl Found {
         Self {
             speed_squared: self.speed_squared.max(later.speed_squared),
             wave_speed_squared: self.wave_speed_squared.max(later.wave_speed_squared),
+            increment_squared: self.increment_squared.max(later.increment_squared),
             travel: self.travel.max(later.travel),
             half_length: self.half_length.max(later.half_length),
             fault: self.fault.or(later.fault),
@@ -251,6 +254,7 @@ fn strain(
         },
     );
     found.wave_speed_squared = found.wave_speed_squared.max(strained.speed_squared);
+    found.increment_squared = found.increment_squared.max(strained.increment_squared);
     if let Some(update) = call.domain_update {
         let most = domain::follow(call.lanes, update, call.columns, call.layout, range);
         found.half_length = found.half_length.max(most);

@@ -1,0 +1,286 @@
+//! A run that knows when it went wrong: balances that hold whatever a scene does, watched on the way.
+//!
+//! The largest strain of a particle within a step is known after each step. Energy and momentum are summed in one step
+//! of [`EVERY`] and in the powers of two before, so that the watch costs next to nothing:
+//!
+//! - what moves and what is strained hold no more energy than the start and the work done have given them; what is
+//!   missing was dissipated, what is too much came from nowhere;
+//! - the momentum of the particles changes by what the forces at the nodes give them, as long as no body is near a
+//!   boundary plane, whose mirror images take part in the mapping.
+//!
+//! A body force that is a function of position and time does work that nobody sums: there the energy is not watched.
+
+use super::Simulation;
+use super::clock::StepInfo;
+use super::error::{StepError, StepErrorKind};
+use super::step::Way;
+use crate::layout::Layout;
+use crate::scene::{OnImbalance, PlaneCondition, Vector};
+use std::fmt;
+
+/// Steps from one look at energy and momentum to the next.
+pub const EVERY: u64 = 128;
+/// The first look, which round-off of a start from rest does not disturb.
+const FIRST: u64 = 16;
+
+/// Largest energy from nowhere, over what the start and the work done have given so far. Cell crossing alone gave 0.67
+/// (linear functions, USF, ten periods of a bar); an unstable step doubles it again and again.
+pub const MOST_GAIN: f64 = 1.0;
+/// Largest norm of a strain increment, |dt grad v|, of a particle in one step.
+pub const MOST_INCREMENT: f64 = 0.5;
+/// Largest change of momentum that no force accounts for, over the momentum that there is in all directions.
+pub const MOST_LOST_MOMENTUM: f64 = 1e-9;
+/// Energy that is no more than round-off, over that of the mass at the speed of its waves.
+const ROUND_OFF: f64 = 1e-20;
+
+/// What a run was seen to do so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Trust {
+    /// Largest energy that the start and the work done have given \[J\].
+    pub given: f64,
+    /// Largest energy from nowhere, over that.
+    pub gain: f64,
+    /// Largest strain increment of a particle in one step.
+    pub increment: f64,
+    /// Largest change of momentum that no force accounts for, over the momentum in all directions.
+    pub lost_momentum: f64,
+    /// Since when the run is not to be trusted, and why.
+    pub doubt: Option<Doubt>,
+}
+
+/// Since when a run is not to be trusted, and why.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Doubt {
+    /// Number of the step after which it was seen.
+    pub step: u64,
+    /// Time \[s\].
+    pub time: f64,
+    /// What was out of balance.
+    pub reason: Reason,
+    /// How far.
+    pub value: f64,
+}
+
+/// What can be out of balance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Energy from nowhere: [`MOST_GAIN`].
+    Energy,
+    /// A particle is strained too far within a step: [`MOST_INCREMENT`].
+    Increment,
+    /// Momentum that no force accounts for: [`MOST_LOST_MOMENTUM`].
+    Momentum,
+}
+
+impl Reason {
+    /// All of them, in an order that stays.
+    pub const ALL: [Self; 3] = [Self::Energy, Self::Increment, Self::Momentum];
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "not to be trusted since step {}, {:e} s: ",
+            self.step, self.time
+        )?;
+        let value = self.value;
+        match self.reason {
+            Reason::Energy => write!(
+                f,
+                "there is more energy than was given, by {value:.3} of that; accepted: {MOST_GAIN}"
+            ),
+            Reason::Increment => write!(
+                f,
+                "a particle was strained by {value:.3} in one step; accepted: {MOST_INCREMENT}"
+            ),
+            Reason::Momentum => write!(
+                f,
+                "{value:.3e} of the momentum changed without a force; accepted: {MOST_LOST_MOMENTUM:e}"
+            ),
+        }
+    }
+}
+
+/// The momentum before a step at which is looked, and what the nodes say that it changes by \[kg m/s\].
+pub(crate) struct Momentum {
+    particles: usize,
+    before: Vector,
+    change: Vector,
+    /// Sum of the magnitudes of all changes.
+    scale: f64,
+}
+
+impl Simulation {
+    /// What the run was seen to do so far.
+    #[must_use]
+    pub fn trust(&self) -> &Trust {
+        &self.state.trust
+    }
+
+    /// Whether energy and momentum are looked at after a step.
+    fn looks_after(step: u64) -> bool {
+        step.is_multiple_of(EVERY) || (step >= FIRST && step < EVERY && step.is_power_of_two())
+    }
+
+    /// Momentum of particles and nodes, for a step at which is looked; velocities of the nodes are final.
+    pub(super) fn momentum_to_watch(&self, step: u64) -> Option<Momentum> {
+        (Self::looks_after(step) && !self.near_a_plane()).then(|| {
+            let (change, scale) = self.change_at_nodes();
+            Momentum {
+                particles: self.particles(),
+                before: self.free_momentum().0,
+                change,
+                scale,
+            }
+        })
+    }
+
+    /// Looks at a step that has ended.
+    pub(super) fn watch(&mut self, info: &StepInfo, way: &Way) -> Result<(), StepError> {
+        let squares = self.state.found.iter().map(|found| found.increment_squared);
+        let increment = squares.fold(0.0, f64::max).sqrt();
+        self.state.trust.increment = self.state.trust.increment.max(increment);
+        self.doubt(info, Reason::Increment, increment, MOST_INCREMENT);
+        if Self::looks_after(info.step) {
+            if self.decided.body_force.is_none() {
+                self.watch_energy(info);
+            }
+            let count = self.particles();
+            let momentum = self.work.momentum.take();
+            if let Some(momentum) = momentum.filter(|m| m.particles == count && !way.reset) {
+                self.watch_momentum(info, &momentum);
+            }
+        }
+        match self.state.trust.doubt {
+            Some(doubt) if self.decided.scene.on_imbalance == OnImbalance::Stop => {
+                Err(self.error(StepErrorKind::NotTrusted(doubt)))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn watch_energy(&mut self, info: &StepInfo) {
+        let energy = self.energy();
+        let given = self.state.books.initial_energy + energy.external_work;
+        let waves = self
+            .state
+            .found
+            .iter()
+            .map(|found| found.wave_speed_squared);
+        let floor = ROUND_OFF * self.mass() * waves.fold(0.0, f64::max);
+        let trust = &mut self.state.trust;
+        trust.given = trust.given.max(given).max(floor);
+        let gain = -energy.dissipated / trust.given;
+        trust.gain = trust.gain.max(gain);
+        self.doubt(info, Reason::Energy, gain, MOST_GAIN);
+    }
+
+    fn watch_momentum(&mut self, info: &StepInfo, watched: &Momentum) {
+        let (after, scale) = self.free_momentum();
+        let lost = (0..3)
+            .map(|axis| (after[axis] - watched.before[axis] - watched.change[axis]).abs())
+            .fold(0.0, f64::max);
+        let scale = scale + watched.scale;
+        if scale > 0.0 {
+            let lost = lost / scale;
+            self.state.trust.lost_momentum = self.state.trust.lost_momentum.max(lost);
+            self.doubt(info, Reason::Momentum, lost, MOST_LOST_MOMENTUM);
+        }
+    }
+
+    /// Notes the first doubt. A value that is not a number is one.
+    fn doubt(&mut self, info: &StepInfo, reason: Reason, value: f64, most: f64) {
+        let trust = &mut self.state.trust;
+        let holds = value <= most;
+        if !holds && trust.doubt.is_none() {
+            trust.doubt = Some(Doubt {
+                step: info.step,
+                time: info.time,
+                reason,
+                value,
+            });
+        }
+    }
+
+    /// Momentum of the particles that move freely, and the sum of its magnitudes \[kg m/s\].
+    fn free_momentum(&self) -> (Vector, f64) {
+        let (mut sum, mut scale) = ([0.0; 3], 0.0);
+        for (set, body) in self.state.sets.iter().zip(&self.decided.bodies) {
+            if body.motion.is_some() {
+                continue;
+            }
+            let mass = &set.columns[Layout::MASS];
+            let first = Layout::velocity(set.layout.axes);
+            for axis in 0..set.layout.axes {
+                for (m, v) in mass.iter().zip(&set.columns[first + axis]) {
+                    sum[axis] += m * v;
+                    scale += (m * v).abs();
+                }
+            }
+        }
+        (sum, scale)
+    }
+
+    /// What the momentum of all fields that move freely changes by in this step, and the sum of the magnitudes of the
+    /// changes \[kg m/s\].
+    fn change_at_nodes(&self) -> (Vector, f64) {
+        let grid = &self.work.grid;
+        let (mut sum, mut scale) = ([0.0; 3], 0.0);
+        for field in &grid.fields {
+            let driven = field
+                .owner
+                .body()
+                .is_some_and(|body| self.decided.bodies[body].motion.is_some());
+            if driven {
+                continue;
+            }
+            let lines = field.nodes.lines();
+            for plane in 0..grid.shape.nodes[0] {
+                for row in 0..grid.shape.nodes[1] {
+                    let first = grid.shape.index([plane, row, 0]);
+                    for k in field.rows.span(plane, row) {
+                        let line = &lines[first + k];
+                        if line[0] > 0.0 {
+                            for axis in 0..3 {
+                                let change = line[0] * line[4 + axis];
+                                sum[axis] += change;
+                                scale += change.abs();
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        (sum, scale)
+    }
+
+    /// Whether a particle is so near a boundary plane with a condition that its mirror image takes part in the mapping.
+    fn near_a_plane(&self) -> bool {
+        let mesh = &self.decided.scene.mesh;
+        let base = self.decided.scene.base_motion.as_ref();
+        let axes = self.decided.plan.axes;
+        (0..axes).any(|axis| {
+            let acts: [bool; 2] = std::array::from_fn(|side| {
+                mesh.planes[axis][side] != PlaneCondition::Free
+                    || base.is_some_and(|base| (base.axis, base.side) == (axis, side))
+            });
+            if acts == [false; 2] {
+                return false;
+            }
+            // Half-lengths are at most a cell, and functions reach one cell farther.
+            let reach = 2.0 * mesh.cell[axis];
+            let low = if acts[0] { reach } else { f64::NEG_INFINITY };
+            let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
+            let high = if acts[1] {
+                extent - reach
+            } else {
+                f64::INFINITY
+            };
+            let columns = self.state.sets.iter();
+            columns
+                .flat_map(|set| &set.columns[Layout::POSITION + axis])
+                .any(|x| !(low..=high).contains(x))
+        })
+    }
+}
