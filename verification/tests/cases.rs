@@ -43,6 +43,8 @@ mod self_weight;
 mod sphere_on_terrain;
 #[path = "cases/tilted_incline.rs"]
 mod tilted_incline;
+#[path = "cases/vortex.rs"]
+mod vortex;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};

@@ -40,3 +40,5 @@ mod self_weight;
 mod sliding;
 #[path = "exact/special.rs"]
 mod special;
+#[path = "exact/vortex.rs"]
+mod vortex;

@@ -56,6 +56,7 @@ mod slab;
 mod sphere_on_terrain;
 mod statics;
 mod tilted_incline;
+mod vortex;
 
 pub use grains::{apart as grains_apart, outlines as grain_outlines};
 
@@ -86,6 +87,7 @@ list! {
     axis_aligned::AxisAligned[PLANE, SPACE],
     self_weight::SelfWeight[GIVEN],
     rotation::Rotation[GIVEN],
+    vortex::Vortex[GIVEN],
     inclined_block::InclinedBlock[GIVEN],
     inclined_two_blocks::InclinedTwoBlocks[GIVEN],
     colliding_blocks::CollidingBlocks[GIVEN],

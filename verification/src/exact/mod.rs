@@ -23,3 +23,4 @@ pub mod self_weight;
 pub mod sliding;
 pub mod special;
 pub mod sudden_weight;
+pub mod vortex;
