@@ -41,6 +41,8 @@ mod rotation;
 mod self_weight;
 #[path = "cases/sphere_on_terrain.rs"]
 mod sphere_on_terrain;
+#[path = "cases/step_bar.rs"]
+mod step_bar;
 #[path = "cases/tilted_incline.rs"]
 mod tilted_incline;
 #[path = "cases/vortex.rs"]

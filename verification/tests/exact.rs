@@ -40,5 +40,7 @@ mod self_weight;
 mod sliding;
 #[path = "exact/special.rs"]
 mod special;
+#[path = "exact/step_bar.rs"]
+mod step_bar;
 #[path = "exact/vortex.rs"]
 mod vortex;

@@ -55,6 +55,7 @@ mod self_weight;
 mod slab;
 mod sphere_on_terrain;
 mod statics;
+mod step_bar;
 mod tilted_incline;
 mod vortex;
 
@@ -88,6 +89,7 @@ list! {
     self_weight::SelfWeight[GIVEN],
     rotation::Rotation[GIVEN],
     vortex::Vortex[GIVEN],
+    step_bar::StepBar[GIVEN],
     inclined_block::InclinedBlock[GIVEN],
     inclined_two_blocks::InclinedTwoBlocks[GIVEN],
     colliding_blocks::CollidingBlocks[GIVEN],

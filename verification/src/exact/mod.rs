@@ -22,5 +22,6 @@ pub mod rotation;
 pub mod self_weight;
 pub mod sliding;
 pub mod special;
+pub mod step_bar;
 pub mod sudden_weight;
 pub mod vortex;
