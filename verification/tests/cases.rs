@@ -43,6 +43,8 @@ mod self_weight;
 mod sphere_on_terrain;
 #[path = "cases/step_bar.rs"]
 mod step_bar;
+#[path = "cases/sudden_weight.rs"]
+mod sudden_weight;
 #[path = "cases/tilted_incline.rs"]
 mod tilted_incline;
 #[path = "cases/vortex.rs"]

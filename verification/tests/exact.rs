@@ -42,5 +42,7 @@ mod sliding;
 mod special;
 #[path = "exact/step_bar.rs"]
 mod step_bar;
+#[path = "exact/sudden_weight.rs"]
+mod sudden_weight;
 #[path = "exact/vortex.rs"]
 mod vortex;

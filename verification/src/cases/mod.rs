@@ -56,6 +56,7 @@ mod slab;
 mod sphere_on_terrain;
 mod statics;
 mod step_bar;
+mod sudden_weight;
 mod tilted_incline;
 mod vortex;
 
@@ -90,6 +91,7 @@ list! {
     rotation::Rotation[GIVEN],
     vortex::Vortex[GIVEN],
     step_bar::StepBar[GIVEN],
+    sudden_weight::SuddenWeight[GIVEN],
     inclined_block::InclinedBlock[GIVEN],
     inclined_two_blocks::InclinedTwoBlocks[GIVEN],
     colliding_blocks::CollidingBlocks[GIVEN],
