@@ -39,6 +39,8 @@ mod rolling_disk_slab;
 mod rotation;
 #[path = "cases/self_weight.rs"]
 mod self_weight;
+#[path = "cases/shear_and_turn.rs"]
+mod shear_and_turn;
 #[path = "cases/sphere_on_terrain.rs"]
 mod sphere_on_terrain;
 #[path = "cases/step_bar.rs"]

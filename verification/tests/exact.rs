@@ -26,6 +26,8 @@ mod hertz_layer;
 mod hertz_sphere;
 #[path = "exact/indented_block.rs"]
 mod indented_block;
+#[path = "exact/objective_rate.rs"]
+mod objective_rate;
 #[path = "exact/ring_impact.rs"]
 mod ring_impact;
 #[path = "exact/rolling_creep.rs"]

@@ -15,6 +15,7 @@ pub mod hertz;
 pub mod hertz_layer;
 pub mod hertz_sphere;
 pub mod indented_block;
+pub mod objective_rate;
 pub mod ring_impact;
 pub mod rolling_creep;
 pub mod rolling_disk;
