@@ -55,6 +55,7 @@ mod self_weight;
 mod shear_and_turn;
 mod slab;
 mod sphere_on_terrain;
+mod staggered_start;
 mod statics;
 mod step_bar;
 mod sudden_weight;
@@ -94,6 +95,7 @@ list! {
     step_bar::StepBar[GIVEN],
     sudden_weight::SuddenWeight[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
+    staggered_start::StaggeredStart[GIVEN],
     inclined_block::InclinedBlock[GIVEN],
     inclined_two_blocks::InclinedTwoBlocks[GIVEN],
     colliding_blocks::CollidingBlocks[GIVEN],
