@@ -5,6 +5,8 @@
 mod axis_aligned;
 #[path = "cases/bar.rs"]
 mod bar;
+#[path = "cases/bar_energy.rs"]
+mod bar_energy;
 #[path = "cases/base_acceleration.rs"]
 mod base_acceleration;
 #[path = "cases/block_on_two_blocks.rs"]

@@ -29,6 +29,7 @@ macro_rules! with_own_settings {
 
 mod axis_aligned;
 mod bar;
+mod bar_energy;
 mod base_acceleration;
 mod block_on_two_blocks;
 mod boussinesq;
@@ -96,6 +97,7 @@ list! {
     sudden_weight::SuddenWeight[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
     staggered_start::StaggeredStart[GIVEN],
+    bar_energy::BarEnergy[GIVEN],
     inclined_block::InclinedBlock[GIVEN],
     inclined_two_blocks::InclinedTwoBlocks[GIVEN],
     colliding_blocks::CollidingBlocks[GIVEN],
