@@ -1,6 +1,8 @@
 //! The cases, quick: they solve, their gates hold, and a wrong reference breaks the gates. The modules mirror
 //! `src/cases`.
 
+#[path = "cases/angular_momentum.rs"]
+mod angular_momentum;
 #[path = "cases/axis_aligned.rs"]
 mod axis_aligned;
 #[path = "cases/bar.rs"]

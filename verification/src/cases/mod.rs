@@ -27,6 +27,7 @@ macro_rules! with_own_settings {
     };
 }
 
+mod angular_momentum;
 mod axis_aligned;
 mod bar;
 mod bar_energy;
@@ -98,6 +99,7 @@ list! {
     shear_and_turn::ShearAndTurn[GIVEN],
     staggered_start::StaggeredStart[GIVEN],
     bar_energy::BarEnergy[GIVEN],
+    angular_momentum::AngularMomentum[GIVEN],
     inclined_block::InclinedBlock[GIVEN],
     inclined_two_blocks::InclinedTwoBlocks[GIVEN],
     colliding_blocks::CollidingBlocks[GIVEN],
