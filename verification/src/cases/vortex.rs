@@ -6,8 +6,8 @@
 //! up to 0.2 m and shear by up to 1.6 (`large`); with 1e-4 nothing crosses (`small`).
 //!
 //! The published profile, a square, has a body force that jumps at both radii (`published`). Particles are on one side or
-//! the other, which is a staircase again, now of the load: the error stalls at 1 %, whatever the method. A cube has none,
-//! and orders are judged with it.
+//! the other, which is a staircase again, now of the load: the error stalls at 1 % even where nothing crosses. A cube has
+//! none, and orders are judged with it.
 //!
 //! Expected (notes, 1b): order 2 of uGIMP without crossing; with it at most 1 to 2. Rectangular domains cannot follow a
 //! body that turns and shears: cpGIMP takes them from the diagonal of U here; from that of F, which this kernel does not
