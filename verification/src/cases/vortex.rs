@@ -124,12 +124,13 @@ impl Variant {
 
     /// Cells across the rings, coarse to fine; none where a size leaves the variant out.
     fn cells(self, size: Size) -> &'static [u32] {
-        match size {
-            Size::Full => &[8, 16, 32],
-            Size::Quick if self.angle == LARGE => &[8, 12],
-            Size::Quick if self.power == POWER => &[8, 16],
+        match (size, self.name) {
+            (Size::Full, _) => &[8, 16, 32],
+            (Size::Quick, "small") => &[8, 16],
+            (Size::Quick, "large") => &[8, 12],
+            (Size::Quick, "large cpGIMP") => &[12],
             // What stalls needs fine meshes to show it.
-            Size::Quick => &[],
+            (Size::Quick, _) => &[],
         }
     }
 
