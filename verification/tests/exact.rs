@@ -26,6 +26,8 @@ mod hertz_layer;
 mod hertz_sphere;
 #[path = "exact/indented_block.rs"]
 mod indented_block;
+#[path = "exact/objective_rate.rs"]
+mod objective_rate;
 #[path = "exact/ring_impact.rs"]
 mod ring_impact;
 #[path = "exact/rolling_creep.rs"]
@@ -40,3 +42,9 @@ mod self_weight;
 mod sliding;
 #[path = "exact/special.rs"]
 mod special;
+#[path = "exact/step_bar.rs"]
+mod step_bar;
+#[path = "exact/sudden_weight.rs"]
+mod sudden_weight;
+#[path = "exact/vortex.rs"]
+mod vortex;

@@ -27,8 +27,10 @@ macro_rules! with_own_settings {
     };
 }
 
+mod angular_momentum;
 mod axis_aligned;
 mod bar;
+mod bar_energy;
 mod base_acceleration;
 mod block_on_two_blocks;
 mod boussinesq;
@@ -52,19 +54,24 @@ mod rolling_disk;
 mod rolling_disk_slab;
 mod rotation;
 mod self_weight;
+mod shear_and_turn;
 mod slab;
 mod sphere_on_terrain;
+mod staggered_start;
 mod statics;
+mod step_bar;
+mod sudden_weight;
 mod tilted_incline;
+mod vortex;
 
 pub use grains::{apart as grains_apart, outlines as grain_outlines};
 
 use std::sync::OnceLock;
 
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, Simulation};
 
-use crate::case::{Case, CaseError, CurvePoint, Rung, Solved};
-use crate::study::{Measure, Study};
+use crate::case::{Case, CaseError, CurvePoint, Found, Rung, Solved};
+use crate::study::{Failure, Measure, Study};
 use parts::{AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material, open_plane};
 
 /// Makes the types of the cases public, and the one list of them.
@@ -86,6 +93,13 @@ list! {
     axis_aligned::AxisAligned[PLANE, SPACE],
     self_weight::SelfWeight[GIVEN],
     rotation::Rotation[GIVEN],
+    vortex::Vortex[GIVEN],
+    step_bar::StepBar[GIVEN],
+    sudden_weight::SuddenWeight[GIVEN],
+    shear_and_turn::ShearAndTurn[GIVEN],
+    staggered_start::StaggeredStart[GIVEN],
+    bar_energy::BarEnergy[GIVEN],
+    angular_momentum::AngularMomentum[GIVEN],
     inclined_block::InclinedBlock[GIVEN],
     inclined_two_blocks::InclinedTwoBlocks[GIVEN],
     colliding_blocks::CollidingBlocks[GIVEN],
@@ -130,6 +144,23 @@ fn solve_own(
     study
         .solve_with(rung, &settings, options, &mut |share| progress(share))
         .map(|studied| studied.solved)
+}
+
+/// Runs the scene of a rung that has no settings but its own, and says what `run` found.
+fn solve_scene(
+    case: &dyn Case,
+    rung: &Rung,
+    options: &Options,
+    run: impl FnOnce(&mut Simulation) -> Result<Found, Failure>,
+) -> Result<Solved, CaseError> {
+    let simulate = || {
+        let scene = case.scene(rung);
+        scene.check()?;
+        let mut simulation = Simulation::new(&scene, options)?;
+        let found = run(&mut simulation)?;
+        Ok(Solved::new(found, &simulation))
+    };
+    simulate().map_err(|reason: Failure| CaseError::new(case.name(), rung, &reason))
 }
 
 /// A reference that takes long. That of the case as it is meant is computed once and kept; a wrong one is for a test, which

@@ -44,6 +44,27 @@ impl MovingBar {
     pub fn mass(&self) -> f64 {
         self.density * self.length
     }
+
+    /// What the bar does at a rigid wall that it runs into: the limit of a second bar of any impedance.
+    #[must_use]
+    pub fn at_a_wall(&self) -> WallImpact {
+        WallImpact {
+            stress: self.impedance() * self.velocity.abs(),
+            duration: 2.0 * self.transit(),
+            velocity: -self.velocity,
+        }
+    }
+}
+
+/// The impact of a bar on a rigid wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WallImpact {
+    /// Pressure on the wall while they touch, Pa: rho c v.
+    pub stress: f64,
+    /// Time for which they touch, s: twice the transit.
+    pub duration: f64,
+    /// Velocity after the rebound, m/s.
+    pub velocity: f64,
 }
 
 /// A bar that runs into another in front of it.

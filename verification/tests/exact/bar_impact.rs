@@ -81,6 +81,36 @@ fn outside_the_two_families_nothing_is_claimed() {
     assert_eq!(parting.velocities(), None);
 }
 
+/// A wall is a bar with a transit as long and a mass beyond bounds. Its impulse is what turns the momentum round.
+#[test]
+fn a_wall_is_the_limit_of_a_heavy_bar() {
+    for velocity in [0.3, -0.7] {
+        let moving = bar(2.0, 1.0, velocity);
+        let wall = moving.at_a_wall();
+        let heavy = bar(2.0, 1e9, 0.0);
+        // The bar behind comes first.
+        let (bars, own) = if velocity > 0.0 {
+            ([moving, heavy], 0)
+        } else {
+            ([heavy, moving], 1)
+        };
+        let impact = BarImpact { bars };
+        assert_relative_eq!(wall.stress, impact.stress(), max_relative = 1e-8);
+        assert_relative_eq!(
+            wall.duration,
+            impact.duration().expect("closed"),
+            max_relative = 1e-12
+        );
+        assert_relative_eq!(wall.velocity, after(&impact)[own], max_relative = 1e-8);
+        let momentum = moving.mass() * (velocity - wall.velocity);
+        assert_relative_eq!(
+            wall.stress * wall.duration,
+            momentum.abs(),
+            max_relative = 1e-12
+        );
+    }
+}
+
 /// Characteristics on a grid of `n` elements per transit: exact for waves that take one element per step.
 #[test]
 fn agrees_with_characteristics() {
