@@ -3,7 +3,7 @@
 //! A case says what it needs ([`Study::scene_with`], [`Study::options`]) and what it does ([`Study::run`]); what comes before
 //! and after is the same for all and stands here, in [`Study::solve_with`].
 
-use proctor_kernel::scene::{Scene, StressScheme, TransferKind, Weighting};
+use proctor_kernel::scene::{OnImbalance, Scene, StressScheme, TransferKind, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use std::error::Error;
@@ -151,7 +151,9 @@ pub trait Study: Case {
     ) -> Result<Studied, CaseError> {
         observer.phase(Phase::SetUp);
         let mut solve = || {
-            let scene = self.try_scene_with(rung, settings)?;
+            let mut scene = self.try_scene_with(rung, settings)?;
+            // What is not to be trusted is not compared.
+            scene.on_imbalance = OnImbalance::Stop;
             scene.check()?;
             let options = self.options(rung, options.clone());
             let mut simulation = Simulation::new(&scene, &options)?;

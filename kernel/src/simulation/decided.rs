@@ -20,6 +20,8 @@ pub(crate) struct Decided {
     /// What acts at the nodes from outside; those of the user come last.
     pub(crate) conditions: Vec<Arc<dyn Condition>>,
     pub(crate) own_conditions: Vec<Arc<dyn Condition>>,
+    /// Whether the user has added conditions or interactions.
+    pub(crate) has_own: bool,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
     /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to

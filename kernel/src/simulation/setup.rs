@@ -94,6 +94,7 @@ impl Simulation {
                 bodies,
                 conditions,
                 own_conditions: options.conditions.clone(),
+                has_own: !(options.conditions.is_empty() && options.interactions.is_empty()),
                 base: (scene.base_motion.as_ref()).map(|base| BaseVelocity::new(&base.motion)),
                 body_force: options.body_force.clone(),
                 local_surfaces: interactions::surfaces::local(scene),

@@ -8,7 +8,8 @@
 //! - the momentum of the particles changes by what the forces at the nodes give them, as long as no body is near a
 //!   boundary plane, whose mirror images take part in the mapping.
 //!
-//! A body force that is a function of position and time does work that nobody sums: there the energy is not watched.
+//! A body force that is a function of position and time does work that nobody sums, and a condition or an interaction of a
+//! library user need not tell its work: there the energy is not watched.
 
 use super::Simulation;
 use super::clock::StepInfo;
@@ -143,7 +144,7 @@ impl Simulation {
         self.state.trust.increment = self.state.trust.increment.max(increment);
         self.doubt(info, Reason::Increment, increment, MOST_INCREMENT);
         if Self::looks_after(info.step) {
-            if self.decided.body_force.is_none() {
+            if self.knows_all_work() {
                 self.watch_energy(info);
             }
             let count = self.particles();
@@ -158,6 +159,11 @@ impl Simulation {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Whether all that does work on the bodies is known here.
+    fn knows_all_work(&self) -> bool {
+        self.decided.body_force.is_none() && !self.decided.has_own
     }
 
     fn watch_energy(&mut self, info: &StepInfo) {

@@ -118,7 +118,10 @@ fn a_step_that_strains_too_far_is_told_at_once() {
         dt: 2.0e-3,
         allow_unstable: true,
     };
-    let doubt = run(simulation(&scene), 5).trust().doubt.expect("strained too far");
+    let doubt = run(simulation(&scene), 5)
+        .trust()
+        .doubt
+        .expect("strained too far");
     assert_eq!(
         (doubt.reason, doubt.step),
         (Reason::Increment, 1),

@@ -43,7 +43,7 @@ const AIR: usize = 4;
 /// Name of the energy at the end.
 const ENERGY: &str = "energy after ten periods, over the initial";
 /// Name of the time that a run with linear functions took to break down.
-const INVERTED: &str = "periods until a particle is inverted";
+const INVERTED: &str = "periods until a particle is inverted or strained too far";
 /// What may be gained or lost of GIMP and B-splines where particles cross cells.
 const LARGE_GATE: f64 = 0.1;
 /// The same of all weighting functions with FLIP at small amplitude.
@@ -284,7 +284,7 @@ impl Case for BarEnergy {
                         if periods.is_nan() {
                             format!("{word} {energy:.4}")
                         } else {
-                            format!("{word} inverts a particle after {periods:.1} periods")
+                            format!("{word} inverts a particle or strains it too far after {periods:.1} periods")
                         }
                     })
                     .collect();

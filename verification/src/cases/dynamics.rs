@@ -26,11 +26,7 @@ pub fn step(
     if observer.stop() {
         return Err(STOPPED.into());
     }
-    let info = simulation.step(stop)?;
-    match simulation.trust().doubt {
-        Some(doubt) => Err(doubt.to_string().into()),
-        None => Ok(info),
-    }
+    Ok(simulation.step(stop)?)
 }
 
 /// Does `steps` equal steps.

@@ -31,8 +31,8 @@ use std::fmt::Display;
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, History, Mesh, MortarContact, PlaneCondition, RigidLine, Scene,
-    Shape, Vertices,
+    Body, Damping, Dimension, History, Mesh, MortarContact, OnImbalance, PlaneCondition, RigidLine,
+    Scene, Shape, Vertices,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -199,7 +199,8 @@ impl Case for Grains {
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
         let failed = |reason: &dyn Display| CaseError::new(self.name(), rung, reason);
-        let scene = self.scene(rung);
+        let mut scene = self.scene(rung);
+        scene.on_imbalance = OnImbalance::Stop;
         scene.check().map_err(|e| failed(&e))?;
         let mut simulation = Simulation::new(&scene, options).map_err(|e| failed(&e))?;
         let rate = self.reference_damping * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;

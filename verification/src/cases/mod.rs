@@ -68,6 +68,7 @@ pub use grains::{apart as grains_apart, outlines as grain_outlines};
 
 use std::sync::OnceLock;
 
+use proctor_kernel::scene::OnImbalance;
 use proctor_kernel::simulation::{Options, Simulation};
 
 use crate::case::{Case, CaseError, CurvePoint, Found, Rung, Solved};
@@ -154,7 +155,8 @@ fn solve_scene(
     run: impl FnOnce(&mut Simulation) -> Result<Found, Failure>,
 ) -> Result<Solved, CaseError> {
     let simulate = || {
-        let scene = case.scene(rung);
+        let mut scene = case.scene(rung);
+        scene.on_imbalance = OnImbalance::Stop;
         scene.check()?;
         let mut simulation = Simulation::new(&scene, options)?;
         let found = run(&mut simulation)?;
