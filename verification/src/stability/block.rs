@@ -7,7 +7,7 @@ use super::predicted::predict;
 use crate::cases::{NO_RESULTS, body, cuboid, elastic};
 use crate::settings::{Method, Settings};
 
-/// Edge of a block in cells. Its free corners decide, not what lies between them.
+/// Edge of the largest body in cells. Larger ones have longer steps.
 const CELLS: f64 = 3.0;
 /// A hair's breadth past a node or a face, in cells.
 pub const HAIR: f64 = 1e-6;
@@ -27,19 +27,17 @@ pub struct Choice {
     pub particles_per_cell: usize,
 }
 
-/// Shape of a body. A body that is thin weighs little at the nodes that carry it.
+/// Shape of a body. Small and thin ones weigh little at the nodes that carry them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Three cells along each axis.
-    Block,
-    /// One particle thick.
+    /// A square or a cube of so many quarters of a cell.
+    Block(u8),
+    /// One particle thick, three cells along the other axes.
     Plate,
     /// One particle thick along two axes (3D).
     Rod,
     /// One particle.
     Particle,
-    /// A block that fills a mesh whose planes slide: a part of one without end, where no corner is light.
-    Filling,
 }
 
 /// A form at a place on the mesh.
@@ -62,46 +60,53 @@ pub struct Worst {
 }
 
 impl Form {
-    /// The forms of so many dimensions.
+    /// The block that is so large that its corners, faces and edges do not know of each other.
+    pub const LARGE: Self = Self::Block(12);
+
+    /// The forms of so many dimensions that so many particles per cell and axis can make.
     #[must_use]
-    pub fn all(dimension: Dimension) -> &'static [Self] {
-        match dimension {
-            Dimension::Two => &[Self::Filling, Self::Block, Self::Plate, Self::Particle],
-            Dimension::Three => &[
-                Self::Filling,
-                Self::Block,
-                Self::Plate,
-                Self::Rod,
-                Self::Particle,
-            ],
-        }
+    pub fn all(dimension: Dimension, particles_per_cell: usize) -> Vec<Self> {
+        let fits = |quarters: &u8| (usize::from(*quarters) * particles_per_cell).is_multiple_of(4);
+        let blocks = [12, 8, 7, 6, 5, 4].into_iter().filter(fits);
+        let thin: &[Self] = match dimension {
+            Dimension::Two => &[Self::Plate, Self::Particle],
+            Dimension::Three => &[Self::Plate, Self::Rod, Self::Particle],
+        };
+        blocks
+            .map(Self::Block)
+            .chain(thin.iter().copied())
+            .collect()
     }
 
-    /// Its word.
+    /// Its words.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn words(self) -> String {
         match self {
-            Self::Block => "block",
-            Self::Plate => "plate",
-            Self::Rod => "rod",
-            Self::Particle => "particle",
-            Self::Filling => "filled mesh",
+            Self::Block(quarters) => format!("block of {}", f64::from(quarters) / 4.0),
+            Self::Plate => "plate".to_owned(),
+            Self::Rod => "rod".to_owned(),
+            Self::Particle => "particle".to_owned(),
         }
     }
 
-    /// Whether it is more than a particle thick along all axes.
+    /// Whether it is more than a cell thick along all axes.
     #[must_use]
     pub fn is_thick(self) -> bool {
-        self.thin_axes() == 0
+        matches!(self, Self::Block(quarters) if quarters > 4)
     }
 
-    /// Number of axes along which it is one particle thick.
-    fn thin_axes(self) -> usize {
-        match self {
-            Self::Block | Self::Filling => 0,
+    /// Its edge along an axis of so many, in cells, with particles so far apart.
+    fn edge(self, axis: usize, axes: usize, spacing: f64) -> f64 {
+        let thin_axes = match self {
+            Self::Block(quarters) => return f64::from(quarters) / 4.0,
             Self::Plate => 1,
             Self::Rod => 2,
-            Self::Particle => 3,
+            Self::Particle => axes,
+        };
+        if axis + thin_axes < axes {
+            CELLS
+        } else {
+            spacing
         }
     }
 }
@@ -131,30 +136,16 @@ impl Choice {
     #[must_use]
     pub fn scene(&self, place: Place) -> Scene {
         let axes = self.dimension.axes();
-        let filling = place.form == Form::Filling;
-        let (first, air) = if filling {
-            (0.0, 0)
-        } else {
-            (2.0 + place.offset, 6)
-        };
-        let mut mesh = Mesh::new(
-            self.dimension,
-            [0.0; 3],
-            [1.0; 3],
-            [CELLS as usize + air; 3],
-        );
-        if !filling {
-            mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
-        }
-        let thick = axes.saturating_sub(place.form.thin_axes());
+        let mut mesh = Mesh::new(self.dimension, [0.0; 3], [1.0; 3], [CELLS as usize + 6; 3]);
+        mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
         let spacing = 1.0 / self.particles_per_cell as f64;
         let corner = |upper: bool| -> Vector {
             std::array::from_fn(|axis| {
-                let edge = if axis < thick { CELLS } else { spacing };
+                let edge = place.form.edge(axis, axes, spacing);
                 match (axis < axes, upper) {
                     (false, _) => 0.0,
-                    (true, false) => first,
-                    (true, true) => first + edge,
+                    (true, false) => 2.0 + place.offset,
+                    (true, true) => 2.0 + place.offset + edge,
                 }
             })
         };
@@ -162,11 +153,7 @@ impl Choice {
         // E of a confined modulus of 1.
         let young = (1.0 + POISSON) * (1.0 - 2.0 * POISSON) / (1.0 - POISSON);
         scene.materials = elastic(1.0, young, POISSON);
-        scene.bodies = vec![body(
-            place.form.word(),
-            1,
-            cuboid(corner(false), corner(true)),
-        )];
+        scene.bodies = vec![body("body", 1, cuboid(corner(false), corner(true)))];
         scene.results = NO_RESULTS;
         let settings = Settings {
             particles_per_cell: self.particles_per_cell,
@@ -203,10 +190,7 @@ impl Choice {
             courant: f64::INFINITY,
             place: Place { form, offset: 0.0 },
         };
-        let all = match form {
-            Form::Filling => vec![0.0],
-            _ => offsets(self.particles_per_cell),
-        };
+        let all = offsets(self.particles_per_cell);
         for offset in all.into_iter().filter(|&o| !self.is_on_node(o)) {
             let place = Place { form, offset };
             let courant = self.predict(place)?;

@@ -88,7 +88,7 @@ impl Entry {
         self.forms[0]
     }
 
-    /// What is predicted for bodies that are thick along all axes.
+    /// What is predicted for bodies that are more than a cell thick along all axes.
     #[must_use]
     pub fn thick(&self) -> f64 {
         let thick = self.forms.iter().filter(|w| w.place.form.is_thick());
@@ -162,7 +162,7 @@ impl Choice {
     /// A scene that is refused, or an iteration that does not come to an end.
     pub fn solve(&self) -> Result<Entry, StabilityError> {
         let mut forms = vec![];
-        for &form in Form::all(self.dimension) {
+        for form in Form::all(self.dimension, self.particles_per_cell) {
             forms.push(self.worst_of(form)?);
         }
         forms.sort_by(|a, b| a.courant.total_cmp(&b.courant));
@@ -177,7 +177,7 @@ impl Choice {
         }];
         let mut at = |word, offset, predicted: Option<f64>, reason| {
             let place = Place {
-                form: Form::Block,
+                form: Form::LARGE,
                 offset,
             };
             let guess = predicted.unwrap_or_else(|| self.method.stability_number(1));
@@ -192,7 +192,7 @@ impl Choice {
         };
         if !safe {
             let place = Place {
-                form: Form::Block,
+                form: Form::LARGE,
                 offset: 0.0,
             };
             let predicted = self.predict(place)?;

@@ -137,7 +137,7 @@ pub struct Limit {
     pub energy: f64,
     /// Steps over the kernel's.
     pub measured: Measured,
-    /// Why the run at [`Measured::unstable`] ended, where it was by an error.
+    /// Why the run at the kernel's steps ended, or else that at [`Measured::unstable`], where it was by an error.
     pub refusal: Option<String>,
 }
 
@@ -181,6 +181,7 @@ impl Nonlinear {
         }
         let most = GROWN * reference.energy;
         let mut refusal = (f64::INFINITY, None);
+        let own_failure = own.failed.as_ref().map(ToString::to_string);
         let measured = bisect(GUESS, RANGE, |share| {
             let ran = run(&scene, &options, with(share * own.dt), most)?;
             let holds = ran.failed.is_none() && ran.energy <= most;
@@ -196,7 +197,7 @@ impl Nonlinear {
                 None => own.energy / reference.energy,
             },
             measured,
-            refusal: refusal.1,
+            refusal: own_failure.or(refusal.1),
         })
     }
 

@@ -20,7 +20,7 @@ pub struct Number {
     pub method: Method,
     /// Particles per cell and axis; `None` where the kernel takes one number for all.
     pub particles_per_cell: Option<usize>,
-    /// Smallest predicted Courant number of bodies that are thick along all axes.
+    /// Smallest predicted Courant number of bodies that are more than a cell thick along all axes.
     pub thick: f64,
     /// Smallest Courant number at which any body becomes unstable: the prediction for those that are one particle thick and
     /// for single particles, and what was measured with particles on nodes.
@@ -46,8 +46,8 @@ impl Number {
     /// The number of a method over the entries that belong to it. Where the kernel knows no safe step it is one number for
     /// all such methods, `filled`, with which bodies that fill their cells are stable.
     ///
-    /// It is the largest with which bodies that are two particles thick are stable, and every body with the share of it
-    /// that an automatic step takes.
+    /// It is the largest with which bodies that are more than a cell thick are stable, and every body with the share of
+    /// it that an automatic step takes.
     #[must_use]
     fn of(
         method: Method,

@@ -23,7 +23,7 @@ fn block(scheme: StressScheme, particles_per_cell: usize) -> Choice {
 
 fn at(offset: f64) -> Place {
     Place {
-        form: Form::Block,
+        form: Form::LARGE,
         offset,
     }
 }

@@ -33,7 +33,7 @@ fn all(dimension: Dimension, particles_per_cell: usize) -> Vec<Choice> {
 #[test]
 fn the_linear_step_grows_above_the_limit_and_not_below() {
     for choice in all(Dimension::Two, 2) {
-        let worst = choice.worst_of(Form::Block).expect("a limit");
+        let worst = choice.worst_of(Form::LARGE).expect("a limit");
         let scene = choice.scene(worst.place);
         let below = growth(&scene, 0.98 * worst.courant, 400).expect("growth");
         let above = growth(&scene, 1.02 * worst.courant, 400).expect("growth");
@@ -98,7 +98,7 @@ fn no_other_place_is_worse() {
             dimension: Dimension::Two,
             particles_per_cell,
         };
-        for form in [Form::Block, Form::Plate, Form::Particle] {
+        for form in Form::all(choice.dimension, particles_per_cell) {
             let worst = choice.worst_of(form).expect("a limit").courant;
             for k in 0..40_u32 {
                 // Golden ratio: spread over the cell, and on none of the places.
@@ -108,7 +108,7 @@ fn no_other_place_is_worse() {
                     found >= 0.995 * worst,
                     "{} {} at {offset}: {found} < {worst}",
                     choice.name(),
-                    form.word()
+                    form.words()
                 );
             }
         }
