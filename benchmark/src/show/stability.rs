@@ -22,10 +22,22 @@ pub fn map(detail: &StabilityDetail, out: &mut dyn Write) -> io::Result<()> {
              comes from nowhere; the highest energy at the kernel's step over that at half of it"
         )?;
         let mut table = Table::new(["", "kernel", "stable to", "unstable from", "energy", ""]);
+        let mut ended = vec![];
         for line in &detail.nonlinear {
-            table.push(line.iter().cloned());
+            let mut line = line.clone();
+            let cause = line.pop().unwrap_or_default();
+            // The table has the class; why a run ended is too long for a column.
+            let (class, why) = cause.split_once(": ").unwrap_or((&cause, ""));
+            if !why.is_empty() {
+                ended.push(format!("{}: {why}", line[0]));
+            }
+            line.push(class.to_owned());
+            table.push(line);
         }
         writeln!(out, "{table}")?;
+        for why in ended {
+            writeln!(out, "  {why}")?;
+        }
     }
     for failure in &detail.failures {
         writeln!(out, "failed: {failure}")?;

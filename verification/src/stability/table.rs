@@ -209,7 +209,7 @@ pub fn source(numbers: &[Number], date: &str) -> String {
     for (name, words, weighting) in [
         (
             "B_SPLINE",
-            "Quadratic B-splines",
+            "Quadratic B-splines by scheme and transfer.",
             Weighting::QuadraticBSpline,
         ),
         (
