@@ -13,6 +13,7 @@ pub mod record;
 pub mod report;
 mod say;
 pub mod show;
+pub mod stability;
 pub mod statistics;
 pub mod suite;
 mod verbs;

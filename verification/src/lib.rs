@@ -9,4 +9,5 @@ pub mod convergence;
 pub mod exact;
 pub mod sensitivity;
 pub mod settings;
+pub mod stability;
 pub mod study;

@@ -24,10 +24,15 @@ impl Record {
             }
         }
         for gate in &ran.verdict.gates {
-            self.push(gate_row(ran.case.name(), gate, threads));
+            self.push_gate(ran.case.name(), gate, threads);
         }
         self.push(verdict_row(ran, threads));
         self.details.push_case(ran);
+    }
+
+    /// Adds the row of a gate.
+    pub(crate) fn push_gate(&mut self, of: &str, gate: &Gate, threads: usize) {
+        self.push(gate_row(of, gate, threads));
     }
 }
 

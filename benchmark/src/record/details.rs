@@ -6,6 +6,7 @@ use crate::precision::findings::LineFindings;
 use crate::precision::{Findings, Studied};
 use crate::show::chart::Chart;
 use crate::show::{figures, precision as show};
+use crate::stability::StabilityDetail;
 use crate::suite::Ran;
 use proctor_files::run::plan_value;
 use proctor_kernel::plan::Plan;
@@ -25,6 +26,9 @@ pub struct Details {
     /// Plans of scenes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub plans: Vec<PlanDetail>,
+    /// Where each method is stable.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stability: Option<StabilityDetail>,
 }
 
 /// What a case asked and how it was judged.
@@ -101,7 +105,10 @@ impl Details {
     /// Whether there is nothing to say.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.cases.is_empty() && self.studies.is_empty() && self.plans.is_empty()
+        self.cases.is_empty()
+            && self.studies.is_empty()
+            && self.plans.is_empty()
+            && self.stability.is_none()
     }
 
     /// Adds a case that was run. Of each variant the curve of the finest run is kept.
@@ -208,7 +215,8 @@ impl Details {
     }
 }
 
-fn gate(gate: &Gate) -> GateDetail {
+/// A gate as a record keeps it.
+pub(crate) fn gate(gate: &Gate) -> GateDetail {
     GateDetail {
         name: gate.name.clone(),
         value: gate.value.is_finite().then_some(gate.value),

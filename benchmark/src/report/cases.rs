@@ -36,7 +36,7 @@ pub fn section(record: &Record) -> Option<Section> {
 }
 
 /// Gates with their reasons.
-fn gates(gates: &[GateDetail]) -> String {
+pub fn gates(gates: &[GateDetail]) -> String {
     let head = ["what is bounded", "", "found", "bound", "why this bound"];
     let mut table = Table::new("gates", &head);
     for gate in gates {

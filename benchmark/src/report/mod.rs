@@ -8,11 +8,13 @@ mod html;
 mod machine;
 mod plans;
 mod speed;
+mod stability;
 mod studies;
 mod verdict;
 
 use crate::record::Record;
-use html::{Section, escape};
+use html::Section;
+pub(crate) use html::escape;
 use std::fmt::Write as _;
 
 const STYLE: &str = include_str!("style.css");
@@ -24,6 +26,7 @@ pub fn page(record: &Record) -> String {
     let sections: Vec<Section> = [
         cases::section(record),
         studies::section(record),
+        stability::section(record),
         speed::section(record),
         plans::section(record),
         machine::section(record),

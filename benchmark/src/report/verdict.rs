@@ -31,6 +31,10 @@ pub fn html(record: &Record) -> String {
         gates.len(),
         record.details.cases.len()
     );
+    if record.details.stability.is_some() {
+        text.truncate(text.len() - 1);
+        text.push_str(" and the map of stability.");
+    }
     let failed = match failed_rows(record) {
         0 => String::new(),
         1 => " One run failed.".to_owned(),
@@ -62,8 +66,9 @@ pub fn html(record: &Record) -> String {
 }
 
 fn gates(record: &Record) -> Vec<&GateDetail> {
-    let cases = record.details.cases.iter();
-    cases.flat_map(|case| &case.gates).collect()
+    let cases = record.details.cases.iter().flat_map(|case| &case.gates);
+    let stability = record.details.stability.iter();
+    cases.chain(stability.flat_map(|map| &map.gates)).collect()
 }
 
 /// Runs of judged cases that failed; sweeps that look for the bounds of stability may fail.

@@ -4,7 +4,9 @@ pub mod case;
 pub mod chart;
 pub mod comparison;
 pub mod figures;
+pub mod picture;
 pub mod precision;
+pub mod stability;
 
 use std::fmt::{self, Write as _};
 

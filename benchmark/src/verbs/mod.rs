@@ -13,6 +13,7 @@ mod report;
 mod run;
 mod schema;
 mod settings;
+mod stability;
 mod verify;
 
 use crate::exit::{Failure, Outcome};
@@ -33,6 +34,8 @@ pub enum Verb {
     Verify(verify::Verify),
     /// Error against run time, for every case with an exact solution.
     Precision(precision::Precision),
+    /// Where each method is stable: the largest time step, predicted and measured.
+    Stability(stability::Stability),
     /// Measure speed: scenes x particles x threads x methods, stages, other executables.
     Bench(bench::Bench),
     /// Make the page of a record.
@@ -57,6 +60,7 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
         Some(Verb::Precision(precision)) => precision.run(out),
+        Some(Verb::Stability(stability)) => stability.run(out),
         Some(Verb::Bench(bench)) => bench.run(out),
         Some(Verb::Report(report)) => report.run(out),
         Some(Verb::Compare(compare)) => compare.run(out),

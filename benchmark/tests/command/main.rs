@@ -14,5 +14,6 @@ mod restart;
 mod run;
 #[cfg(unix)]
 mod scripts;
+mod stability;
 mod support;
 mod verify;

@@ -73,7 +73,9 @@ use proctor_kernel::simulation::{Options, Simulation};
 
 use crate::case::{Case, CaseError, CurvePoint, Found, Rung, Solved};
 use crate::study::{Failure, Measure, Study};
-use parts::{AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material, open_plane};
+pub(crate) use parts::{
+    AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material, open_plane,
+};
 
 /// Makes the types of the cases public, and the one list of them.
 macro_rules! list {

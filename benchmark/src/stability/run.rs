@@ -1,0 +1,197 @@
+//! What is asked, and its runs, as many side by side as there are processors.
+
+use crate::measure::{Spent, Stopwatch};
+use proctor_kernel::scene::{Dimension, StressScheme};
+use proctor_verification::case::{Gate, Size};
+use proctor_verification::settings::Method;
+use proctor_verification::stability::block::Choice;
+use proctor_verification::stability::map::{self, Entry};
+use proctor_verification::stability::nonlinear::{self, Limit, Nonlinear};
+use proctor_verification::stability::{StabilityError, table};
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// How much is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// The plane with two particles per cell and axis, and the default method where nothing is linear: for the main job.
+    Short,
+    /// The plane; short runs where nothing is linear.
+    Quick,
+    /// Plane and space.
+    Full,
+    /// What the kernel's table is made of.
+    Table,
+}
+
+/// One entry of the map, or a scene that is not linear with a method.
+#[derive(Clone, Copy)]
+pub enum Job {
+    /// An entry of the map.
+    Entry(Choice),
+    /// A scene that is not linear.
+    Nonlinear(&'static Nonlinear, Method, Size),
+}
+
+/// What a job gave.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// An entry of the map.
+    Entry(Box<Entry>),
+    /// A limit.
+    Nonlinear(Limit),
+}
+
+/// A job that was done.
+pub struct Done {
+    /// Which.
+    pub job: Job,
+    /// What it gave.
+    pub outcome: Result<Outcome, StabilityError>,
+    /// Its time.
+    pub spent: Spent,
+}
+
+impl Job {
+    /// Its method.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        match self {
+            Self::Entry(choice) => choice.method,
+            Self::Nonlinear(_, method, _) => *method,
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Entry(choice) => choice.name(),
+            Self::Nonlinear(scene, method, _) => format!("{} {method}", scene.name),
+        }
+    }
+
+    fn solve(self) -> Result<Outcome, StabilityError> {
+        match self {
+            Self::Entry(choice) => Ok(Outcome::Entry(Box::new(choice.solve()?))),
+            Self::Nonlinear(scene, method, size) => {
+                Ok(Outcome::Nonlinear(scene.solve(method, size)?))
+            }
+        }
+    }
+}
+
+impl Done {
+    /// What must hold of it; none where it failed.
+    #[must_use]
+    pub fn gates(&self) -> Vec<Gate> {
+        match (&self.job, &self.outcome) {
+            (_, Ok(Outcome::Entry(entry))) => entry.gates(),
+            (Job::Nonlinear(scene, method, _), Ok(Outcome::Nonlinear(limit))) => {
+                vec![scene.gate(*method, limit)]
+            }
+            _ => vec![],
+        }
+    }
+
+    /// Whether it could be done and all of it holds.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        self.outcome.is_ok() && self.gates().iter().all(Gate::passed)
+    }
+}
+
+/// The jobs of what is asked: the map if `map` says so, and these scenes; of these schemes alone.
+#[must_use]
+pub fn jobs(
+    asked: Asked,
+    map: bool,
+    scenes: &[&'static Nonlinear],
+    schemes: &[StressScheme],
+) -> Vec<Job> {
+    let size = match asked {
+        Asked::Short | Asked::Quick => Size::Quick,
+        Asked::Full | Asked::Table => Size::Full,
+    };
+    let wanted = |choice: &Choice| match asked {
+        Asked::Short => choice.particles_per_cell == 2,
+        Asked::Quick | Asked::Full => true,
+        Asked::Table => table::needs(choice),
+    };
+    let mut all: Vec<Job> = vec![];
+    if map {
+        let choices = map::choices(size).into_iter();
+        all.extend(choices.filter(wanted).map(Job::Entry));
+    }
+    let methods: &[Method] = match asked {
+        Asked::Short => &nonlinear::METHODS[..1],
+        _ => &nonlinear::METHODS,
+    };
+    for scene in scenes {
+        let can = scene.methods().into_iter();
+        let tried = can.filter(|method| methods.contains(method));
+        all.extend(tried.map(|method| Job::Nonlinear(scene, method, size)));
+    }
+    all.retain(|job| schemes.contains(&job.method().scheme));
+    all
+}
+
+/// Does jobs, `workers` at a time and each on one thread, as long as `go` says so before each, and hands them to `each` in
+/// their order.
+pub fn run(
+    jobs: &[Job],
+    workers: usize,
+    go: &(dyn Fn() -> bool + Sync),
+    mut each: impl FnMut(Done),
+) {
+    // The longest begin first: those in space with the most particles.
+    let mut order: Vec<usize> = (0..jobs.len()).collect();
+    order.sort_by_key(|&k| match jobs[k] {
+        Job::Entry(choice) if choice.dimension == Dimension::Three => {
+            usize::MAX - choice.particles_per_cell
+        }
+        _ => usize::MAX,
+    });
+    let next = AtomicUsize::new(0);
+    thread::scope(|scope| {
+        let (send, receive) = mpsc::channel();
+        for _ in 0..workers.clamp(1, jobs.len().max(1)) {
+            let send = send.clone();
+            let (next, order) = (&next, &order);
+            scope.spawn(move || {
+                while let Some(&k) = order
+                    .get(next.fetch_add(1, Ordering::Relaxed))
+                    .filter(|_| go())
+                {
+                    let mut stopwatch = Stopwatch::default();
+                    let outcome = stopwatch.time_thread(|| jobs[k].solve());
+                    let done = Done {
+                        job: jobs[k],
+                        outcome,
+                        spent: stopwatch.spent,
+                    };
+                    // Nobody listens any more once the other side has failed.
+                    if send.send((k, done)).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(send);
+        let mut waiting: BTreeMap<usize, Done> = BTreeMap::new();
+        let mut due = 0;
+        for (k, done) in receive {
+            waiting.insert(k, done);
+            while let Some(done) = waiting.remove(&due) {
+                due += 1;
+                each(done);
+            }
+        }
+        // What was done out of order before a stop.
+        for (_, done) in waiting {
+            each(done);
+        }
+    });
+}

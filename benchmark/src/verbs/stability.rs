@@ -1,0 +1,242 @@
+//! `proctor stability`: where each method is stable, predicted and measured.
+
+use super::names;
+use super::settings::processors;
+use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
+use crate::progress::Progress;
+use crate::record::Record;
+use crate::show::{picture, stability as show};
+use crate::stability::{self, Asked, Done, Outcome as Found};
+use clap::Args;
+use proctor_files::output::atomic;
+use proctor_kernel::scene::StressScheme;
+use proctor_kernel::simulation::Options;
+use proctor_verification::stability::nonlinear::{self, Nonlinear};
+use proctor_verification::stability::{StabilityError, scene, table};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Name of the map among the rows.
+const MAP: &str = "map";
+/// Name of the picture.
+const PICTURE: &str = "stability.svg";
+
+/// Where each method is stable: the largest time step, predicted and measured.
+///
+/// Predicted from the linear part of the kernel's own step, measured by runs with noise that close in on the limit, for
+/// every weighting function, scheme and transfer, one to four particles per cell and axis, blocks, thin bodies and single
+/// particles at nineteen places on the mesh; then what is not linear. Numbers are c dt / min(h). The exit code is 1 if a
+/// measured limit lies below the predicted one or below the step that the kernel takes.
+///
+/// With a scene: its predicted critical step, the kernel's, what rules it, and what would allow a larger one.
+#[derive(Args)]
+#[command(after_help = "Example: proctor stability --quick --svg pictures\n\
+    A scene of one's own: proctor stability fixtures/scenes/rings_2d.json")]
+pub struct Stability {
+    /// Scene file (JSON); without one, the map
+    #[arg(value_name = "SCENE", conflicts_with_all = ["quick", "json", "svg", "table", "rows", "schemes"])]
+    scene: Option<PathBuf>,
+    /// Only the plane, and short runs of what is not linear
+    #[arg(long)]
+    quick: bool,
+    /// Only these rows: `map`, or scenes that are not linear by their names
+    #[arg(long = "row", value_name = "ROW")]
+    rows: Vec<String>,
+    /// Only these schemes: usl, usf, musl
+    #[arg(long = "scheme", value_name = "SCHEME")]
+    schemes: Vec<String>,
+    /// Write a record of all rows (Google Benchmark JSON)
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the map as a picture into this folder; made if it is not there
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
+    /// Print the table by which the kernel chooses its steps, as its source, and what the table that it holds is worth
+    #[arg(long, conflicts_with_all = ["quick", "rows", "schemes", "svg", "json"])]
+    table: bool,
+}
+
+/// What `--row` names.
+#[derive(Clone, Copy)]
+enum RowName {
+    Map,
+    Scene(&'static Nonlinear),
+}
+
+impl RowName {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Map => MAP,
+            Self::Scene(scene) => scene.name,
+        }
+    }
+}
+
+/// Schemes by their words.
+fn scheme_word(scheme: StressScheme) -> &'static str {
+    match scheme {
+        StressScheme::Usl => "usl",
+        StressScheme::Usf => "usf",
+        StressScheme::Musl => "musl",
+    }
+}
+
+impl Stability {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        if let Some(path) = &self.scene {
+            return ask(path, out);
+        }
+        let all: Vec<RowName> = std::iter::once(RowName::Map)
+            .chain(nonlinear::ALL.iter().map(RowName::Scene))
+            .collect();
+        let rows = names::chosen(&self.rows, &all, "row", RowName::word)?;
+        let schemes: Vec<String> = self.schemes.iter().map(|s| s.to_lowercase()).collect();
+        let known = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
+        let schemes = names::chosen(&schemes, &known, "scheme", scheme_word)?;
+        let map = rows.iter().any(|row| matches!(row, RowName::Map));
+        let scenes: Vec<&'static Nonlinear> = rows
+            .into_iter()
+            .filter_map(|row| match row {
+                RowName::Map => None,
+                RowName::Scene(scene) => Some(scene),
+            })
+            .collect();
+        if self.table {
+            return print_table(out);
+        }
+        let asked = if self.quick {
+            Asked::Quick
+        } else {
+            Asked::Full
+        };
+        let jobs = stability::jobs(asked, map, &scenes, &schemes);
+        if jobs.is_empty() {
+            return Err(Failure::BadInput(
+                "none of these rows can be run with these schemes; mortar contact takes usl and musl".to_owned(),
+            ));
+        }
+        let mut record = Record::new(&Options::default());
+        record.set_incomplete(true);
+        self.can_write(&record)?;
+        let interrupt = Interrupt::listen()?;
+        let passed = done(&jobs, &interrupt, &mut record)
+            .iter()
+            .all(Done::passed);
+        record.set_incomplete(interrupt.raised());
+        if let Some(detail) = &record.details.stability {
+            show::map(detail, out)?;
+        }
+        self.write(&record, out)?;
+        Ok(if interrupt.raised() {
+            Outcome::Interrupted
+        } else if passed {
+            Outcome::Fine
+        } else {
+            Outcome::Failed
+        })
+    }
+
+    /// Finds out now, not after minutes, whether everything can be written.
+    fn can_write(&self, record: &Record) -> Result<(), Failure> {
+        if let Some(folder) = &self.svg {
+            std::fs::create_dir_all(folder)
+                .map_err(|e| Failure::BadInput(format!("{}: {e}", folder.display())))?;
+        }
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+        }
+        Ok(())
+    }
+
+    fn write(&self, record: &Record, out: &mut dyn Write) -> Result<(), Failure> {
+        if let Some(path) = &self.json {
+            record.write(path).map_err(Failure::bad_input)?;
+            writeln!(out, "record in {}", path.display())?;
+        }
+        let detail = record.details.stability.as_ref();
+        if let (Some(folder), Some(detail)) = (&self.svg, detail.filter(|d| !d.cells.is_empty())) {
+            let path = folder.join(PICTURE);
+            let svg = picture::svg(detail);
+            atomic::write(&path, |file| file.write_all(svg.as_bytes()))
+                .map_err(Failure::bad_input)?;
+            writeln!(out, "picture in {}", path.display())?;
+        }
+        Ok(())
+    }
+}
+
+/// Does jobs and puts them into a record.
+pub fn done(jobs: &[stability::Job], interrupt: &Interrupt, record: &mut Record) -> Vec<Done> {
+    let mut progress = Progress::new("stability");
+    let mut all: Vec<Done> = vec![];
+    let go = || !interrupt.raised();
+    stability::run(jobs, processors(), &go, |done| {
+        record.push_stability(&done);
+        all.push(done);
+        progress.at(all.len() as f64 / jobs.len() as f64);
+    });
+    all
+}
+
+/// Asks a scene; it fails where the kernel's step is longer than the predicted one.
+fn ask(path: &Path, out: &mut dyn Write) -> Result<Outcome, Failure> {
+    let given = super::scene(path)?;
+    let report = match scene::ask(&given) {
+        Ok(report) => report,
+        Err(error @ (StabilityError::Step(_) | StabilityError::NoConvergence { .. })) => {
+            writeln!(out, "{}: {error}", path.display())?;
+            return Ok(Outcome::Failed);
+        }
+        Err(error) => {
+            return Err(Failure::BadInput(format!("{}: {error}", path.display())));
+        }
+    };
+    show::scene(&given.name, &report, out)?;
+    let limit = report.predicted.map_or(f64::INFINITY, |limit| limit.dt);
+    Ok(if report.dt <= limit {
+        Outcome::Fine
+    } else {
+        writeln!(
+            out,
+            "FAIL  the kernel's step is longer than the predicted critical one"
+        )?;
+        Outcome::Failed
+    })
+}
+
+/// Prints the kernel's table as its source, then what the one that it holds is worth.
+fn print_table(out: &mut dyn Write) -> Result<Outcome, Failure> {
+    let all = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
+    let jobs = stability::jobs(Asked::Table, true, &[], &all);
+    let mut record = Record::new(&Options::default());
+    let interrupt = Interrupt::listen()?;
+    let mut entries = vec![];
+    for done in done(&jobs, &interrupt, &mut record) {
+        match done.outcome {
+            Ok(Found::Entry(entry)) => entries.push(*entry),
+            Ok(Found::Nonlinear(_)) => {}
+            Err(error) => {
+                writeln!(out, "{}: {error}", done.job.name())?;
+                return Ok(Outcome::Failed);
+            }
+        }
+    }
+    if interrupt.raised() {
+        return Ok(Outcome::Interrupted);
+    }
+    let numbers = table::numbers(&entries);
+    let date = record.context["date"].as_str().unwrap_or("an unknown day");
+    writeln!(
+        out,
+        "{}",
+        table::source(&numbers, date.split('T').next().unwrap_or(date))
+    )?;
+    show::numbers(&numbers, out)?;
+    let right = numbers.iter().all(|n| n.worth() == table::Worth::Right);
+    Ok(if right {
+        Outcome::Fine
+    } else {
+        Outcome::Failed
+    })
+}

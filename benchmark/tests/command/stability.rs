@@ -1,0 +1,138 @@
+//! `proctor stability`.
+
+use crate::support::{Desk, code, fixture, flying_block, proctor, stderr, stdout};
+use serde_json::{Value, json};
+
+fn record(path: &str) -> Value {
+    let text = std::fs::read_to_string(path).expect("a record");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+#[test]
+fn unknown_rows_and_schemes_are_bad_input_with_the_nearest_name() {
+    for (option, word, nearest) in [
+        ("--row", "rotaton", "rotation"),
+        ("--scheme", "muls", "musl"),
+    ] {
+        let output = proctor(&["stability", option, word]);
+        assert_eq!(code(&output), 2);
+        let message = stderr(&output);
+        assert!(
+            message.contains(&format!("did you mean `{nearest}`?")),
+            "{message}"
+        );
+        assert!(message.contains("accepted: "), "{message}");
+        assert_eq!(stdout(&output), "");
+    }
+}
+
+#[test]
+fn rows_that_no_scheme_can_run_are_bad_input() {
+    let output = proctor(&["stability", "--row", "mortar-line", "--scheme", "usf"]);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("mortar contact takes usl and musl"));
+}
+
+#[test]
+fn a_record_that_cannot_be_written_is_found_before_the_work() {
+    let desk = Desk::new();
+    let output = proctor(&[
+        "stability",
+        "--quick",
+        "--json",
+        &desk.name("no/record.json"),
+    ]);
+    assert_eq!(code(&output), 2);
+    assert_eq!(stdout(&output), "");
+}
+
+#[test]
+fn a_row_leaves_its_limits_and_gates_in_the_record() {
+    let desk = Desk::new();
+    let path = desk.name("record.json");
+    let options = [
+        "--quick", "--row", "rotation", "--scheme", "USL", "--json", &path,
+    ];
+    let output = proctor(&[&["stability"], &options[..]].concat());
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    assert!(stdout(&output).contains("PASS: 1 of 1 gates of stability"));
+    let record = record(&path);
+    let rows = record["benchmarks"].as_array().expect("rows");
+    assert_eq!(rows[0]["name"], "stability/rotation/uGIMP-USL-FLIP");
+    let number = |key: &str| rows[0][key].as_f64().expect("a number");
+    assert!(number("value_over_kernel_stable") > 1.0);
+    assert!(number("value_over_kernel_unstable") > number("value_over_kernel_stable"));
+    assert_eq!(rows[1]["aggregate_name"], "gate");
+    let page = proctor(&["report", &path]);
+    assert_eq!(code(&page), 0, "{}", stderr(&page));
+}
+
+#[test]
+fn the_picture_has_a_cell_for_each_method_and_size() {
+    let desk = Desk::new();
+    let (folder, path) = (desk.name("pictures"), desk.name("record.json"));
+    let options = [
+        "--row", "map", "--scheme", "musl", "--svg", &folder, "--json", &path,
+    ];
+    let output = proctor(&[&["stability", "--quick"], &options[..]].concat());
+    // Whether the kernel's steps are short enough is for the gates.
+    assert!(matches!(code(&output), 0 | 1), "{}", stderr(&output));
+    let svg = std::fs::read_to_string(desk.path("pictures/stability.svg")).expect("a picture");
+    assert_eq!(svg.matches("<title>").count(), 3 * 4 * 3);
+    assert!(svg.contains("uGIMP MUSL FLIP, 2 per cell"));
+    let text = stdout(&output);
+    for word in [
+        "FLIP, 2D",
+        "APIC, 2D",
+        "TPIC, 2D",
+        "B-spline MUSL",
+        "gates of stability",
+    ] {
+        assert!(text.contains(word), "{word}: {text}");
+    }
+    let cells = &record(&path)["details"]["stability"]["cells"];
+    assert_eq!(cells.as_array().expect("cells").len(), 36);
+}
+
+#[test]
+fn a_scene_is_told_its_limit_and_what_would_allow_more() {
+    let output = proctor(&[
+        "stability",
+        &fixture("fixtures/scenes/column_gravity_2d.json"),
+    ]);
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    let text = stdout(&output);
+    for word in [
+        "predicted critical step",
+        "the kernel's step",
+        "ruled by the particle",
+        "MUSL FLIP",
+        "cells twice as large",
+    ] {
+        assert!(text.contains(word), "{word}: {text}");
+    }
+}
+
+#[test]
+fn a_step_above_the_predicted_one_fails() {
+    let desk = Desk::new();
+    let mut scene = flying_block();
+    // c is 11.6 m/s and h 0.1 m: a Courant number of 1.
+    scene["time_step"] = json!(0.0086);
+    scene["allow_unstable"] = json!(true);
+    let scene = desk.scene("scene.json", &scene);
+    let output = proctor(&["stability", &scene]);
+    assert_eq!(code(&output), 1, "{}{}", stdout(&output), stderr(&output));
+    assert!(stdout(&output).contains("longer than the predicted critical one"));
+}
+
+#[test]
+fn a_scene_that_is_refused_says_why() {
+    let desk = Desk::new();
+    let mut scene = flying_block();
+    scene["material"][0]["young"] = json!(-1.0);
+    let scene = desk.scene("scene.json", &scene);
+    let output = proctor(&["stability", &scene]);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("young"), "{}", stderr(&output));
+}

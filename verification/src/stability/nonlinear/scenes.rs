@@ -1,0 +1,257 @@
+//! Scenes that are not linear. Cells are 1 m, densities 1 kg/m³, and waves run at about 1 m/s.
+
+use std::sync::Arc;
+
+use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean, ObjectiveRate};
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::points::Detection;
+use proctor_kernel::scene::{
+    BaseMotion, BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, Mesh,
+    MortarContact, Motion, PlaneCondition, RigidLine, RigidSurface, Scene, Vector, Vertices,
+};
+use proctor_kernel::simulation::{InitialField, InitialState};
+use proctor_kernel::surface::Surface;
+
+use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, material};
+
+/// Young's modulus \[Pa\] and Poisson's ratio: a confined modulus of 1.01 Pa.
+const YOUNG: f64 = 0.75;
+const POISSON: f64 = 0.3;
+/// Speed at which bodies meet \[m/s\].
+const SPEED: f64 = 0.05;
+/// Friction.
+const FRICTION: f64 = 0.3;
+/// Gap at which mortar contact begins \[m\].
+const GAP: f64 = 0.2;
+/// Stiffness of mortar contact \[Pa/m\]: ten times that of a cell, as much as the kernel does not warn of.
+const NORMAL: f64 = 10.0 * YOUNG;
+/// Spacing of the vertices of a boundary \[m\].
+const VERTICES: f64 = 0.5;
+/// Stiffness of the penalty of a rigid surface, per particle \[N/m\]: a thousand times that of a cell.
+const PENALTY: f64 = 1e3 * YOUNG;
+
+/// A scene with its state at the start.
+pub struct Set {
+    pub scene: Scene,
+    pub initial: Option<InitialField>,
+    /// Time of the full run \[s\].
+    pub time: f64,
+}
+
+fn elastic() -> AnyLaw {
+    LinearElastic::new(YOUNG, POISSON).into()
+}
+
+/// An open mesh without bodies.
+fn open(dimension: Dimension, cells: [usize; 3], law: AnyLaw) -> Scene {
+    let mut mesh = Mesh::new(dimension, [0.0; 3], [1.0; 3], cells);
+    mesh.planes[..dimension.axes()].fill([PlaneCondition::Free; 2]);
+    let mut scene = Scene::new(dimension, mesh, 1.0);
+    scene.materials = material("elastic", 1.0, law);
+    scene.results = NO_RESULTS;
+    scene
+}
+
+/// A block of four cells, not on the nodes, around `CENTER`.
+fn lone(law: AnyLaw, velocity: fn(&Vector) -> Vector, time: f64) -> Set {
+    let mut scene = open(Dimension::Two, [14, 14, 1], law);
+    let shape = cuboid([5.1, 5.1, 0.0], [9.1, 9.1, 0.0]);
+    scene.bodies = vec![body("block", 1, shape)];
+    let state = move |x: &Vector| InitialState {
+        velocity: velocity(x),
+        ..AT_REST
+    };
+    Set {
+        scene,
+        initial: Some(Arc::new(state)),
+        time,
+    }
+}
+
+/// Centre of the lone block \[m\].
+const CENTER: f64 = 7.1;
+
+fn breathing(x: &Vector) -> Vector {
+    [0.12 * (x[0] - CENTER), 0.12 * (x[1] - CENTER), 0.0]
+}
+
+fn spinning(x: &Vector) -> Vector {
+    let spin = 0.1 / 8.0_f64.sqrt();
+    [-spin * (x[1] - CENTER), spin * (x[0] - CENTER), 0.0]
+}
+
+pub fn large_strain() -> Set {
+    lone(NeoHookean::new(YOUNG, POISSON).into(), breathing, 200.0)
+}
+
+pub fn hypoelastic() -> Set {
+    lone(elastic(), breathing, 200.0)
+}
+
+pub fn rotation() -> Set {
+    lone(elastic(), spinning, 200.0)
+}
+
+pub fn rotation_jaumann() -> Set {
+    let law = LinearElastic::with_rate(YOUNG, POISSON, ObjectiveRate::JaumannForward);
+    lone(law.into(), spinning, 200.0)
+}
+
+/// Two blocks, one a little higher, that meet.
+fn pair() -> Scene {
+    let mut scene = open(Dimension::Two, [18, 10, 1], elastic());
+    let left = cuboid([3.1, 3.1, 0.0], [7.1, 6.1, 0.0]);
+    let right = cuboid([8.6, 3.9, 0.0], [12.6, 6.9, 0.0]);
+    scene.bodies = vec![body("left", 1, left), body("right", 2, right)];
+    scene.bodies[0].velocity = [SPEED, 0.0, 0.0];
+    scene.bodies[1].velocity = [-SPEED, 0.0, 0.0];
+    scene
+}
+
+pub fn grid_contact() -> Set {
+    let mut scene = pair();
+    scene.contacts = vec![Contact {
+        name: "contact".to_owned(),
+        id: 1,
+        friction: FRICTION,
+        master: 1,
+        slave: 2,
+        normal: ContactNormal::Collinear,
+    }];
+    Set {
+        scene,
+        initial: None,
+        time: 100.0,
+    }
+}
+
+fn mortar(master: i64, slave: i64, enforcement: Enforcement) -> MortarContact {
+    MortarContact {
+        name: "contact".to_owned(),
+        id: 1,
+        master,
+        slave,
+        friction: FRICTION,
+        critical_gap: GAP,
+        normal_stiffness: NORMAL,
+        tangential_stiffness: NORMAL,
+        enforcement,
+        detection: Detection::Mortar,
+    }
+}
+
+fn boundary(body: i64) -> BodyBoundary {
+    BodyBoundary {
+        body,
+        vertices: Vertices::Spacing(VERTICES),
+        follow: Follow::Spin,
+    }
+}
+
+fn mortar_pair(enforcement: Enforcement) -> Set {
+    let mut scene = pair();
+    scene.mortar.boundaries = vec![boundary(1), boundary(2)];
+    scene.mortar.contacts = vec![mortar(1, 2, enforcement)];
+    Set {
+        scene,
+        initial: None,
+        time: 100.0,
+    }
+}
+
+pub fn mortar_barrier() -> Set {
+    mortar_pair(Enforcement::Barrier)
+}
+
+pub fn mortar_penalty() -> Set {
+    mortar_pair(Enforcement::Penalty)
+}
+
+pub fn mortar_line() -> Set {
+    let mut scene = open(Dimension::Two, [12, 12, 1], elastic());
+    let shape = cuboid([4.1, 2.6, 0.0], [8.1, 6.6, 0.0]);
+    scene.bodies = vec![body("block", 1, shape)];
+    scene.bodies[0].velocity = [0.5 * SPEED, -SPEED, 0.0];
+    // The material is on the left of a line, so it lies below one that runs to the left.
+    let points = [[11.0, 2.0], [1.0, 2.0]];
+    scene.mortar.lines = vec![RigidLine {
+        name: "line".to_owned(),
+        id: 9,
+        chains: vec![Chain {
+            points: points.iter().map(|p| Point::from(*p)).collect(),
+            side: Side::Open,
+        }],
+        motion: None,
+    }];
+    scene.mortar.boundaries = vec![boundary(1)];
+    scene.mortar.contacts = vec![mortar(9, 1, Enforcement::Barrier)];
+    Set {
+        scene,
+        initial: None,
+        time: 100.0,
+    }
+}
+
+fn on_triangles(penalty: Option<f64>) -> Set {
+    let mut scene = open(Dimension::Three, [8, 8, 9], elastic());
+    let shape = cuboid([3.1, 3.1, 2.6], [5.1, 5.1, 4.6]);
+    scene.bodies = vec![body("block", 1, shape)];
+    scene.bodies[0].velocity = [0.5 * SPEED, 0.0, -SPEED];
+    // A plane that rises by a tenth along x, its normals upwards.
+    let z = |x: f64| 1.8 + 0.1 * x;
+    let at = |x: f64, y: f64| [x, y, z(x)];
+    let corners = [
+        [at(0.5, 0.5), at(7.5, 0.5), at(7.5, 7.5)],
+        [at(0.5, 0.5), at(7.5, 7.5), at(0.5, 7.5)],
+    ];
+    // Both triangles are sound, as their tests know.
+    scene.surfaces = Surface::new(&corners.map(|t| t.map(Into::into)))
+        .map(|surface| RigidSurface {
+            name: "plane".to_owned(),
+            surface: Arc::new(surface),
+            friction: FRICTION,
+            distance_threshold: 1.0,
+            penalty_stiffness: penalty,
+            motion: None,
+        })
+        .into_iter()
+        .collect();
+    Set {
+        scene,
+        initial: None,
+        time: 60.0,
+    }
+}
+
+pub fn rigid_surface() -> Set {
+    on_triangles(None)
+}
+
+pub fn rigid_penalty() -> Set {
+    on_triangles(Some(PENALTY))
+}
+
+pub fn moving_base() -> Set {
+    let mut scene = open(Dimension::Two, [2, 12, 1], elastic());
+    scene.mesh.planes[0] = [PlaneCondition::Sliding; 2];
+    scene.mesh.planes[1][0] = PlaneCondition::Sliding;
+    let shape = cuboid([0.0, 0.0, 0.0], [2.0, 8.1, 0.0]);
+    scene.bodies = vec![body("column", 1, shape)];
+    let times: Vec<f64> = (0..=400).map(|i| 0.5 * f64::from(i)).collect();
+    let values = times
+        .iter()
+        .map(|t| [0.0, 0.02 * libm::sin(0.4 * t), 0.0])
+        .collect();
+    scene.base_motion = Some(BaseMotion {
+        axis: 1,
+        side: 0,
+        motion: Motion::Velocity(History { times, values }),
+    });
+    Set {
+        scene,
+        initial: None,
+        time: 200.0,
+    }
+}

@@ -1,0 +1,9 @@
+//! Predicted and measured limits: against a laboratory of its own, against each other, and against what the kernel holds.
+#![allow(missing_docs)]
+
+#[path = "stability/laboratory.rs"]
+mod laboratory;
+#[path = "stability/limits.rs"]
+mod limits;
+#[path = "stability/scene.rs"]
+mod scene;
