@@ -4,7 +4,7 @@ use proctor_kernel::scene::{Dimension, DomainUpdate, StressScheme, TransferKind,
 
 use super::StabilityError;
 use super::block::{Choice, Form, Place, Worst};
-use super::measured::{Measured, RANGE, measure};
+use super::measured::{Measured, RANGE, climb, measure};
 use crate::case::{Gate, Size};
 use crate::settings::Method;
 
@@ -180,12 +180,15 @@ impl Choice {
                 form: Form::LARGE,
                 offset,
             };
-            let guess = predicted.unwrap_or_else(|| self.method.stability_number(1));
+            let scene = self.scene(place);
             sites.push(Site {
                 word,
                 place,
                 predicted,
-                measured: measure(&self.scene(place), guess)?,
+                measured: match predicted {
+                    Some(guess) => measure(&scene, guess)?,
+                    None => climb(&scene)?,
+                },
                 must_hold: Some(reason),
             });
             Ok::<(), StabilityError>(())

@@ -29,6 +29,10 @@ const NARROW: f64 = 1.02;
 /// First tries, as shares of the prediction.
 const FIRST: [f64; 2] = [0.99, 1.009];
 
+/// Where a climb begins, and by how much it rises.
+const FOOT: f64 = 0.1;
+const PACE: f64 = 1.1;
+
 /// A limit that was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
@@ -133,6 +137,27 @@ pub fn bisect<E>(
 /// A scene that is refused.
 pub fn measure(scene: &Scene, guess: f64) -> Result<Measured, StabilityError> {
     bisect(guess, RANGE, |courant| holds(scene, courant))
+}
+
+/// The measured limit of a scene without loads of which nothing is predicted: the first of Courant numbers that rise by a tenth
+/// each that does not hold, closed in on. Where a step is not linear, larger ones may hold again.
+///
+/// # Errors
+/// A scene that is refused.
+pub fn climb(scene: &Scene) -> Result<Measured, StabilityError> {
+    let mut guess = FOOT;
+    let mut runs = 0;
+    while guess < RANGE[1] && holds(scene, guess)? {
+        guess = (guess * PACE).min(RANGE[1]);
+        runs += 1;
+    }
+    // No step that held is tried again from above.
+    let range = [(guess / PACE).max(RANGE[0]), guess];
+    let found = bisect(guess / FIRST[0], range, |courant| holds(scene, courant))?;
+    Ok(Measured {
+        runs: runs + found.runs,
+        ..found
+    })
 }
 
 /// Whether a scene without loads holds at a Courant number: neither an error, nor [`GROWN`] times the energy in the second
