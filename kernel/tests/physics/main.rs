@@ -18,4 +18,5 @@ mod moving_base;
 mod own_law;
 mod rotation;
 mod stages;
+mod start;
 mod tunnelling;
