@@ -5,6 +5,7 @@ mod common;
 
 mod bar;
 mod beside;
+mod books;
 mod contact;
 mod crowd;
 mod damping;
