@@ -14,6 +14,8 @@ mod history;
 mod mortar;
 #[path = "output/summary.rs"]
 mod summary;
+#[path = "output/whole.rs"]
+mod whole;
 
 use std::path::Path;
 

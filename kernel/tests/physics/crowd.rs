@@ -1,8 +1,10 @@
 //! Contact of more than two bodies, and with bodies whose motion is prescribed.
 
-use crate::common::{SCHEMES, body, cuboid, empty, particles, run, simulation};
+use crate::common::{DIMENSIONS, NEVER, SCHEMES, body, cuboid, empty, particles, run, simulation};
 use crate::contact::{H, pair, two};
-use proctor_kernel::scene::{Damping, Dimension, History, PlaneCondition, Scene, Vector};
+use proctor_kernel::scene::{
+    Damping, Dimension, History, PlaneCondition, PointLoad, Scene, StressScheme, Vector,
+};
 
 /// A bridge on two pillars that must not take part of each other's load: three bodies at the nodes between the pillars.
 fn bridge(order: [usize; 3], pairs: [usize; 3]) -> Scene {
@@ -163,5 +165,74 @@ fn a_driven_body_does_the_work_that_it_gives() {
             (-0.02..0.2).contains(&lost),
             "{scheme:?}: {lost} of the energy lost"
         );
+    }
+}
+
+/// Two bodies share the load on a node between them, each by its mass, and the load does its work on both.
+#[test]
+fn a_load_between_two_bodies_acts_once() {
+    for dimension in DIMENSIONS {
+        for scheme in SCHEMES {
+            for swapped in [false, true] {
+                let mut scene = two(dimension, 0.0, [0.0; 2]);
+                scene.scheme = scheme;
+                if swapped {
+                    scene.bodies.swap(0, 1);
+                }
+                let z = if dimension == Dimension::Two {
+                    0.0
+                } else {
+                    0.4
+                };
+                let load = |x: f64, force: Vector| PointLoad {
+                    position: [x, 0.4, z],
+                    force,
+                };
+                let forces = [[2.0, 5.0, 0.0], [1.0, -3.0, 0.0]];
+                scene.point_loads = vec![load(0.9, forces[0]), load(0.7, forces[1])];
+                let mut simulation = simulation(&scene);
+                assert_eq!(simulation.contact_layers(), 2);
+                let (mut work, mut impulse) = (0.0, [0.0; 3]);
+                let mut before = 0.0;
+                for _ in 0..10 {
+                    let dt = simulation.step(NEVER).expect("the step is sound").dt;
+                    let kick = 0.5 * (before + dt);
+                    before = dt;
+                    // Nodes hold the velocities in the middle of the step; where both bodies are, each has its share.
+                    for (x, force) in [0.9, 0.7].into_iter().zip(forces) {
+                        let at = [x, 0.4, z];
+                        let nodes = simulation.node_values();
+                        let here = || {
+                            nodes
+                                .iter()
+                                .filter(|n| crate::common::distance(&n.position, &at) < 1.0e-9)
+                        };
+                        let mass: f64 = here().map(|n| n.mass).sum();
+                        for node in here() {
+                            for axis in 0..3 {
+                                let share = node.mass / mass;
+                                work += force[axis] * share * node.velocity[axis] * dt;
+                                impulse[axis] += force[axis] * share * kick;
+                            }
+                        }
+                    }
+                }
+                let found = simulation.momentum();
+                for axis in 0..3 {
+                    assert!(
+                        (found[axis] - impulse[axis]).abs() < 1.0e-12,
+                        "{dimension:?} {scheme:?} {swapped}: {found:?} {impulse:?}"
+                    );
+                }
+                // USF has mapped the velocities a second time by then.
+                if scheme != StressScheme::Usf {
+                    let external = simulation.energy().external_work;
+                    assert!(
+                        (external - work).abs() < 1.0e-9 * work,
+                        "{dimension:?} {scheme:?} {swapped}: {external} {work}"
+                    );
+                }
+            }
+        }
     }
 }

@@ -1,6 +1,8 @@
-//! A block on a body whose motion is prescribed.
+//! Bodies whose motion is prescribed, and what lies on them.
 
-use crate::common::{DENSITY, IDENTITY, SCHEMES, body, cuboid, elastic, empty, material, options};
+use crate::common::{
+    DENSITY, IDENTITY, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
+};
 use proctor_kernel::scene::{Contact, ContactNormal, Dimension, History};
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use std::sync::Arc;
@@ -73,6 +75,47 @@ fn a_block_on_a_base_that_accelerates() {
                 (a - exact).abs() < 0.02 * BASE,
                 "{scheme:?} mu {friction}: {a} of {exact}"
             );
+        }
+    }
+}
+
+/// Where two driven bodies share a node the later one decides.
+#[test]
+fn the_later_of_two_driven_bodies_moves_the_node_between_them() {
+    for scheme in SCHEMES {
+        for swapped in [false, true] {
+            let mut scene = empty(Dimension::Two, [10, 8, 1], H);
+            scene.scheme = scheme;
+            let driven = |id: i64, from: f64, v: [f64; 3]| {
+                let mut one = body(id, cuboid([from, 0.2, 0.0], [from + 0.2, 0.4, 0.0]));
+                one.motion = Some(History {
+                    times: vec![0.0],
+                    values: vec![v],
+                });
+                one
+            };
+            let mut pair = [
+                driven(1, 0.2, [0.1, 0.0, 0.0]),
+                driven(2, 0.4, [0.0, 0.2, 0.0]),
+            ];
+            if swapped {
+                pair.swap(0, 1);
+            }
+            let [first, last] = pair;
+            let velocity = last.motion.as_ref().expect("driven").values[0];
+            // Its particles give the nodes between them mass.
+            let free = body(3, cuboid([0.2, 0.4, 0.0], [0.6, 0.5, 0.0]));
+            scene.bodies = vec![first, last, free];
+            for body in &mut scene.bodies {
+                body.particles_per_cell = [2, 2, 1];
+            }
+            let mut simulation = simulation(&scene);
+            simulation.step(NEVER).expect("the step is sound");
+            let nodes = simulation.node_values();
+            let between = |x: &[f64; 3]| (x[0] - 0.4).abs() < 1.0e-9 && (x[1] - 0.4).abs() < 1.0e-9;
+            let node = nodes.iter().find(|node| between(&node.position));
+            let node = node.expect("a node with mass");
+            assert_eq!(node.velocity, velocity, "{scheme:?} {swapped}");
         }
     }
 }

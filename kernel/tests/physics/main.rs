@@ -5,6 +5,7 @@ mod common;
 
 mod bar;
 mod beside;
+mod books;
 mod contact;
 mod crowd;
 mod damping;
@@ -18,5 +19,6 @@ mod moving_base;
 mod own_law;
 mod rotation;
 mod stages;
+mod start;
 mod trust;
 mod tunnelling;

@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 const GAP: f64 = 0.04;
 
-fn contact(master: i64, slave: i64, friction: f64) -> MortarContact {
+pub fn contact(master: i64, slave: i64, friction: f64) -> MortarContact {
     MortarContact {
         name: "contact".into(),
         id: 1,
@@ -50,7 +50,7 @@ fn boundary(body: i64, follow: Follow) -> BodyBoundary {
     }
 }
 
-fn line(points: &[[f64; 2]]) -> RigidLine {
+pub fn line(points: &[[f64; 2]]) -> RigidLine {
     RigidLine {
         name: "line".into(),
         id: 9,

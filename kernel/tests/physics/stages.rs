@@ -1,6 +1,6 @@
 //! Changes between the stages of one simulation.
 
-use crate::common::{run_towards, simulation};
+use crate::common::{block, run_towards, simulation};
 use crate::contact::{slope, until};
 use crate::mortar::{collision, run_until};
 use proctor_kernel::scene::{Dimension, History};
@@ -35,6 +35,24 @@ fn stages_settle_and_release() {
     assert!(simulation.set_gravity([0.0, 0.0, 1.0]).is_err());
     assert!(simulation.set_motion(9, None).is_err());
     assert!(simulation.set_local_damping(Some(2.0)).is_err());
+}
+
+/// Gravity did its work until it was changed; the change does none.
+#[test]
+fn a_change_of_gravity_keeps_the_books() {
+    let mut scene = block(Dimension::Two);
+    scene.gravity = [3.0, -10.0, 0.0];
+    let mut simulation = simulation(&scene);
+    run_towards(&mut simulation, 20, 1.0);
+    let before = simulation.energy();
+    assert!(before.external_work > 0.0);
+    simulation.set_gravity([0.0, 5.0, 0.0]).expect("a vector");
+    let after = simulation.energy();
+    let change = (after.external_work - before.external_work).abs();
+    assert!(
+        change < 1.0e-12 * before.external_work,
+        "{before:?} {after:?}"
+    );
 }
 
 fn constant(velocity: [f64; 3]) -> History {

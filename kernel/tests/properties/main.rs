@@ -12,6 +12,7 @@ mod far_origin;
 mod interactions;
 mod mapping;
 mod motion;
+mod oblong;
 mod rehearsal;
 mod saved;
 mod scaling;

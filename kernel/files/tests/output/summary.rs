@@ -46,7 +46,7 @@ fn complete() -> Summary {
     }
 }
 
-const KEYS: [&str; 21] = [
+const KEYS: [&str; 22] = [
     "scene",
     "plan",
     "particles",
@@ -64,6 +64,7 @@ const KEYS: [&str; 21] = [
     "mass",
     "momentum",
     "energy",
+    "not_to_be_trusted",
     "events",
     "state_hash",
     "status",
