@@ -121,7 +121,8 @@ impl Simulation {
 
     /// Whether energy and momentum are looked at after a step.
     fn looks_after(step: u64) -> bool {
-        step.is_multiple_of(EVERY) || (step >= FIRST && step < EVERY && step.is_power_of_two())
+        let early = (FIRST..EVERY).contains(&step) && step.is_power_of_two();
+        early || step.is_multiple_of(EVERY)
     }
 
     /// Momentum of particles and nodes, for a step at which is looked; velocities of the nodes are final.
