@@ -4,7 +4,9 @@
 //! loaded end, a front runs in with c, brings the velocity p/(rho c) and the stress -p, doubles the stress at the held
 //! end, and comes back:
 //!
-//!     u = -p/(rho c) sum_n (-1)^n ((t - (2 n L + y)/c)_+ - (t - (2 (n + 1) L - y)/c)_+)
+//! ```text
+//! u = -p/(rho c) sum_n (-1)^n ((t - (2 n L + y)/c)_+ - (t - (2 (n + 1) L - y)/c)_+)
+//! ```
 //!
 //! Linear theory: strains p/E must be small.
 

@@ -6,8 +6,10 @@
 //! neo-Hookean law `P = lambda ln J F^-T + mu (F - F^-T)` the balance `rho0 a = div P + rho0 b` gives, in the basis
 //! that has turned with the point,
 //!
-//!     b_r = (mu/rho0) R alpha'^2 - R (d alpha/dt)^2
-//!     b_t = R d2 alpha/dt2 - (mu/rho0) (3 alpha' + R alpha'')
+//! ```text
+//! b_r = (mu/rho0) R alpha'^2 - R (d alpha/dt)^2
+//! b_t = R d2 alpha/dt2 - (mu/rho0) (3 alpha' + R alpha'')
+//! ```
 //!
 //! No stress acts on the circles of the two radii, so that a ring, a disc and a body that fills more than the disc all
 //! move like this. de Vaucorbeil et al. 2020 use it; one published program for it has the sign of `R (d alpha/dt)^2` wrong
