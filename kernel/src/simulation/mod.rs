@@ -44,7 +44,7 @@ pub use rehearsal::{Part, Rehearsal};
 pub use start::{StartError, plan};
 pub use state::{Books, RestoreError, Saved, State};
 pub use step::Way;
-pub use trust::{Doubt, Reason, Trust};
+pub use trust::{Doubt, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, Reason, Trust};
 
 pub(crate) use decided::{BodyRun, Decided};
 use work::Work;

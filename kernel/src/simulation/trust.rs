@@ -1,7 +1,7 @@
 //! A run that knows when it went wrong: balances that hold whatever a scene does, watched on the way.
 //!
 //! The largest strain of a particle within a step is known after each step. Energy and momentum are summed in one step
-//! of [`EVERY`] and in the powers of two before, so that the watch costs next to nothing:
+//! of 128 and in the powers of two before, so that the watch costs next to nothing:
 //!
 //! - what moves and what is strained hold no more energy than the start and the work done have given them; what is
 //!   missing was dissipated, what is too much came from nowhere;
@@ -20,7 +20,7 @@ use crate::scene::{OnImbalance, PlaneCondition, Vector};
 use std::fmt;
 
 /// Steps from one look at energy and momentum to the next.
-pub const EVERY: u64 = 128;
+const EVERY: u64 = 128;
 /// The first look, which round-off of a start from rest does not disturb.
 const FIRST: u64 = 16;
 

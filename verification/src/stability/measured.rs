@@ -160,7 +160,7 @@ pub fn climb(scene: &Scene) -> Result<Measured, StabilityError> {
     })
 }
 
-/// Whether a scene without loads holds at a Courant number: neither an error, nor [`GROWN`] times the energy in the second
+/// Whether a scene without loads holds at a Courant number: neither an error, nor four times the energy in the second
 /// half.
 ///
 /// # Errors
