@@ -13,7 +13,7 @@ use crate::stage::g2p::Affine;
 use crate::weights::Family;
 pub(crate) use entries::Words;
 use entries::is_list;
-pub use stability::{has_safe_step, stability_number};
+pub use stability::{AUTOMATIC_SHARE, has_safe_step, stability_number};
 use std::fmt;
 
 /// What a library user asks for beyond the scene.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use proctor_kernel::plan::{has_safe_step, stability_number};
+use proctor_kernel::plan::{AUTOMATIC_SHARE, has_safe_step, stability_number};
 use proctor_kernel::scene::{Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting};
 
 /// Weighting function, stress scheme and transfer: a line of a chart.
@@ -118,11 +118,11 @@ impl Settings {
         }
     }
 
-    /// `c dt/h` that is asked for, or 0.8 of the bound, as the kernel takes by itself.
+    /// `c dt/h` that is asked for, or the share of the bound that the kernel takes by itself.
     #[must_use]
     pub fn courant_or_automatic(&self) -> f64 {
         self.courant
-            .unwrap_or(0.8 * self.method.stability_number(self.particles_per_cell))
+            .unwrap_or(AUTOMATIC_SHARE * self.method.stability_number(self.particles_per_cell))
     }
 
     /// Steps of the Courant number times `h/(c + |v|)` as they are now; the kernel's own where there is none.

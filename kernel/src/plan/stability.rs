@@ -2,6 +2,9 @@
 
 use crate::scene::{StressScheme, TransferKind, Weighting};
 
+/// Share of the critical step that an automatic step takes.
+pub const AUTOMATIC_SHARE: f64 = 0.8;
+
 /// Largest stable C = (c + |v|) dt / min(h) of a scheme, weighting function and transfer.
 ///
 /// Measured: blocks of 3^d cells with 1, 2 and 4 particles per cell and axis, twelve offsets on the grid, velocity

@@ -130,4 +130,12 @@ impl Scene {
             threads: None,
         }
     }
+
+    /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
+    #[must_use]
+    pub fn plane_acts(&self, axis: usize, side: usize) -> bool {
+        let base = self.base_motion.as_ref();
+        self.mesh.planes[axis][side] != PlaneCondition::Free
+            || base.is_some_and(|base| (base.axis, base.side) == (axis, side))
+    }
 }

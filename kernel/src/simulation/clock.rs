@@ -5,11 +5,9 @@ use super::error::{StepError, StepErrorKind, Unstable};
 use super::interactions::Interaction;
 use super::phase::Phase;
 use super::step::Watcher;
-use crate::plan::stability_number;
+use crate::plan::{AUTOMATIC_SHARE, stability_number};
 use crate::scene::TimeStep;
 
-/// Share of the critical step that an automatic step takes.
-const AUTOMATIC_SHARE: f64 = 0.8;
 /// Share of the step in which a gap of mortar contact closes as far as it may: surfaces speed up within a step, most of
 /// all where light nodes carry them.
 const CLOSING_SHARE: f64 = 0.5;

@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::interactions::grid::State;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
-use crate::scene::{PlaneCondition, Vector};
+use crate::scene::Vector;
 use std::collections::HashMap;
 
 /// One velocity field at a node.
@@ -118,13 +118,7 @@ impl Simulation {
         (0..shape.axes).any(|axis| {
             let index = at[shape.direction(axis)];
             let upper = GHOSTS_BELOW + shape.cells[axis];
-            let moving = |side| {
-                let base = self.decided.scene.base_motion.as_ref();
-                base.is_some_and(|b| b.axis == axis && b.side == side)
-            };
-            let wall = |side: usize| {
-                self.decided.scene.mesh.planes[axis][side] != PlaneCondition::Free || moving(side)
-            };
+            let wall = |side| self.decided.scene.plane_acts(axis, side);
             (index < GHOSTS_BELOW && wall(0)) || (index > upper && wall(1))
         })
     }

@@ -16,7 +16,7 @@ use super::clock::StepInfo;
 use super::error::{StepError, StepErrorKind};
 use super::step::Way;
 use crate::layout::Layout;
-use crate::scene::{OnImbalance, PlaneCondition, Vector};
+use crate::scene::{OnImbalance, Vector};
 use std::fmt;
 
 /// Steps from one look at energy and momentum to the next.
@@ -264,14 +264,11 @@ impl Simulation {
 
     /// Whether a particle is so near a boundary plane with a condition that its mirror image takes part in the mapping.
     fn near_a_plane(&self) -> bool {
-        let mesh = &self.decided.scene.mesh;
-        let base = self.decided.scene.base_motion.as_ref();
+        let scene = &self.decided.scene;
+        let mesh = &scene.mesh;
         let axes = self.decided.plan.axes;
         (0..axes).any(|axis| {
-            let acts: [bool; 2] = std::array::from_fn(|side| {
-                mesh.planes[axis][side] != PlaneCondition::Free
-                    || base.is_some_and(|base| (base.axis, base.side) == (axis, side))
-            });
+            let acts = [0, 1].map(|side| scene.plane_acts(axis, side));
             if acts == [false; 2] {
                 return false;
             }

@@ -2,9 +2,10 @@
 //! by its own angle.
 //!
 //! `x = Q(alpha) X`, `alpha = A sin(W t) h(R)`, `h = (1 - 16 (R - 1)^2)^n` between the radii 0.75 and 1.25 m and zero
-//! beyond, where the body is at rest. Published is n = 2, whose body force jumps at both radii; with n = 3 it does not. The motion keeps the volume (J = 1) and shears by `kappa = R d alpha/dR`. For the
-//! neo-Hookean law `P = lambda ln J F^-T + mu (F - F^-T)` the balance `rho0 a = div P + rho0 b` gives, in the basis
-//! that has turned with the point,
+//! beyond, where the body is at rest. Published is n = 2, whose body force jumps at both radii; with n = 3 it does not.
+//! The motion keeps the volume (J = 1) and shears by `kappa = R d alpha/dR`. For the neo-Hookean law
+//! `P = lambda ln J F^-T + mu (F - F^-T)` the balance `rho0 a = div P + rho0 b` gives, in the basis that has turned with
+//! the point,
 //!
 //! ```text
 //! b_r = (mu/rho0) R alpha'^2 - R (d alpha/dt)^2

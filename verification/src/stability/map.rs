@@ -1,5 +1,6 @@
 //! The map: every method and resolution with its predicted and measured limit.
 
+use proctor_kernel::plan::AUTOMATIC_SHARE;
 use proctor_kernel::scene::{Dimension, DomainUpdate, StressScheme, TransferKind, Weighting};
 
 use super::StabilityError;
@@ -7,9 +8,6 @@ use super::block::{Choice, Form, Place, Worst};
 use super::measured::{Measured, RANGE, climb, measure};
 use crate::case::{Gate, Size};
 use crate::settings::Method;
-
-/// Share of the bound that an automatic step takes.
-pub const AUTOMATIC_SHARE: f64 = 0.8;
 
 /// Weighting functions, in the order in which they are shown.
 pub const WEIGHTINGS: [Weighting; 4] = [

@@ -5,8 +5,9 @@ use std::fmt::{self, Write as _};
 use proctor_kernel::scene::{StressScheme, TransferKind, Weighting};
 
 use super::block::Choice;
-use super::map::{AUTOMATIC_SHARE, Entry, PARTICLES, SCHEMES, TRANSFERS, WEIGHTINGS};
+use super::map::{Entry, PARTICLES, SCHEMES, TRANSFERS, WEIGHTINGS};
 use crate::settings::Method;
+use proctor_kernel::plan::AUTOMATIC_SHARE;
 
 /// A table entry may be this much smaller than what is found, relative.
 pub const TOO_CAREFUL: f64 = 0.15;
@@ -37,7 +38,7 @@ pub enum Worth {
     /// As it should be.
     Right,
     /// A body can be unstable with it.
-    Unsafe,
+    Unstable,
     /// More than [`TOO_CAREFUL`] below what is safe.
     TooCareful,
 }
@@ -81,7 +82,7 @@ impl Number {
     #[must_use]
     pub fn worth(&self) -> Worth {
         if self.held > largest(self.thick, self.any) {
-            Worth::Unsafe
+            Worth::Unstable
         } else if self.held < (1.0 - TOO_CAREFUL) * self.number {
             Worth::TooCareful
         } else {
@@ -96,7 +97,7 @@ impl Worth {
     pub fn words(self) -> &'static str {
         match self {
             Self::Right => "right",
-            Self::Unsafe => "unsafe",
+            Self::Unstable => "unstable",
             Self::TooCareful => "too careful",
         }
     }

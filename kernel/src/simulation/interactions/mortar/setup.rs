@@ -10,7 +10,7 @@ use crate::mortar::elements::Elements;
 use crate::mortar::outline::{outline, vertices};
 use crate::mortar::space::facets::Facets;
 use crate::mortar::space::skin::{skin, triangles};
-use crate::scene::{Body, BodyBoundary, Dimension, PlaneCondition, Scene, Vector, Vertices};
+use crate::scene::{Body, BodyBoundary, Dimension, Scene, Vector, Vertices};
 use crate::simulation::BodyRun;
 use crate::simulation::error::SetupError;
 use crate::simulation::interactions::Made;
@@ -124,16 +124,12 @@ fn refused(path: &str, reason: &impl Display) -> SetupError {
 /// Planes of a mesh that begins at `origin` and holds what lies in them: axis and coordinate \[m\].
 fn walls(scene: &Scene, origin: &Vector) -> Vec<(usize, f64)> {
     let mesh = &scene.mesh;
-    let base = |axis, side| {
-        let base = scene.base_motion.as_ref();
-        base.is_some_and(|base| (base.axis, base.side) == (axis, side))
-    };
     let mut walls = vec![];
     for axis in 0..scene.dimension.axes() {
         let low = origin[axis];
         let ends = [low, low + mesh.cells[axis] as f64 * mesh.cell[axis]];
         for side in 0..2 {
-            if mesh.planes[axis][side] != PlaneCondition::Free || base(axis, side) {
+            if scene.plane_acts(axis, side) {
                 walls.push((axis, ends[side]));
             }
         }
