@@ -7,3 +7,5 @@ mod laboratory;
 mod limits;
 #[path = "stability/scene.rs"]
 mod scene;
+#[path = "stability/table.rs"]
+mod table;

@@ -121,7 +121,7 @@ impl Plan {
             if has_safe_step(scene.weighting, scene.scheme, scene.transfer.kind) {
                 "dt <= C min(h)/(c + |v|), C of the stress scheme, the weighting function and the transfer"
             } else {
-                "dt <= 0.7 min(h)/(c + |v|), which holds only while no node is nearly empty: linear functions \
+                "dt <= 0.66 min(h)/(c + |v|), which holds only while no node is nearly empty: linear functions \
                  have no safe step with USL or an affine transfer"
             },
         );

@@ -175,14 +175,14 @@ fn a_step_above_the_critical_one_is_refused() {
         ),
         (
             TimeStep::Multiplier {
-                multiplier: 0.43,
+                multiplier: 0.42,
                 allow_unstable: false,
             },
             true,
         ),
         (
             TimeStep::Multiplier {
-                multiplier: 0.45,
+                multiplier: 0.43,
                 allow_unstable: false,
             },
             false,
