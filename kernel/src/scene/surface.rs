@@ -17,7 +17,7 @@ pub struct RigidSurface {
     /// way that a particle may approach the surface in one step \[m\].
     pub distance_threshold: f64,
     /// Stiffness of a force that pushes a particle out again, per particle and per metre of its penetration
-    /// \[N/m\].
+    /// \[N/m\]. In one step it pushes no further than out, however stiff it is.
     pub penalty_stiffness: Option<f64>,
     /// Prescribed velocity \[m/s\], a translation; `None` where the surface stands.
     pub motion: Option<History>,

@@ -3,7 +3,7 @@
 use crate::slide::start;
 use crate::slope::{GRAVITY, H, Slope, dot};
 use proctor_kernel::plan::{Demands, Plan};
-use proctor_kernel::scene::{History, StressScheme, Transfer, TransferKind};
+use proctor_kernel::scene::{History, Scene, StressScheme, Transfer, TransferKind};
 use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, StepErrorKind};
 
 const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
@@ -277,9 +277,8 @@ fn a_surface_that_moves() {
     assert!(energy.external_work > energy.kinetic);
 }
 
-/// The penalty force alone is k times the penetration; a body that was pressed in is pushed out.
-#[test]
-fn a_penalty_force_pushes_out() {
+/// A body at rest that was pressed into a slope without friction, and how deep \[m\].
+fn pressed_in(stiffness: f64) -> (Slope, Scene, f64) {
     let slope = Slope {
         gravity: 0.0,
         speed: 0.0,
@@ -287,7 +286,6 @@ fn a_penalty_force_pushes_out() {
         ..Slope::new(StressScheme::Usl, 0.0)
     };
     let mut scene = slope.scene();
-    let stiffness = 1e4;
     // 0.9 % of a cell, which is let pass as the round-off of a careless input.
     let depth = 0.009 * H;
     scene.surfaces[0].penalty_stiffness = Some(stiffness);
@@ -301,6 +299,14 @@ fn a_penalty_force_pushes_out() {
             });
         *seeds = std::sync::Arc::new(moved.collect());
     }
+    (slope, scene, depth)
+}
+
+/// The penalty force alone is k times the penetration; a body that was pressed in is pushed out.
+#[test]
+fn a_penalty_force_pushes_out() {
+    let stiffness = 1e4;
+    let (slope, scene, depth) = pressed_in(stiffness);
     let mut simulation = start(&scene, 1);
     simulation.step(slope.end).expect("a step");
     let force = dot(&simulation.contact_force(0), &slope.normal());
@@ -310,6 +316,17 @@ fn a_penalty_force_pushes_out() {
         simulation.step(slope.end).expect("a step");
     }
     assert!(dot(&simulation.center(0).2, &slope.normal()) > 0.0);
+}
+
+/// However stiff, it pushes a body out within one step at most: it does not shoot it off.
+#[test]
+fn a_stiff_penalty_force_shoots_nothing_off() {
+    let (slope, scene, depth) = pressed_in(1e12);
+    let mut simulation = start(&scene, 1);
+    let info = simulation.step(slope.end).expect("a step");
+    let speed = dot(&simulation.center(0).2, &slope.normal());
+    assert!(speed > 0.0);
+    assert!(speed <= depth / info.dt * (1.0 + 1e-9), "{speed}, {} deep", depth);
 }
 
 /// A body that starts inside a surface is named with depth and place.

@@ -395,7 +395,8 @@ impl Simulation {
                 (place, w)
             })
             .collect();
-        let floor = rigid.penalty_stiffness.unwrap_or(0.0) * (-gap).max(0.0) * acting.kick;
+        let (m_p, _) = self.mass_and_volume(set, p);
+        let floor = penalty_impulse(rigid.penalty_stiffness.unwrap_or(0.0), m_p, -gap, acting);
         Ok(Some(Touch {
             weights,
             normal,
@@ -408,6 +409,13 @@ impl Simulation {
             tangential_impulse: [0.0; 3],
         }))
     }
+}
+
+/// Impulse of the penalty force on a particle of mass `m_p` \[kg\] that reaches through by `depth` \[m\] \[N s\]: k depth dt,
+/// but no more than what brings it out within the step, so that no stiffness makes a step unstable. Particles that share a
+/// node push it with the sum of both over the same weights.
+fn penalty_impulse(stiffness: f64, m_p: f64, depth: f64, acting: &Acting) -> f64 {
+    (stiffness * acting.kick).min(m_p / acting.drift) * depth.max(0.0)
 }
 
 /// The node inside the mesh whose velocity a node has, and the sign of each component; the node itself where it is no
