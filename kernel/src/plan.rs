@@ -8,7 +8,9 @@ mod warnings;
 
 use crate::layout::{Layout, Optional};
 use crate::mortar::motion::Follow;
-use crate::scene::{Damping, Dimension, DomainUpdate, Field, Scene, StressScheme, Weighting};
+use crate::scene::{
+    Damping, Dimension, DomainUpdate, Field, Scene, StressScheme, VolumetricStrain, Weighting,
+};
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
 pub(crate) use entries::Words;
@@ -43,6 +45,8 @@ pub struct Plan {
     pub scheme: StressScheme,
     /// Affine velocity.
     pub affine: Affine,
+    /// Whether volumetric strain is a mean over cells.
+    pub cell_average: bool,
     /// Whether the mapping carries the spin of the particles, for boundaries that follow it.
     pub spin: bool,
     /// Whether the mapping carries affine velocity, spin or forces of the particles.
@@ -131,6 +135,7 @@ impl Plan {
             domain_update,
             scheme: scene.scheme,
             affine,
+            cell_average: scene.volumetric_strain == VolumetricStrain::CellAverage,
             spin,
             full_mapping: affine != Affine::Leave || spin || own_force || viscous_damping.is_some(),
             kinetic_damping,

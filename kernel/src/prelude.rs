@@ -5,7 +5,7 @@ pub use crate::laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, Objecti
 pub use crate::layout::Variable;
 pub use crate::scene::{
     Body, Contact, ContactNormal, Damping, Dimension, History, Mesh, PlaneCondition, Scene, Shape,
-    StressScheme, TimeStep, Transfer, TransferKind, Vector, Weighting,
+    StressScheme, TimeStep, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };
 pub use crate::simulation::{
     Acting, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, Node, Now, OnSlab,

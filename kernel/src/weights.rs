@@ -111,6 +111,24 @@ fn closed<L: Lanes, const N: usize>(w_0: L, w_2: L, g_0: L, g_2: L) -> ([L; N], 
     (w, g)
 }
 
+/// Weights of the mean of a linear field over the cells in which a particle domain lies, from the derivatives d/dxi of its
+/// weights along the axis: half of the part of the domain in the cell below a node, and half of that in the cell above.
+///
+/// The derivative of a linear hat is 1 in the cell below its node and -1 in the one above, so that minus the sum of the
+/// derivatives up to a node is the part of the domain in the cell above that node. That holds for all families.
+#[inline(always)]
+pub fn cell_mean_weights<L: Lanes, const N: usize>(g: &[L; N]) -> [L; N] {
+    let half = L::splat(0.5);
+    let mut weights = *g;
+    let mut below = L::splat(0.0);
+    for n in 0..N {
+        let above = below - g[n];
+        weights[n] = half * (below + above);
+        below = above;
+    }
+    weights
+}
+
 /// Weights of one particle along one axis in plain numbers: base node and `N` weights and derivatives d/dxi.
 ///
 /// For set-up and tests; the stages use [`axis_weights`] in lanes.

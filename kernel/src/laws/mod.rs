@@ -11,6 +11,7 @@ pub mod tensor;
 pub use any::{AnyLaw, Kind, Readable};
 pub use constants::{Accepted, Choice, Constant, Isotropic};
 pub use linear_elastic::ObjectiveRate;
+pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 
 use crate::lanes::Lanes;

@@ -21,7 +21,7 @@ pub(super) const MOST_VARIABLES: usize = 16;
 pub struct Gradients(pub [[f64; BLOCK + MOST_LANES]; 9]);
 
 /// The widest group.
-const MOST_LANES: usize = 8;
+pub(crate) const MOST_LANES: usize = 8;
 
 impl Gradients {
     /// All zero.

@@ -50,6 +50,13 @@ impl Plan {
             "the PIC fraction is not zero",
             "the PIC fraction is zero",
         );
+        list.choose(
+            "stage",
+            "volumetric strain as a mean over cells",
+            self.cell_average,
+            "the scene asks for it: nearly incompressible material does not lock",
+            "the volumetric strain is that at the particle",
+        );
         for feature in features {
             feature(scene, &mut list);
         }

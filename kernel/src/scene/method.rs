@@ -77,6 +77,17 @@ pub enum TransferKind {
     Tpic,
 }
 
+/// Where the volumetric part of strain and stress meets the nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VolumetricStrain {
+    /// At the particle, as all other parts.
+    Particle,
+    /// As the mean over the cells in which the particle domain lies: selective reduced integration, the B-bar of Hughes (1980)
+    /// with the mean dilatation of Nagtegaal, Parks and Rice (1974). A cell then has one volumetric strain, whatever
+    /// the number of its particles, and nearly incompressible material does not lock.
+    CellAverage,
+}
+
 /// Numerical damping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Damping {

@@ -26,7 +26,8 @@ pub use proctor_geometry::mesh::{Mesh, PlaneCondition};
 pub use proctor_geometry::shape::{Dimension, ParticleSeed, Shape, Vector};
 
 pub use method::{
-    Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
+    Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, VolumetricStrain,
+    Weighting,
 };
 pub use mortar::{
     BodyBoundary, Enforcement, Mortar, MortarContact, RigidFacets, RigidLine, Vertices,
@@ -55,6 +56,8 @@ pub struct Scene {
     pub scheme: StressScheme,
     /// How velocity is carried between particles and nodes.
     pub transfer: Transfer,
+    /// Where the volumetric part of strain and stress meets the nodes.
+    pub volumetric_strain: VolumetricStrain,
     /// Materials; bodies refer to them by index.
     pub materials: Vec<Material>,
     /// Bodies, in the order of the file.
@@ -111,6 +114,7 @@ impl Scene {
             weighting: Weighting::UniformGimp,
             scheme: StressScheme::Usl,
             transfer: Transfer::new(TransferKind::Flip),
+            volumetric_strain: VolumetricStrain::Particle,
             materials: Vec::new(),
             bodies: Vec::new(),
             surfaces: Vec::new(),

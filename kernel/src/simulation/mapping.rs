@@ -26,6 +26,7 @@ pub(super) fn bodies_onto<'a>(
         Carry::All if plan.spin => Carry::AllAndSpin,
         carry => carry,
     };
+    let carries_force = matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force);
     let instance = |carry| Carrier {
         carry,
         call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
@@ -40,6 +41,8 @@ pub(super) fn bodies_onto<'a>(
         free: instance(carry),
         driven: instance(Carry::Momentum),
         gradient: instance(Carry::MassGradient),
+        mean_stress: (plan.cell_average && carries_force)
+            .then(|| [false, true].map(|averaged| instance(Carry::MeanStress { averaged }))),
     }
 }
 
@@ -69,6 +72,8 @@ pub(super) struct BodiesOnto<'a> {
     driven: Carrier,
     /// Of particles near a partner of contact.
     gradient: Carrier,
+    /// What changes the force of the mean stress of bodies that move freely, where its strain is a mean over cells.
+    mean_stress: Option<[Carrier; 2]>,
 }
 
 impl BodiesOnto<'_> {
@@ -123,11 +128,14 @@ impl BodiesOnto<'_> {
                 )
             })
             .filter(|(particles, _)| !particles.is_empty());
-        let carrier = match self.bodies[index].motion {
-            Some(_) => self.driven,
-            None => self.free,
-        };
-        self.map_runs(index, layers.collect(), planes, carrier)
+        let layers: Vec<_> = layers.collect();
+        if self.bodies[index].motion.is_some() {
+            return self.map_runs(index, layers, planes, self.driven);
+        }
+        for carrier in self.mean_stress.iter().flatten() {
+            self.map_runs(index, layers.clone(), planes, *carrier);
+        }
+        self.map_runs(index, layers, planes, self.free)
     }
 
     /// Maps the mass gradient of the particles of one body that are near its partners of contact.

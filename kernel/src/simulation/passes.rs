@@ -199,6 +199,7 @@ impl Simulation {
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
         let lanes = self.decided.lanes;
+        let cell_average = self.decided.plan.cell_average && task.strain.is_some();
         let mut travel = 0.0_f64;
         let mut faults = vec![];
         for (index, (set, body)) in self
@@ -235,6 +236,7 @@ impl Simulation {
                         domain_update: body.domain_update,
                         nodes,
                         beyond,
+                        cell_average,
                         task,
                     },
                 )

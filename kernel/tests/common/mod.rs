@@ -8,7 +8,7 @@ use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::scene::{
     Body, Damping, Dimension, DomainUpdate, Material, Mesh, Mortar, OnImbalance, Outside,
     PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector,
-    Weighting,
+    VolumetricStrain, Weighting,
 };
 use proctor_kernel::simulation::{InitialField, InitialState, Options, Simulation};
 use std::sync::Arc;
@@ -106,6 +106,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         weighting: Weighting::UniformGimp,
         scheme: StressScheme::Usl,
         transfer: FLIP,
+        volumetric_strain: VolumetricStrain::Particle,
         materials: vec![material(ELASTIC)],
         bodies: vec![],
         surfaces: vec![],

@@ -159,6 +159,9 @@ fn check_all_sums(axes: usize) {
             check_sums(axes, stencil, true, carry);
         }
         check_sums(axes, stencil, false, Carry::MassGradient);
+        for averaged in [false, true] {
+            check_sums(axes, stencil, false, Carry::MeanStress { averaged });
+        }
     }
 }
 
@@ -181,6 +184,7 @@ fn particles_after(
     stencil: usize,
     law: &AnyLaw,
     task: Task,
+    cell_average: bool,
 ) -> (Vec<Vec<u64>>, g2p::Found) {
     let finite = law.needs_deformation();
     let wanted = Optional {
@@ -210,6 +214,7 @@ fn particles_after(
             domain_update: wanted.half_length.then_some(DomainUpdate::LeftStretch),
             nodes: nodes.lines(),
             beyond: [(CELLS as f64).next_up(); 3],
+            cell_average,
             task,
         };
         g2p::instance(axes, stencil, &task)(lanes, call)
@@ -238,7 +243,13 @@ fn check_particles(
         gradient_of_upper,
         affine,
     };
-    let after = |lanes| particles_after(lanes, axes, stencil, &law, task);
+    for cell_average in [false, true] {
+        check_pass(axes, stencil, &law, task, cell_average);
+    }
+}
+
+fn check_pass(axes: usize, stencil: usize, law: &AnyLaw, task: Task, cell_average: bool) {
+    let after = |lanes| particles_after(lanes, axes, stencil, law, task, cell_average);
     let (expected, all) = after(Selected::plain());
     // Some particles lie close to the boundary and leave.
     assert!(matches!(all.fault, None | Some((_, FaultKind::Outside))));

@@ -9,6 +9,7 @@ mod books;
 mod contact;
 mod crowd;
 mod damping;
+mod dilation;
 mod dimension;
 mod driven;
 mod faults;

@@ -326,7 +326,11 @@ fn a_stiff_penalty_force_shoots_nothing_off() {
     let info = simulation.step(slope.end).expect("a step");
     let speed = dot(&simulation.center(0).2, &slope.normal());
     assert!(speed > 0.0);
-    assert!(speed <= depth / info.dt * (1.0 + 1e-9), "{speed}, {} deep", depth);
+    assert!(
+        speed <= depth / info.dt * (1.0 + 1e-9),
+        "{speed}, {} deep",
+        depth
+    );
 }
 
 /// A body that starts inside a surface is named with depth and place.

@@ -47,6 +47,10 @@ pub(super) struct RawScene {
     pub transfer: Option<String>,
     /// Share of the nodal velocity in the particle velocity, 0 to 1. Default: 0 with FLIP, 1 with APIC and TPIC.
     pub pic_fraction: Option<f64>,
+    /// Where the volumetric strain is taken. Default: particle. With `cell_average` nearly incompressible material does not
+    /// lock.
+    #[schemars(extend("enum" = ["particle", "cell_average"]))]
+    pub volumetric_strain: Option<String>,
     /// Particles per cell and axis, one number or one per axis; a body may say otherwise. Default: 2 per axis, as
     /// in the manuals' program.
     pub particles_per_cell: Option<Counts>,

@@ -3,8 +3,8 @@
 use super::build::Build;
 use super::keys::{RawDamping, RawScene};
 use super::words::{
-    DAMPINGS, DampingKind, FIELDS, NODAL_FIELDS, ON_IMBALANCE, OUTSIDES, SCHEMES, domain_updates,
-    shape_functions, transfers,
+    DAMPINGS, DampingKind, FIELDS, NODAL_FIELDS, ON_IMBALANCE, OUTSIDES, SCHEMES,
+    VOLUMETRIC_STRAINS, domain_updates, shape_functions, transfers,
 };
 use proctor_kernel::scene::{Damping, Probe, Scene, TimeStep, Transfer, Weighting};
 
@@ -30,6 +30,12 @@ impl Build<'_> {
         if let Some(fraction) = raw.pic_fraction {
             scene.transfer.pic_fraction = fraction;
         }
+        scene.volumetric_strain = self.word_or(
+            "volumetric_strain",
+            raw.volumetric_strain.as_ref(),
+            VOLUMETRIC_STRAINS,
+            scene.volumetric_strain,
+        );
         scene.damping = raw
             .damping
             .as_ref()

@@ -4,7 +4,7 @@ use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     ContactNormal, Dimension, Enforcement, Field, NodalField, OnImbalance, Outside, PlaneCondition,
-    StressScheme, TransferKind, Weighting,
+    StressScheme, TransferKind, VolumetricStrain, Weighting,
 };
 use proctor_kernel::{transfers, weighting};
 
@@ -45,6 +45,11 @@ pub(super) fn transfers() -> Vec<(&'static str, TransferKind)> {
         .map(|kind| (kind.word, kind.transfer))
         .collect()
 }
+
+pub(super) const VOLUMETRIC_STRAINS: Words<VolumetricStrain> = &[
+    ("particle", VolumetricStrain::Particle),
+    ("cell_average", VolumetricStrain::CellAverage),
+];
 
 pub(super) const PLANE_CONDITIONS: Words<PlaneCondition> = &[
     ("free", PlaneCondition::Free),

@@ -30,6 +30,12 @@ pub enum Carry {
     Remap,
     /// Mass gradient sum m grad S to the upper lanes, for the normals of contact.
     MassGradient,
+    /// Force of the mean stress along the axes of the scene to the upper lanes, which hold other forces: with cell means of the
+    /// strain operator if `averaged`, else minus that of the usual operator, of which it takes the place.
+    MeanStress {
+        /// Which of both.
+        averaged: bool,
+    },
     /// As [`Carry::All`], and m times spin to the last lane, for the vertices of boundaries (2D; Liang et al. 2024,
     /// eq. 28).
     AllAndSpin,
@@ -63,6 +69,8 @@ const NOTHING: u8 = 0;
 const MASS_GRADIENT: u8 = 1;
 /// It carries the spin too.
 const SPIN: u8 = 2;
+/// It carries the force of the mean stress instead of them.
+const MEAN_STRESS: u8 = 3;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
@@ -83,6 +91,14 @@ pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn 
                 (2, _) => entry::<2, 4, false, true, MASS_GRADIENT>,
                 (_, 3) => entry::<3, 3, false, true, MASS_GRADIENT>,
                 (_, _) => entry::<3, 4, false, true, MASS_GRADIENT>,
+            };
+        }
+        Carry::MeanStress { .. } => {
+            return match (axes, stencil) {
+                (2, 3) => entry::<2, 3, false, true, MEAN_STRESS>,
+                (2, _) => entry::<2, 4, false, true, MEAN_STRESS>,
+                (_, 3) => entry::<3, 3, false, true, MEAN_STRESS>,
+                (_, _) => entry::<3, 4, false, true, MEAN_STRESS>,
             };
         }
         Carry::AllAndSpin if stencil == 3 => return entry::<2, 3, true, true, SPIN>,
@@ -155,6 +171,10 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
                 let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
                 if own.start < own.end {
                     scratch.fill_weights::<B::Line, D, FULL>(&from, &group, at);
+                    if EXTRA == MEAN_STRESS && call.carry == (Carry::MeanStress { averaged: true })
+                    {
+                        scratch.take_cell_means::<B::Line, D>();
+                    }
                     scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(&from, at, group.count);
                     let (row_length, along) = (mapping.nodes[2], layer_of(group.base[D - 1]));
                     if D == 2 {

@@ -1,9 +1,10 @@
 //! Weights and quantities of one group of particles, as the sums over nodes want them.
 
-use super::{Carry, MASS_GRADIENT, SPIN, voigt};
+use super::{Carry, MASS_GRADIENT, MEAN_STRESS, SPIN, voigt};
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
 use crate::stage::{Group, Mapping, weights_of};
+use crate::weights::cell_mean_weights;
 
 /// Where the quantities come from, and which are wanted.
 pub(super) struct Source<'a> {
@@ -91,6 +92,21 @@ impl<const N: usize> Scratch<N> {
                         q.store(&mut self.g[axis][n]);
                     }
                 }
+            }
+        }
+    }
+
+    /// Puts cell means in the place of the weights, which go with derivatives along other axes alone.
+    #[inline(always)]
+    pub(super) fn take_cell_means<L: Lanes, const D: usize>(&mut self) {
+        for axis in 0..D {
+            let mut g = [L::splat(0.0); N];
+            for n in 0..N {
+                g[n] = L::load(&self.g[axis][n]);
+            }
+            let means = cell_mean_weights::<L, N>(&g);
+            for n in 0..N {
+                means[n].store(&mut self.w[axis][n]);
             }
         }
     }
@@ -193,6 +209,22 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
     if EXTRA == MASS_GRADIENT {
         for axis in 0..D {
             upper[lean_line_of::<D>(axis)][axis] = m * Q::splat(mapping.inverse_cell[axis]);
+        }
+        return (lower, upper);
+    }
+    if EXTRA == MEAN_STRESS {
+        let sign = match carry {
+            Carry::MeanStress { averaged: true } => -1.0,
+            _ => 1.0,
+        };
+        let volume = Q::splat(sign / D as f64) * load::<Q>(&columns[Layout::VOLUME], at, count);
+        let mut trace = zero;
+        for axis in 0..D {
+            trace = trace + load::<Q>(&columns[Layout::stress(D) + axis], at, count);
+        }
+        for axis in 0..D {
+            upper[lean_line_of::<D>(axis)][axis] =
+                volume * Q::splat(mapping.inverse_cell[axis]) * trace;
         }
         return (lower, upper);
     }
