@@ -11,8 +11,8 @@
 //!
 //! Expected: order 2 in h outside a ball around the load. `proctor verify boussinesq`.
 
-mod compare;
-mod model;
+pub(super) mod compare;
+pub(super) mod model;
 
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::{Options, Simulation};

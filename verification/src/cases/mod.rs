@@ -44,6 +44,7 @@ mod hertz_sphere;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
+mod incompressible_box;
 mod ironing;
 mod judging;
 mod mortar;
@@ -91,6 +92,7 @@ macro_rules! list {
 // A new case is a file, declared above, where the formatter finds it, and a line here.
 list! {
     boussinesq::Boussinesq[GIVEN],
+    incompressible_box::IncompressibleBox[GIVEN],
     base_acceleration::BaseAcceleration[GIVEN],
     bar::Bar[GIVEN],
     axis_aligned::AxisAligned[PLANE, SPACE],

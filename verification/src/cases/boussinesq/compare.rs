@@ -2,7 +2,7 @@
 
 use proctor_kernel::simulation::Simulation;
 
-use super::model::{LOAD, MIDDLE, POISSON, SIDE, YOUNG};
+use super::model::{LOAD, MIDDLE, PATCH, POISSON, SIDE, YOUNG};
 use crate::case::{Curve, CurvePoint};
 use crate::convergence::relative_l2;
 use crate::exact::boussinesq_box::BoxSolution;
@@ -101,9 +101,21 @@ impl Comparison {
     /// Both are means over the same positions, so nothing is interpolated. With the mirror images of the particles
     /// that a plane of symmetry hides they surround the point.
     pub fn settlement_around(&self, point: [f64; 3]) -> (f64, f64) {
-        let near = |s: &&Sample| (0..3).all(|i| (s.x[i] - point[i]).abs() < 0.5 * self.cell);
+        let near = |s: &Sample| (0..3).all(|i| (s.x[i] - point[i]).abs() < 0.5 * self.cell);
+        self.mean_settlement(near)
+    }
+
+    /// The same over the particles of the uppermost layer of cells under the loaded square.
+    pub fn settlement_under_patch(&self) -> (f64, f64) {
+        let loaded = |s: &Sample| {
+            s.x[2] > SIDE - self.cell && (0..2).all(|i| (s.x[i] - MIDDLE).abs() < 0.5 * PATCH)
+        };
+        self.mean_settlement(loaded)
+    }
+
+    fn mean_settlement(&self, of: impl Fn(&Sample) -> bool) -> (f64, f64) {
         let (mut count, mut computed, mut exact) = (0.0, 0.0, 0.0);
-        for sample in self.samples.iter().filter(near) {
+        for sample in self.samples.iter().filter(|sample| of(sample)) {
             count += 1.0;
             computed += sample.computed[2];
             exact += sample.exact[2];

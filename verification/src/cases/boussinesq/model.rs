@@ -20,7 +20,7 @@ pub const LOAD: f64 = 1.0;
 /// Force on the quarter that is solved \[N\].
 pub const QUARTER_LOAD: f64 = LOAD / 4.0;
 /// Side of the loaded square \[m\].
-const PATCH: f64 = 0.25;
+pub const PATCH: f64 = 0.25;
 /// Middle of the top along x and y \[m\].
 pub const MIDDLE: f64 = 0.5;
 
