@@ -1,6 +1,7 @@
 //! `proctor` without a verb: the main job on the built-in set.
 
 use super::settings::processors;
+use super::stability::done as solve_stability;
 use crate::bench::Session;
 use crate::bench::config::{Asked, Config};
 use crate::bench::tables::Report;
@@ -9,13 +10,15 @@ use crate::interrupt::Interrupt;
 use crate::precision::{Effort, run as study_run};
 use crate::record::Record;
 use crate::report;
-use crate::show::{case as show, precision as show_study};
+use crate::show::{case as show, precision as show_study, stability as show_stability};
+use crate::stability::{Asked as AskedOfStability, Done, jobs};
 use crate::suite::{self, Ran};
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
 use proctor_kernel::plan::Demands;
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{self, Size};
+use proctor_verification::stability::{map, nonlinear};
 use proctor_verification::study;
 use std::io::Write;
 use std::path::Path;
@@ -54,6 +57,7 @@ pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
     if !stop.raised() {
         keep_cases(&record, folder)?;
     }
+    let stable = stability(&mut record, &stop, out)?;
     precision(&mut record, &stop, out)?;
     let fast = speed(&mut record, &stop, out)?;
 
@@ -65,7 +69,7 @@ pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
         return Ok(Outcome::Interrupted);
     }
     writeln!(out, "\n{WHERE_TO_GO}")?;
-    Ok(if fast && all.iter().all(Ran::passed) {
+    Ok(if fast && stable && all.iter().all(Ran::passed) {
         Outcome::Fine
     } else {
         Outcome::Failed
@@ -115,6 +119,24 @@ fn verify(
     };
     suite::run_side_by_side(case::all(), Size::Quick, options, workers, &go, &mut each)?;
     Ok(all)
+}
+
+/// The map of stability in short; whether all of it holds.
+fn stability(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<bool, Failure> {
+    let scenes: Vec<_> = nonlinear::ALL.iter().collect();
+    let jobs = jobs(AskedOfStability::Short, true, &scenes, &map::SCHEMES);
+    let passed = solve_stability(&jobs, stop, record)
+        .iter()
+        .all(Done::passed);
+    if let Some(detail) = &record.details.stability {
+        writeln!(
+            out,
+            "Stability, in short: `proctor stability` has all of it.\n"
+        )?;
+        show_stability::map(detail, out)?;
+        writeln!(out)?;
+    }
+    Ok(passed)
 }
 
 /// Short studies of all cases that can be studied, on one thread.
