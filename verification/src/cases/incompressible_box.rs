@@ -45,7 +45,7 @@ const L2: &str = "L2(u), r >= 0.2 m";
 /// Name of the static residual.
 const RESIDUAL: &str = "residual";
 /// Unbalanced force over load at which a box is at rest.
-const REST: f64 = 1e-6;
+const REST: f64 = 1e-5;
 /// Most steps: several times what h = 1/16 takes.
 const MOST_STEPS: u64 = 100_000;
 /// Angular frequency \[1/s\] of the slowest wave of shear, over sqrt(E/rho)/L: half a wave across the quarter box and one
