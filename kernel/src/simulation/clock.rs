@@ -70,8 +70,38 @@ pub struct StepInfo {
 }
 
 impl Simulation {
-    /// Critical time step \[s\], its bound, and the numbers behind it.
+    /// The shortest side of a cell \[m\].
+    pub(super) fn smallest_cell(&self) -> f64 {
+        let cell = &self.decided.scene.mesh.cell[..self.decided.plan.axes];
+        cell.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The step that would be taken now if nothing interacted \[s\].
+    pub(super) fn free_step(&self) -> f64 {
+        let (critical, _, wave_speed, particle_speed) = self.free_critical();
+        match self.decided.scene.time_step {
+            TimeStep::Automatic => AUTOMATIC_SHARE * critical,
+            TimeStep::Multiplier { multiplier, .. } => {
+                multiplier * self.smallest_cell() / (wave_speed + particle_speed)
+            }
+            TimeStep::Fixed { dt, .. } => dt,
+        }
+    }
+
+    /// Critical time step \[s\] of all that is there, its bound, and the numbers behind it.
     fn critical(&self) -> (f64, Bound, f64, f64) {
+        let (critical, bound, wave_speed, particle_speed) = self.free_critical();
+        let steps = self.interactions().map(Interaction::time_step);
+        let contact = steps.fold(f64::INFINITY, f64::min);
+        if contact < critical {
+            (contact, Bound::Contact, wave_speed, particle_speed)
+        } else {
+            (critical, bound, wave_speed, particle_speed)
+        }
+    }
+
+    /// The same without interactions.
+    fn free_critical(&self) -> (f64, Bound, f64, f64) {
         let mut wave_speed = 0.0_f64;
         let mut square = 0.0_f64;
         for found in &self.state.found {
@@ -79,23 +109,13 @@ impl Simulation {
             square = square.max(found.speed_squared);
         }
         let particle_speed = square.sqrt();
-        let h = self.decided.scene.mesh.cell[..self.decided.plan.axes]
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
+        let h = self.smallest_cell();
         let stable = self.stability_number() * h / (wave_speed + particle_speed);
         let travel = MOST_CELLS_PER_STEP * h / particle_speed;
         let (critical, bound) = if travel < stable {
             (travel, Bound::Travel)
         } else {
             (stable, Bound::Stability)
-        };
-        let steps = self.interactions().map(Interaction::time_step);
-        let contact = steps.fold(f64::INFINITY, f64::min);
-        let (critical, bound) = if contact < critical {
-            (contact, Bound::Contact)
-        } else {
-            (critical, bound)
         };
         (critical, bound, wave_speed, particle_speed)
     }
@@ -132,11 +152,7 @@ impl Simulation {
                 multiplier,
                 allow_unstable,
             } => {
-                let h = self.decided.scene.mesh.cell[..self.decided.plan.axes]
-                    .iter()
-                    .copied()
-                    .fold(f64::INFINITY, f64::min);
-                let dt = multiplier * h / (wave_speed + particle_speed);
+                let dt = multiplier * self.smallest_cell() / (wave_speed + particle_speed);
                 if closing < dt {
                     (closing, Bound::Closing, allow_unstable)
                 } else {

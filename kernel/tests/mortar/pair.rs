@@ -46,6 +46,7 @@ fn forces(
             master_moved: &at_rest(master),
             slave_velocity: &at_rest(slave),
             master_velocity: &at_rest(master),
+            ahead: 0.0,
         },
         law,
         slip,
@@ -162,7 +163,7 @@ proptest! {
         let mut slip = Slip::default();
         let found = contact_forces(
             Surfaces { slave: &slave, master: &master, slave_moved: &slave_moved, master_moved: &master_moved,
-                slave_velocity: &at_rest(&slave), master_velocity: &at_rest(&master) },
+                slave_velocity: &at_rest(&slave), master_velocity: &at_rest(&master), ahead: 0.0 },
             &law, &mut slip);
         let (on_slave, moment_slave) = resultant(&slave.points, &found.slave, &point(0.0, 0.0));
         let (on_master, moment_master) = resultant(&master.points, &found.master, &point(0.0, 0.0));
@@ -198,7 +199,7 @@ proptest! {
             let steps: Vec<PairForces<2, 1>> = (0..3).map(|_| contact_forces(
                 Surfaces { slave, master, slave_moved: &vec![slide; slave.points.len()],
                     master_moved: &at_rest(master), slave_velocity: &at_rest(slave),
-                    master_velocity: &at_rest(master) }, &law, &mut slip)).collect();
+                    master_velocity: &at_rest(master), ahead: 0.0 }, &law, &mut slip)).collect();
             steps.into_iter().next_back().unwrap()
         };
         let here = run(&slave, &master, slide);
@@ -235,6 +236,7 @@ fn pulling_a_line_along_a_floor() {
                 master_moved: &at_rest(&master),
                 slave_velocity: &at_rest(&slave),
                 master_velocity: &at_rest(&master),
+                ahead: 0.0,
             },
             &law,
             &mut slip,
@@ -295,6 +297,7 @@ fn the_approach_is_the_relative_motion_along_the_normal() {
             master_moved: &[point(0.1, 0.02); 2],
             slave_velocity: &[point(3.0, -1.0); 2],
             master_velocity: &[point(1.0, 2.0); 2],
+            ahead: 0.0,
         },
         &law(Detection::Mortar, 0.0),
         &mut Slip::default(),
@@ -304,4 +307,32 @@ fn the_approach_is_the_relative_motion_along_the_normal() {
         assert!((vertex.approach - 0.03).abs() < 1e-15);
         assert!((vertex.closing - 3.0).abs() < 1e-14);
     }
+}
+
+/// A gap that closes within the next step has its stiffness already, one that does not, or that opens, has none.
+#[test]
+fn the_stiffness_of_a_gap_that_will_close_counts() {
+    let gap = 1.5 * GC;
+    let slave = ceiling(&[0.0, 0.5], gap);
+    let master = floor(&[-1.0, 1.0], 0.0);
+    let stiffness = |closing: f64, ahead: f64| {
+        let found = contact_forces(
+            Surfaces {
+                slave: &slave,
+                master: &master,
+                slave_moved: &[point(0.0, 0.0); 2],
+                master_moved: &[point(0.0, 0.0); 2],
+                slave_velocity: &[point(0.0, -closing); 2],
+                master_velocity: &[point(0.0, 0.0); 2],
+                ahead,
+            },
+            &law(Detection::Mortar, 0.0),
+            &mut Slip::default(),
+        );
+        assert!(found.slave.iter().all(|f| f.norm() == 0.0));
+        found.slave_stiffness.iter().sum::<f64>()
+    };
+    assert_eq!(stiffness(1.0, 0.9 * (gap - GC)), 0.0);
+    assert_eq!(stiffness(-1.0, 10.0 * gap), 0.0);
+    assert!(stiffness(1.0, gap - 0.8 * GC) > 0.0);
 }

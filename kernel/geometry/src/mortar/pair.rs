@@ -103,6 +103,9 @@ pub struct Surfaces<'a, B, const D: usize> {
     pub slave_velocity: &'a [PointIn<D>],
     /// Velocity of the master's vertices.
     pub master_velocity: &'a [PointIn<D>],
+    /// Longest next step \[s\]. Where a gap would close in it, its stiffness counts already: a long free step would leave
+    /// surfaces deep in each other that no force has stopped, and one kick over half of it would throw them apart.
+    pub ahead: f64,
 }
 
 // By hand, since a boundary need not be.
@@ -222,16 +225,21 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         let gap = n.dot(&row.apart) / measure;
         let relative = row.moved / measure;
         let pressure = law.normal.pressure(gap);
-        row.slope = law.normal.slope(gap);
+        let closing = n.dot(&row.speed) / measure;
+        // What opens may turn within the step.
+        let soon = gap - closing.abs() * surfaces.ahead;
+        row.slope = law.normal.slope(gap).max(law.normal.slope(soon));
         let mut traction = [0.0; T];
         match &law.friction {
             Some(friction) if pressure > 0.0 => {
                 let trial = array::from_fn(|t| slip.0[k][t] + tangents[t].dot(&relative));
                 (traction, slip.0[k]) = friction.traction(trial, pressure);
-                // Normal and tangential springs act at right angles, so the stiffer of them rules the time step.
-                row.slope = row.slope.max(friction.stiffness);
             }
             _ => slip.0[k] = [0.0; T],
+        }
+        if let Some(friction) = law.friction.filter(|_| row.slope > 0.0) {
+            // Normal and tangential springs act at right angles, so the stiffer of them rules the time step.
+            row.slope = row.slope.max(friction.stiffness);
         }
         row.lambda = tangents
             .iter()
@@ -245,7 +253,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
             traction,
             measure,
             approach: n.dot(&relative),
-            closing: n.dot(&row.speed) / measure,
+            closing,
         });
     }
 

@@ -91,6 +91,7 @@ pub fn dragged(
             master_moved: &at_rest,
             slave_velocity: &moved,
             master_velocity: &at_rest,
+            ahead: 0.0,
         },
         law,
         slip,

@@ -57,7 +57,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Gaps and forces of a pair.
-    pub(super) fn meet(&mut self, p: usize, team: &Team) {
+    pub(super) fn meet(&mut self, p: usize, ahead: f64, team: &Team) {
         let pair = &mut self.pairs[p];
         let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
         let box_of = |s: &Surface<B, D, N>, margin| Bounds::around(s.boundary.points(), margin);
@@ -72,6 +72,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     master_moved: &master.moved,
                     slave_velocity: &slave.velocity,
                     master_velocity: &master.velocity,
+                    ahead,
                 },
                 &pair.law,
                 &mut pair.slip,
@@ -94,12 +95,17 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     ///
     /// # Errors
     /// The first pair that closed too far, is too deep in each other, or meets at edges.
-    pub(super) fn meet_all(&mut self, origin: &Vector, team: &Team) -> Result<(), StepErrorKind> {
+    pub(super) fn meet_all(
+        &mut self,
+        ahead: f64,
+        origin: &Vector,
+        team: &Team,
+    ) -> Result<(), StepErrorKind> {
         for surface in &mut self.surfaces {
             surface.force.fill(PointIn::zeros());
         }
         for p in 0..self.pairs.len() {
-            self.meet(p, team);
+            self.meet(p, ahead, team);
             self.judge(p, origin)?;
             let pair = &self.pairs[p];
             for (surface, forces) in [

@@ -64,8 +64,9 @@ impl MortarState {
         self.plane.weigh(simulation)?;
         self.space.weigh(simulation)?;
         let team = &simulation.work.grid.team;
-        self.plane.meet_all(&origin, team)?;
-        self.space.meet_all(&origin, team)?;
+        let ahead = simulation.free_step();
+        self.plane.meet_all(ahead, &origin, team)?;
+        self.space.meet_all(ahead, &origin, team)?;
         let nodes = &mut self.stiffness;
         let plane = self.plane.time_step(nodes);
         self.time_step = plane.min(self.space.time_step(nodes));

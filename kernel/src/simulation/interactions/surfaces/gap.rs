@@ -72,13 +72,6 @@ impl Simulation {
         }
         Ok(())
     }
-
-    pub(super) fn smallest_cell(&self) -> f64 {
-        self.decided.scene.mesh.cell[..self.decided.plan.axes]
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min)
-    }
 }
 
 /// The surfaces of a scene relative to the origin of its mesh.
