@@ -54,12 +54,14 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
 #[inline(always)]
 pub fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let before = f.lt(one);
+    // On a node the mean of both sides, the limit of GIMP: its neighbours have no weight there, and where they have no mass
+    // either, what they would give and take has to cancel.
+    let tie = L::select(f.eq(one), L::splat(0.5), zero);
     closed::<L, N>(
         (one - f).max(zero),
         (f - one).max(zero),
-        L::select(before, -one, zero),
-        L::select(before, zero, one),
+        L::select(f.lt(one), -one, -tie),
+        L::select(one.lt(f), one, tie),
     )
 }
 
