@@ -4,9 +4,33 @@
 //! A row is a function that runs what it needs and returns bounds on what physics says of it ([`Gate`]: an exact value, a
 //! balance of momentum or energy, a symmetry, equal bits) and the messages of what was refused.
 
+mod bits;
+mod input;
+mod mesh;
+mod motion;
+mod places;
+mod runs;
+mod steps;
+
 use std::fmt;
 
 use crate::case::Gate;
+
+/// The lists of rows, in the order in which they are shown.
+static LISTS: &[&[Extreme]] = &[
+    places::ROWS,
+    motion::ROWS,
+    bits::ROWS,
+    mesh::ROWS,
+    steps::ROWS,
+    input::ROWS,
+];
+
+/// All rows, in the order in which they are shown.
+#[must_use]
+pub fn all() -> Vec<&'static Extreme> {
+    LISTS.iter().copied().flatten().collect()
+}
 
 /// A row of the table.
 pub struct Extreme {
@@ -70,7 +94,8 @@ impl Finding {
     /// How the row ended.
     #[must_use]
     pub fn ending(&self) -> Ending {
-        if !self.gates.iter().all(Gate::passed) || self.gates.is_empty() && self.refusals.is_empty() {
+        if !self.gates.iter().all(Gate::passed) || self.gates.is_empty() && self.refusals.is_empty()
+        {
             Ending::Failed
         } else if self.gates.is_empty() {
             Ending::Refused
