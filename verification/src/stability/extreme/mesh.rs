@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, Mesh, Scene, StressScheme};
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme};
 use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
 
 use super::runs::{
@@ -214,7 +214,7 @@ fn flat(dimension: Dimension) -> Scene {
         1.0
     };
     if dimension == Dimension::Three {
-        scene.mesh.planes[2].fill(proctor_kernel::scene::PlaneCondition::Sliding);
+        scene.mesh.planes[2].fill(PlaneCondition::Sliding);
     }
     let shape = cuboid([3.2, 3.3, 0.0], [6.2, 6.3, deep]);
     scene.bodies = vec![filled(dimension, 1, shape)];

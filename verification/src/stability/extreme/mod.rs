@@ -6,10 +6,13 @@
 
 mod bits;
 mod input;
+mod light;
 mod mesh;
 mod motion;
+mod nothing;
 mod places;
 mod runs;
+mod state;
 mod steps;
 
 use std::fmt;
@@ -19,11 +22,14 @@ use crate::case::Gate;
 /// The lists of rows, in the order in which they are shown.
 static LISTS: &[&[Extreme]] = &[
     places::ROWS,
+    light::ROWS,
     motion::ROWS,
     bits::ROWS,
     mesh::ROWS,
     steps::ROWS,
     input::ROWS,
+    state::ROWS,
+    nothing::ROWS,
 ];
 
 /// All rows, in the order in which they are shown.

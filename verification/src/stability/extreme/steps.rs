@@ -117,12 +117,15 @@ fn domain_exit() -> Result<Finding, Unexpected> {
 const TOO_LONG: f64 = 10.0;
 const MOST: u64 = 100;
 
+/// Steps over the critical one that are too long by a little.
+const OVER: [f64; 3] = [1.2, 1.5, 2.0];
+
 fn step_too_long() -> Result<Finding, Unexpected> {
     let mut finding = Finding::default();
-    let (mut latest, mut not_trusted) = (0, 0);
+    let (mut latest, mut told) = (0, [0_u32; 3]);
     for method in methods() {
         let mut scene = with(&block([20, 20], [7.2, 7.3], [12.2, 12.3], soft()), method);
-        let initial = || from(rough(Dimension::Two, [0.0; 3], 1e-3, 1e-3));
+        let initial = |noise| from(rough(Dimension::Two, [0.0; 3], noise, noise));
         let lengths = |allow_unstable| {
             [
                 TimeStep::Multiplier {
@@ -137,7 +140,7 @@ fn step_too_long() -> Result<Finding, Unexpected> {
         };
         for time_step in lengths(false) {
             scene.time_step = time_step;
-            match scene.simulate(&initial()) {
+            match scene.simulate(&initial(NOISES[0])) {
                 Err(StartError::Setup(SetupError::UnstableTimeStep(unstable))) => {
                     finding.refusals.push(format!("{method}: {unstable}"));
                 }
@@ -149,23 +152,52 @@ fn step_too_long() -> Result<Finding, Unexpected> {
         }
         for time_step in lengths(true) {
             scene.time_step = time_step;
-            // Who stops at once, and who only tells.
-            for on_imbalance in [OnImbalance::Stop, OnImbalance::Tell] {
-                scene.on_imbalance = on_imbalance;
-                let what = method.to_string();
-                let mut simulation = start(&what, &scene, &initial())?;
-                let (step, error) = until_told(&mut simulation);
-                latest = latest.max(step);
-                match error.map(|error| error.kind) {
-                    Some(StepErrorKind::NotTrusted(_)) => not_trusted += 1,
-                    Some(kind) if !is_blow_up(&kind) => {
-                        return Err(Unexpected(format!("{what}: a blow-up is called {kind:?}")));
-                    }
-                    _ => {}
+            for noise in NOISES {
+                // Who stops at once, and who only tells.
+                for on_imbalance in [OnImbalance::Stop, OnImbalance::Tell] {
+                    scene.on_imbalance = on_imbalance;
+                    let what = method.to_string();
+                    let mut simulation = start(&what, &scene, &initial(noise))?;
+                    let (step, error) = until_told(&mut simulation);
+                    latest = latest.max(step);
+                    let reason = match (error.map(|error| error.kind), simulation.trust().doubt) {
+                        (Some(StepErrorKind::NotTrusted(doubt)), _) | (None, Some(doubt)) => {
+                            doubt.reason
+                        }
+                        (Some(kind), _) if is_blow_up(&kind) => continue,
+                        (found, _) => {
+                            return Err(Unexpected(format!(
+                                "{what}: a blow-up is called {found:?}"
+                            )));
+                        }
+                    };
+                    told[reason as usize] += 1;
                 }
             }
         }
     }
+    for method in methods() {
+        // A step that is too long by a little, so that noise grows slowly.
+        for over in OVER {
+            let mut scene = with(&block([20, 20], [7.2, 7.3], [12.2, 12.3], soft()), method);
+            scene.time_step = TimeStep::Multiplier {
+                multiplier: over * method.stability_number(2),
+                allow_unstable: true,
+            };
+            let what = format!("{method}, {over} times the critical step");
+            let initial = rough(Dimension::Two, [0.0; 3], NOISES[1], NOISES[1]);
+            let mut simulation = start(&what, &scene, &from(initial))?;
+            let (_, error) = until_told(&mut simulation);
+            match (error.map(|error| error.kind), simulation.trust().doubt) {
+                (Some(kind), _) if !is_blow_up(&kind) => {
+                    return Err(Unexpected(format!("{what}: a blow-up is called {kind:?}")));
+                }
+                (None, Some(doubt)) => told[doubt.reason as usize] += 1,
+                _ => {}
+            }
+        }
+    }
+    let [energy, increment, _] = told;
     finding.gates = vec![
         Gate::at_most(
             "steps until the blow-up is told".to_owned(),
@@ -174,14 +206,23 @@ fn step_too_long() -> Result<Finding, Unexpected> {
             "5d: within 100 steps",
         ),
         Gate::at_least(
-            "runs that the watch over balances and strains stopped".to_owned(),
-            f64::from(not_trusted),
+            "runs stopped or doubted for energy from nowhere".to_owned(),
+            f64::from(energy),
             1.0,
-            "an unstable run strains and gains energy before its particles are no numbers any more",
+            "noise of 1e-9 and a step a little too long: energy doubles many times before a particle is strained by a half",
+        ),
+        Gate::at_least(
+            "runs stopped or doubted for a strain increment".to_owned(),
+            f64::from(increment),
+            1.0,
+            "noise of a thousandth strains particles before energy is looked at",
         ),
     ];
     Ok(finding)
 }
+
+/// Noise at the start \[m/s, Pa\].
+const NOISES: [f64; 2] = [1e-3, 1e-9];
 
 /// Runs until there is an error or a doubt; the number of the step after which it was told, infinitely many where it never was.
 fn until_told(simulation: &mut Simulation) -> (u64, Option<StepError>) {
