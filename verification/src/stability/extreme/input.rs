@@ -208,13 +208,13 @@ fn not_finite_input() -> Result<Finding, Unexpected> {
 const IMPOSSIBLE: &[(Entry, &[f64])] = &[
     (
         ("materials[0].young", |s, x| {
-            s.materials[0].law = elastic_law(x, 0.3)
+            s.materials[0].law = elastic_law(x, 0.3);
         }),
         &[0.0, -0.0, -1.0],
     ),
     (
         ("materials[0].poisson", |s, x| {
-            s.materials[0].law = elastic_law(1.0, x)
+            s.materials[0].law = elastic_law(1.0, x);
         }),
         &[0.5, -1.0, 0.6, -2.0],
     ),
@@ -224,13 +224,13 @@ const IMPOSSIBLE: &[(Entry, &[f64])] = &[
     ),
     (
         ("bodies[2].particles[1]", |s, x| {
-            s.bodies[2].shape = listed([3.0, 8.0, 0.0], x)
+            s.bodies[2].shape = listed([3.0, 8.0, 0.0], x);
         }),
         &[0.0, -0.0, -1.0],
     ),
     (
         ("bodies[2].radius", |s, x| {
-            s.bodies[2].shape = Shape::disc([3.0, 8.0], x)
+            s.bodies[2].shape = Shape::disc([3.0, 8.0], x);
         }),
         &[0.0, -0.0, -1.0],
     ),
