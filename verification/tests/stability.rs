@@ -1,6 +1,8 @@
 //! Predicted and measured limits: against a laboratory of its own, against each other, and against what the kernel holds.
 #![allow(missing_docs)]
 
+#[path = "stability/extreme.rs"]
+mod extreme;
 #[path = "stability/laboratory.rs"]
 mod laboratory;
 #[path = "stability/limits.rs"]

@@ -2,16 +2,19 @@
 
 use super::html::{Section, Table, paragraph};
 use crate::record::Record;
-use crate::show::picture;
+use crate::show::{number, picture};
+use crate::stability::ExtremeDetail;
 
 /// The section, where the record holds a map.
 pub fn section(record: &Record) -> Option<Section> {
     let detail = record.details.stability.as_ref()?;
-    let mut body = paragraph(
-        "The largest stable step, predicted from the linear part of the kernel's own step and measured by runs with noise, of \
-         blocks, thin bodies and single particles at nineteen places on the mesh. Hovering over a cell shows what rules it.",
-    );
+    let mut body = String::new();
     if !detail.cells.is_empty() {
+        body.push_str(&paragraph(
+            "The largest stable step, predicted from the linear part of the kernel's own step and measured by runs with \
+             noise, of blocks, thin bodies and single particles at nineteen places on the mesh. Hovering over a cell shows \
+             what rules it.",
+        ));
         body.push_str("<figure>\n");
         body.push_str(&picture::svg(detail));
         body.push_str(
@@ -45,9 +48,66 @@ pub fn section(record: &Record) -> Option<Section> {
     for failure in &detail.failures {
         body.push_str(&paragraph(failure));
     }
+    if !detail.extreme.is_empty() {
+        body.push_str(&extreme(&detail.extreme));
+    }
     Some(Section {
         id: "stability",
         title: "Stability".to_owned(),
         body,
     })
+}
+
+/// The stiff and extreme scenes: how each ended, and all gates of those that failed.
+fn extreme(rows: &[ExtremeDetail]) -> String {
+    let head = [
+        "scene",
+        "ended",
+        "what is extreme",
+        "what must be",
+        "nearest to its bound",
+        "found",
+        "bound",
+        "refused",
+    ];
+    let mut table = Table::new("stiff and extreme scenes", &head);
+    for row in rows {
+        let class = if row.passed { "passed" } else { "failed" };
+        let worst = row.worst();
+        let cells = [
+            row.name.clone(),
+            row.ending.clone(),
+            row.what.clone(),
+            row.required.clone(),
+            worst.map_or_else(String::new, |gate| gate.name.clone()),
+            worst.map_or_else(String::new, |gate| {
+                gate.value.map_or_else(|| "nothing".to_owned(), number)
+            }),
+            worst.map_or_else(String::new, |gate| {
+                format!("{} {}", gate.relation, number(gate.bound))
+            }),
+            match row.refusals.first() {
+                Some(first) => format!("{}, such as: {first}", row.refusals.len()),
+                None => String::new(),
+            },
+        ];
+        table.push_as(class, cells);
+    }
+    let mut html = table.html();
+    for row in rows.iter().filter(|row| !row.passed) {
+        let why = row.unexpected.iter().chain(&row.cause);
+        for line in why {
+            html.push_str(&paragraph(&format!("{}: {line}", row.name)));
+        }
+        let failing: Vec<_> = row
+            .gates
+            .iter()
+            .filter(|gate| !gate.passed)
+            .cloned()
+            .collect();
+        if !failing.is_empty() {
+            html.push_str(&super::cases::gates(&failing));
+        }
+    }
+    html
 }

@@ -3,6 +3,7 @@
 use super::html::escape;
 use crate::record::Record;
 use crate::record::details::GateDetail;
+use crate::stability::extreme::ROWS as EXTREME;
 
 /// One word for the whole record.
 pub fn word(record: &Record) -> &'static str {
@@ -33,7 +34,7 @@ pub fn html(record: &Record) -> String {
     );
     if record.details.stability.is_some() {
         text.truncate(text.len() - 1);
-        text.push_str(" and the map of stability.");
+        text.push_str(" and of stability.");
     }
     let failed = match failed_rows(record) {
         0 => String::new(),
@@ -68,16 +69,21 @@ pub fn html(record: &Record) -> String {
 fn gates(record: &Record) -> Vec<&GateDetail> {
     let cases = record.details.cases.iter().flat_map(|case| &case.gates);
     let stability = record.details.stability.iter();
-    cases.chain(stability.flat_map(|map| &map.gates)).collect()
+    let of_stability = stability.flat_map(|detail| {
+        let extreme = detail.extreme.iter().flat_map(|row| &row.gates);
+        detail.gates.iter().chain(extreme)
+    });
+    cases.chain(of_stability).collect()
 }
 
 /// Runs of judged cases that failed; sweeps that look for the bounds of stability may fail.
 fn failed_rows(record: &Record) -> usize {
     let judged = |name: &str| {
-        record.details.cases.iter().any(|case| {
-            name.strip_prefix(&case.name)
-                .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
-        })
+        name.starts_with(EXTREME)
+            || record.details.cases.iter().any(|case| {
+                name.strip_prefix(&case.name)
+                    .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+            })
     };
     record
         .rows

@@ -2,7 +2,8 @@
 
 use super::{Table, number};
 use crate::record::details::GateDetail;
-use crate::stability::{StabilityCell, StabilityDetail};
+use crate::stability::{ExtremeDetail, StabilityCell, StabilityDetail};
+use proctor_verification::stability::extreme::Ending;
 use proctor_verification::stability::scene::Report;
 use proctor_verification::stability::table::Number;
 use std::io::{self, Write};
@@ -125,26 +126,105 @@ fn cells(detail: &StabilityDetail, transfer: &str, out: &mut dyn Write) -> io::R
     writeln!(out, "{table}")
 }
 
+/// The stiff and extreme scenes; of those that failed all gates that do not hold, and why.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn extreme(rows: &[ExtremeDetail], out: &mut dyn Write) -> io::Result<()> {
+    let mut table = Table::new([
+        "",
+        "ended",
+        "found",
+        "bound",
+        "time",
+        "nearest to its bound, or why it is refused",
+    ]);
+    for row in rows {
+        let ended = |found: String, bound: String, what: String| {
+            let time = super::seconds(row.seconds);
+            [
+                row.name.clone(),
+                row.ending.clone(),
+                found,
+                bound,
+                time,
+                shortened(&what),
+            ]
+        };
+        table.push(match (row.worst(), row.refusals.first()) {
+            (Some(gate), _) => {
+                let bound = format!("{} {}", gate.relation, number(gate.bound));
+                ended(found(gate), bound, gate.name.clone())
+            }
+            (None, refusal) => {
+                let refusal = refusal.cloned().unwrap_or_default();
+                ended(String::new(), String::new(), refusal)
+            }
+        });
+    }
+    writeln!(out, "{table}")?;
+    for row in rows.iter().filter(|row| !row.passed) {
+        writeln!(out, "FAIL  {}: {}", row.name, row.what)?;
+        for why in row.unexpected.iter().chain(&row.cause) {
+            writeln!(out, "        {why}")?;
+        }
+        failing("        ", &row.gates, out)?;
+    }
+    let count = |ending: &str| rows.iter().filter(|row| row.ending == ending).count();
+    let [held, refused, failed] =
+        [Ending::Held, Ending::Refused, Ending::Failed].map(|ending| count(ending.word()));
+    let word = if failed == 0 { "PASS" } else { "FAIL" };
+    writeln!(
+        out,
+        "{word}: {held} stiff and extreme scenes held, {refused} refused with a reason, {failed} failed"
+    )
+}
+
+/// Most characters of a message in a table.
+const LINE: usize = 60;
+
+/// The first line of a message, cut where it is long.
+fn shortened(message: &str) -> String {
+    let line = message.lines().next().unwrap_or_default();
+    match line.char_indices().nth(LINE) {
+        Some((end, _)) => format!("{} …", line[..end].trim_end()),
+        None => line.to_owned(),
+    }
+}
+
+fn found(gate: &GateDetail) -> String {
+    gate.value.map_or_else(|| "not finite".to_owned(), number)
+}
+
 fn gates(gates: &[GateDetail], out: &mut dyn Write) -> io::Result<()> {
-    let failed: Vec<&GateDetail> = gates.iter().filter(|gate| !gate.passed).collect();
-    for gate in &failed {
-        let value = gate.value.map_or_else(|| "not finite".to_owned(), number);
+    failing("FAIL  ", gates, out)?;
+    let passed = gates.iter().filter(|gate| gate.passed).count();
+    let word = if passed == gates.len() {
+        "PASS"
+    } else {
+        "FAIL"
+    };
+    writeln!(
+        out,
+        "{word}: {passed} of {} gates of stability",
+        gates.len()
+    )
+}
+
+/// Gates that do not hold, with what was found, each behind a word.
+fn failing(word: &str, gates: &[GateDetail], out: &mut dyn Write) -> io::Result<()> {
+    for gate in gates.iter().filter(|gate| !gate.passed) {
         writeln!(
             out,
-            "FAIL  {}: {value}, {} {}\n        {}",
+            "{word}{}: {}, {} {}\n        {}",
             gate.name,
+            found(gate),
             gate.relation,
             number(gate.bound),
             gate.reason
         )?;
     }
-    let word = if failed.is_empty() { "PASS" } else { "FAIL" };
-    writeln!(
-        out,
-        "{word}: {} of {} gates of stability",
-        gates.len() - failed.len(),
-        gates.len()
-    )
+    Ok(())
 }
 
 /// What was found of a scene of the user's.

@@ -1,5 +1,6 @@
 //! What a record keeps of the map beside its flat rows, for the picture and the page.
 
+use super::extreme::ExtremeDetail;
 use super::run::{Done, Outcome};
 use crate::record::details::{Details, GateDetail, gate};
 use proctor_verification::stability::block::Place;
@@ -18,6 +19,9 @@ pub struct StabilityDetail {
     pub gates: Vec<GateDetail>,
     /// What could not be done, and why.
     pub failures: Vec<String>,
+    /// Stiff and extreme scenes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub extreme: Vec<ExtremeDetail>,
 }
 
 /// A cell of the map.

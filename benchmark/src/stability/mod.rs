@@ -1,8 +1,12 @@
-//! Where each method is stable: the map and the scenes that are not linear, run side by side, as rows and as a picture.
+//! Where each method is stable: the map and the scenes that are not linear, run side by side, as rows and as a picture; and
+//! the stiff and extreme scenes.
 
 mod detail;
+pub mod extreme;
 mod rows;
 mod run;
+mod side_by_side;
 
 pub use detail::{StabilityCell, StabilityDetail};
+pub use extreme::ExtremeDetail;
 pub use run::{Asked, Done, Job, Outcome, jobs, run};

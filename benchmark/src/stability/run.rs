@@ -1,5 +1,6 @@
 //! What is asked, and its runs, as many side by side as there are processors.
 
+use super::side_by_side::side_by_side;
 use crate::measure::{Spent, Stopwatch};
 use proctor_kernel::scene::{Dimension, StressScheme};
 use proctor_verification::case::{Gate, Size};
@@ -8,10 +9,6 @@ use proctor_verification::stability::block::Choice;
 use proctor_verification::stability::map::{self, Entry};
 use proctor_verification::stability::nonlinear::{self, Limit, Nonlinear};
 use proctor_verification::stability::{StabilityError, table};
-use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
-use std::thread;
 
 /// How much is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,12 +137,7 @@ pub fn jobs(
 
 /// Does jobs, `workers` at a time and each on one thread, as long as `go` says so before each, and hands them to `each` in
 /// their order.
-pub fn run(
-    jobs: &[Job],
-    workers: usize,
-    go: &(dyn Fn() -> bool + Sync),
-    mut each: impl FnMut(Done),
-) {
+pub fn run(jobs: &[Job], workers: usize, go: &(dyn Fn() -> bool + Sync), each: impl FnMut(Done)) {
     // The longest begin first: those in space with the most particles.
     let mut order: Vec<usize> = (0..jobs.len()).collect();
     order.sort_by_key(|&k| match jobs[k] {
@@ -154,44 +146,14 @@ pub fn run(
         }
         _ => usize::MAX,
     });
-    let next = AtomicUsize::new(0);
-    thread::scope(|scope| {
-        let (send, receive) = mpsc::channel();
-        for _ in 0..workers.clamp(1, jobs.len().max(1)) {
-            let send = send.clone();
-            let (next, order) = (&next, &order);
-            scope.spawn(move || {
-                while let Some(&k) = order
-                    .get(next.fetch_add(1, Ordering::Relaxed))
-                    .filter(|_| go())
-                {
-                    let mut stopwatch = Stopwatch::default();
-                    let outcome = stopwatch.time_thread(|| jobs[k].solve());
-                    let done = Done {
-                        job: jobs[k],
-                        outcome,
-                        spent: stopwatch.spent,
-                    };
-                    // Nobody listens any more once the other side has failed.
-                    if send.send((k, done)).is_err() {
-                        break;
-                    }
-                }
-            });
+    let work = |job: &Job| {
+        let mut stopwatch = Stopwatch::default();
+        let outcome = stopwatch.time_thread(|| job.solve());
+        Done {
+            job: *job,
+            outcome,
+            spent: stopwatch.spent,
         }
-        drop(send);
-        let mut waiting: BTreeMap<usize, Done> = BTreeMap::new();
-        let mut due = 0;
-        for (k, done) in receive {
-            waiting.insert(k, done);
-            while let Some(done) = waiting.remove(&due) {
-                due += 1;
-                each(done);
-            }
-        }
-        // What was done out of order before a stop.
-        for (_, done) in waiting {
-            each(done);
-        }
-    });
+    };
+    side_by_side(jobs, &order, workers, go, work, each);
 }

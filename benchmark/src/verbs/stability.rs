@@ -12,6 +12,7 @@ use clap::Args;
 use proctor_files::output::atomic;
 use proctor_kernel::scene::StressScheme;
 use proctor_kernel::simulation::Options;
+use proctor_verification::stability::extreme::{self, Ending};
 use proctor_verification::stability::nonlinear::{self, Nonlinear};
 use proctor_verification::stability::{StabilityError, scene, table};
 use std::io::Write;
@@ -32,7 +33,8 @@ const PICTURE: &str = "stability.svg";
 /// With a scene: its predicted critical step, the kernel's, what rules it, and what would allow a larger one.
 #[derive(Args)]
 #[command(after_help = "Example: proctor stability --quick --svg pictures\n\
-    A scene of one's own: proctor stability fixtures/scenes/rings_2d.json")]
+    A scene of one's own: proctor stability fixtures/scenes/rings_2d.json\n\
+    Stiff and extreme scenes: proctor stability --extreme")]
 pub struct Stability {
     /// Scene file (JSON); without one, the map
     #[arg(value_name = "SCENE", conflicts_with_all = ["quick", "json", "svg", "table", "rows", "schemes"])]
@@ -40,7 +42,10 @@ pub struct Stability {
     /// Only the plane, and short runs of what is not linear
     #[arg(long)]
     quick: bool,
-    /// Only these rows: `map`, or scenes that are not linear by their names
+    /// Stiff and extreme scenes instead: each holds by a physical check, is refused with a reason, or fails
+    #[arg(long, conflicts_with_all = ["scene", "quick", "table", "schemes", "svg"])]
+    extreme: bool,
+    /// Only these rows: `map`, or scenes that are not linear by their names; with --extreme its scenes
     #[arg(long = "row", value_name = "ROW")]
     rows: Vec<String>,
     /// Only these schemes: usl, usf, musl
@@ -87,6 +92,9 @@ impl Stability {
         if let Some(path) = &self.scene {
             return ask(path, out);
         }
+        if self.extreme {
+            return self.extreme(out);
+        }
         let all: Vec<RowName> = std::iter::once(RowName::Map)
             .chain(nonlinear::ALL.iter().map(RowName::Scene))
             .collect();
@@ -128,13 +136,30 @@ impl Stability {
             show::map(detail, out)?;
         }
         self.write(&record, out)?;
-        Ok(if interrupt.raised() {
-            Outcome::Interrupted
-        } else if passed {
-            Outcome::Fine
-        } else {
-            Outcome::Failed
-        })
+        Ok(ended(&interrupt, passed))
+    }
+
+    /// Runs the stiff and extreme scenes.
+    fn extreme(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let rows = names::chosen(&self.rows, &extreme::all(), "row", |row| row.name)?;
+        let mut record = Record::new(&Options::default());
+        record.set_incomplete(true);
+        self.can_write(&record)?;
+        let interrupt = Interrupt::listen()?;
+        let mut progress = Progress::new("extreme scenes");
+        let (mut tried, mut passed) = (0, true);
+        stability::extreme::try_all(&rows, processors(), &|| !interrupt.raised(), |one| {
+            record.push_extreme(&one);
+            passed &= one.ending() != Ending::Failed;
+            tried += 1;
+            progress.at(f64::from(tried) / rows.len() as f64);
+        });
+        record.set_incomplete(interrupt.raised());
+        if let Some(detail) = &record.details.stability {
+            show::extreme(&detail.extreme, out)?;
+        }
+        self.write(&record, out)?;
+        Ok(ended(&interrupt, passed))
     }
 
     /// Finds out now, not after minutes, whether everything can be written.
@@ -163,6 +188,17 @@ impl Stability {
             writeln!(out, "picture in {}", path.display())?;
         }
         Ok(())
+    }
+}
+
+/// How a run of rows ends.
+fn ended(interrupt: &Interrupt, passed: bool) -> Outcome {
+    if interrupt.raised() {
+        Outcome::Interrupted
+    } else if passed {
+        Outcome::Fine
+    } else {
+        Outcome::Failed
     }
 }
 

@@ -136,3 +136,78 @@ fn a_scene_that_is_refused_says_why() {
     assert_eq!(code(&output), 2);
     assert!(stderr(&output).contains("young"), "{}", stderr(&output));
 }
+
+#[test]
+fn an_unknown_extreme_scene_is_bad_input_with_the_nearest_name() {
+    let output = proctor(&["stability", "--extreme", "--row", "sliver"]);
+    assert_eq!(code(&output), 2);
+    let message = stderr(&output);
+    assert!(message.contains("did you mean `slivers`?"), "{message}");
+    assert!(message.contains("accepted: "), "{message}");
+    assert_eq!(stdout(&output), "");
+    // A row of the map is none of these.
+    let output = proctor(&["stability", "--extreme", "--row", "rotation"]);
+    assert_eq!(code(&output), 2);
+}
+
+#[test]
+fn extreme_scenes_go_with_no_choice_of_the_map() {
+    for other in [
+        &["--table"][..],
+        &["--quick"],
+        &["--scheme", "usl"],
+        &["--svg", "pictures"],
+        &["scene.json"],
+    ] {
+        let output = proctor(&[&["stability", "--extreme"], other].concat());
+        assert_eq!(code(&output), 2, "{other:?}");
+        assert!(
+            stderr(&output).contains("cannot be used with"),
+            "{}",
+            stderr(&output)
+        );
+    }
+}
+
+#[test]
+fn extreme_scenes_leave_rows_gates_and_a_page() {
+    let desk = Desk::new();
+    let (path, page) = (desk.name("record.json"), desk.name("page.html"));
+    let rows = [
+        "--row",
+        "translation",
+        "--row",
+        "impossible-constants",
+        "--json",
+        &path,
+    ];
+    let output = proctor(&[&["stability", "--extreme"], &rows[..]].concat());
+    let text = stdout(&output);
+    assert_eq!(code(&output), 0, "{text}{}", stderr(&output));
+    assert!(
+        text.contains("PASS: 1 stiff and extreme scenes held, 1 refused with a reason, 0 failed"),
+        "{text}"
+    );
+    assert!(text.contains("materials[0].young: found 0"), "{text}");
+    let record = record(&path);
+    let rows = record["benchmarks"].as_array().expect("rows");
+    assert_eq!(rows[0]["name"], "stability/extreme/translation");
+    assert_eq!(rows[0]["ending"], "held");
+    assert_eq!(rows[1]["aggregate_name"], "gate");
+    let last = rows.last().expect("rows");
+    assert_eq!(last["name"], "stability/extreme/impossible-constants");
+    assert_eq!(last["ending"], "refused");
+    assert!(last["value_refusals"].as_f64().expect("a number") > 10.0);
+    let details = &record["details"]["stability"]["extreme"];
+    assert_eq!(details.as_array().expect("details").len(), 2);
+    let output = proctor(&["report", &path, "--out", &page]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let html = std::fs::read_to_string(desk.path("page.html")).expect("a page");
+    for word in [
+        "stiff and extreme scenes",
+        "impossible-constants",
+        "nearest to its bound",
+    ] {
+        assert!(html.contains(word), "{word}");
+    }
+}

@@ -11,6 +11,7 @@
 
 mod arnoldi;
 pub mod block;
+pub mod extreme;
 mod frozen;
 pub mod map;
 pub mod measured;

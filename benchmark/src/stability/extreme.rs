@@ -1,0 +1,249 @@
+//! The stiff and extreme scenes: their rows, run side by side, and what a record keeps of them.
+
+use super::side_by_side::side_by_side;
+use crate::measure::{Spent, Stopwatch};
+use crate::record::details::{Details, GateDetail, gate};
+use crate::record::{Record, Row};
+use proctor_verification::stability::extreme::{Ending, Extreme, Finding, Unexpected};
+use serde::{Deserialize, Serialize};
+use std::any::Any;
+use std::panic::catch_unwind;
+
+/// Beginning of the names of its rows in a record.
+pub(crate) const ROWS: &str = "stability/extreme/";
+
+/// A row that was run.
+pub struct Tried {
+    /// Which.
+    pub row: &'static Extreme,
+    /// What it gave.
+    pub outcome: Result<Finding, Unexpected>,
+    /// Its time.
+    pub spent: Spent,
+}
+
+impl Tried {
+    /// How it ended.
+    #[must_use]
+    pub fn ending(&self) -> Ending {
+        self.outcome
+            .as_ref()
+            .map_or(Ending::Failed, Finding::ending)
+    }
+}
+
+/// Runs rows, `workers` at a time and each on one thread, as long as `go` says so before each, and hands them to `each` in
+/// their order. A row that panics has failed, and the others go on.
+pub fn try_all(
+    rows: &[&'static Extreme],
+    workers: usize,
+    go: &(dyn Fn() -> bool + Sync),
+    each: impl FnMut(Tried),
+) {
+    let order: Vec<usize> = (0..rows.len()).collect();
+    let work = |row: &&'static Extreme| {
+        let mut stopwatch = Stopwatch::default();
+        let outcome = stopwatch.time_thread(|| {
+            catch_unwind(row.judge).unwrap_or_else(|panic| Err(Unexpected(said(&*panic))))
+        });
+        Tried {
+            row,
+            outcome,
+            spent: stopwatch.spent,
+        }
+    };
+    side_by_side(rows, &order, workers, go, work, each);
+}
+
+/// What a panic said.
+fn said(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+    format!("panicked: {}", text.as_deref().unwrap_or("without a word"))
+}
+
+/// What a record keeps of a row beside its flat rows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ExtremeDetail {
+    /// Its name.
+    pub name: String,
+    /// What is extreme in it.
+    pub what: String,
+    /// What a good code must do.
+    pub required: String,
+    /// How it ended: `held`, `refused`, `FAILED`.
+    pub ending: String,
+    /// Whether it ended as it should.
+    pub passed: bool,
+    /// Its bounds.
+    pub gates: Vec<GateDetail>,
+    /// Messages of what was refused as it should be.
+    pub refusals: Vec<String>,
+    /// What should not have happened.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unexpected: Option<String>,
+    /// Why it fails, where that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cause: Option<String>,
+    /// Its time \[s\].
+    pub seconds: f64,
+}
+
+impl ExtremeDetail {
+    /// The gate that is nearest to its bound, or farthest beyond it.
+    #[must_use]
+    pub fn worst(&self) -> Option<&GateDetail> {
+        let by_use = |a: &&GateDetail, b: &&GateDetail| used(a).total_cmp(&used(b));
+        self.gates.iter().max_by(by_use)
+    }
+}
+
+/// Share of its bound that a gate uses up; more than one where it does not hold.
+fn used(gate: &GateDetail) -> f64 {
+    let Some(value) = gate.value else {
+        return f64::INFINITY;
+    };
+    let (low, high) = if gate.relation == "at least" {
+        (gate.bound, value)
+    } else {
+        (value, gate.bound)
+    };
+    match low / high {
+        // Nothing where nothing is allowed.
+        share if share.is_nan() => 0.0,
+        share => share,
+    }
+}
+
+impl From<&Tried> for ExtremeDetail {
+    fn from(tried: &Tried) -> Self {
+        let row = tried.row;
+        let ending = tried.ending();
+        let finding = tried.outcome.as_ref().ok().cloned().unwrap_or_default();
+        Self {
+            name: row.name.to_owned(),
+            what: row.what.to_owned(),
+            required: row.required.to_owned(),
+            ending: ending.word().to_owned(),
+            passed: ending != Ending::Failed,
+            gates: finding.gates.iter().map(gate).collect(),
+            refusals: finding.refusals,
+            unexpected: tried.outcome.as_ref().err().map(ToString::to_string),
+            cause: row
+                .cause
+                .filter(|_| ending == Ending::Failed)
+                .map(str::to_owned),
+            seconds: tried.spent.wall.as_secs_f64(),
+        }
+    }
+}
+
+impl Details {
+    /// Adds a row of the stiff and extreme scenes.
+    fn push_extreme(&mut self, tried: &Tried) {
+        let detail = self.stability.get_or_insert_default();
+        detail.extreme.push(tried.into());
+    }
+}
+
+impl Record {
+    /// Adds a row for one of the stiff and extreme scenes, and one per gate.
+    pub fn push_extreme(&mut self, tried: &Tried) {
+        let name = format!("{ROWS}{}", tried.row.name);
+        let mut row = Row::sample(&name, 0, 1).timed(tried.spent);
+        row.label("ending", tried.ending().word());
+        match &tried.outcome {
+            Ok(finding) => {
+                row.count("value_refusals", finding.refusals.len() as f64);
+                self.push(row);
+                for gate in &finding.gates {
+                    self.push_gate(&name, gate, 1);
+                }
+            }
+            Err(unexpected) => {
+                row.fail(unexpected.to_string());
+                self.push(row);
+            }
+        }
+        self.details.push_extreme(tried);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    static ROWS: [Extreme; 2] = [
+        Extreme {
+            name: "panics",
+            what: "a row with a fault of its own",
+            required: "the others go on",
+            cause: Some("it was made so"),
+            judge: || panic!("out of {}", "bounds"),
+        },
+        Extreme {
+            name: "refused",
+            what: "nothing",
+            required: "a reason",
+            cause: Some("not shown where nothing fails"),
+            judge: || {
+                Ok(Finding {
+                    refusals: vec!["no".to_owned()],
+                    ..Finding::default()
+                })
+            },
+        },
+    ];
+
+    #[test]
+    fn a_row_that_panics_has_failed_and_the_others_go_on() {
+        let rows: Vec<&'static Extreme> = ROWS.iter().collect();
+        let mut details: Vec<ExtremeDetail> = vec![];
+        try_all(&rows, 1, &|| true, |tried| details.push((&tried).into()));
+        let [panicked, refused] = &details[..] else {
+            panic!("{details:?}");
+        };
+        assert!(!panicked.passed && refused.passed);
+        assert_eq!(
+            panicked.unexpected.as_deref(),
+            Some("panicked: out of bounds")
+        );
+        assert_eq!(panicked.cause.as_deref(), Some("it was made so"));
+        assert_eq!(
+            (refused.ending.as_str(), &refused.cause),
+            ("refused", &None)
+        );
+    }
+
+    #[test]
+    fn the_worst_gate_is_the_nearest_to_its_bound() {
+        let gate = |name: &str, value: Option<f64>, relation: &str, bound: f64| GateDetail {
+            name: name.to_owned(),
+            value,
+            relation: relation.to_owned(),
+            bound,
+            reason: String::new(),
+            passed: true,
+        };
+        let mut detail = ExtremeDetail::from(&Tried {
+            row: &ROWS[1],
+            outcome: Ok(Finding::default()),
+            spent: Spent::default(),
+        });
+        assert_eq!(detail.worst(), None);
+        detail.gates = vec![
+            gate("nothing of nothing", Some(0.0), "at most", 0.0),
+            gate("half", Some(0.5), "at most", 1.0),
+            gate("four fifths", Some(5.0), "at least", 4.0),
+        ];
+        assert_eq!(
+            detail.worst().map(|gate| gate.name.as_str()),
+            Some("four fifths")
+        );
+        detail.gates.push(gate("no number", None, "at most", 1.0));
+        assert_eq!(
+            detail.worst().map(|gate| gate.name.as_str()),
+            Some("no number")
+        );
+    }
+}
