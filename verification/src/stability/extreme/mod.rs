@@ -4,6 +4,20 @@
 //! A row is a function that runs what it needs and returns bounds on what physics says of it ([`Gate`]: an exact value, a
 //! balance of momentum or energy, a symmetry, equal bits) and the messages of what was refused.
 
+pub mod alone;
+pub mod apart;
+pub mod contrast;
+pub mod corner;
+pub mod fast;
+pub mod friction;
+pub mod incompressible;
+pub mod ringing;
+pub mod stiff_contact;
+pub mod touching;
+mod trial;
+pub mod turning;
+pub mod watch;
+
 use std::fmt;
 
 use crate::case::Gate;
@@ -70,7 +84,8 @@ impl Finding {
     /// How the row ended.
     #[must_use]
     pub fn ending(&self) -> Ending {
-        if !self.gates.iter().all(Gate::passed) || self.gates.is_empty() && self.refusals.is_empty() {
+        if !self.gates.iter().all(Gate::passed) || self.gates.is_empty() && self.refusals.is_empty()
+        {
             Ending::Failed
         } else if self.gates.is_empty() {
             Ending::Refused
