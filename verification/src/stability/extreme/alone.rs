@@ -4,9 +4,12 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use proctor_kernel::scene::{ParticleSeed, Scene, Shape, Transfer, Vector, Weighting};
-use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
+use proctor_kernel::simulation::{InitialField, InitialState};
 
-use super::trial::{Kept, ROUND_OFF, apart, elastic, kept, open, open_space, run_to, start, worst};
+use super::trial::{
+    Kept, ROUND_OFF, apart, elastic, kept, off_by_a_quarter_turn, open, open_space, run_to, start,
+    worst,
+};
 use super::{Extreme, Finding, Unexpected};
 use crate::case::Gate;
 use crate::cases::AT_REST;
@@ -203,22 +206,4 @@ fn thin_shell() -> Result<Finding, Unexpected> {
         gates,
         refusals: vec![],
     })
-}
-
-/// How far the nearest particle is from where a quarter turn about a point brings each, over `scale` \[m\].
-fn off_by_a_quarter_turn(simulation: &Simulation, center: [f64; 2], scale: f64) -> f64 {
-    let places: Vec<Vector> = (0..simulation.particles())
-        .map(|p| simulation.position(0, p))
-        .collect();
-    let mut most = 0.0;
-    for x in &places {
-        let turned = [
-            center[0] - (x[1] - center[1]),
-            center[1] + (x[0] - center[0]),
-            0.0,
-        ];
-        let near = places.iter().map(|y| apart(y, &turned));
-        most = worst(most, near.fold(f64::INFINITY, f64::min) / scale);
-    }
-    most
 }

@@ -18,13 +18,13 @@ use crate::stability::map::SCHEMES;
 /// The rows of this file.
 pub static ROWS: &[Extreme] = &[Extreme {
     name: "torn-apart",
-    what: "a bar whose ends fly apart at fifty times its wave speed, to a stretch of 6 with empty cells between its particles",
+    what: "a bar whose ends fly apart at a hundred times its wave speed, until empty cells lie between all its particles",
     required: "no force between particles that no node joins; domains that follow say when they outgrow the stencil and stop at a cell",
     cause: None,
     judge: torn_apart,
 }];
 
-/// Rate at which the bar is stretched at the start \[1/s\]: ends at fifty times the wave speed.
+/// Rate at which the bar is stretched at the start \[1/s\]: ends at a hundred times the wave speed.
 const RATE: f64 = 50.0;
 /// Length of the bar in cells, and where it ends on the left; the middle stands.
 const LENGTH: f64 = 4.0;

@@ -58,7 +58,7 @@ struct Collision {
     push: f64,
 }
 
-/// Runs a collision; `apart` is the direction in which contact pushes the second body.
+/// Runs a collision; `direction` is that in which contact pushes the second body.
 fn collide(
     simulation: &mut Simulation,
     time: f64,
@@ -103,7 +103,7 @@ fn fair(unbalanced: f64, pull: f64, push: f64) -> [Gate; 3] {
             "contact never pulls",
         ),
         Gate::at_least(
-            String::from("smallest largest push [N]"),
+            String::from("largest push [N], the least of all runs"),
             push,
             f64::MIN_POSITIVE,
             "bodies that did not touch show nothing",
@@ -290,7 +290,7 @@ fn ten_bodies() -> Result<Finding, Unexpected> {
             "the force on the one is that on the other, with its sign",
         ),
         Gate::at_least(
-            String::from("largest force [N]"),
+            String::from("largest force [N], the least of all runs"),
             push,
             f64::MIN_POSITIVE,
             "bodies that did not touch show nothing",

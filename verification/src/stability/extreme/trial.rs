@@ -147,6 +147,24 @@ pub(super) fn apart(a: &Vector, b: &Vector) -> f64 {
     differences.fold(0.0, worst)
 }
 
+/// How far the nearest particle is from where a quarter turn about a point brings each, over `scale` \[m\].
+pub(super) fn off_by_a_quarter_turn(simulation: &Simulation, center: [f64; 2], scale: f64) -> f64 {
+    let places: Vec<Vector> = (0..simulation.particles())
+        .map(|p| simulation.position(0, p))
+        .collect();
+    let mut most = 0.0;
+    for x in &places {
+        let turned = [
+            center[0] - (x[1] - center[1]),
+            center[1] + (x[0] - center[0]),
+            0.0,
+        ];
+        let near = places.iter().map(|y| apart(y, &turned));
+        most = worst(most, near.fold(f64::INFINITY, f64::min) / scale);
+    }
+    most
+}
+
 /// Momentum and energy of a run on which nothing acts from outside.
 pub(super) struct Kept {
     momentum: Vector,
