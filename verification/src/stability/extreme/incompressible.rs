@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{DomainUpdate, PlaneCondition, Scene, Shape, Weighting};
+use proctor_kernel::scene::{DomainUpdate, PlaneCondition, Scene, Shape, Vector, Weighting};
 use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
 
 use super::trial::{
@@ -15,13 +15,32 @@ use crate::exact::sudden_weight::SuddenWeight;
 use crate::stability::map::SCHEMES;
 
 /// The rows of this file.
-pub static ROWS: &[Extreme] = &[Extreme {
-    name: "nearly-incompressible",
-    what: "Poisson's ratio of 0.4999 and 0.49999: waves 40.8 and 129 times as fast as sqrt(E/rho)",
-    required: "the step from that speed; confined compression exact; a free block stable",
-    cause: None,
-    judge: nearly_incompressible,
-}];
+pub static ROWS: &[Extreme] = &[
+    Extreme {
+        name: "nearly-incompressible",
+        what: "Poisson's ratio of 0.4999 and 0.49999: waves 40.8 and 129 times as fast as sqrt(E/rho)",
+        required: "the step from that speed; confined compression exact; a free block stable",
+        cause: None,
+        judge: nearly_incompressible,
+    },
+    Extreme {
+        name: "locking",
+        what: "a square that swings in a mode without change of volume, in which Poisson's ratio has no part, with GIMP",
+        required: "its swing at 0.4999 and 0.49999 as exact as at 0.3, times two",
+        cause: Some(
+            "locked: each particle resists the change of volume at its own place, and velocities that are bilinear in a cell \
+             cannot be without divergence at all of them; finer cells do not help",
+        ),
+        judge: || locking(Weighting::UniformGimp),
+    },
+    Extreme {
+        name: "locking-b-splines",
+        what: "the same with quadratic B-splines",
+        required: "the same",
+        cause: None,
+        judge: || locking(Weighting::QuadraticBSpline),
+    },
+];
 
 /// Poisson's ratios, the first to compare with.
 const RATIOS: [f64; 3] = [0.3, 0.4999, 0.49999];
@@ -157,6 +176,66 @@ fn nearly_incompressible() -> Result<Finding, Unexpected> {
             &format!("{name}, free block with noise"),
             drift,
             grown,
+        ));
+    }
+    Ok(Finding {
+        gates,
+        refusals: vec![],
+    })
+}
+
+/// Displacement over the exact one of a square that swings in its first Lamé mode, u = (cos kx sin ky, -sin kx cos ky) with
+/// k = pi/a, after a quarter of its period: its share in the mode. The mode has no divergence and no traction at the
+/// edges, so that omega = sqrt(2) k c_s whatever lambda is.
+fn swing(poisson: f64, weighting: Weighting) -> Result<f64, Unexpected> {
+    const SIDE: f64 = 8.0;
+    const CORNER: f64 = 2.0;
+    const SPEED: f64 = 1e-6;
+    let wave = std::f64::consts::PI / SIDE;
+    let frequency = 2.0_f64.sqrt() * wave * (0.5 / (1.0 + poisson)).sqrt();
+    let mode = move |x: &Vector| -> [f64; 2] {
+        let [(sin_x, cos_x), (sin_y, cos_y)] = [0, 1].map(|k| libm::sincos(wave * (x[k] - CORNER)));
+        [cos_x * sin_y, -sin_x * cos_y]
+    };
+    let mut scene = open([12, 12]);
+    scene.weighting = weighting;
+    let material = scene.add_material(elastic(1.0, poisson), 1.0);
+    let square = Shape::rectangle([CORNER; 2], [CORNER + SIDE; 2]);
+    scene.add_body(square, material);
+    let swings: InitialField = Arc::new(move |x| {
+        let [u, v] = mode(x);
+        InitialState {
+            velocity: [SPEED * u, SPEED * v, 0.0],
+            ..AT_REST
+        }
+    });
+    let mut simulation = start(&scene, Some(swings))?;
+    let quarter = std::f64::consts::FRAC_PI_2 / frequency;
+    run_to(&mut simulation, quarter, |_, _| ())?;
+    let (mut share, mut whole) = (0.0, 0.0);
+    for p in 0..simulation.particles() {
+        let [u, v] = mode(&simulation.position(0, p));
+        let moved = simulation.displacement(0, p).unwrap_or([f64::NAN; 3]);
+        share += u * moved[0] + v * moved[1];
+        whole += u * u + v * v;
+    }
+    Ok(share / whole * frequency / SPEED)
+}
+
+fn locking(weighting: Weighting) -> Result<Finding, Unexpected> {
+    let own = (swing(RATIOS[0], weighting)? - 1.0).abs();
+    let mut gates = vec![Gate::at_most(
+        format!("nu = {}: swing over the exact one, less one", RATIOS[0]),
+        own,
+        0.05,
+        "eight cells: (k h)²/24 of the grid along both axes, and a rim of half a cell that weighs or holds too little",
+    )];
+    for poisson in &RATIOS[1..] {
+        gates.push(Gate::at_most(
+            format!("nu = {poisson}: swing over the exact one, less one"),
+            (swing(*poisson, weighting)? - 1.0).abs(),
+            2.0 * own,
+            "Poisson's ratio has no part in the exact mode",
         ));
     }
     Ok(Finding {
