@@ -4,16 +4,29 @@
 //! A row is a function that runs what it needs and returns bounds on what physics says of it ([`Gate`]: an exact value, a
 //! balance of momentum or energy, a symmetry, equal bits) and the messages of what was refused.
 
+mod alone;
+mod apart;
 mod bits;
+mod contrast;
+mod corner;
+mod fast;
+mod friction;
+mod incompressible;
 mod input;
 mod light;
 mod mesh;
 mod motion;
 mod nothing;
 mod places;
+mod ringing;
 mod runs;
 mod state;
 mod steps;
+mod stiff_contact;
+mod touching;
+mod trial;
+mod turning;
+mod watch;
 
 use std::fmt;
 
@@ -30,6 +43,18 @@ static LISTS: &[&[Extreme]] = &[
     input::ROWS,
     state::ROWS,
     nothing::ROWS,
+    contrast::ROWS,
+    incompressible::ROWS,
+    alone::ROWS,
+    fast::ROWS,
+    apart::ROWS,
+    ringing::ROWS,
+    turning::ROWS,
+    friction::ROWS,
+    touching::ROWS,
+    stiff_contact::ROWS,
+    corner::ROWS,
+    watch::ROWS,
 ];
 
 /// All rows, in the order in which they are shown.

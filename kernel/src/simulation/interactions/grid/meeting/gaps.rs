@@ -41,12 +41,15 @@ impl Meetings {
                     }) else {
                         continue;
                     };
-                    let other = match pair.normal {
-                        ContactNormal::Collinear => ContactNormal::Master,
-                        _ => ContactNormal::Collinear,
+                    // Of two that could do, both: which body is called the master must make no difference.
+                    let others: &[ContactNormal] = match pair.normal {
+                        ContactNormal::Collinear => &[ContactNormal::Master, ContactNormal::Slave],
+                        _ => &[ContactNormal::Collinear],
                     };
-                    if let Some(other) = surface::normal(other, &master, &slave, &shape.cell) {
-                        doubtful.push((node, touch, other));
+                    for &other in others {
+                        if let Some(other) = surface::normal(other, &master, &slave, &shape.cell) {
+                            doubtful.push((node, touch, other));
+                        }
                     }
                 }
             }
