@@ -11,6 +11,9 @@ use crate::scene::TimeStep;
 /// Share of the step in which a gap of mortar contact closes as far as it may: surfaces speed up within a step, most of
 /// all where light nodes carry them.
 const CLOSING_SHARE: f64 = 0.5;
+/// Largest step over the one before where interactions bound steps: a contact that lets go for a moment is met again at
+/// speeds that it has changed.
+const GROWTH: f64 = 2.0;
 /// Cells that a particle may cross in one step.
 const MOST_CELLS_PER_STEP: f64 = 0.5;
 
@@ -138,6 +141,16 @@ impl Simulation {
         )
     }
 
+    /// The longest step after the one before, where an interaction bounds steps by `closing` \[s\].
+    fn grown(&self, closing: f64) -> f64 {
+        let before = self.state.clock.dt_before;
+        if closing < f64::INFINITY && before > 0.0 {
+            GROWTH * before
+        } else {
+            f64::INFINITY
+        }
+    }
+
     /// The step that would be taken now without regard to output times, or why it is refused.
     pub(super) fn propose(&self) -> Result<(f64, f64, Bound), Unstable> {
         let (critical, bound, wave_speed, particle_speed) = self.critical();
@@ -146,6 +159,9 @@ impl Simulation {
         let (dt, bound, allow) = match self.decided.scene.time_step {
             TimeStep::Automatic if closing < AUTOMATIC_SHARE * critical => {
                 (closing, Bound::Closing, false)
+            }
+            TimeStep::Automatic if self.grown(closing) < AUTOMATIC_SHARE * critical => {
+                (self.grown(closing), Bound::Contact, false)
             }
             TimeStep::Automatic => (AUTOMATIC_SHARE * critical, bound, false),
             TimeStep::Multiplier {
