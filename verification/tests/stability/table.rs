@@ -1,9 +1,10 @@
 //! What the kernel holds, against a sample that is measured anew.
 
+use proctor_kernel::plan::AUTOMATIC_SHARE;
 use proctor_kernel::scene::{Dimension, StressScheme, TransferKind, Weighting};
 use proctor_verification::settings::Method;
 use proctor_verification::stability::block::{Choice, Form};
-use proctor_verification::stability::map::AUTOMATIC_SHARE;
+
 use proctor_verification::stability::table::TOO_CAREFUL;
 
 /// Smallest predicted limits of bodies that are more than a cell thick, and of all bodies.
