@@ -54,15 +54,18 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
 #[inline(always)]
 pub fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    // On a node the mean of both sides, the limit of GIMP: its neighbours have no weight there, and where they have no mass
-    // either, what they would give and take has to cancel.
-    let tie = L::select(f.eq(one), L::splat(0.5), zero);
-    closed::<L, N>(
-        (one - f).max(zero),
-        (f - one).max(zero),
-        L::select(f.lt(one), -one, -tie),
-        L::select(one.lt(f), one, tie),
-    )
+    let before = f.lt(one);
+    let (mut g_0, mut g_2) = (L::select(before, -one, zero), L::select(before, zero, one));
+    let tie = f.eq(one);
+    // Asked for the whole group, as hardly a particle lies on a node to the last bit.
+    if L::bits(tie) != 0 {
+        // There the mean of both sides, the limit of GIMP: the neighbours have no weight, and where they have no mass either,
+        // what they would give and take has to cancel.
+        let half = L::splat(0.5);
+        g_0 = L::select(tie, -half, g_0);
+        g_2 = L::select(tie, half, g_2);
+    }
+    closed::<L, N>((one - f).max(zero), (f - one).max(zero), g_0, g_2)
 }
 
 /// [`axis_weights`] of GIMP, with `quarter` = 1/(4 l).

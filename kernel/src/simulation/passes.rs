@@ -9,7 +9,7 @@ use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::Phase;
 use super::step::Watcher;
 use super::{Simulation, Work};
-use crate::stage::g2p::{self, Found, G2p, Task};
+use crate::stage::g2p::{self, Found, G2p, Task, dilation};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, PlaneSums};
 use std::borrow::Cow;
@@ -198,7 +198,7 @@ impl Simulation {
         let mesh = &self.decided.scene.mesh;
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
-        let lanes = self.decided.lanes;
+        let (lanes, stencil) = (self.decided.lanes, self.state.stencil);
         let cell_average = self.decided.plan.cell_average && task.strain.is_some();
         let mut travel = 0.0_f64;
         let mut faults = vec![];
@@ -224,6 +224,21 @@ impl Simulation {
                 .nodes
                 .lines();
             let act = |mut columns: Vec<&mut [f64]>| {
+                // Before positions move.
+                let excess = if cell_average {
+                    let upper = task.gradient_of_upper;
+                    dilation::excess(
+                        lanes,
+                        stencil,
+                        &columns,
+                        &layout,
+                        &body.mapping,
+                        nodes,
+                        upper,
+                    )
+                } else {
+                    vec![]
+                };
                 call(
                     lanes,
                     G2p {
@@ -236,7 +251,7 @@ impl Simulation {
                         domain_update: body.domain_update,
                         nodes,
                         beyond,
-                        cell_average,
+                        excess: &excess,
                         task,
                     },
                 )

@@ -8,7 +8,7 @@ use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
 use proctor_kernel::stage::Mapping;
-use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task};
+use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task, dilation};
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::Family;
@@ -204,6 +204,20 @@ fn particles_after(
     }
     let found = {
         let mut columns: Vec<&mut [f64]> = set.columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let excess = if cell_average {
+            let upper = task.gradient_of_upper;
+            dilation::excess(
+                lanes,
+                stencil,
+                &columns,
+                &set.layout,
+                &mapping,
+                nodes.lines(),
+                upper,
+            )
+        } else {
+            vec![]
+        };
         let call = G2p {
             lanes,
             columns: &mut columns,
@@ -214,7 +228,7 @@ fn particles_after(
             domain_update: wanted.half_length.then_some(DomainUpdate::LeftStretch),
             nodes: nodes.lines(),
             beyond: [(CELLS as f64).next_up(); 3],
-            cell_average,
+            excess: &excess,
             task,
         };
         g2p::instance(axes, stencil, &task)(lanes, call)

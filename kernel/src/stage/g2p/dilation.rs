@@ -4,74 +4,67 @@
 //! the other factors of S_I replaced by their means over the cells in which the particle domain lies: selective reduced
 //! integration for particles (Hughes 1980; Nagtegaal, Parks and Rice 1974).
 
-use super::G2p;
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Lanes};
-use crate::laws::{BLOCK, Gradients, MOST_LANES};
+use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::laws::{Gradients, MOST_LANES};
+use crate::layout::Layout;
 use crate::stage::{Mapping, group_at, layer_of, weights_of};
 use crate::weights::cell_mean_weights;
-use std::ops::Range;
 
-/// By how much tr L of the particles of a block exceeds its mean, shared among the axes \[1/s\].
-pub(super) struct Excess([f64; BLOCK + 2 * MOST_LANES]);
-
-impl Excess {
-    #[inline(always)]
-    pub(super) fn none() -> Self {
-        Self([0.0; BLOCK + 2 * MOST_LANES])
+/// By how much tr L of some particles exceeds its mean over cells, at their positions of now, shared among the axes \[1/s\].
+/// `upper` takes the velocities of the upper lanes of the nodes.
+#[must_use]
+pub fn excess(
+    lanes: Selected,
+    stencil: usize,
+    columns: &[&mut [f64]],
+    layout: &Layout,
+    mapping: &Mapping,
+    nodes: &[Line],
+    upper: bool,
+) -> Vec<f64> {
+    let source = if upper { 4 } else { 1 };
+    match (layout.axes, stencil) {
+        (2, 3) => lanes.run(Find::<2, 3>(columns, mapping, nodes, source)),
+        (2, _) => lanes.run(Find::<2, 4>(columns, mapping, nodes, source)),
+        (_, 3) => lanes.run(Find::<3, 3>(columns, mapping, nodes, source)),
+        (_, _) => lanes.run(Find::<3, 4>(columns, mapping, nodes, source)),
     }
+}
 
-    /// Finds it for the block that begins at particle `block`, at the positions of now; `upper` takes the velocities of the
-    /// upper lanes.
-    pub(super) fn find<const D: usize, const N: usize>(
-        &mut self,
-        call: &G2p<'_, '_>,
-        upper: bool,
-        block: usize,
-    ) {
-        // The last group of a block may reach beyond it.
-        let end = call.columns[0].len().min(block + BLOCK + MOST_LANES);
-        call.lanes.run(Find::<D, N> {
-            columns: call.columns,
-            mapping: call.mapping,
-            nodes: call.nodes,
-            source: if upper { 4 } else { 1 },
-            range: block..end,
-            excess: self,
-        });
-    }
-
-    /// Takes it from the gradients.
-    pub(super) fn take_from<const D: usize>(&self, gradients: &mut Gradients) {
-        for axis in 0..D {
-            for (component, excess) in gradients.0[(D + 1) * axis].iter_mut().zip(&self.0) {
-                *component -= excess;
-            }
+/// The gradients of a block without the excess of its particles. A copy, as only scenes with means over cells need it.
+#[inline(never)]
+pub(super) fn without(excess: &[f64], axes: usize, gradients: &Gradients) -> Box<Gradients> {
+    let mut relieved = Box::new(Gradients(gradients.0));
+    for axis in 0..axes {
+        for (component, excess) in relieved.0[(axes + 1) * axis].iter_mut().zip(excess) {
+            *component -= excess;
         }
     }
+    relieved
 }
 
-/// Finds it in lanes.
-struct Find<'a, 'b, const D: usize, const N: usize> {
-    columns: &'a [&'b mut [f64]],
-    mapping: &'a Mapping,
-    nodes: &'a [Line],
-    /// First lane of the velocity.
-    source: usize,
-    range: Range<usize>,
-    excess: &'a mut Excess,
-}
+/// Finds it in lanes: columns, mapping, nodes, first lane of the velocity.
+struct Find<'a, 'b, const D: usize, const N: usize>(
+    &'a [&'b mut [f64]],
+    &'a Mapping,
+    &'a [Line],
+    usize,
+);
 
 impl<const D: usize, const N: usize> Kernel for Find<'_, '_, D, N> {
-    type Output = ();
+    type Output = Vec<f64>;
 
     #[inline(always)]
-    fn run<B: Backend>(self) {
-        let mut at = self.range.start;
-        while at < self.range.end {
-            let group =
-                group_at::<B::Native, _, D, N>(self.columns, self.mapping, at, self.range.end);
-            let (w, g) = weights_of::<B::Native, _, D, N>(self.columns, self.mapping, &group, at);
+    fn run<B: Backend>(self) -> Vec<f64> {
+        let Self(columns, mapping, ..) = self;
+        let count = columns[0].len();
+        // A whole group may be written behind the last particle.
+        let mut excess = vec![0.0; count + MOST_LANES];
+        let mut at = 0;
+        while at < count {
+            let group = group_at::<B::Native, _, D, N>(columns, mapping, at, count);
+            let (w, g) = weights_of::<B::Native, _, D, N>(columns, mapping, &group, at);
             let mut mean = w;
             let mut first = [0; 3];
             for axis in 0..D {
@@ -81,12 +74,14 @@ impl<const D: usize, const N: usize> Kernel for Find<'_, '_, D, N> {
             let mut sum = B::Native::splat(0.0);
             for axis in 0..D {
                 let part = self.along::<B::Native>(axis, first, &w, &mean, &g);
-                sum = B::Native::splat(self.mapping.inverse_cell[axis]).mul_add(part, sum);
+                sum = B::Native::splat(mapping.inverse_cell[axis]).mul_add(part, sum);
             }
             let share = B::Native::splat(1.0 / D as f64) * sum;
-            share.store(&mut self.excess.0[at - self.range.start..][..MOST_LANES]);
+            share.store(&mut excess[at..at + MOST_LANES]);
             at += group.count;
         }
+        excess.truncate(count);
+        excess
     }
 }
 
@@ -102,7 +97,8 @@ impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
         mean: &[[L; N]; 3],
         g: &[[L; N]; 3],
     ) -> L {
-        let [_, middle, fast] = self.mapping.nodes;
+        let Self(_, mapping, nodes, source) = *self;
+        let [_, middle, fast] = mapping.nodes;
         // Nodes from one to the next along each axis; the plane has no middle one.
         let step = if D == 3 {
             [middle * fast, fast, 1]
@@ -127,7 +123,7 @@ impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
                 let row = base + i * step[a] + j * step[b];
                 let mut along = L::splat(0.0);
                 for k in 0..N {
-                    let v_i = self.nodes[row + k * step[axis]][self.source + axis];
+                    let v_i = nodes[row + k * step[axis]][source + axis];
                     along = g[axis][k].mul_add(L::splat(v_i), along);
                 }
                 sum = difference.mul_add(along, sum);

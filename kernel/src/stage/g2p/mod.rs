@@ -3,7 +3,7 @@
 //! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
 //! (technical manual, algorithm 2, lines 12, 15, 19, 20), then, block by block, the law with L_p.
 
-mod dilation;
+pub mod dilation;
 mod domain;
 mod interpolate;
 mod update;
@@ -15,7 +15,6 @@ use crate::laws::tensor::Configuration;
 use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::layout::Layout;
 use crate::scene::DomainUpdate;
-use dilation::Excess;
 use interpolate::{Sums, interpolate};
 use std::ops::Range;
 use update::{Maxima, fault, update};
@@ -70,8 +69,8 @@ pub struct G2p<'a, 'b> {
     pub nodes: &'a [Line],
     /// Smallest numbers beyond the edges of the mesh per axis \[m\].
     pub beyond: [f64; 3],
-    /// Whether volumetric strain is a mean over cells.
-    pub cell_average: bool,
+    /// What [`dilation::excess`] found; empty where volumetric strain is that of the particles.
+    pub excess: &'a [f64],
     /// What to do.
     pub task: Task,
 }
@@ -196,15 +195,10 @@ impl<
         let mut of_strain = Found::default();
         let mut sums = Sums::<B::Native>::zero();
         let mut gradients = Gradients::zero();
-        let mut excess = Excess::none();
         let mut at = 0;
         while at < end {
             let block = at;
             let mut bad = None;
-            if GRADIENT && call.cell_average {
-                // Before positions move.
-                excess.find::<D, N>(&call, UPPER, block);
-            }
             while at < end && at - block < BLOCK {
                 let group = group_at::<B::Native, _, D, N>(call.columns, call.mapping, at, end);
                 interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
@@ -230,9 +224,6 @@ impl<
                 at += group.count;
             }
             if GRADIENT && call.task.strain.is_some() {
-                if call.cell_average {
-                    excess.take_from::<D>(&mut gradients);
-                }
                 let first = strain(&mut call, &gradients, block..at, &mut of_strain);
                 bad = [bad, first].into_iter().flatten().min();
             }
@@ -252,13 +243,15 @@ fn strain(
     found: &mut Found,
 ) -> Option<usize> {
     let (dt, configuration) = call.task.strain?;
+    let excess = call.excess.get(range.clone());
+    let relieved = excess.map(|excess| dilation::without(excess, call.layout.axes, gradients));
     let strained = call.law.strain(
         call.lanes,
         Block {
             columns: call.columns,
             layout: call.layout,
             range: range.clone(),
-            gradients,
+            gradients: relieved.as_deref().unwrap_or(gradients),
             dt,
             configuration,
             density: call.density,
