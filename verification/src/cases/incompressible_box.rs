@@ -167,7 +167,7 @@ impl Study for IncompressibleBox {
 
     fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
         let mut scene = model::scene(rung.cell, Loading::Patch);
-        scene.name = self.name().to_owned();
+        self.name().clone_into(&mut scene.name);
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
         if rung.variant != LOCKED {
             scene.volumetric_strain = VolumetricStrain::CellAverage;
