@@ -328,8 +328,7 @@ fn a_stiff_penalty_force_shoots_nothing_off() {
     assert!(speed > 0.0);
     assert!(
         speed <= depth / info.dt * (1.0 + 1e-9),
-        "{speed}, {} deep",
-        depth
+        "{speed}, {depth} deep"
     );
 }
 

@@ -43,11 +43,11 @@ fn judge(choice: &Choice) -> f64 {
     let name = choice.name();
     assert!(
         held <= thick,
-        "{name}: {held} is unsafe, thick bodies hold to {thick}"
+        "{name}: {held} is too much, thick bodies hold to {thick}"
     );
     assert!(
         AUTOMATIC_SHARE * held <= any,
-        "{name}: {AUTOMATIC_SHARE} of {held} is unsafe, any body holds to {any}"
+        "{name}: {AUTOMATIC_SHARE} of {held} is too much, any body holds to {any}"
     );
     held / thick.min(any / AUTOMATIC_SHARE)
 }
