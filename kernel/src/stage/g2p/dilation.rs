@@ -32,16 +32,14 @@ pub fn excess(
     }
 }
 
-/// The gradients of a block without the excess of its particles. A copy, as only scenes with means over cells need it.
+/// Takes the excess of its particles from the gradients of a block.
 #[inline(never)]
-pub(super) fn without(excess: &[f64], axes: usize, gradients: &Gradients) -> Box<Gradients> {
-    let mut relieved = Box::new(Gradients(gradients.0));
+pub(super) fn take(excess: &[f64], axes: usize, gradients: &mut Gradients) {
     for axis in 0..axes {
-        for (component, excess) in relieved.0[(axes + 1) * axis].iter_mut().zip(excess) {
+        for (component, excess) in gradients.0[(axes + 1) * axis].iter_mut().zip(excess) {
             *component -= excess;
         }
     }
-    relieved
 }
 
 /// Finds it in lanes: columns, mapping, nodes, first lane of the velocity.

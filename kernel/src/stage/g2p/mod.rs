@@ -224,6 +224,9 @@ impl<
                 at += group.count;
             }
             if GRADIENT && call.task.strain.is_some() {
+                if !call.excess.is_empty() {
+                    dilation::take(&call.excess[block..at], D, &mut gradients);
+                }
                 let first = strain(&mut call, &gradients, block..at, &mut of_strain);
                 bad = [bad, first].into_iter().flatten().min();
             }
@@ -243,15 +246,13 @@ fn strain(
     found: &mut Found,
 ) -> Option<usize> {
     let (dt, configuration) = call.task.strain?;
-    let excess = call.excess.get(range.clone());
-    let relieved = excess.map(|excess| dilation::without(excess, call.layout.axes, gradients));
     let strained = call.law.strain(
         call.lanes,
         Block {
             columns: call.columns,
             layout: call.layout,
             range: range.clone(),
-            gradients: relieved.as_deref().unwrap_or(gradients),
+            gradients,
             dt,
             configuration,
             density: call.density,
