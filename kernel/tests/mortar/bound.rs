@@ -76,8 +76,9 @@ fn a_gap_may_close_to_half_the_critical_one_or_by_that_much() {
 
 #[test]
 fn the_vertex_that_is_in_most_of_a_hurry_decides() {
-    let vertex = |gap: f64, closing: f64| {
+    let site = |vertex: usize, gap: f64, closing: f64| {
         Some(VertexContact {
+            vertex,
             gap,
             normal: point(0.0, 1.0),
             pressure: 0.0,
@@ -88,14 +89,18 @@ fn the_vertex_that_is_in_most_of_a_hurry_decides() {
         })
     };
     let (gc, reach) = (0.2, 1.1);
-    let of =
-        |vertices: &[Option<VertexContact<2, 1>>]| Closing::of(vertices, gc, reach, [3.0, 2.0]);
+    let of = |sites: &[Option<VertexContact<2, 1>>]| Closing::of(sites, gc, reach, [3.0, 2.0]);
     // Nothing faces anything: both at full speed towards each other, from just out of reach.
     let whole = of(&[None]);
     assert_eq!((whole.vertex, whole.time_step()), (None, 1.0 / 5.0));
     // 0.1 m allowed at 1 m/s, against 0.4 m at 3 m/s and one that leaves.
-    let found = of(&[vertex(0.5, 3.0), None, vertex(0.1, 1.0), vertex(0.0, -9.0)]);
-    assert_eq!(found.vertex, Some(2));
+    let found = of(&[
+        site(0, 0.5, 3.0),
+        None,
+        site(7, 0.1, 1.0),
+        site(2, 0.0, -9.0),
+    ]);
+    assert_eq!(found.vertex, Some(7));
     assert!((found.time_step() - 0.1).abs() < 1e-15);
     assert_eq!(Closing::NONE.time_step(), f64::INFINITY);
 }

@@ -21,14 +21,18 @@ fn normals_point_out_of_the_material() {
         let middle = 0.5 * (square.points[a] + square.points[b]);
         assert!(square.segment_normal(s).dot(&(middle - point(0.5, 0.5))) > 0.49);
     }
-    // Weighted by length: a corner between edges of 3 and 4 has the normal of the hypotenuse.
-    let corner = open(&[[-3.0, 0.0], [0.0, 0.0], [0.0, 4.0]]);
-    assert!((corner.normals()[1] - point(0.8, -0.6)).norm() < 1e-15);
+    // Weighted by length: the mean of (0, -3) and (1, -4).
+    let bend = open(&[[-3.0, 0.0], [0.0, 0.0], [4.0, 1.0]]);
+    assert!((bend.normals()[1] - point(1.0, -7.0).normalize()).norm() < 1e-15);
     // Ends have the normal of their only segment.
-    assert!((corner.normals()[0] - point(0.0, -1.0)).norm() < 1e-15);
-    assert_eq!(corner.around(0), [None, Some(0)]);
-    assert_eq!(corner.around(1), [Some(0), Some(1)]);
-    assert_eq!(corner.tributary_lengths(), [1.5, 3.5, 2.0]);
+    assert!((bend.normals()[0] - point(0.0, -1.0)).norm() < 1e-15);
+    assert_eq!(bend.around(0), [None, Some(0)]);
+    assert_eq!(bend.around(1), [Some(0), Some(1)]);
+    // The corner between edges of 3 and 4 has a normal for each of them, the second after all vertices.
+    let corner = open(&[[-3.0, 0.0], [0.0, 0.0], [0.0, 4.0]]);
+    assert!((corner.normals()[1] - point(0.0, -1.0)).norm() < 1e-15);
+    assert!((corner.normals()[3] - point(1.0, 0.0)).norm() < 1e-15);
+    assert_eq!(corner.tributary_lengths(), [1.5, 1.5, 2.0, 2.0]);
 }
 
 #[test]

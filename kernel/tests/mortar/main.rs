@@ -12,6 +12,7 @@ mod outline;
 mod overlap;
 mod pair;
 mod segments;
+mod sites;
 mod space;
 mod support;
 mod weights;

@@ -68,7 +68,7 @@ fn parallel_surfaces_have_their_distance_as_gap() {
             let slave = ceiling(&[0.0, 0.13, 0.5, 0.77, 1.0], gap);
             let master = floor(&[-0.3, 0.2, 0.6, 1.4], 0.0);
             let found = forces(&slave, &master, &law(detection, 0.0), &mut Slip::default());
-            for v in found.vertices {
+            for v in found.sites {
                 let v = v.expect("faces the floor");
                 assert!((v.gap - gap).abs() < 1e-14);
                 let pressure = NormalLaw::barrier(KAPPA, GC).pressure(gap);
@@ -173,7 +173,7 @@ proptest! {
         // gap: the couple is at most the force times the distance searched, and small against that for small gaps.
         let searched = law.search.reach.max(law.search.depth);
         prop_assert!((moment_slave + moment_master).abs() <= 1.1 * searched * scale);
-        for (k, v) in found.vertices.iter().enumerate() {
+        for (k, v) in found.sites.iter().enumerate() {
             if let Some(v) = v {
                 prop_assert!(v.pressure >= 0.0 && v.traction[0].abs() <= mu * v.pressure * (1.0 + 1e-14));
                 prop_assert!((v.normal.norm() - 1.0).abs() < 1e-14);
@@ -302,7 +302,7 @@ fn the_approach_is_the_relative_motion_along_the_normal() {
         &law(Detection::Mortar, 0.0),
         &mut Slip::default(),
     );
-    for vertex in found.vertices {
+    for vertex in found.sites {
         let vertex = vertex.expect("they face");
         assert!((vertex.approach - 0.03).abs() < 1e-15);
         assert!((vertex.closing - 3.0).abs() < 1e-14);

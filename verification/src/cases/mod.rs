@@ -36,6 +36,7 @@ mod block_on_two_blocks;
 mod boussinesq;
 mod cantilever;
 mod colliding_blocks;
+mod corner_block;
 mod dynamics;
 mod grains;
 mod hertz;
@@ -113,6 +114,7 @@ list! {
     sphere_on_terrain::SphereOnTerrain[GIVEN],
     hertz::Hertz[GIVEN],
     rolling_disk::RollingDisk[GIVEN],
+    corner_block::CornerBlock[GIVEN],
     hertz_slab::HertzSlab[GIVEN],
     hertz_sphere::HertzSphere[GIVEN],
     rolling_disk_slab::RollingDiskSlab[GIVEN],

@@ -94,7 +94,7 @@ impl Closing {
     /// vertices of slave and master \[m/s\].
     #[must_use]
     pub fn of<const D: usize, const T: usize>(
-        vertices: &[Option<VertexContact<D, T>>],
+        sites: &[Option<VertexContact<D, T>>],
         critical_gap: f64,
         reach: f64,
         speeds: [f64; 2],
@@ -104,15 +104,13 @@ impl Closing {
             speed: speeds[0] + speeds[1],
             allowed: allowed_approach(reach, critical_gap),
         };
-        vertices
+        sites
             .iter()
-            .enumerate()
-            .filter_map(|(k, vertex)| {
-                vertex.as_ref().map(|v| Self {
-                    vertex: Some(k),
-                    speed: v.closing,
-                    allowed: allowed_approach(v.gap, critical_gap),
-                })
+            .flatten()
+            .map(|site| Self {
+                vertex: Some(site.vertex),
+                speed: site.closing,
+                allowed: allowed_approach(site.gap, critical_gap),
             })
             .fold(whole, |most, one| {
                 if one.time_step() < most.time_step() {

@@ -1,5 +1,6 @@
 //! Boundaries: polylines of vertices without mass, checked once, and their normals.
 
+use super::sites::{SHARP, Sites};
 use super::{Point, cross};
 use std::fmt;
 
@@ -112,6 +113,7 @@ pub struct Boundary {
     segments: Vec<[usize; 2]>,
     sides: Vec<Side>,
     around: Vec<[Option<usize>; 2]>,
+    sites: Sites<2>,
 }
 
 impl Boundary {
@@ -150,12 +152,35 @@ impl Boundary {
             around[*a][1] = Some(s);
             around[*b][0] = Some(s);
         }
-        Ok(Self {
+        let mut boundary = Self {
             points,
             segments,
             sides,
             around,
-        })
+            sites: Sites::default(),
+        };
+        boundary.sites = boundary.find_sites();
+        Ok(boundary)
+    }
+
+    fn find_sites(&self) -> Sites<2> {
+        let smooth: Vec<[usize; 2]> = self
+            .around
+            .iter()
+            .filter_map(|around| {
+                let [s, t] = [around[0]?, around[1]?];
+                let cosine = self.segment_normal(s).dot(&self.segment_normal(t));
+                (cosine >= SHARP).then_some([s, t])
+            })
+            .collect();
+        Sites::new(self.points.len(), &self.segments, &smooth)
+    }
+
+    /// Where the polylines have normals: at each vertex, and at one where they turned by more than 30 degrees at the start
+    /// once for each side.
+    #[must_use]
+    pub fn sites(&self) -> &Sites<2> {
+        &self.sites
     }
 
     /// Vertices of each segment, in the direction of the polyline.
@@ -191,11 +216,11 @@ impl Boundary {
             .fold(0.0, f64::max)
     }
 
-    /// Half the length of the segments at each vertex \[m\].
+    /// Half the length of the segments at each site \[m\].
     #[must_use]
     pub fn tributary_lengths(&self) -> Vec<f64> {
-        let mut lengths = vec![0.0; self.points.len()];
-        for (s, [a, b]) in self.segments.iter().enumerate() {
+        let mut lengths = vec![0.0; self.sites.vertices().len()];
+        for (s, [a, b]) in self.sites.elements().iter().enumerate() {
             let half = 0.5 * self.edge(s).norm();
             lengths[*a] += half;
             lengths[*b] += half;
@@ -209,7 +234,7 @@ impl Boundary {
         right_of(&self.edge(segment)).normalize()
     }
 
-    /// Outward unit normals of the vertices: mean of those of their segments, weighted by length (eq. 41). A vertex
+    /// Outward unit normals of the sites: mean of those of their segments, weighted by length (eq. 41). A site
     /// whose two segments fold onto each other has none (zero).
     #[must_use]
     pub fn normals(&self) -> Vec<Point> {
@@ -221,8 +246,8 @@ impl Boundary {
     /// [`Boundary::normals`] into a list that is used again.
     pub fn normals_to(&self, sums: &mut Vec<Point>) {
         sums.clear();
-        sums.resize(self.points.len(), Point::zeros());
-        for (s, [a, b]) in self.segments.iter().enumerate() {
+        sums.resize(self.sites.vertices().len(), Point::zeros());
+        for (s, [a, b]) in self.sites.elements().iter().enumerate() {
             // The unit normal times the length is the edge turned.
             let turned = right_of(&self.edge(s));
             sums[*a] += turned;

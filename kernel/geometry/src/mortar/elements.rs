@@ -3,6 +3,7 @@
 use super::PointIn;
 use super::broad::Near;
 use super::points::{MortarPoint, Search};
+use super::sites::Sites;
 
 /// A boundary made of straight elements with D vertices each in D dimensions, and T = D - 1 tangents: segments in the
 /// plane, triangles in space.
@@ -19,15 +20,18 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
     /// Length of the longest segment or edge \[m\].
     fn longest(&self) -> f64;
 
-    /// Outward unit normals of the vertices, means of those of their elements (eq. 41), into a list that is used again.
+    /// Where this boundary has normals.
+    fn sites(&self) -> &Sites<D>;
+
+    /// Outward unit normals of the sites, means of those of their elements (eq. 41), into a list that is used again.
     fn normals_to(&self, normals: &mut Vec<PointIn<D>>);
 
-    /// Unit vectors at a vertex at right angles to its normal and to each other. They turn with the boundary, so that
+    /// Unit vectors at a site at right angles to its normal and to each other. They turn with the boundary, so that
     /// numbers kept along them do too.
-    fn tangents(&self, vertex: usize, normal: &PointIn<D>) -> [PointIn<D>; T];
+    fn tangents(&self, site: usize, normal: &PointIn<D>) -> [PointIn<D>; T];
 
     /// Adds the points at which integrals over the contact of one element of this slave are evaluated. `pairs` are that
-    /// element and those of the master near it, `normals` those of the slave's vertices, `cuts` is memory.
+    /// element and those of the master near it, `normals` those of the slave's sites, `cuts` is memory.
     fn points_of_element(
         &self,
         normals: &[PointIn<D>],
@@ -38,7 +42,7 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
         points: &mut Vec<MortarPoint<D>>,
     );
 
-    /// Adds a point at each vertex of this slave that faces the master, with the vertex's share of the elements around it.
+    /// Adds a point at each site of this slave that faces the master, with the site's share of its elements.
     fn points_of_vertices(
         &self,
         normals: &[PointIn<D>],

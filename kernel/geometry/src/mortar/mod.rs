@@ -7,7 +7,7 @@
 //!   triangles, and what projection and clipping are there;
 //! - [`weights`]: augmented weights of a vertex, which give no share to nodes without mass; [`motion`]: how vertices
 //!   follow the body;
-//! - [`elements`]: what a boundary of either dimension is to the rest; [`broad`]: pairs of elements that can meet;
+//! - [`sites`]: where a slave has normals; [`elements`]: what a boundary of either dimension is to the rest; [`broad`]: pairs of elements that can meet;
 //! - [`points`]: the points at which integrals over a contact are evaluated; [`segments`]: how they are found in the
 //!   plane, by projection and mortar segments;
 //! - [`law`]: pressure against gap; [`pair`]: weighted gaps, friction and forces of a pair of boundaries;
@@ -31,6 +31,7 @@ pub mod overlap;
 pub mod pair;
 pub mod points;
 pub mod segments;
+pub mod sites;
 pub mod space;
 pub mod weights;
 

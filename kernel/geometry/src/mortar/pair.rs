@@ -20,23 +20,25 @@ pub struct PairLaw {
     pub search: Search,
 }
 
-/// Elastic slip of each vertex of the slave along its T tangents \[m\], kept from step to step.
+/// Elastic slip of each site of the slave along its T tangents \[m\], kept from step to step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Slip<const T: usize>(pub Vec<[f64; T]>);
 
-/// Contact at a vertex of the slave that faces the master.
+/// Contact at a site of the slave that faces the master.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexContact<const D: usize, const T: usize> {
+    /// The vertex that it is at.
+    pub vertex: usize,
     /// Weighted gap (eq. 46) \[m\].
     pub gap: f64,
     /// Outward normal of the slave.
     pub normal: PointIn<D>,
     /// Contact pressure lambda_n \[Pa\].
     pub pressure: f64,
-    /// Tangential traction lambda_tau \[Pa\] along the tangents of the vertex, in the plane the normal turned by
+    /// Tangential traction lambda_tau \[Pa\] along the tangents of the site, in the plane the normal turned by
     /// +90 degrees; positive where the slave slips in that direction, and then it is pushed back.
     pub traction: [f64; T],
-    /// Length, in space area, of the slave that belongs to the vertex: the row sum of D \[m, in space m²\].
+    /// Length, in space area, of the slave that belongs to the site: the row sum of D \[m, in space m²\].
     pub measure: f64,
     /// By how much slave and master came closer in the last step \[m\].
     pub approach: f64,
@@ -55,15 +57,15 @@ pub struct PairForces<const D: usize, const T: usize> {
     pub slave_stiffness: Vec<f64>,
     /// The same for the master.
     pub master_stiffness: Vec<f64>,
-    /// Contact at each vertex of the slave, where it faces the master.
-    pub vertices: Vec<Option<VertexContact<D, T>>>,
+    /// Contact at each site of the slave, where it faces the master.
+    pub sites: Vec<Option<VertexContact<D, T>>>,
     /// Energy stored in the normal law \[J\].
     pub energy: f64,
 }
 
 impl<const D: usize, const T: usize> PairForces<D, T> {
-    /// Nothing acts, on so many vertices of slave and master.
-    pub fn clear(&mut self, slave: usize, master: usize) {
+    /// Nothing acts, on so many vertices of slave and master and sites of the slave.
+    pub fn clear(&mut self, slave: usize, master: usize, sites: usize) {
         let zero = |forces: &mut Vec<PointIn<D>>, stiffness: &mut Vec<f64>, count: usize| {
             forces.clear();
             forces.resize(count, PointIn::zeros());
@@ -72,18 +74,18 @@ impl<const D: usize, const T: usize> PairForces<D, T> {
         };
         zero(&mut self.slave, &mut self.slave_stiffness, slave);
         zero(&mut self.master, &mut self.master_stiffness, master);
-        self.vertices.clear();
-        self.vertices.resize(slave, None);
+        self.sites.clear();
+        self.sites.resize(sites, None);
         self.energy = 0.0;
     }
 
     /// The smallest gap with its vertex \[m\]; `None` where nothing faces anything.
     #[must_use]
     pub fn smallest_gap(&self) -> Option<(usize, f64)> {
-        self.vertices
+        self.sites
             .iter()
-            .enumerate()
-            .filter_map(|(k, v)| v.as_ref().map(|v| (k, v.gap)))
+            .flatten()
+            .map(|site| (site.vertex, site.gap))
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
@@ -117,7 +119,7 @@ impl<B, const D: usize> Clone for Surfaces<'_, B, D> {
 
 impl<B, const D: usize> Copy for Surfaces<'_, B, D> {}
 
-/// Sums over the points of one vertex of the slave.
+/// Sums over the points of one site of the slave.
 #[derive(Clone, Copy, Debug)]
 struct Row<const D: usize> {
     /// Row sum of D \[m, in space m²\].
@@ -172,10 +174,10 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
     forces
 }
 
-/// Gap, pressure and friction at the slave's vertices (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
+/// Gap, pressure and friction at the slave's sites (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
 /// f_m = M^T lambda (eq. 54, 55).
 ///
-/// The threads of `team` share the search; sums are formed by one, in the order of the points. The slip of a vertex is
+/// The threads of `team` share the search; sums are formed by one, in the order of the points. The slip of a site is
 /// forgotten where there is no pressure.
 pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     forces: &mut PairForces<D, T>,
@@ -186,7 +188,8 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     team: &Team,
 ) {
     let Surfaces { slave, master, .. } = surfaces;
-    let count = slave.points().len();
+    let vertices = slave.sites().vertices();
+    let count = vertices.len();
     slip.0.resize(count, [0.0; T]);
     let Workspace {
         found,
@@ -204,7 +207,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         let moved = point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
         let speed =
             point.on_slave(surfaces.slave_velocity) - point.on_master(surfaces.master_velocity);
-        for (k, share) in point.slave {
+        for (k, (_, share)) in point.sites.into_iter().zip(point.slave) {
             let (row, w) = (&mut rows[k], share * point.weight);
             row.measure += w;
             row.apart += w * apart;
@@ -213,7 +216,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         }
     }
 
-    forces.clear(count, master.points().len());
+    forces.clear(slave.points().len(), master.points().len(), count);
     for (k, row) in rows.iter_mut().enumerate() {
         let measure = row.measure;
         if measure <= 0.0 {
@@ -246,7 +249,8 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
             .zip(traction)
             .fold(pressure * n, |sum, (tangent, t)| sum + t * tangent);
         forces.energy += measure * law.normal.energy(gap);
-        forces.vertices[k] = Some(VertexContact {
+        forces.sites[k] = Some(VertexContact {
+            vertex: vertices[k],
             gap,
             normal: n,
             pressure,
@@ -259,7 +263,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
 
     for point in points {
         let (mut traction, mut stiffness) = (PointIn::zeros(), 0.0);
-        for (k, share) in point.slave {
+        for (k, (_, share)) in point.sites.into_iter().zip(point.slave) {
             traction += point.weight * share * rows[k].lambda;
             stiffness += point.weight * share * rows[k].slope;
         }

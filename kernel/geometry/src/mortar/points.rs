@@ -14,7 +14,7 @@ pub enum Detection {
     /// Integrals over the parts of elements that face each other.
     #[default]
     Mortar,
-    /// At the vertices of the slave, each with its share of the elements around it.
+    /// At the sites of the slave, each with its share of its elements.
     NodeToSegment,
 }
 
@@ -53,6 +53,8 @@ pub const FACING: f64 = -0.2;
 pub struct MortarPoint<const D: usize> {
     /// The vertices of the slave's element, and their shape functions N_i at the point.
     pub slave: [(usize, f64); D],
+    /// The sites of these vertices.
+    pub sites: [usize; D],
     /// The same for the master.
     pub master: [(usize, f64); D],
     /// Weight of the point in an integral over the slave, w_g J_l \[m, in space m²\].
@@ -89,7 +91,7 @@ pub struct MortarPoints<const D: usize> {
 
 impl<const D: usize> MortarPoints<D> {
     /// Finds the points, sharing the elements of the slave among the threads of `team`. `normals` are those of the slave's
-    /// vertices.
+    /// sites.
     pub fn find<B: Elements<D, T>, const T: usize>(
         &mut self,
         team: &Team,

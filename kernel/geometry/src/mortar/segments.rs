@@ -9,6 +9,7 @@ use super::broad::Near;
 use super::elements::Elements;
 use super::overlap::overlap;
 use super::points::{FACING, MortarPoint, Search};
+use super::sites::Sites;
 use super::{Point, cross};
 
 /// Pieces of a segment shorter than this share of it are left out: they hold nothing but round-off.
@@ -42,7 +43,11 @@ impl Elements<2, 1> for Boundary {
         overlap(self, master).map(|found| found.to_string())
     }
 
-    fn tangents(&self, _vertex: usize, normal: &Point) -> [Point; 1] {
+    fn sites(&self) -> &Sites<2> {
+        Self::sites(self)
+    }
+
+    fn tangents(&self, _site: usize, normal: &Point) -> [Point; 1] {
         [Point::new(-normal.y, normal.x)]
     }
 
@@ -133,15 +138,17 @@ fn points_of_segment(
 ) {
     let segment = pairs[0][0];
     let [a, b] = slave.segments()[segment];
+    let sites = slave.sites().elements()[segment];
+    let of_ends = sites.map(|site| &normals[site]);
     let x = |xi: f64| slave.points[a] * (1.0 - xi) + slave.points[b] * xi;
-    let n = |xi: f64| normals[a] * (1.0 - xi) + normals[b] * xi;
+    let n = |xi: f64| of_ends[0] * (1.0 - xi) + of_ends[1] * xi;
     // Only vertices that are seen cut: others would change the quadrature with what else is near.
     cuts.clear();
     cuts.extend([0.0, 1.0]);
     for &[_, m] in pairs {
         for v in master.segments()[m] {
             let ends = [&slave.points[a], &slave.points[b]];
-            let feet = feet(&master.points[v], ends, [&normals[a], &normals[b]]);
+            let feet = feet(&master.points[v], ends, of_ends);
             cuts.extend(feet.filter(|xi| {
                 project(&x(*xi), &n(*xi), master, m).is_some_and(|p| search.contains(p.gap))
             }));
@@ -168,6 +175,7 @@ fn points_of_segment(
             let [c, d] = master.segments()[seen];
             points.push(MortarPoint {
                 slave: [(a, 1.0 - xi), (b, xi)],
+                sites,
                 master: [(c, 1.0 - eta), (d, eta)],
                 weight: 0.5 * width * length,
             });
@@ -203,14 +211,15 @@ fn points_of_vertices(
     points: &mut Vec<MortarPoint<2>>,
 ) {
     let lengths = slave.tributary_lengths();
-    let mut seen = vec![vec![]; slave.points.len()];
+    let mut seen = vec![vec![]; normals.len()];
     for pair in &near.pairs {
-        for v in slave.segments()[pair[0]] {
-            seen[v].push(*pair);
+        for site in slave.sites().elements()[pair[0]] {
+            seen[site].push(*pair);
         }
     }
-    for (v, masters) in seen.into_iter().enumerate() {
-        let (x, n) = (&slave.points[v], &normals[v]);
+    for (site, masters) in seen.into_iter().enumerate() {
+        let v = slave.sites().vertices()[site];
+        let (x, n) = (&slave.points[v], &normals[site]);
         let Some(m) = nearest(x, n, master, &masters, search) else {
             continue;
         };
@@ -220,8 +229,9 @@ fn points_of_vertices(
         let [c, d] = master.segments()[m];
         points.push(MortarPoint {
             slave: [(v, 1.0), (v, 0.0)],
+            sites: [site; 2],
             master: [(c, 1.0 - projection.eta), (d, projection.eta)],
-            weight: lengths[v],
+            weight: lengths[site],
         });
     }
 }

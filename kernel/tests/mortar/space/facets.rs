@@ -3,6 +3,7 @@
 use super::support::{ball, floor, of_shape, point};
 use nalgebra::Rotation3;
 use proctor_kernel::mortar::elements::Elements;
+use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::space::facets::{Facets, FacetsError};
 use proctor_kernel::mortar::space::skin::skin;
 use proctor_kernel::scene::Shape;
@@ -45,28 +46,33 @@ fn turned_and_missing_triangles_are_named() {
 
 #[test]
 fn normals_are_weighted_by_area() {
-    // A fold along y: a horizontal strip of width 1 and a vertical one of height 2.
-    let corners = |z: f64| {
+    // A fold along y: a horizontal strip of width 1, and one that falls by `z` over a width.
+    let fold = |width: f64, z: f64| {
+        let far = 1.0 + width;
         [
             [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]],
             [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
-            [[1.0, 0.0, 0.0], [1.0, 0.0, -z], [1.0, 1.0, -z]],
-            [[1.0, 0.0, 0.0], [1.0, 1.0, -z], [1.0, 1.0, 0.0]],
+            [[1.0, 0.0, 0.0], [far, 0.0, -z], [far, 1.0, -z]],
+            [[1.0, 0.0, 0.0], [far, 1.0, -z], [1.0, 1.0, 0.0]],
         ]
     };
-    let facets = Facets::from_corners(&corners(2.0)).expect("is sound");
-    let at = |x: [f64; 3]| {
-        let k = facets
-            .points
-            .iter()
-            .position(|p| *p == point(x[0], x[1], x[2]))
-            .expect("is there");
-        facets.normals()[k]
+    let facets = Facets::from_corners(&fold(2.0, 0.5)).expect("is sound");
+    let at = |facets: &Facets, x: [f64; 3]| -> Vec<Point> {
+        let here = |vertex: usize| facets.points[vertex] == point(x[0], x[1], x[2]);
+        let normals = facets.normals().into_iter().zip(facets.sites().vertices());
+        normals.filter(|(_, v)| here(**v)).map(|(n, _)| n).collect()
     };
-    assert_eq!(at([0.0, 1.0, 0.0]), point(0.0, 0.0, 1.0));
-    // Two triangles of half the area 2 on one side, one of half the area 1 on the other.
-    assert!((at([1.0, 0.0, 0.0]) - point(4.0, 0.0, 1.0).normalize()).norm() < 1e-15);
-    assert!((at([1.0, 1.0, 0.0]) - point(1.0, 0.0, 1.0).normalize()).norm() < 1e-15);
+    assert_eq!(at(&facets, [0.0, 1.0, 0.0]), [point(0.0, 0.0, 1.0)]);
+    // One triangle of the first strip and two of the second, and the other way around.
+    let [near, far] = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(|x| at(&facets, x));
+    assert!((near[0] - point(1.0, 0.0, 5.0).normalize()).norm() < 1e-15);
+    assert!((far[0] - point(0.5, 0.0, 4.0).normalize()).norm() < 1e-15);
+    assert_eq!((near.len(), far.len(), facets.ridges().len()), (1, 1, 0));
+    // A sharp fold has a normal for each side.
+    let corners = |z: f64| fold(0.0, z);
+    let facets = Facets::from_corners(&corners(2.0)).expect("is sound");
+    let both = [point(0.0, 0.0, 1.0), point(1.0, 0.0, 0.0)];
+    assert_eq!(at(&facets, [1.0, 0.0, 0.0]), both);
     assert_eq!(facets.ridges().len(), 1);
     // The same fold the other way up has no edge that could meet another.
     assert!(
@@ -92,6 +98,17 @@ fn sharp_edges_are_listed_and_smooth_ones_not() {
     assert_eq!(cube.ridges().len(), 24);
     assert!(ball([0.0; 3], 1.0, 0.3).ridges().is_empty());
     assert!((cube.tributary_areas().iter().sum::<f64>() - 6.0).abs() < 1e-14);
+    // Eight corners with three sides, twelve middles of edges with two, six middles of faces.
+    let sites = cube.sites();
+    assert_eq!((cube.points.len(), sites.vertices().len()), (26, 54));
+    for (triangle, of_triangle) in sites.elements().iter().enumerate() {
+        for site in of_triangle {
+            let normal = cube.normals()[*site];
+            assert!((normal - cube.triangle_normal(triangle)).norm() < 1e-15);
+            let [s, t] = cube.tangents(*site, &normal);
+            assert!((s.cross(&t) - normal).norm() < 1e-15);
+        }
+    }
 }
 
 #[test]

@@ -38,7 +38,7 @@ fn patch_test() {
         for (f, area) in found.slave.iter().zip(slave.tributary_areas()) {
             assert!((f - up * (p * area)).norm() < 1e-11 * p, "{f} {}", p * area);
         }
-        for v in found.vertices.iter().flatten() {
+        for v in found.sites.iter().flatten() {
             assert!((v.gap - gap).abs() < 1e-14 && (v.normal + up).norm() < 1e-14);
         }
         // Vertices of the master whose triangles the slave covers whole.
@@ -101,7 +101,7 @@ proptest! {
         prop_assert!((on_slave + on_master).norm() <= 1e-12 * scale);
         let searched = law.search.margin();
         prop_assert!((moment_slave + moment_master).norm() <= 1.1 * searched * scale);
-        for (k, v) in found.vertices.iter().enumerate() {
+        for (k, v) in found.sites.iter().enumerate() {
             if let Some(v) = v {
                 let [s, t] = v.traction;
                 prop_assert!(v.pressure >= 0.0 && s.hypot(t) <= mu * v.pressure * (1.0 + 1e-14));

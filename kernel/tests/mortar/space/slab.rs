@@ -163,9 +163,9 @@ fn a_leaning_line() {
     );
     let inner = 2..xs.len() - 2;
     for k in inner.clone() {
-        let flat = found.plane.vertices[k].expect("faces the floor");
+        let flat = found.plane.sites[k].expect("faces the floor");
         for v in found.slave[k] {
-            let solid = found.space.vertices[v].expect("faces the floor");
+            let solid = found.space.sites[v].expect("faces the floor");
             assert!(
                 (solid.gap - flat.gap).abs() < 1e-14,
                 "{} {}",

@@ -6,11 +6,9 @@ use super::ridges::crossing;
 use crate::mortar::broad::Near;
 use crate::mortar::elements::Elements;
 use crate::mortar::points::{MortarPoint, Search};
+use crate::mortar::sites::{SHARP, Sites};
 use crate::surface::{Surface, SurfaceError};
 use std::fmt;
-
-/// Cosine between the normals of neighbours, below which their common edge is sharp: 30 degrees.
-const SHARP: f64 = 0.866_025_403_784_438_6;
 
 /// Share of the size of a boundary within which a vertex lies in a plane.
 const IN_PLANE: f64 = 1.0e-9;
@@ -59,7 +57,9 @@ pub struct Facets {
     /// Positions of the vertices \[m\].
     pub points: Vec<Point>,
     triangles: Vec<[usize; 3]>,
-    /// For each vertex the neighbour in whose direction its first tangent points.
+    /// Where they have normals.
+    sites: Sites<3>,
+    /// For each site the neighbour in whose direction its first tangent points.
     beside: Vec<usize>,
     /// For each vertex the axes along which it has a mirror image, so that its normal has no component there.
     mirrored: Vec<[bool; 3]>,
@@ -91,22 +91,36 @@ impl Facets {
     }
 
     fn join(points: Vec<Point>, triangles: Vec<[usize; 3]>) -> Self {
-        let mut beside = vec![usize::MAX; points.len()];
-        for t in &triangles {
-            for k in 0..3 {
-                if beside[t[k]] == usize::MAX {
-                    beside[t[k]] = t[(k + 1) % 3];
-                }
-            }
-        }
         let mut facets = Self {
             mirrored: vec![[false; 3]; points.len()],
             points,
             triangles,
-            beside,
+            sites: Sites::default(),
+            beside: vec![],
             ridges: vec![],
         };
-        facets.ridges = facets.find_ridges();
+        let mut smooth = vec![];
+        for (vertices, triangles) in facets.edges_between() {
+            let [m, n] = triangles.map(|t| facets.triangle_normal(t));
+            if m.dot(&n) >= SHARP {
+                smooth.push(triangles);
+            } else if facets.convex(triangles) {
+                facets.ridges.push(Ridge {
+                    vertices,
+                    triangles,
+                });
+            }
+        }
+        facets.sites = Sites::new(facets.points.len(), &facets.triangles, &smooth);
+        facets.beside = vec![usize::MAX; facets.sites.vertices().len()];
+        for (sites, t) in facets.sites.elements().iter().zip(&facets.triangles) {
+            for k in 0..3 {
+                let beside = &mut facets.beside[sites[k]];
+                if *beside == usize::MAX {
+                    *beside = t[(k + 1) % 3];
+                }
+            }
+        }
         facets
     }
 
@@ -191,13 +205,13 @@ impl Facets {
             .fold(0.0, f64::max)
     }
 
-    /// A third of the area of the triangles at each vertex \[m²\].
+    /// A third of the area of the triangles at each site \[m²\].
     #[must_use]
     pub fn tributary_areas(&self) -> Vec<f64> {
-        let mut areas = vec![0.0; self.points.len()];
-        for (triangle, vertices) in self.triangles.iter().enumerate() {
-            for v in vertices {
-                areas[*v] += self.spanned(triangle).norm() / 6.0;
+        let mut areas = vec![0.0; self.sites.vertices().len()];
+        for (triangle, sites) in self.sites.elements().iter().enumerate() {
+            for site in sites {
+                areas[*site] += self.spanned(triangle).norm() / 6.0;
             }
         }
         areas
@@ -224,7 +238,7 @@ impl Facets {
             .sum()
     }
 
-    /// Outward unit normals of the vertices.
+    /// Outward unit normals of the sites.
     #[must_use]
     pub fn normals(&self) -> Vec<Point> {
         let mut normals = vec![];
@@ -232,7 +246,8 @@ impl Facets {
         normals
     }
 
-    fn find_ridges(&self) -> Vec<Ridge> {
+    /// Edges with the triangles on both sides of them.
+    fn edges_between(&self) -> Vec<([usize; 2], [usize; 2])> {
         let mut edges: Vec<([usize; 2], usize)> = self
             .triangles
             .iter()
@@ -248,23 +263,17 @@ impl Facets {
         edges
             .windows(2)
             .filter(|pair| pair[0].0 == pair[1].0)
-            .filter_map(|pair| {
-                let (vertices, triangles) = (pair[0].0, [pair[0].1, pair[1].1]);
-                let [m, n] = triangles.map(|t| self.triangle_normal(t));
-                let centre = |t: usize| {
-                    self.triangles[t]
-                        .iter()
-                        .map(|v| self.points[*v])
-                        .sum::<Point>()
-                        / 3.0
-                };
-                let convex = m.dot(&(centre(triangles[1]) - centre(triangles[0]))) < 0.0;
-                (convex && m.dot(&n) < SHARP).then_some(Ridge {
-                    vertices,
-                    triangles,
-                })
-            })
+            .map(|pair| (pair[0].0, [pair[0].1, pair[1].1]))
             .collect()
+    }
+
+    /// Whether the second of two neighbours turns away behind the first.
+    fn convex(&self, triangles: [usize; 2]) -> bool {
+        let [a, b] = triangles.map(|t| {
+            let corners = self.triangles[t].iter().map(|v| self.points[*v]);
+            corners.sum::<Point>() / 3.0
+        });
+        self.triangle_normal(triangles[0]).dot(&(b - a)) < 0.0
     }
 }
 
@@ -285,6 +294,10 @@ impl Elements<3, 2> for Facets {
         self.longest_edge()
     }
 
+    fn sites(&self) -> &Sites<3> {
+        &self.sites
+    }
+
     fn held(&self, vertex: usize, velocity: Point) -> Point {
         Point::from_fn(|axis, _| {
             if self.mirrored[vertex][axis] {
@@ -302,16 +315,16 @@ impl Elements<3, 2> for Facets {
     /// Weighted by area.
     fn normals_to(&self, sums: &mut Vec<Point>) {
         sums.clear();
-        sums.resize(self.points.len(), Point::zeros());
-        for (triangle, vertices) in self.triangles.iter().enumerate() {
+        sums.resize(self.sites.vertices().len(), Point::zeros());
+        for (triangle, sites) in self.sites.elements().iter().enumerate() {
             let spanned = self.spanned(triangle);
-            for v in vertices {
-                sums[*v] += spanned;
+            for site in sites {
+                sums[*site] += spanned;
             }
         }
-        for (n, mirrored) in sums.iter_mut().zip(&self.mirrored) {
+        for (n, vertex) in sums.iter_mut().zip(self.sites.vertices()) {
             for axis in 0..3 {
-                if mirrored[axis] {
+                if self.mirrored[*vertex][axis] {
                     n[axis] = 0.0;
                 }
             }
@@ -320,8 +333,9 @@ impl Elements<3, 2> for Facets {
     }
 
     /// The first points to a neighbour that never changes.
-    fn tangents(&self, vertex: usize, normal: &Point) -> [Point; 2] {
-        let edge = self.points[self.beside[vertex]] - self.points[vertex];
+    fn tangents(&self, site: usize, normal: &Point) -> [Point; 2] {
+        let vertex = self.sites.vertices()[site];
+        let edge = self.points[self.beside[site]] - self.points[vertex];
         let first = (edge - normal * normal.dot(&edge))
             .try_normalize(0.0)
             .unwrap_or_default();

@@ -8,6 +8,7 @@ use super::Point;
 use super::clip::{Flat, GAUSS, area, overlap, shares};
 use super::facets::Facets;
 use crate::mortar::broad::Near;
+use crate::mortar::elements::Elements;
 use crate::mortar::points::{FACING, MortarPoint, Search};
 use std::array;
 
@@ -131,6 +132,7 @@ pub(super) fn points_of_triangle(
                 let on_slave = shares(&p, &own);
                 points.push(MortarPoint {
                     slave: array::from_fn(|i| (vertices[i], on_slave[i])),
+                    sites: slave.sites().elements()[triangle],
                     master: seen.master(on_master),
                     weight,
                 });
@@ -139,7 +141,7 @@ pub(super) fn points_of_triangle(
     }
 }
 
-/// Points at the vertices of the slave, each with a third of the triangles around it.
+/// Points at the sites of the slave, each with a third of its triangles.
 pub(super) fn points_of_vertices(
     slave: &Facets,
     normals: &[Point],
@@ -149,19 +151,20 @@ pub(super) fn points_of_vertices(
     points: &mut Vec<MortarPoint<3>>,
 ) {
     let areas = slave.tributary_areas();
-    let mut candidates: Vec<Vec<usize>> = vec![vec![]; slave.points.len()];
+    let mut candidates: Vec<Vec<usize>> = vec![vec![]; normals.len()];
     for [triangle, m] in &near.pairs {
-        for v in slave.triangles()[*triangle] {
-            candidates[v].push(*m);
+        for site in slave.sites().elements()[*triangle] {
+            candidates[site].push(*m);
         }
     }
-    for (v, mut masters) in candidates.into_iter().enumerate() {
+    for (site, mut masters) in candidates.into_iter().enumerate() {
         masters.sort_unstable();
         masters.dedup();
-        if normals[v] == Point::zeros() {
+        if normals[site] == Point::zeros() {
             continue;
         }
-        let plane = Plane::new(slave.points[v], normals[v]);
+        let v = slave.sites().vertices()[site];
+        let plane = Plane::new(slave.points[v], normals[site]);
         let found = masters
             .iter()
             .filter_map(|m| {
@@ -174,8 +177,9 @@ pub(super) fn points_of_vertices(
         if let Some((master, _)) = found {
             points.push(MortarPoint {
                 slave: [(v, 1.0), (v, 0.0), (v, 0.0)],
+                sites: [site; 3],
                 master,
-                weight: areas[v],
+                weight: areas[site],
             });
         }
     }

@@ -80,11 +80,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 team,
             );
         } else {
-            pair.forces.clear(0, 0);
+            pair.forces.clear(0, 0, 0);
             pair.slip.0.fill([0.0; T]);
         }
         pair.closing = Closing::of(
-            &pair.forces.vertices,
+            &pair.forces.sites,
             pair.critical_gap,
             pair.law.search.reach,
             [slave.fastest(), master.fastest()],
@@ -211,12 +211,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         }
         // Bodies speed up within a step. What is still apart has not been missed.
         let allowed = 0.5 * pair.critical_gap;
-        for (k, vertex) in pair.forces.vertices.iter().enumerate() {
-            if let Some(v) = vertex
-                && v.gap < 0.0
-                && v.approach > allowed
-            {
-                return missed(Some(k), v.approach, allowed);
+        for site in pair.forces.sites.iter().flatten() {
+            if site.gap < 0.0 && site.approach > allowed {
+                return missed(Some(site.vertex), site.approach, allowed);
             }
         }
         if let Some((vertex, gap)) = pair.forces.smallest_gap()
@@ -299,10 +296,10 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         most
     }
 
-    /// Number of vertices under pressure.
+    /// Number of sites under pressure.
     pub(super) fn under_pressure(&self) -> usize {
-        let vertices = self.pairs.iter().flat_map(|p| &p.forces.vertices);
-        vertices.flatten().filter(|v| v.pressure > 0.0).count()
+        let sites = self.pairs.iter().flat_map(|p| &p.forces.sites);
+        sites.flatten().filter(|v| v.pressure > 0.0).count()
     }
 
     /// Adds the contact forces to the nodes (eq. 56).

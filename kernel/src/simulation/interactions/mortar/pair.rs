@@ -61,7 +61,7 @@ pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: u
             },
         },
         critical_gap: contact.critical_gap,
-        slip: Slip(vec![[0.0; T]; boundary.points().len()]),
+        slip: Slip(vec![[0.0; T]; boundary.sites().vertices().len()]),
         forces: PairForces::default(),
         closing: Closing::NONE,
         work: Workspace::default(),

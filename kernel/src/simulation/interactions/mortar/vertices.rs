@@ -5,11 +5,12 @@ use super::boundaries::Boundaries;
 use super::surface::{in_scene, to_vector};
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
+use crate::mortar::pair::{PairForces, VertexContact};
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 use crate::simulation::interactions::Interaction;
 
-/// What a vertex of a slave feels, for output.
+/// What a slave feels at a vertex, or on one side of a sharp corner, for output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexState {
     /// Position in the coordinates of the scene \[m\].
@@ -68,7 +69,8 @@ impl Simulation {
         (vertices, edges)
     }
 
-    /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline or surface.
+    /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline or surface. A sharp
+    /// corner is in the list once for each of its sides, the others after all vertices.
     #[must_use]
     pub fn mortar_vertices(&self, contact: i64) -> Option<Vec<VertexState>> {
         let (state, origin) = (self.mortar()?, self.origin());
@@ -116,9 +118,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         traction: impl Fn([f64; T]) -> f64,
     ) -> Option<Vec<VertexState>> {
         let pair = self.pairs.iter().find(|p| p.id == contact)?;
-        let points = self.surfaces[pair.slave].boundary.points();
-        let states = points.iter().enumerate().map(|(k, x)| {
-            let seen = pair.forces.vertices.get(k).copied().flatten();
+        let boundary = &self.surfaces[pair.slave].boundary;
+        let states = boundary.sites().vertices().iter().enumerate();
+        let states = states.map(|(site, vertex)| {
+            let x = &boundary.points()[*vertex];
+            let seen = pair.forces.sites.get(site).copied().flatten();
             VertexState {
                 position: in_scene(x, origin),
                 normal: seen.map_or([0.0; 3], |v| to_vector(&v.normal)),
@@ -156,19 +160,20 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 own.dedup();
             }
             edges.extend(own.iter().map(|edge| edge.map(|k| first + k)));
+            let loudest: Vec<_> = self
+                .pairs
+                .iter()
+                .filter(|pair| pair.slave == s)
+                .map(|pair| loudest(&pair.forces, boundary.points().len()))
+                .collect();
             for (k, x) in boundary.points().iter().enumerate() {
-                let seen = self
-                    .pairs
-                    .iter()
-                    .filter(|pair| pair.slave == s)
-                    .filter_map(|pair| pair.forces.vertices.get(k)?.as_ref());
                 let (mut pressure, mut gap) = (0.0, f64::NAN);
                 let mut traction = PointIn::<D>::zeros();
-                for v in seen {
+                for (site, v) in loudest.iter().filter_map(|of_pair| of_pair[k]) {
                     pressure += v.pressure;
                     gap = v.gap.min(gap);
                     traction -= v.pressure * v.normal;
-                    for (tangent, t) in boundary.tangents(k, &v.normal).iter().zip(v.traction) {
+                    for (tangent, t) in boundary.tangents(site, &v.normal).iter().zip(v.traction) {
                         traction -= t * tangent;
                     }
                 }
@@ -200,4 +205,22 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     pub(super) fn energy(&self) -> f64 {
         self.pairs.iter().map(|p| p.forces.energy).sum()
     }
+}
+
+/// For each vertex of a slave the site that speaks for it, with what is seen there: of the sides of a corner the one that
+/// is pressed most.
+fn loudest<const D: usize, const T: usize>(
+    forces: &PairForces<D, T>,
+    vertices: usize,
+) -> Vec<Option<(usize, &VertexContact<D, T>)>> {
+    let mut of_vertices = vec![None; vertices];
+    for (site, seen) in forces.sites.iter().enumerate() {
+        if let Some(seen) = seen {
+            let known: &mut Option<(usize, &VertexContact<D, T>)> = &mut of_vertices[seen.vertex];
+            if known.is_none_or(|(_, known)| seen.pressure > known.pressure) {
+                *known = Some((site, seen));
+            }
+        }
+    }
+    of_vertices
 }

@@ -1,0 +1,275 @@
+//! Does a block with sharp corners keep to Coulomb's law wherever it rubs, as slave and as master?
+//!
+//! A block of 2 m x 0.5 m (1 GPa, nu = 0.3, 2500 kg/m³) on a rigid line at 30 degrees, gravity 10 m/s² turned instead of
+//! the line, mortar contact through a barrier. Held by friction it settles with local damping; then damping ends and
+//! friction becomes mu = 0.35. From then on the block slides by (g sin - mu g cos) t²/2, and each of its vertices is rubbed
+//! by no more than mu times what presses it, in the directions of the line.
+//!
+//! A block as slave presses along the normals of its own base, which its weight and friction turn by up to theta, so that
+//! friction may be tan(atan mu + theta) of the force into the line; theta is taken from the segments of the base, and what
+//! is more than that is judged. With a mean normal at its corners (eq. 41) it is rubbed by 1.02 to 1.03 mu N.
+//! Source: Liang et al. 2024, eq. 41 and 50. `proctor verify corner-block`.
+
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::scene::{
+    Damping, Dimension, Mortar, MortarContact, Scene, TransferKind, Vector, Vertices,
+};
+use proctor_kernel::simulation::Simulation;
+
+use super::dynamics::run;
+use super::judging::error_at_most;
+use super::mortar::{barrier, boundary, rigid_line, settings};
+use super::{NO_RESULTS, body, cuboid, elastic, open_plane};
+use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
+use crate::exact::sliding::Slope;
+use crate::settings::{Method, Settings};
+use crate::study::{Failure, Measure, Observer, Study};
+
+const LENGTH: f64 = 2.0;
+const HEIGHT: f64 = 0.5;
+const YOUNG: f64 = 1e9;
+const POISSON: f64 = 0.3;
+const DENSITY: f64 = 2500.0;
+const GRAVITY: f64 = 10.0;
+const TILT: f64 = 30.0;
+const FRICTION: f64 = 0.35;
+/// Friction that holds the block before the release.
+const ROUGH: f64 = 10.0;
+/// Distance below which the barrier pushes \[m\], and its stiffness \[Pa/m\].
+const GAP: f64 = 0.02;
+const KAPPA: f64 = 1e7;
+/// Stiffness of the tangential spring \[Pa/m\]: 0.04 mm of slip under the weight.
+const KAPPA_T: f64 = 1e8;
+/// Length of a segment \[m\].
+const SEGMENT: f64 = 0.05;
+/// Local damping while the block settles, and for how long \[s\].
+const SETTLING: f64 = 0.6;
+const STAGE: f64 = 0.5;
+/// Time from the release to the end \[s\], and its parts after each of which is looked.
+const TIME: f64 = 1.0;
+const LOOKS: u32 = 40;
+/// Vertices that are pressed by less than this share of the weight are about to lose contact.
+const PRESSED: f64 = 1e-6;
+
+const WAY: &str = "displacement";
+const TOTAL: &str = "friction of the block beyond its most";
+const VERTEX: &str = "friction of a vertex beyond its most";
+
+/// The block, by who is the slave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CornerBlock {
+    /// Friction over that of the law that is judged. Anything but 1 is a wrong scene, to prove that the gates notice.
+    pub friction: f64,
+}
+
+const VARIANTS: [&str; 2] = ["block as slave", "line as slave"];
+
+impl CornerBlock {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self { friction: 1.0 };
+
+    fn exact() -> Slope {
+        let (sin, cos) = libm::sincos(TILT.to_radians());
+        Slope {
+            along: GRAVITY * sin,
+            into: GRAVITY * cos,
+            friction: FRICTION,
+        }
+    }
+}
+
+/// How far the base of the block has turned, at most \[rad\].
+fn turn(simulation: &Simulation) -> f64 {
+    let (vertices, _) = simulation.boundaries();
+    let own: Vec<_> = vertices.iter().filter(|v| v.id == 1).collect();
+    let sides = own.windows(2).map(|w| [w[0].position, w[1].position]);
+    sides
+        .filter(|[a, b]| a[1].max(b[1]) < 2.0 * GAP)
+        .map(|[a, b]| libm::atan((b[1] - a[1]) / (b[0] - a[0])).abs())
+        .fold(0.0, f64::max)
+}
+
+/// Friction over the most that Coulomb's law allows with normals that turn so far, less 1: of all vertices of the block
+/// together, and the largest of one alone.
+fn excess(simulation: &Simulation, turn: f64) -> [f64; 2] {
+    let most = libm::tan(libm::atan(FRICTION) + turn);
+    let over = |[along, into, _]: Vector| along.abs() / (most * into) - 1.0;
+    let weight = DENSITY * LENGTH * HEIGHT * GRAVITY;
+    let (vertices, _) = simulation.boundaries();
+    let pressed = vertices
+        .iter()
+        .filter(|v| v.id == 1 && v.force[1] > PRESSED * weight);
+    let vertex = pressed
+        .map(|v| over(v.force))
+        .fold(f64::NEG_INFINITY, f64::max);
+    let total = simulation.mortar_force(1).map_or(f64::NAN, over);
+    [total, vertex]
+}
+
+impl Case for CornerBlock {
+    fn name(&self) -> &'static str {
+        "corner-block"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does a block with sharp corners keep to Coulomb's law wherever it rubs, as slave and as master?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let cells: &[f64] = match size {
+            Size::Quick => &[0.25],
+            Size::Full => &[0.25, 0.125, 0.0625],
+        };
+        Rung::ladders(&VARIANTS.map(|variant| (variant, cells)))
+    }
+
+    with_own_settings!();
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let mut verdict = Verdict::default();
+        for rung in self.rungs(size) {
+            for (name, bound, reason) in [
+                (
+                    WAY,
+                    1e-2,
+                    "one percent is what the project promises of friction",
+                ),
+                (
+                    TOTAL,
+                    1e-6,
+                    "Coulomb's law, but for the turn of the block's base",
+                ),
+                (VERTEX, 1e-6, "Coulomb's law at each vertex"),
+            ] {
+                verdict
+                    .gates
+                    .push(error_at_most(solved, &rung.label, name, bound, reason));
+            }
+        }
+        verdict
+    }
+}
+
+impl Study for CornerBlock {
+    fn path(&self, size: Size) -> Vec<Rung> {
+        let cells: &[f64] = match size {
+            Size::Quick => &[0.25, 0.125],
+            Size::Full => &[0.25, 0.125, 0.0625],
+        };
+        Rung::ladders(&[(VARIANTS[0], cells)])
+    }
+
+    fn measures(&self) -> Vec<Measure> {
+        vec![Measure::new("displacement", WAY)]
+    }
+
+    fn refined_axes(&self) -> usize {
+        2
+    }
+
+    fn own_settings(&self, _rung: &Rung) -> Settings {
+        let method = Method {
+            transfer: TransferKind::Apic,
+            ..Method::DEFAULT
+        };
+        settings(method, 2)
+    }
+
+    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
+        let h = rung.cell;
+        let way = Self::exact().displacement(TIME);
+        let (from, to) = (-1.0, LENGTH + way + 1.0);
+        let mesh = open_plane(h, [from, -0.5], [to, 1.5]);
+        let line = Chain {
+            points: (0..=20)
+                .map(|k| Point::new(to - 0.2 - (to - from - 0.4) * f64::from(k) / 20.0, 0.0))
+                .collect(),
+            side: Side::Open,
+        };
+        let ends = if rung.variant == VARIANTS[0] {
+            [2, 1]
+        } else {
+            [1, 2]
+        };
+        let mut scene = Scene {
+            name: rung.label.clone(),
+            time_step: settings.multiplier(),
+            gravity: [Self::exact().along, -Self::exact().into, 0.0],
+            materials: elastic(DENSITY, YOUNG, POISSON),
+            bodies: vec![body(
+                "block",
+                1,
+                cuboid([0.0, 0.5 * GAP, 0.0], [LENGTH, 0.5 * GAP + HEIGHT, 0.0]),
+            )],
+            damping: Damping::Local { alpha: SETTLING },
+            results: NO_RESULTS,
+            mortar: Mortar {
+                boundaries: vec![boundary(1, Vertices::Spacing(SEGMENT))],
+                lines: vec![rigid_line("line", 2, line, None)],
+                contacts: vec![MortarContact {
+                    friction: self.friction * FRICTION,
+                    tangential_stiffness: KAPPA_T,
+                    ..barrier("block on line", ends, GAP, KAPPA)
+                }],
+                ..Mortar::default()
+            },
+            ..Scene::new(Dimension::Two, mesh, STAGE + TIME)
+        };
+        settings.apply(&mut scene);
+        scene
+    }
+
+    fn run(
+        &self,
+        rung: &Rung,
+        _settings: &Settings,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let exact = Self::exact();
+        simulation.set_friction(1, ROUGH)?;
+        run(simulation, STAGE, &mut *observer, |_| ())?;
+        simulation.set_local_damping(None)?;
+        simulation.set_friction(1, self.friction * FRICTION)?;
+        let (_, start, _) = simulation.center(0);
+        let mut most = [f64::NEG_INFINITY; 2];
+        let mut turned = turn(simulation);
+        let mut points = vec![];
+        for k in 1..=LOOKS {
+            let time = f64::from(k) / f64::from(LOOKS) * TIME;
+            run(simulation, STAGE + time, &mut *observer, |simulation| {
+                // Forces are of the step before the vertices moved. The normals of the line do not turn.
+                let now = turn(simulation);
+                let turn = if rung.variant == VARIANTS[0] {
+                    turned.max(now)
+                } else {
+                    0.0
+                };
+                turned = now;
+                let found = excess(simulation, turn);
+                for (most, found) in most.iter_mut().zip(found) {
+                    *most = most.max(found);
+                }
+            })?;
+            points.push(CurvePoint {
+                at: time,
+                computed: simulation.center(0).1[0] - start[0],
+                exact: exact.displacement(time),
+            });
+        }
+        let way = points.last().map_or(f64::NAN, |p| p.computed);
+        let quantities = vec![
+            Quantity::compared(WAY, way, exact.displacement(TIME), "m"),
+            Quantity::of_zero(TOTAL, most[0].max(0.0)),
+            Quantity::of_zero(VERTEX, most[1].max(0.0)),
+        ];
+        let curve = Curve {
+            title: format!("{}: way along the line", rung.label),
+            abscissa: "t in s",
+            ordinate: "u_x in m",
+            points,
+        };
+        Ok(Found::new(quantities, Some(curve)))
+    }
+}
