@@ -150,3 +150,66 @@ fn a_point_on_a_vertex_has_the_pseudo_normal() {
         assert!((n - expected).abs() < 1e-15);
     }
 }
+
+/// On an edge the normal is the mean of those of its two triangles, and close to it the sign is theirs, whichever edge of the
+/// triangle it is.
+#[test]
+fn each_edge_of_a_triangle_has_its_own_normal() {
+    let [a, b, c, d]: [Point; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.2, 0.9, 0.0], [0.3, 0.2, 0.8]];
+    let faces = [[a, c, b], [a, b, d], [b, c, d], [c, a, d]];
+    let normal_of = |[a, b, c]: [Point; 3]| -> Point {
+        let [u, v]: [Point; 2] = [b, c].map(|p| std::array::from_fn(|i| p[i] - a[i]));
+        unit([
+            u[1] * v[2] - u[2] * v[1],
+            u[2] * v[0] - u[0] * v[2],
+            u[0] * v[1] - u[1] * v[0],
+        ])
+    };
+    let mut seen = [false; 3];
+    // Each face as the first one, of which the others share an edge, and turned so that each edge is each of its three.
+    for first in 0..4 {
+        for turn in 0..3 {
+            let mut corners: Vec<[Point; 3]> = faces.to_vec();
+            corners.swap(0, first);
+            corners[0].rotate_left(turn);
+            let surface = Surface::new(&corners).expect("a tetrahedron");
+            for edge in 0..3 {
+                let (p, q) = (corners[0][edge], corners[0][(edge + 1) % 3]);
+                let other = corners[1..]
+                    .iter()
+                    .find(|f| f.contains(&p) && f.contains(&q));
+                let (m, n) = (
+                    normal_of(corners[0]),
+                    normal_of(*other.expect("a neighbour")),
+                );
+                let mean = unit(std::array::from_fn(|i| m[i] + n[i]));
+                let middle: Point = std::array::from_fn(|i| 0.5 * (p[i] + q[i]));
+                let on = surface.nearest(&middle, 1.0).expect("near");
+                // Either of both triangles is as near.
+                let Feature::Edge(found) = on.feature else {
+                    panic!("{:?} instead of an edge", on.feature);
+                };
+                let ends = [0, 1].map(|k| corners[on.triangle][(found + k) % 3]);
+                assert!(ends == [p, q] || ends == [q, p], "{first} {turn} {edge}");
+                seen[found] = true;
+                for i in 0..3 {
+                    assert!(
+                        (on.normal[i] - mean[i]).abs() < 1e-14,
+                        "{first} {turn} {edge}"
+                    );
+                }
+                let outside = std::array::from_fn(|i| middle[i] + 1e-3 * mean[i]);
+                let found = surface.nearest(&outside, 1.0).expect("near");
+                assert!(
+                    (found.distance - 1e-3).abs() < 1e-15,
+                    "{first} {turn} {edge}"
+                );
+            }
+        }
+    }
+}
+
+fn unit(v: Point) -> Point {
+    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    v.map(|c| c / length)
+}
