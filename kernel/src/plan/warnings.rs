@@ -58,13 +58,9 @@ fn stiff_contacts(scene: &Scene) -> Vec<String> {
                  it, and what is smaller than the gap is blurred"
             ));
         }
-        let ends = [contact.master, contact.slave];
         let softest = scene
-            .bodies
-            .iter()
-            .filter(|body| ends.contains(&body.id) && body.motion.is_none())
-            .map(|body| scene.materials[body.material].law.young())
-            .fold(f64::INFINITY, f64::min);
+            .softest([contact.master, contact.slave])
+            .unwrap_or(f64::INFINITY);
         let ratio = contact.normal_stiffness * cell / softest;
         if ratio > STIFFEST {
             all.push(format!(

@@ -35,6 +35,16 @@ fn the_barrier_pushes_also_below_the_gap() {
     assert_eq!(law.slope(-GC), law.slope(FLOOR * GC));
 }
 
+#[test]
+fn the_gap_of_a_pressure_is_the_smallest_with_no_more() {
+    let law = NormalLaw::barrier(KAPPA, GC);
+    for gap in [0.01 * GC, 0.2 * GC, 0.9 * GC] {
+        assert!((law.gap_at(law.pressure(gap)) - gap).abs() < 1e-12 * GC);
+    }
+    assert_eq!(law.gap_at(2.0 * law.pressure(0.0)), 0.0);
+    assert_eq!(NormalLaw::Penalty { stiffness: KAPPA }.gap_at(1.0), 0.0);
+}
+
 proptest! {
     #![proptest_config(cases(256))]
 

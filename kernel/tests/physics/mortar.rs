@@ -6,6 +6,7 @@ use crate::common::{
 };
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::law::NormalLaw;
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
@@ -354,6 +355,33 @@ fn surfaces_that_overlap_are_refused() {
         path == "contact" && reason.contains("gap is -"),
         "{path}: {reason}"
     );
+}
+
+/// A block over a line: the barrier may press with a tenth of Young's modulus at the start, and the message says from which
+/// gap on it does not press more.
+#[test]
+fn a_start_that_squeezes_is_refused() {
+    let (young, height) = (1.0e6, 0.4);
+    let of = |gap: f64| {
+        let mut scene = empty(Dimension::Two, [24, 14, 1], 0.1);
+        scene.materials = vec![material(elastic(young, 0.3))];
+        let block = cuboid([0.6, height + gap, 0.0], [1.2, 0.9, 0.0]);
+        scene.bodies = vec![body(1, block)];
+        scene.mortar.boundaries = vec![boundary(1, Follow::Spin)];
+        scene.mortar.lines = vec![line(&[[2.0, height], [0.2, height]])];
+        scene.mortar.contacts = vec![contact(9, 1, 0.0)];
+        Simulation::new(&scene, &options())
+    };
+    let law = NormalLaw::barrier(1.0e6, GAP);
+    let least = law.gap_at(0.1 * young);
+    assert!(least > 0.1 * GAP && least < 0.9 * GAP);
+    assert!(of(least * 1.001).is_ok());
+    let Err(SetupError::Mortar { reason, .. }) = of(0.3 * least) else {
+        panic!("it squeezes");
+    };
+    let said = reason.split("at least ").nth(1).expect("the gap to use");
+    let said: f64 = said.trim_end_matches(" m").parse().expect("a number");
+    assert!((said - least).abs() < 1e-12 * GAP, "{reason}");
 }
 
 #[test]

@@ -67,6 +67,30 @@ impl NormalLaw {
         }
     }
 
+    /// The smallest gap \[m\], down to none, at which the pressure is no more than a value \[Pa\] greater than 0.
+    #[must_use]
+    pub fn gap_at(&self, pressure: f64) -> f64 {
+        let Self::Barrier { critical_gap, .. } = *self else {
+            return 0.0;
+        };
+        let (mut pressed, mut free) = (0.0, critical_gap);
+        if self.pressure(pressed) <= pressure {
+            return pressed;
+        }
+        // The pressure falls from none to the critical gap, where it is zero.
+        loop {
+            let middle = 0.5 * (pressed + free);
+            if middle <= pressed || middle >= free {
+                return free;
+            }
+            if self.pressure(middle) > pressure {
+                pressed = middle;
+            } else {
+                free = middle;
+            }
+        }
+    }
+
     /// Slope -d lambda_n/dg \[Pa/m\], zero or positive.
     #[must_use]
     pub fn slope(&self, gap: f64) -> f64 {

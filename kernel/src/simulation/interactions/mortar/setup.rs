@@ -18,6 +18,9 @@ use crate::simulation::needs;
 use crate::team::Team;
 use std::fmt::Display;
 
+/// Share of Young's modulus that a barrier may press with at the start.
+const MOST_PRESSURE: f64 = 0.1;
+
 impl MortarState {
     /// Boundaries and pairs of a scene, where anything has a boundary. Vertices follow their body also where nothing is in
     /// contact with it.
@@ -168,6 +171,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 ),
             ));
         }
+        self.refuse_pressure(p, scene, name)?;
         if let Some(found) = slave.boundary.lies_in(&self.surfaces[pair.master].boundary) {
             return Err(refused(
                 name,
@@ -188,6 +192,40 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             ));
         }
         Ok(())
+    }
+}
+
+impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
+    /// Refuses a pair that begins so far within the critical gap that the barrier squeezes the material before anything has
+    /// moved: its vertices would be driven away from it.
+    fn refuse_pressure(&self, p: usize, scene: &Scene, name: &str) -> Result<(), SetupError> {
+        let pair = &self.pairs[p];
+        let slave = &self.surfaces[pair.slave];
+        let Some(young) = scene.softest([slave.id, self.surfaces[pair.master].id]) else {
+            return Ok(());
+        };
+        let most = MOST_PRESSURE * young;
+        let sites = pair.forces.sites.iter().flatten();
+        let Some(site) = sites.max_by(|a, b| a.pressure.total_cmp(&b.pressure)) else {
+            return Ok(());
+        };
+        if site.pressure <= most {
+            return Ok(());
+        }
+        let at = in_scene(&slave.boundary.points()[site.vertex], &scene.mesh.origin);
+        Err(refused(
+            name,
+            &format!(
+                "the gap of {} m at vertex {} of {}, {} m, begins with a pressure of {} Pa, more than a tenth of Young's \
+                 modulus, {young} Pa, and drives the vertices off their body; accepted: a gap of at least {} m",
+                site.gap,
+                site.vertex,
+                slave.id,
+                place(&at[..D]),
+                site.pressure,
+                pair.law.normal.gap_at(most),
+            ),
+        ))
     }
 }
 
