@@ -44,18 +44,23 @@ const SPEED: f64 = 2e-2;
 const DRIFT: &str = "angular momentum lost in a turn, over it";
 /// The same, as a figure that nothing exact says.
 const DRIFT_STATED: &str = "angular momentum lost in a turn";
+/// Largest kinetic and strain energy over that of the start, less 1.
+const GAIN: &str = "largest energy gained in a turn";
 /// Largest change at any time, over it.
 const LARGEST: &str = "largest change of the angular momentum";
 /// Round-off of some thousand steps.
 const ROUND_OFF: f64 = 1e-11;
 
 /// Transfers with the scheme that they are run with, by the word of their variants.
-const VARIANTS: [(&str, TransferKind, StressScheme); 6] = [
+const VARIANTS: [(&str, TransferKind, StressScheme); 9] = [
     ("FLIP USL", TransferKind::Flip, StressScheme::Usl),
+    ("FLIP USF", TransferKind::Flip, StressScheme::Usf),
     ("FLIP MUSL", TransferKind::Flip, StressScheme::Musl),
     ("APIC USL", TransferKind::Apic, StressScheme::Usl),
+    ("APIC USF", TransferKind::Apic, StressScheme::Usf),
     ("APIC MUSL", TransferKind::Apic, StressScheme::Musl),
     ("TPIC USL", TransferKind::Tpic, StressScheme::Usl),
+    ("TPIC USF", TransferKind::Tpic, StressScheme::Usf),
     ("TPIC MUSL", TransferKind::Tpic, StressScheme::Musl),
 ];
 
@@ -180,6 +185,11 @@ impl Case for AngularMomentum {
         let (_, steps) = Self::settings(rung);
         solve_scene(self, rung, &options, |simulation| {
             let start = Self::of(simulation);
+            let energy = |simulation: &Simulation| {
+                let energy = simulation.energy();
+                energy.kinetic + energy.strain
+            };
+            let (first, mut gain) = (energy(simulation), 0.0_f64);
             let every = (steps / 100).max(1);
             let (mut points, mut largest) = (vec![], 0.0_f64);
             while simulation.steps() < steps {
@@ -187,6 +197,7 @@ impl Case for AngularMomentum {
                 advance(simulation, next, &mut |_| ())?;
                 let change = Self::of(simulation) / start - self.reference;
                 largest = largest.max(change.abs());
+                gain = gain.max(energy(simulation) / first - 1.0);
                 points.push(CurvePoint {
                     at: spin * simulation.time() / TAU,
                     computed: change,
@@ -195,7 +206,7 @@ impl Case for AngularMomentum {
                 progress(simulation.steps() as f64 / steps as f64);
             }
             let drift = self.reference - Self::of(simulation) / start;
-            let quantities = if Self::method(rung).transfer == TransferKind::Apic {
+            let mut quantities = if Self::method(rung).transfer == TransferKind::Apic {
                 vec![
                     Quantity::of_zero(DRIFT, drift),
                     Quantity::of_zero(LARGEST, largest),
@@ -203,6 +214,7 @@ impl Case for AngularMomentum {
             } else {
                 vec![Quantity::figure(DRIFT_STATED, drift, "1")]
             };
+            quantities.push(Quantity::figure(GAIN, gain, "1"));
             let curve = Curve {
                 title: format!("change of the angular momentum, {}", rung.label),
                 abscissa: "turns",
@@ -229,6 +241,12 @@ impl Case for AngularMomentum {
                     rung.label, drift
                 ));
             }
+            let gain = value_of(solved, &rung.label, GAIN);
+            verdict.for_the_record.push(format!(
+                "{}: {:.2} % of energy gained at most",
+                rung.label,
+                100.0 * gain
+            ));
         }
         verdict
     }
