@@ -3,8 +3,11 @@
 use crate::slide::start;
 use crate::slope::{GRAVITY, H, Slope, dot};
 use proctor_kernel::plan::{Demands, Plan};
-use proctor_kernel::scene::{History, Scene, StressScheme, Transfer, TransferKind};
+use proctor_kernel::scene::{
+    Damping, History, ParticleSeed, Scene, Shape, StressScheme, Transfer, TransferKind,
+};
 use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, StepErrorKind};
+use std::sync::Arc;
 
 const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
 
@@ -63,7 +66,7 @@ fn a_rough_plane_holds_the_block() {
             ..Slope::new(scheme, 0.7)
         };
         let mut scene = slope.scene();
-        scene.damping = proctor_kernel::scene::Damping::Local { alpha: 0.3 };
+        scene.damping = Damping::Local { alpha: 0.3 };
         let mut simulation = start(&scene, 1);
         let begin = simulation.center(0).1;
         let mut middle = begin;
@@ -102,7 +105,7 @@ fn the_plane_carries_the_weight() {
         };
         let mut scene = slope.scene();
         scene.gravity = slope.normal().map(|n| -GRAVITY * n);
-        scene.damping = proctor_kernel::scene::Damping::Local { alpha: 0.2 };
+        scene.damping = Damping::Local { alpha: 0.2 };
         let mut simulation = start(&scene, 1);
         while simulation.time() < slope.end {
             simulation.step(slope.end).expect("a step");
@@ -254,7 +257,7 @@ fn a_surface_that_moves() {
         ..slope
     };
     let mut scene = slope.scene();
-    scene.damping = proctor_kernel::scene::Damping::Local { alpha: 0.05 };
+    scene.damping = Damping::Local { alpha: 0.05 };
     scene.surfaces[0].motion = Some(History {
         times: vec![0.0, 0.1],
         values: vec![[0.0; 3], up],
@@ -277,6 +280,46 @@ fn a_surface_that_moves() {
     assert!(energy.external_work > energy.kinetic);
 }
 
+/// Raises the particles of the block along the normal of the slope \[m\].
+fn raise(scene: &mut Scene, slope: &Slope, by: f64) {
+    let way = slope.normal().map(|n| by * n);
+    if let Shape::Particles(seeds) = &mut scene.bodies[0].shape {
+        let moved = seeds.iter().map(|seed| ParticleSeed {
+            position: std::array::from_fn(|axis| seed.position[axis] + way[axis]),
+            ..*seed
+        });
+        *seeds = Arc::new(moved.collect());
+    }
+}
+
+/// A surface that comes from three cells away to a body at rest takes it along: it is found though nothing but the surface
+/// has moved.
+#[test]
+fn a_surface_that_comes_from_afar() {
+    let slope = Slope {
+        gravity: 0.0,
+        speed: 0.0,
+        ..Slope::new(StressScheme::Usl, 0.0)
+    };
+    let (mut scene, up, way) = (slope.scene(), slope.normal(), 3.0 * H);
+    raise(&mut scene, &slope, way);
+    scene.time = way + 0.2;
+    scene.damping = Damping::Local { alpha: 0.05 };
+    scene.surfaces[0].motion = Some(History {
+        times: vec![0.0],
+        values: vec![up],
+    });
+    let mut simulation = start(&scene, 1);
+    while simulation.time() < scene.time {
+        simulation.step(scene.time).expect("a step");
+        let gaps = (0..simulation.particles()).filter_map(|p| simulation.surface_gap(0, 0, p, H));
+        let deepest = gaps.fold(0.0_f64, |least, (gap, _)| least.min(gap));
+        assert!(deepest > -1e-2 * H, "{deepest}");
+    }
+    let speed = dot(&simulation.center(0).2, &up);
+    assert!(speed > 0.9, "{speed}");
+}
+
 /// A body at rest that was pressed into a slope without friction, and how deep \[m\].
 fn pressed_in(stiffness: f64) -> (Slope, Scene, f64) {
     let slope = Slope {
@@ -289,16 +332,7 @@ fn pressed_in(stiffness: f64) -> (Slope, Scene, f64) {
     // 0.9 % of a cell, which is let pass as the round-off of a careless input.
     let depth = 0.009 * H;
     scene.surfaces[0].penalty_stiffness = Some(stiffness);
-    let sunk = slope.normal().map(|n| -depth * n);
-    if let proctor_kernel::scene::Shape::Particles(seeds) = &mut scene.bodies[0].shape {
-        let moved = seeds
-            .iter()
-            .map(|seed| proctor_kernel::scene::ParticleSeed {
-                position: std::array::from_fn(|axis| seed.position[axis] + sunk[axis]),
-                ..*seed
-            });
-        *seeds = std::sync::Arc::new(moved.collect());
-    }
+    raise(&mut scene, &slope, -depth);
     (slope, scene, depth)
 }
 
@@ -338,16 +372,12 @@ fn overlap_at_the_start() {
     let slope = Slope::new(StressScheme::Usl, 0.0);
     let mut scene = slope.scene();
     scene.bodies[0].velocity = [0.0; 3];
-    if let proctor_kernel::scene::Shape::Particles(seeds) = &mut scene.bodies[0].shape {
-        let lowered = seeds
-            .iter()
-            .map(|seed| proctor_kernel::scene::ParticleSeed {
-                position: std::array::from_fn(|axis| {
-                    seed.position[axis] - 0.02 * slope.normal()[axis]
-                }),
-                ..*seed
-            });
-        *seeds = std::sync::Arc::new(lowered.collect());
+    if let Shape::Particles(seeds) = &mut scene.bodies[0].shape {
+        let lowered = seeds.iter().map(|seed| ParticleSeed {
+            position: std::array::from_fn(|axis| seed.position[axis] - 0.02 * slope.normal()[axis]),
+            ..*seed
+        });
+        *seeds = Arc::new(lowered.collect());
     }
     match Simulation::new(&scene, &Options::default()) {
         Err(SetupError::Body { body, reason }) => {
