@@ -78,6 +78,46 @@ pub enum Shape {
     Particles(Arc<Vec<ParticleSeed>>),
 }
 
+impl Shape {
+    /// Radius of a shape that can roll: a sphere, disc, ring or cylinder \[m\].
+    #[must_use]
+    pub fn radius(&self) -> Option<f64> {
+        match *self {
+            Self::Sphere { radius, .. } | Self::Cylinder { radius, .. } => Some(radius),
+            Self::Ring { outer, .. } => Some(outer),
+            _ => None,
+        }
+    }
+
+    /// The radius, or half of the smallest extent along the axes of a dimension \[m\]; infinite for a polygon or a list of
+    /// particles with nothing in it.
+    #[must_use]
+    pub fn half_size(&self, dimension: Dimension) -> f64 {
+        let of = |points: &mut dyn Iterator<Item = Vector>, axes: usize| {
+            let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+            for x in points {
+                low = std::array::from_fn(|axis| low[axis].min(x[axis]));
+                high = std::array::from_fn(|axis| high[axis].max(x[axis]));
+            }
+            let extents = (0..axes).map(|axis| 0.5 * (high[axis] - low[axis]).abs());
+            extents.fold(f64::INFINITY, f64::min)
+        };
+        let axes = dimension.axes();
+        match self {
+            Self::Cuboid { p1, p2 } => of(&mut [*p1, *p2].into_iter(), axes),
+            Self::Polygon { points } => of(&mut points.iter().copied(), 2),
+            Self::ExtrudedPolygon { points, range, .. } => {
+                let flat = points.iter().map(|[u, v]| [*u, *v, 0.0]);
+                let across = of(&mut flat.into_iter(), 2);
+                across.min(0.5 * (range[1] - range[0]).abs())
+            }
+            Self::Particles(seeds) => of(&mut seeds.iter().map(|seed| seed.position), axes),
+            Self::Sphere { radius, .. } | Self::Cylinder { radius, .. } => *radius,
+            Self::Ring { outer, .. } => *outer,
+        }
+    }
+}
+
 /// One particle of a particle list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleSeed {

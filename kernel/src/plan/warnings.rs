@@ -1,6 +1,6 @@
 //! What a scene may do, but not well.
 
-use crate::scene::{Material, Scene, VolumetricStrain};
+use crate::scene::{MOST_CREEP, Material, MortarContact, Scene, VolumetricStrain};
 
 /// Normal stiffness times cell over Young's modulus above which the layer of a mortar contact is stiffer than the cells
 /// behind it.
@@ -13,6 +13,7 @@ const LOCKS: f64 = 0.49;
 pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     let mut all = locking(scene);
     all.extend(stiff_contacts(scene));
+    all.extend(creeping_contacts(scene));
     all
 }
 
@@ -58,9 +59,7 @@ fn stiff_contacts(scene: &Scene) -> Vec<String> {
                  it, and what is smaller than the gap is blurred"
             ));
         }
-        let softest = scene
-            .softest([contact.master, contact.slave])
-            .unwrap_or(f64::INFINITY);
+        let softest = scene.softest(contact).unwrap_or(f64::INFINITY);
         let ratio = contact.normal_stiffness * cell / softest;
         if ratio > STIFFEST {
             all.push(format!(
@@ -72,4 +71,22 @@ fn stiff_contacts(scene: &Scene) -> Vec<String> {
         }
     }
     all
+}
+
+/// Contacts whose tangential spring lets a round body roll less far than it should.
+fn creeping_contacts(scene: &Scene) -> Vec<String> {
+    let of = |contact: &MortarContact| {
+        let creep = scene.rolling_creep(contact)?;
+        let usual = scene.usual_tangential_stiffness(contact)?;
+        (creep > MOST_CREEP * (1.0 + 1e-9)).then(|| {
+            format!(
+                "{}: the tangential spring lets a round body lag behind the way that it rolls by up to {:.2} %, as traction \
+                 builds up along the contact; {usual:.3e} Pa/m keep it within {} %",
+                contact.name,
+                100.0 * creep,
+                100.0 * MOST_CREEP
+            )
+        })
+    };
+    scene.mortar.contacts.iter().filter_map(of).collect()
 }

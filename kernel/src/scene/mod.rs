@@ -30,7 +30,7 @@ pub use method::{
     Weighting,
 };
 pub use mortar::{
-    BodyBoundary, Enforcement, Mortar, MortarContact, RigidFacets, RigidLine, Vertices,
+    BodyBoundary, Enforcement, MOST_CREEP, Mortar, MortarContact, RigidFacets, RigidLine, Vertices,
 };
 pub use results::{Field, NodalField, OnImbalance, Outside, Probe, Results};
 pub use surface::RigidSurface;
@@ -141,16 +141,5 @@ impl Scene {
         let base = self.base_motion.as_ref();
         self.mesh.planes[axis][side] != PlaneCondition::Free
             || base.is_some_and(|base| (base.axis, base.side) == (axis, side))
-    }
-
-    /// Young's modulus of the softest of bodies with given identifiers \[Pa\]; `None` where each of them is rigid: a line, a
-    /// surface, a body with a prescribed motion.
-    #[must_use]
-    pub fn softest(&self, ids: [i64; 2]) -> Option<f64> {
-        self.bodies
-            .iter()
-            .filter(|body| ids.contains(&body.id) && body.motion.is_none())
-            .filter_map(|body| Some(self.materials.get(body.material)?.law.young()))
-            .min_by(f64::total_cmp)
     }
 }

@@ -6,4 +6,5 @@ mod errors;
 mod list;
 mod polygon;
 mod round;
+mod shape;
 mod support;

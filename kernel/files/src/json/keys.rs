@@ -332,7 +332,7 @@ pub(super) struct RawContact {
     pub critical_gap: Option<f64>,
     /// Mortar: stiffness of the normal law [Pa/m].
     pub normal_stiffness: Option<f64>,
-    /// Mortar: stiffness of the tangential spring [Pa/m]; needed with friction.
+    /// Mortar: stiffness of the tangential spring [Pa/m]. Default: so that a round body lags behind its way by 0.5 % at most.
     pub tangential_stiffness: Option<f64>,
     /// Mortar: normal law. Default: barrier.
     #[schemars(extend("enum" = ["barrier", "penalty"]))]

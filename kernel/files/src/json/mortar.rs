@@ -193,19 +193,10 @@ impl Build<'_> {
             raw.normal_stiffness,
             "the stiffness of the barrier, greater than 0 [Pa/m]",
         );
-        let tangential_stiffness = if friction > 0.0 {
-            self.number(
-                &key("tangential_stiffness"),
-                raw.tangential_stiffness,
-                "the stiffness of the tangential spring, greater than 0 [Pa/m]",
-            )
-        } else {
-            raw.tangential_stiffness.unwrap_or(0.0)
-        };
         if ends.contains(&None) {
             self.stands_in(path);
         }
-        scene.mortar.contacts.push(MortarContact {
+        let mut contact = MortarContact {
             name: path.to_owned(),
             id,
             master: ends[0].unwrap_or(i64::MIN),
@@ -213,7 +204,7 @@ impl Build<'_> {
             friction,
             critical_gap,
             normal_stiffness,
-            tangential_stiffness,
+            tangential_stiffness: raw.tangential_stiffness.unwrap_or(0.0),
             enforcement: self.word_or(
                 &key("enforcement"),
                 raw.enforcement.as_ref(),
@@ -226,7 +217,17 @@ impl Build<'_> {
                 DETECTIONS,
                 Detection::Mortar,
             ),
-        });
+        };
+        if friction > 0.0 && raw.tangential_stiffness.is_none() {
+            match scene.usual_tangential_stiffness(&contact) {
+                Some(usual) => contact.tangential_stiffness = usual,
+                None => self.missing(
+                    key("tangential_stiffness"),
+                    "the stiffness of the tangential spring, greater than 0 [Pa/m]",
+                ),
+            }
+        }
+        scene.mortar.contacts.push(contact);
     }
 
     /// Keys of mortar contact in an entry of another method.

@@ -10,7 +10,7 @@ use crate::mortar::elements::Elements;
 use crate::mortar::outline::{outline, vertices};
 use crate::mortar::space::facets::Facets;
 use crate::mortar::space::skin::{skin, triangles};
-use crate::scene::{Body, BodyBoundary, Dimension, Scene, Vector, Vertices};
+use crate::scene::{Body, BodyBoundary, Dimension, MortarContact, Scene, Vector, Vertices};
 use crate::simulation::BodyRun;
 use crate::simulation::error::SetupError;
 use crate::simulation::interactions::Made;
@@ -155,8 +155,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     fn refuse_overlap(&mut self, p: usize, scene: &Scene) -> Result<(), SetupError> {
         self.meet(p, 0.0, &Team::ALONE);
         let pair = &self.pairs[p];
-        let name = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
-        let name = name.map_or("", |c| &c.name);
+        let contact = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
+        let name = contact.map_or("", |c| &c.name);
         let slave = &self.surfaces[pair.slave];
         if let Some((vertex, gap)) = pair.forces.smallest_gap()
             && gap < 0.0
@@ -171,7 +171,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 ),
             ));
         }
-        self.refuse_pressure(p, scene, name)?;
+        if let Some(contact) = contact {
+            self.refuse_pressure(p, scene, contact)?;
+        }
         if let Some(found) = slave.boundary.lies_in(&self.surfaces[pair.master].boundary) {
             return Err(refused(
                 name,
@@ -198,10 +200,15 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Refuses a pair that begins so far within the critical gap that the barrier squeezes the material before anything has
     /// moved: its vertices would be driven away from it.
-    fn refuse_pressure(&self, p: usize, scene: &Scene, name: &str) -> Result<(), SetupError> {
+    fn refuse_pressure(
+        &self,
+        p: usize,
+        scene: &Scene,
+        contact: &MortarContact,
+    ) -> Result<(), SetupError> {
         let pair = &self.pairs[p];
         let slave = &self.surfaces[pair.slave];
-        let Some(young) = scene.softest([slave.id, self.surfaces[pair.master].id]) else {
+        let Some(young) = scene.softest(contact) else {
             return Ok(());
         };
         let most = MOST_PRESSURE * young;
@@ -214,7 +221,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         }
         let at = in_scene(&slave.boundary.points()[site.vertex], &scene.mesh.origin);
         Err(refused(
-            name,
+            &contact.name,
             &format!(
                 "the gap of {} m at vertex {} of {}, {} m, begins with a pressure of {} Pa, more than a tenth of Young's \
                  modulus, {young} Pa, and drives the vertices off their body; accepted: a gap of at least {} m",
