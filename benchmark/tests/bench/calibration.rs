@@ -60,10 +60,7 @@ fn a_label_is_held_against_the_way_of_the_particles() {
         assert_eq!(findings.is_empty(), fits, "{findings:?}");
         for finding in findings {
             assert_eq!(finding.fitting(), Some(TimeLabel::OneStepLate));
-            assert!(
-                finding.to_string().contains("1 steps ahead of"),
-                "{finding}"
-            );
+            assert!(finding.to_string().contains("1 step ahead of"), "{finding}");
         }
     }
     // Frames without a label are of the end.

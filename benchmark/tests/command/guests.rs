@@ -215,3 +215,171 @@ fn the_calibration_finds_each_thing_that_a_guest_does_wrong() {
         "{rows:?}"
     );
 }
+
+/// `proctor precision` of a case in short with executables: exit code, text, record.
+fn precision(desk: &Desk, case: &str, executables: &Value) -> (i32, String, Value) {
+    let config = desk.scene("guests.json", &json!({ "executables": executables }));
+    let [json, csv, svg, keep] = ["p.json", "p.csv", "charts", "kept"].map(|name| desk.name(name));
+    let output = proctor(&[
+        "precision",
+        case,
+        "--quick",
+        "--repetitions",
+        "1",
+        "--executables",
+        &config,
+        "--json",
+        &json,
+        "--csv",
+        &csv,
+        "--svg",
+        &svg,
+        "--keep",
+        &keep,
+    ]);
+    let text = format!("{}{}", stdout(&output), stderr(&output));
+    let record = fs::read_to_string(json).unwrap_or_else(|error| panic!("{error}: {text}"));
+    (
+        code(&output),
+        text,
+        serde_json::from_str(&record).expect("JSON"),
+    )
+}
+
+/// `proctor run` behind a script that does something else with the scene or the frames.
+fn wrapped(script: &str) -> Value {
+    let proctor = env!("CARGO_BIN_EXE_proctor");
+    json!({ "command": ["sh", "-c", script, proctor, "{scene}", "{out}"] })
+}
+
+/// Errors of an executable on a case, coarse to fine.
+fn errors(record: &Value, case: &str, name: &str, measure: &str) -> Vec<f64> {
+    let start = format!("precision/{case}/peer/{name}/");
+    let rows = record["benchmarks"].as_array().expect("rows").iter();
+    rows.filter(|row| row["name"].as_str().is_some_and(|n| n.starts_with(&start)))
+        .filter_map(|row| row[format!("error_{measure}")].as_f64())
+        .collect()
+}
+
+#[test]
+fn guests_stand_in_chart_and_table_of_a_case_with_their_error_and_time() {
+    let desk = Desk::new();
+    // The label of each frame is that of one step before its particles.
+    let late = "dt=$(sed -n 's/.*\"time_step\": *\\([-+.0-9eE]*\\),*/\\1/p' $1); $0 run $1 --out $2 --threads 1 && \
+                awk -v dt=$dt '{ if (match($0, /timestep=\"[^\"]*\"/)) { t = substr($0, RSTART + 10, RLENGTH - 11); \
+                printf \"%stimestep=\\\"%.12g\\\"%s\\n\", substr($0, 1, RSTART - 1), t - dt, \
+                substr($0, RSTART + RLENGTH) } else print }' $2/particles.pvd > $2/new && \
+                mv $2/new $2/particles.pvd";
+    let mut labelled = wrapped(late);
+    labelled["time_label"] = json!("one step late");
+    let (exit, text, record) = precision(
+        &desk,
+        "sudden-weight",
+        &json!({ "same": env!("CARGO_BIN_EXE_proctor"), "late": labelled, "wrong": wrapped(late) }),
+    );
+    // One of them is not what it says, and only that one is left out.
+    assert_eq!(exit, 1, "{text}");
+    assert!(text.contains("FAIL  wrong: calibration: "), "{text}");
+    assert!(
+        text.contains("\"time_label\": \"one step late\" fits"),
+        "{text}"
+    );
+    let own = errors(&record, "sudden-weight", "proctor", "displacement");
+    assert_eq!(own.len(), 3, "{text}");
+    assert!(own[2] < 0.01 && own[2] < 0.5 * own[0], "{own:?}");
+    assert_eq!(
+        errors(&record, "sudden-weight", "same", "displacement"),
+        own
+    );
+    let late = errors(&record, "sudden-weight", "late", "displacement");
+    for (late, own) in late.iter().zip(&own) {
+        assert!((late / own - 1.0).abs() < 1e-4, "{late} {own}");
+    }
+    assert_eq!(late.len(), 3);
+    assert_eq!(
+        errors(&record, "sudden-weight", "wrong", "displacement").len(),
+        0
+    );
+    for name in ["proctor (process)", "same (process)", "late (process)"] {
+        assert!(text.contains(name), "{name}: {text}");
+        let chart = fs::read_to_string(desk.path("charts/sudden-weight-displacement.svg"));
+        assert!(chart.expect("a chart").contains(name), "{name}");
+    }
+    // Frames are judged by their displacement alone.
+    let chart = fs::read_to_string(desk.path("charts/sudden-weight-stress.svg")).expect("a chart");
+    assert!(!chart.contains("(process)"));
+    let csv = fs::read_to_string(desk.path("p.csv")).expect("values");
+    assert_eq!(
+        csv.lines().filter(|line| line.ends_with(",same")).count(),
+        3
+    );
+}
+
+#[test]
+fn the_cases_that_solvers_know_can_be_handed_over() {
+    for (case, measure, bound) in [
+        ("step-bar", "displacement", 0.05),
+        ("inclined-block", "displacement", 0.01),
+        ("base-acceleration", "velocity", 0.02),
+    ] {
+        let desk = Desk::new();
+        let same = json!({ "same": env!("CARGO_BIN_EXE_proctor") });
+        let (exit, text, record) = precision(&desk, case, &same);
+        assert_eq!(exit, 0, "{case}: {text}");
+        let (own, same) = (
+            errors(&record, case, "proctor", measure),
+            errors(&record, case, "same", measure),
+        );
+        assert!(own.len() >= 2 && own == same, "{case}: {own:?} {same:?}");
+        assert!(own[own.len() - 1] < bound, "{case}: {own:?}");
+    }
+}
+
+#[test]
+fn a_guest_that_fails_on_a_case_is_a_failed_run_with_its_reason() {
+    let desk = Desk::new();
+    // It passes the calibration, and then takes another mesh, stops early or does not know the load.
+    let only = |change: &str| {
+        format!(
+            "case $1 in *calibration*) $0 run $1 --out $2;; *) sed '{change}' $1 > $2/other.json; \
+             $0 run $2/other.json --out $2;; esac"
+        )
+    };
+    let (exit, text, _) = precision(
+        &desk,
+        "step-bar",
+        &json!({
+            "refuses": wrapped("case $1 in *calibration*) $0 run $1 --out $2;; *) echo no such load; exit 3;; esac"),
+            "early": wrapped(&only("s/\"time\": [0-9.e-]*/\"time\": 0.001/")),
+        }),
+    );
+    assert_eq!(exit, 1, "{text}");
+    assert!(text.contains("FAIL  refuses, "), "{text}");
+    assert!(text.contains("on standard output: no such load"), "{text}");
+    assert!(text.contains("FAIL  early, "), "{text}");
+    assert!(text.contains("where the scene ends at 0.02372 s"), "{text}");
+}
+
+#[test]
+fn a_case_that_solvers_cannot_run_says_why() {
+    let desk = Desk::new();
+    let same = json!({ "same": env!("CARGO_BIN_EXE_proctor") });
+    let (exit, text, _) = precision(&desk, "bar", &same);
+    assert_eq!(exit, 0, "{text}");
+    assert!(
+        text.contains("not for other solvers: it begins with a velocity"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_configuration_without_executables_is_bad_input() {
+    let desk = Desk::new();
+    let empty = desk.scene("empty.json", &json!({}));
+    for file in [desk.name("no-such.json"), empty] {
+        let output = proctor(&["precision", "bar", "--quick", "--executables", &file]);
+        assert_eq!(code(&output), 2, "{}", stderr(&output));
+        assert!(stderr(&output).contains(&file), "{}", stderr(&output));
+        assert_eq!(stdout(&output), "");
+    }
+}

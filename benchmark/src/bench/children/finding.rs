@@ -98,12 +98,14 @@ impl fmt::Display for Finding {
                 number(factor)
             ),
             Self::Label { ahead, declared } => {
+                let steps = (ahead.abs() * 100.0).round() / 100.0;
+                let plural = if steps == 1.0 { "" } else { "s" };
                 let side = if ahead < 0.0 { "behind" } else { "ahead of" };
                 write!(
                     f,
-                    "the particles are {} steps {side} the time of their frame, and the configuration says \
+                    "the particles are {} step{plural} {side} the time of their frame, and the configuration says \
                      \"time_label\": \"{}\"; ",
-                    number((ahead.abs() * 100.0).round() / 100.0),
+                    number(steps),
                     declared.word()
                 )?;
                 match self.fitting() {
@@ -145,32 +147,35 @@ pub(super) fn findings(
         });
     }
     let mut metre = length_factor(points, u, axes);
-    if !((metre - 1.0).abs() <= LENGTH) {
-        all.push(Finding::Length { factor: metre });
-    } else {
+    // What is not a number is within nothing, and so is found.
+    let within = |value: f64, bound: f64| value.abs() <= bound;
+    if within(metre - 1.0, LENGTH) {
         metre = 1.0;
+    } else {
+        all.push(Finding::Length { factor: metre });
     }
     let mean = |axis: usize| u.iter().map(|u| u[axis]).sum::<f64>() / u.len() as f64 / metre;
     let (end, time) = (STEPS * STEP, mean(0) / VELOCITY);
     let label = label.unwrap_or(end);
-    // Written so that what is not a number is found as well.
-    if !(time > STEP) {
+    let flies = time > STEP;
+    if !flies {
         all.push(Finding::Velocity { way: mean(0) });
         return (all, time);
     }
     let ahead = (time - label) / STEP;
-    if !(label < CLOCK * time && time < CLOCK * label) {
+    let same_unit = label < CLOCK * time && time < CLOCK * label;
+    if !same_unit {
         all.push(Finding::Clock {
             factor: label / time,
         });
-    } else if (ahead - declared.ahead()).abs() > LABEL {
+    } else if !within(ahead - declared.ahead(), LABEL) {
         all.push(Finding::Label { ahead, declared });
     }
-    if (time - end).abs() > END * STEP {
+    if !within(time - end, END * STEP) {
         all.push(Finding::End { found: time });
     }
     let fall = 2.0 * mean(axes - 1) / (time * time);
-    if !((fall + GRAVITY).abs() <= FALL * GRAVITY) {
+    if !within(fall + GRAVITY, FALL * GRAVITY) {
         all.push(Finding::Gravity { found: fall });
     }
     (all, time)

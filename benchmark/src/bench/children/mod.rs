@@ -10,12 +10,14 @@ mod compare;
 mod finding;
 mod process;
 mod said;
+mod visit;
 mod watch;
 mod written;
 
 pub use calibration::{Calibration, Fault, judge, scene as free_fall};
 pub use compare::{difference, error, same_time};
 pub use finding::Finding;
+pub(crate) use visit::Handed;
 
 use super::config::{Config, Executable, TimeLabel};
 use super::plan::words;

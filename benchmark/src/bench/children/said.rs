@@ -32,7 +32,7 @@ pub(super) fn with_words(reason: &str, out: &Path) -> String {
     for (name, words) in OUTPUTS {
         let lines = last_lines(&out.join(name));
         if !lines.is_empty() {
-            text.push_str(&format!("; {words}: {}", lines.join(" / ")));
+            text = format!("{text}; {words}: {}", lines.join(" / "));
         }
     }
     text
