@@ -172,6 +172,14 @@ fn everything_that_is_wrong_is_said_at_once_with_its_place() {
 }
 
 #[test]
+fn no_executable_has_the_name_of_this_program() {
+    assert_eq!(
+        faults(r#"{"executables": {"proctor": "other/proctor"}}"#),
+        ["1:29 executables.proctor the name `proctor`"]
+    );
+}
+
+#[test]
 fn unknown_keys_and_wrong_types_are_named_with_their_place() {
     assert_eq!(
         faults(r#"{"global": {"numPartciles": 3}}"#),

@@ -3,6 +3,7 @@
 use super::raw::{OneOrMany, RawConfig, RawExecutable};
 use super::scene::{Method, SceneChoice};
 use super::{Asked, Config, Executable, TimeLabel, manual};
+use crate::bench::children::OWN;
 use crate::bench::scenes;
 use proctor_files::json::{listed, nearest, words_of};
 use proctor_kernel::memory::{Memory, words};
@@ -386,6 +387,10 @@ impl<'a> Check<'a> {
         let mut all = vec![];
         for (name, executable) in raw.executables.iter().flat_map(|named| &named.0) {
             let path = format!("executables.{name}");
+            if name == OWN {
+                let accepted = "another name: this program is among them by itself";
+                self.add(&*path, format!("the name `{OWN}`"), accepted);
+            }
             let (command, folder, timeout, time_label) = match executable {
                 RawExecutable::Path(program) => {
                     let arguments = ["run", "{scene}", "--out", "{out}", "--threads", "{threads}"];
