@@ -7,6 +7,7 @@ pub mod case;
 pub mod cases;
 pub mod convergence;
 pub mod exact;
+pub mod guest;
 pub mod sensitivity;
 pub mod settings;
 pub mod stability;

@@ -9,6 +9,7 @@ use proctor_kernel::simulation::{Options, Simulation};
 use std::error::Error;
 
 use crate::case::{self, Case, CaseError, Found, Rung, Size, Solved};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 
 /// What a run is doing; run time means [`Phase::Stepping`].
@@ -137,6 +138,12 @@ pub trait Study: Case {
         simulation: &mut Simulation,
         observer: &mut dyn Observer,
     ) -> Result<Found, Failure>;
+
+    /// The problem of a rung of the path as other solvers can run it, judged by the first of [`Study::measures`].
+    ///
+    /// # Errors
+    /// The reason why none can, in words that follow the name of the case.
+    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str>;
 
     /// Sets up [`Study::scene_with`] and does [`Study::run`].
     ///

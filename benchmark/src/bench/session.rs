@@ -1,6 +1,6 @@
 //! The samples of a configuration, taken in turn, with every row in a record.
 
-use super::children::{self, Child};
+use super::children::{self, Child, OWN};
 use super::config::Config;
 use super::machine::Peaks;
 use super::plan::{Slot, slots};
@@ -10,8 +10,12 @@ use crate::progress::Progress;
 use crate::record::{Record, Row};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::scene::SceneError;
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Why an executable runs nothing.
+const NOT_RUN: &str = "not run, as its calibration failed";
 
 /// All that a configuration asks for, and what came of it.
 pub struct Session {
@@ -53,15 +57,23 @@ impl Session {
         })
     }
 
-    /// Takes all samples, one repetition of everything after the other, until `stop` is raised. Each sample is a row of
+    /// Calibrates the executables, then takes all samples, one repetition of everything after the other, until `stop` is
+    /// raised. Each sample is a row of
     /// the record, a failed one too. `folder` is for the scenes and results of executables.
     pub fn run(&mut self, record: &mut Record, folder: &Path, stop: &AtomicBool) {
+        let trusted = self.calibrate(record, folder, stop);
         self.measure_peaks(record, stop);
         let rounds = self.repetitions * (self.slots.len() + self.children.len());
         let mut progress = Progress::new("bench");
         let mut done = 0;
         // What failed once would fail again.
         let mut failed = vec![false; self.slots.len() + self.children.len()];
+        for (i, child) in self.children.iter().enumerate() {
+            if !trusted(child) {
+                failed[self.slots.len() + i] = true;
+                record.push(child.not_run(0, NOT_RUN));
+            }
+        }
         for repetition in 0..self.repetitions as u64 {
             for (i, slot) in self.slots.iter().enumerate() {
                 if stop.load(Ordering::Relaxed) {
@@ -99,6 +111,34 @@ impl Session {
                 done += 1;
                 progress.at(f64::from(done) / rounds as f64);
             }
+        }
+    }
+
+    /// Has each executable run a free fall before anything else, in the dimensions of its scenes. Says of a run whether its
+    /// executable passed.
+    fn calibrate(
+        &self,
+        record: &mut Record,
+        folder: &Path,
+        stop: &AtomicBool,
+    ) -> impl Fn(&Child) -> bool + use<> {
+        let mut passed: BTreeMap<(String, usize), bool> = BTreeMap::new();
+        for child in &self.children {
+            let key = (child.executable.name.clone(), child.job.axes);
+            if stop.load(Ordering::Relaxed) || key.0 == OWN || passed.contains_key(&key) {
+                continue;
+            }
+            let (row, calibration) =
+                children::calibrate(&child.executable, key.1, child.threads, folder, stop);
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
+            record.push(row);
+            passed.insert(key, calibration.is_ok());
+        }
+        move |child| {
+            let key = (child.executable.name.clone(), child.job.axes);
+            passed.get(&key).copied().unwrap_or(true)
         }
     }
 

@@ -1,6 +1,6 @@
 //! What a session found, as tables: medians over the repetitions, and how far these lay apart.
 
-use super::children::Child;
+use super::children::{Child, REFUSED};
 use super::machine::Peaks;
 use super::plan::Slot;
 use super::rows::name;
@@ -268,8 +268,22 @@ impl<'a> Report<'a> {
         }
         writeln!(
             f,
-            "  difference: the same against this proctor's last frame, particle by particle\n"
-        )
+            "  difference: the same against this proctor's last frame, particle by particle"
+        )?;
+        let refused: BTreeSet<String> = self
+            .record
+            .rows
+            .iter()
+            .filter_map(|row| {
+                let label = |key: &str| row.labels.get(key);
+                let (name, scene) = (label("executable")?, label("scene")?);
+                Some(format!("{name}, {scene}: {}", label(REFUSED)?))
+            })
+            .collect();
+        for line in refused {
+            writeln!(f, "  no difference for {line}")?;
+        }
+        writeln!(f)
     }
 
     fn failures(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

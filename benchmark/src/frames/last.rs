@@ -1,4 +1,4 @@
-//! Which frame of a folder is the last.
+//! The frames of a folder in the order of their times.
 
 use std::path::{Path, PathBuf};
 
@@ -7,6 +7,13 @@ use std::path::{Path, PathBuf};
 /// That with the latest time of a `.pvd`; without one, that with the greatest number in its name.
 #[must_use]
 pub fn last(folder: &Path) -> Option<(PathBuf, Option<f64>)> {
+    all(folder).pop()
+}
+
+/// All frames in a folder or below it in order, each with its time where a `.pvd` beside it says so: those of all `.pvd`
+/// by their times, or without one all `.vtu` by the numbers in their names.
+#[must_use]
+pub fn all(folder: &Path) -> Vec<(PathBuf, Option<f64>)> {
     let mut files = vec![];
     collect(folder, &mut files);
     let with = |extension: &str| {
@@ -19,7 +26,7 @@ pub fn last(folder: &Path) -> Option<(PathBuf, Option<f64>)> {
             .cloned()
             .collect::<Vec<PathBuf>>()
     };
-    let by_time = with("pvd")
+    let mut by_time: Vec<(f64, PathBuf)> = with("pvd")
         .iter()
         .filter_map(|pvd| {
             Some((
@@ -37,14 +44,17 @@ pub fn last(folder: &Path) -> Option<(PathBuf, Option<f64>)> {
                 .filter(|(_, file)| file.is_file())
                 .collect::<Vec<_>>()
         })
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    if let Some((time, file)) = by_time {
-        return Some((file, Some(time)));
+        .collect();
+    if !by_time.is_empty() {
+        by_time.sort_by(|a, b| a.0.total_cmp(&b.0));
+        return by_time
+            .into_iter()
+            .map(|(time, file)| (file, Some(time)))
+            .collect();
     }
-    with("vtu")
-        .into_iter()
-        .max_by_key(|file| (number(file), file.clone()))
-        .map(|file| (file, None))
+    let mut by_number = with("vtu");
+    by_number.sort_by_key(|file| (number(file), file.clone()));
+    by_number.into_iter().map(|file| (file, None)).collect()
 }
 
 /// All files below a folder.

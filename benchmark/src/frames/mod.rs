@@ -5,7 +5,7 @@
 mod data;
 mod last;
 
-pub use last::last;
+pub use last::{all, last};
 
 use data::{Data, Encoding, Layout};
 use std::collections::BTreeMap;

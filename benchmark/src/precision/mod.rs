@@ -3,9 +3,11 @@
 pub mod choices;
 pub mod cost;
 pub mod findings;
+pub mod peers;
 pub mod rows;
 pub mod run;
 
 pub use choices::{Effort, Line, Plan};
 pub use findings::Findings;
+pub use peers::{Peer, PeerLine, PeerRun};
 pub use run::{Found, Run, Sample, Studied};

@@ -2,8 +2,9 @@
 
 use super::choices::Choice;
 use super::findings::{Findings, LEVELS};
-use super::run::{Run, Sample, Studied};
-use crate::record::{LADDER, Record, Row};
+use super::peers::{PeerLine, PeerRun};
+use super::run::{Run, Sample, Studied, minimum_and_median};
+use crate::record::{LADDER, Record, Row, key};
 use proctor_verification::settings::Method;
 
 /// Name of the rows of a line.
@@ -79,6 +80,13 @@ impl Record {
                 self.push(row);
             }
         }
+        for peer in &studied.peers {
+            for run in &peer.runs {
+                for row in peer_rows(studied, peer, run, threads) {
+                    self.push(row);
+                }
+            }
+        }
         self.details.push_study(studied);
     }
 }
@@ -121,6 +129,63 @@ fn sample_row(
     row
 }
 
+/// A run of another solver in the columns of [`csv`]; it has a process and no settings.
+fn peer_values(studied: &Studied, peer: &PeerLine, run: &PeerRun) -> [String; 21] {
+    let measure = studied.study.measures().first().map(|m| m.word);
+    let mut values: [String; 21] = Default::default();
+    studied.study.name().clone_into(&mut values[0]);
+    values[5] = format!("{:e}", run.rung.cell);
+    values[8] = run.particles.map_or_else(String::new, |n| n.to_string());
+    measure.unwrap_or_default().clone_into(&mut values[12]);
+    match &run.error {
+        Ok(error) => values[13] = format!("{error:e}"),
+        Err(reason) => values[19].clone_from(reason),
+    }
+    for (at, time) in [
+        (14, minimum_and_median(run.samples.iter().map(|s| s.wall))),
+        (16, minimum_and_median(run.samples.iter().map(|s| s.cpu))),
+    ] {
+        if let Some([least, middle]) = time {
+            values[at] = format!("{least:e}");
+            values[at + 1] = format!("{middle:e}");
+        }
+    }
+    values[18] = run.samples.len().to_string();
+    values[20].clone_from(&peer.name);
+    values
+}
+
+/// A row per repetition of a run of another solver; one for a run that failed before it was timed.
+fn peer_rows(studied: &Studied, peer: &PeerLine, run: &PeerRun, threads: usize) -> Vec<Row> {
+    let case = studied.study.name();
+    let line = format!("precision/{case}/peer/{}", key(&peer.name));
+    let name = format!("{line}/h={:.4e}", run.rung.cell);
+    let blank = |repetition: usize| {
+        let mut row = Row::sample(name.clone(), repetition as u64, threads);
+        row.label("case", case);
+        row.label("executable", peer.name.clone());
+        row.label("stage", "process");
+        row.label(LADDER, line.clone());
+        row.count("cell_size", run.rung.cell);
+        if let Some(particles) = run.particles {
+            row.count("particles", particles as f64);
+        }
+        match (&run.error, studied.study.measures().first()) {
+            (Ok(error), Some(measure)) => row.count(format!("error_{}", measure.word), *error),
+            (Ok(_), None) => {}
+            (Err(reason), _) => row.fail(reason.clone()),
+        }
+        row
+    };
+    if run.samples.is_empty() {
+        return vec![blank(0)];
+    }
+    let samples = run.samples.iter().enumerate();
+    samples
+        .map(|(repetition, spent)| blank(repetition).timed(*spent))
+        .collect()
+}
+
 /// A study as comma-separated values, one line per choice; `heading` for the first study of a file.
 ///
 /// # Errors
@@ -149,6 +214,7 @@ pub fn csv(studied: &Studied, heading: bool, out: &mut dyn std::io::Write) -> cs
             "cpu_median_s",
             "repetitions",
             "failure",
+            "executable",
         ])?;
     }
     for (choice, run) in studied.plan.choices.iter().zip(&studied.runs) {
@@ -182,7 +248,13 @@ pub fn csv(studied: &Studied, heading: bool, out: &mut dyn std::io::Write) -> cs
                 number_or_empty(cpu.map(|c| c[1])),
                 run.samples.len().to_string(),
                 run.error(number).err().unwrap_or_default(),
+                String::new(),
             ])?;
+        }
+    }
+    for peer in &studied.peers {
+        for run in &peer.runs {
+            table.write_record(peer_values(studied, peer, run))?;
         }
     }
     table.flush()?;

@@ -1,6 +1,7 @@
 //! The runs of a study, timed phase by phase.
 
 use super::choices::{Choice, Effort, Plan};
+use super::peers::PeerLine;
 use crate::measure::Spent;
 use crate::progress::Progress;
 use cpu_time::ProcessTime;
@@ -10,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Run time above which a point is run once: its noise is small beside it.
-const LONG: Duration = Duration::from_secs(2);
+pub(super) const LONG: Duration = Duration::from_secs(2);
 /// Relative error above which a result says less than no answer at all would, so that the run counts as failed.
 pub const USELESS: f64 = 1.0;
 
@@ -24,6 +25,10 @@ pub struct Studied {
     pub runs: Vec<Run>,
     /// Threads of every run.
     pub threads: usize,
+    /// Other solvers on the problem of the case; none where none was asked for.
+    pub peers: Vec<PeerLine>,
+    /// Why other solvers cannot run it, where they were asked for.
+    pub no_peers: Option<String>,
 }
 
 impl Studied {
@@ -108,12 +113,17 @@ impl Run {
     /// Smallest and median of the repetitions of a time \[s\], with the mean of the middle two where they are even.
     #[must_use]
     pub fn minimum_and_median(&self, time: impl Fn(&Sample) -> Duration) -> Option<[f64; 2]> {
-        let mut times: Vec<f64> = self.samples.iter().map(|s| time(s).as_secs_f64()).collect();
-        times.sort_by(f64::total_cmp);
-        let count = times.len();
-        let median = 0.5 * (times.get(count / 2)? + times.get((count - 1) / 2)?);
-        Some([*times.first()?, median])
+        minimum_and_median(self.samples.iter().map(time))
     }
+}
+
+/// Smallest and median of times \[s\], with the mean of the middle two where they are even.
+pub(super) fn minimum_and_median(times: impl Iterator<Item = Duration>) -> Option<[f64; 2]> {
+    let mut times: Vec<f64> = times.map(|time| time.as_secs_f64()).collect();
+    times.sort_by(f64::total_cmp);
+    let count = times.len();
+    let median = 0.5 * (times.get(count / 2)? + times.get((count - 1) / 2)?);
+    Some([*times.first()?, median])
 }
 
 /// Adds the times of the phases up, shows progress, and passes an interrupt on.
@@ -187,6 +197,8 @@ pub fn run(
         plan,
         runs,
         threads: options.threads.unwrap_or(1),
+        peers: vec![],
+        no_peers: None,
     }
 }
 

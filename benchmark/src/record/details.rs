@@ -101,6 +101,19 @@ pub struct PlanDetail {
     pub plan: Value,
 }
 
+/// What the chart of error against time shows.
+fn caption(studied: &Studied, measure: usize) -> String {
+    let methods = "Error against the time of the stepping loop. Lines refine the mesh, dots change the Courant number or \
+                   the particles per cell, the broad band joins the runs that no other beats in both.";
+    if studied.peers.is_empty() || measure > 0 {
+        methods.to_owned()
+    } else {
+        format!(
+            "{methods} Diamonds are whole processes, this program's own and those of other solvers."
+        )
+    }
+}
+
 impl Details {
     /// Whether there is nothing to say.
     #[must_use]
@@ -186,16 +199,18 @@ impl Details {
                 measure: measure.word.to_owned(),
                 figures: vec![
                     Figure {
-                        caption: "Error against the time of the stepping loop. Lines refine the mesh, dots change \
-                                  the Courant number or the particles per cell, the broad band joins the runs that \
-                                  no other beats in both."
-                            .to_owned(),
+                        caption: caption(studied, number),
                         chart: figures::error_against_time(studied, number),
                     },
                     Figure {
-                        caption: "The cheapest combinations: error over the refinements.".to_owned(),
+                        caption: "The cheapest combinations: error over the refinements."
+                            .to_owned(),
                         chart: figures::convergence_of_lines(
-                            &format!("{}: {} error against cell size", studied.study.name(), measure.word),
+                            &format!(
+                                "{}: {} error against cell size",
+                                studied.study.name(),
+                                measure.word
+                            ),
                             &best,
                         ),
                     },

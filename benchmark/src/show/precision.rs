@@ -3,7 +3,7 @@
 use super::{Table, grouped, number, seconds};
 use crate::precision::cost::Cost;
 use crate::precision::findings::{LEVELS, LineFindings};
-use crate::precision::{Findings, Studied};
+use crate::precision::{Findings, Peer, PeerLine, Studied};
 use std::io::{self, Write};
 
 /// Lines of the table unless all are asked for.
@@ -34,6 +34,22 @@ pub fn study(studied: &Studied, all: bool, out: &mut dyn Write) -> io::Result<()
         }
     }
     failures(studied, out)?;
+    peers(studied, out)?;
+    writeln!(out)
+}
+
+/// What the free fall said of each executable, before any case.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn calibrations(peers: &[Peer], out: &mut dyn Write) -> io::Result<()> {
+    for peer in peers {
+        let name = &peer.executable.name;
+        match &peer.calibration {
+            Ok(_) => writeln!(out, "{name}: calibrated by a free fall")?,
+            Err(fault) => writeln!(out, "FAIL  {name}: {fault}")?,
+        }
+    }
     writeln!(out)
 }
 
@@ -55,7 +71,7 @@ pub fn summary(studied: &Studied, measure: usize, all: bool) -> Summary {
     let shown = if all { ranked.len() } else { SHOWN };
     let levels = NAMES.iter().enumerate().take(LEVELS.len());
     Summary {
-        table: table(studied, &findings, &ranked, shown),
+        table: table(studied, measure, &findings, &ranked, shown),
         left_out: ranked.len().saturating_sub(shown),
         best: levels
             .map(|(level, name)| best(&findings, level, name))
@@ -63,7 +79,13 @@ pub fn summary(studied: &Studied, measure: usize, all: bool) -> Summary {
     }
 }
 
-fn table(studied: &Studied, findings: &Findings, ranked: &[&LineFindings], shown: usize) -> Table {
+fn table(
+    studied: &Studied,
+    measure: usize,
+    findings: &Findings,
+    ranked: &[&LineFindings],
+    shown: usize,
+) -> Table {
     let mut table = Table::new([
         "combination",
         "C",
@@ -123,7 +145,40 @@ fn table(studied: &Studied, findings: &Findings, ranked: &[&LineFindings], shown
             words(line.costs[1]),
         ]);
     }
+    // Other solvers are judged by the first error alone.
+    if measure == 0 {
+        for peer in &studied.peers {
+            table.push(peer_line(peer, studied.threads));
+        }
+    }
     table
+}
+
+/// The line of another solver: the time is that of its process.
+fn peer_line(peer: &PeerLine, threads: usize) -> [String; 10] {
+    let none = || "-".to_owned();
+    let finest = peer.runs.last();
+    let error = finest.and_then(|run| run.error.as_ref().ok().copied());
+    let time = |cpu: bool| {
+        let samples = finest.into_iter().flat_map(|run| &run.samples);
+        let least = samples.map(|s| if cpu { s.cpu } else { s.wall }).min();
+        least.map_or_else(none, |time| seconds(time.as_secs_f64()))
+    };
+    let costs = peer.costs(threads);
+    [
+        format!("{} (process)", peer.name),
+        none(),
+        error.map_or_else(|| "failed".to_owned(), super::percent),
+        peer.order().map_or_else(none, |p| format!("{p:.2}")),
+        finest
+            .and_then(|run| run.particles)
+            .map_or_else(none, |n| grouped(n as u64)),
+        none(),
+        time(false),
+        time(true),
+        words(costs[0]),
+        words(costs[1]),
+    ]
 }
 
 fn words(cost: Cost) -> String {
@@ -151,6 +206,29 @@ fn best(findings: &Findings, level: usize, name: &str) -> String {
         line.method,
         words(line.costs[level])
     )
+}
+
+/// What there is to say of other solvers: what their lines mean, which of their runs failed, or why there are none.
+fn peers(studied: &Studied, out: &mut dyn Write) -> io::Result<()> {
+    if let Some(reason) = &studied.no_peers {
+        return writeln!(out, "\n  not for other solvers: {reason}");
+    }
+    if studied.peers.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "\n  (process): the case's scene for other solvers, in three dimensions, with uGIMP, USL, FLIP and C = 0.3 at\n  \
+         most; whole processes, frames judged by the first error"
+    )?;
+    for peer in &studied.peers {
+        for run in &peer.runs {
+            if let Err(reason) = &run.error {
+                writeln!(out, "  FAIL  {}, {}: {reason}", peer.name, run.rung.label)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Every reason for failure once, with how many runs it ended and the first of them.

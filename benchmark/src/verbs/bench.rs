@@ -1,5 +1,6 @@
 //! `proctor bench`: the configurable multi-thread benchmark.
 
+use super::folder::Folder;
 use super::settings::Lanes;
 use crate::bench::Session;
 use crate::bench::config::{Asked, Config, FILE};
@@ -69,7 +70,7 @@ impl Bench {
         record.set_incomplete(true);
         // Empty files now rather than files that cannot be written after minutes.
         self.write(&record)?;
-        let folder = self.folder()?;
+        let folder = Folder::new(self.keep.as_deref())?;
         session.run(&mut record, folder.path(), stop.flag());
         let interrupted = stop.raised();
         record.set_incomplete(interrupted);
@@ -122,31 +123,5 @@ impl Bench {
             record.write_csv(path).map_err(Failure::bad_input)?;
         }
         Ok(())
-    }
-
-    fn folder(&self) -> Result<Folder, Failure> {
-        match &self.keep {
-            Some(path) => std::fs::create_dir_all(path)
-                .map(|()| Folder::Kept(path.clone()))
-                .map_err(|error| Failure::BadInput(format!("{}: {error}", path.display()))),
-            None => tempfile::tempdir()
-                .map(Folder::Removed)
-                .map_err(|error| Failure::BadInput(format!("no folder for results: {error}"))),
-        }
-    }
-}
-
-/// Where executables leave their results.
-enum Folder {
-    Kept(PathBuf),
-    Removed(tempfile::TempDir),
-}
-
-impl Folder {
-    fn path(&self) -> &Path {
-        match self {
-            Self::Kept(path) => path,
-            Self::Removed(folder) => folder.path(),
-        }
     }
 }

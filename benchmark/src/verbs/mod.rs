@@ -4,6 +4,7 @@ mod accept;
 mod bench;
 mod compare;
 mod export;
+mod folder;
 mod main_job;
 mod names;
 mod noise;

@@ -1,10 +1,12 @@
 //! `proctor precision`: error against run time.
 
+use super::folder::Folder;
 use super::names;
 use super::settings::Settings;
+use crate::bench::config::{Asked, Config, Executable};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
-use crate::precision::{Effort, Studied, rows, run};
+use crate::precision::{Effort, Studied, peers, rows, run};
 use crate::record::Record;
 use crate::show::{figures, precision as show};
 use clap::Args;
@@ -27,7 +29,8 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor precision bar axis-aligned --svg charts --csv precision.csv\n\
-    The usual combinations on coarse meshes, in seconds: proctor precision --quick",
+    The usual combinations on coarse meshes, in seconds: proctor precision --quick\n\
+    With other solvers: proctor precision boussinesq --executables peer.json --svg charts",
     mut_arg("threads", |arg| arg.help("Number of threads [default: 1]"))
 )]
 pub struct Precision {
@@ -52,6 +55,13 @@ pub struct Precision {
     /// Show all combinations in the tables, not the best twelve and the default
     #[arg(long)]
     all: bool,
+    /// Other solvers, beside the methods: a configuration with `executables`, as for `bench`. Each is calibrated by a
+    /// free fall first; a case that other solvers cannot run says why
+    #[arg(long, value_name = "FILE")]
+    executables: Option<PathBuf>,
+    /// Keep scenes and results of executables in this folder [default: a folder that is removed]
+    #[arg(long, value_name = "DIR", requires = "executables")]
+    keep: Option<PathBuf>,
     #[command(flatten)]
     settings: Settings,
 }
@@ -67,12 +77,41 @@ impl Precision {
             size: if self.quick { Size::Quick } else { Size::Full },
             repetitions: self.repetitions.get(),
         };
+        let executables = self.executables()?;
+        let folder = Folder::new(self.keep.as_deref())?;
         let mut record = Record::new(&options);
         self.can_write(&record)?;
         let interrupt = Interrupt::listen()?;
+        let mut sound = true;
+        let peers = match executables {
+            None => None,
+            Some(executables) => {
+                let mut rows = vec![];
+                let stop = interrupt.flag();
+                let peers = peers::calibrated(executables, threads, folder.path(), stop, &mut rows);
+                show::calibrations(&peers, out)?;
+                out.flush()?;
+                sound = peers.iter().all(|peer| peer.calibration.is_ok());
+                for row in rows {
+                    record.push(row);
+                }
+                Some(peers)
+            }
+        };
         let mut studied: Vec<Studied> = vec![];
         for study in studies {
-            let ran = run::run(study, effort, &options, interrupt.flag());
+            let mut ran = run::run(study, effort, &options, interrupt.flag());
+            if let Some(peers) = &peers
+                && !interrupt.raised()
+            {
+                let flag = interrupt.flag();
+                match peers::run(study, peers, effort, threads, folder.path(), flag) {
+                    Ok(lines) => ran.peers = lines,
+                    Err(reason) => ran.no_peers = Some(reason),
+                }
+                let mut runs = ran.peers.iter().flat_map(|line| &line.runs);
+                sound &= runs.all(|run| run.error.is_ok());
+            }
             show::study(&ran, self.all, out)?;
             out.flush()?;
             record.push_study(&ran, threads);
@@ -85,9 +124,32 @@ impl Precision {
         self.write(&record, &studied, out)?;
         Ok(if interrupt.raised() {
             Outcome::Interrupted
-        } else {
+        } else if sound {
             Outcome::Fine
+        } else {
+            Outcome::Failed
         })
+    }
+
+    /// The executables of the configuration, where one is given.
+    fn executables(&self) -> Result<Option<Vec<Executable>>, Failure> {
+        let Some(path) = &self.executables else {
+            return Ok(None);
+        };
+        let name = path.display();
+        if !path.is_file() {
+            let message =
+                format!("{name}: no such file; accepted: a configuration with `executables`");
+            return Err(Failure::BadInput(message));
+        }
+        let config = Config::read(path, &Asked::default()).map_err(Failure::bad_input)?;
+        if config.executables.is_empty() {
+            let message = format!(
+                "{name}: executables: found none; accepted: an object of named executables"
+            );
+            return Err(Failure::BadInput(message));
+        }
+        Ok(Some(config.executables))
     }
 
     /// Finds out now, not after minutes, whether everything can be written.

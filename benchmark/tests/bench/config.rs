@@ -1,6 +1,6 @@
 //! Configurations: the manual's as they are, ours, and everything that is wrong at once.
 
-use proctor_benchmark::bench::config::{Asked, Config};
+use proctor_benchmark::bench::config::{Asked, Config, TimeLabel};
 use proctor_benchmark::bench::slots;
 use proctor_kernel::scene::SceneError;
 use std::path::{Path, PathBuf};
@@ -172,6 +172,14 @@ fn everything_that_is_wrong_is_said_at_once_with_its_place() {
 }
 
 #[test]
+fn no_executable_has_the_name_of_this_program() {
+    assert_eq!(
+        faults(r#"{"executables": {"proctor": "other/proctor"}}"#),
+        ["1:29 executables.proctor the name `proctor`"]
+    );
+}
+
+#[test]
 fn unknown_keys_and_wrong_types_are_named_with_their_place() {
     assert_eq!(
         faults(r#"{"global": {"numPartciles": 3}}"#),
@@ -219,4 +227,42 @@ fn a_scene_that_a_method_does_not_suit_is_bad_input() {
     let error = Config::from_json(text, "c.json", folder.path(), &Asked::default());
     let error = error.expect_err("a domain update needs cpGIMP");
     assert!(error.to_string().contains("domain_update"), "{error}");
+}
+
+#[test]
+fn the_configuration_of_the_readme_is_accepted() {
+    let readme = std::fs::read_to_string("README.md").expect("the README");
+    let from = readme
+        .find("    {\n      \"executables\"")
+        .expect("a configuration");
+    let to = readme[from..].find("\n\n").expect("its end");
+    let text = &readme[from..from + to];
+    let config = parse(text).unwrap_or_else(|error| panic!("{error}: {text}"));
+    let labels: Vec<(&str, TimeLabel)> = config
+        .executables
+        .iter()
+        .map(|e| (e.name.as_str(), e.time_label))
+        .collect();
+    assert_eq!(
+        labels,
+        [
+            ("peer", TimeLabel::OneStepLate),
+            ("before", TimeLabel::Frame)
+        ]
+    );
+    // Every label and every case that can be handed over is named there, and no other case as one that can.
+    for (word, label) in TimeLabel::ALL {
+        assert!(readme.contains(&format!("`{word}`")), "{word}");
+        assert_eq!(label.word(), word);
+    }
+    let page = readme
+        .split("It can be done for")
+        .nth(1)
+        .expect("the cases");
+    let page = page.split("Every other case").next().expect("their end");
+    for study in proctor_verification::study::all() {
+        let name = format!("*{}*", study.name());
+        let rung = &study.path(proctor_verification::case::Size::Quick)[0];
+        assert_eq!(page.contains(&name), study.guest(rung).is_ok(), "{name}");
+    }
 }

@@ -1,5 +1,6 @@
 //! The benchmark's parts: configuration, scenes, samples, frames of other solvers, comparison.
 
+mod calibration;
 mod config;
 mod frames;
 mod peers;

@@ -44,7 +44,7 @@ fn particles_are_matched_by_where_they_began_whatever_their_order() {
         .map(|x| (*x, u(x).map(|u| 0.98 * u)))
         .collect();
     theirs.reverse();
-    let found = difference(&frame(&theirs), &frame(&ours), 0.1).expect("comparable");
+    let found = difference(&frame(&theirs), &frame(&ours), 0.1, 0.01).expect("comparable");
     assert!((found - 0.02).abs() < 1e-12, "{found}");
 }
 
@@ -53,13 +53,13 @@ fn what_cannot_be_compared_is_said() {
     let ours = frame(&STARTS.map(|x| (x, [1.0; 3])));
     let fewer = frame(&[(STARTS[0], [1.0; 3])]);
     assert!(
-        difference(&fewer, &ours, 0.1)
+        difference(&fewer, &ours, 0.1, 0.01)
             .expect_err("fewer")
             .contains("1 particles")
     );
     let mut elsewhere = ours.clone();
     elsewhere.points[1][0] += 0.01;
-    let reason = difference(&elsewhere, &ours, 0.1).expect_err("other places");
+    let reason = difference(&elsewhere, &ours, 0.1, 0.01).expect_err("other places");
     assert!(reason.contains("no particle of the reference"), "{reason}");
     let bare = Frame {
         arrays: BTreeMap::new(),
@@ -71,4 +71,20 @@ fn what_cannot_be_compared_is_said() {
             .expect_err("no displacements")
             .contains("Displacement")
     );
+}
+
+#[test]
+fn frames_of_different_times_are_refused() {
+    let at = |time| Frame {
+        time,
+        ..frame(&STARTS.map(|x| (x, [1.0; 3])))
+    };
+    let reason = difference(&at(Some(0.11)), &at(Some(0.1)), 0.1, 0.01).expect_err("a step apart");
+    for words in ["frames of different times", "0.11 s", "0.1 s"] {
+        assert!(reason.contains(words), "{reason}");
+    }
+    // What is printed with six digits is not another time, and what is not known is not judged.
+    for (ours, theirs) in [(Some(0.1), Some(0.100_000_4)), (None, Some(0.2))] {
+        assert!(difference(&at(theirs), &at(ours), 0.1, 0.01).expect("comparable") < 1e-15);
+    }
 }

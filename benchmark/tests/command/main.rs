@@ -6,6 +6,8 @@ mod any_input;
 mod bad_input;
 mod bench;
 mod compare;
+#[cfg(unix)]
+mod guests;
 mod memory;
 mod pipe;
 mod plan;

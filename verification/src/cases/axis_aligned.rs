@@ -21,6 +21,7 @@ use super::judging::{error_gate, of_variant, order_gate, table};
 use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, material};
 use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::exact::axis_aligned_mms::{AxisAlignedMms, Law as ExactLaw};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -300,6 +301,12 @@ impl Study for AxisAligned {
             body_force: Some(Arc::new(move |x0, _, t| force.body_force(*x0, t))),
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "a force that is another at every place and time drives it, and no scene file can say that",
+        )
     }
 
     fn run(

@@ -19,6 +19,7 @@ use super::judging::{error_gate, order_gate, table};
 use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Case, Curve, Found, Rung, Size, Solved, Verdict};
 use crate::exact::bar::{Bar as Exact, FarEnd};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -192,6 +193,12 @@ impl Study for Bar {
             })),
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "it begins with a velocity that is another at every place, and a scene file has one for a body",
+        )
     }
 
     fn run(

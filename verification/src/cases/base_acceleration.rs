@@ -27,6 +27,7 @@ use proctor_kernel::simulation::{Options, Simulation};
 use super::STRESS_MEASURE;
 use super::dynamics::{STRESS, ratio};
 use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
+use crate::guest::{self, Guest};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 use column::Column;
@@ -191,6 +192,15 @@ impl Study for BaseAcceleration {
         Options {
             displacement: true,
             ..options
+        }
+    }
+
+    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
+        match Self::problem(rung, &guest::settings()) {
+            Problem::Column(column) => Ok(column.guest(self.reference_stiffness)),
+            Problem::Block(_) => {
+                Err("what is known of the manual's block is the velocity of its base alone")
+            }
         }
     }
 

@@ -22,6 +22,7 @@ use super::dynamics::{STRESS, ratio};
 use super::judging::{error_of, of_variant, order_gate, table, value_of};
 use super::statics::{most_steps, relax};
 use crate::case::{Case, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
+use crate::guest::{self, Guest};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 use compare::{Comparison, LEFT_OUT, half_space_table};
@@ -180,6 +181,22 @@ impl Study for Boussinesq {
             measure: true,
             ..options
         }
+    }
+
+    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
+        let loading = Loading::of_word(rung.variant);
+        let exact = model::exact(loading, self.reference_poisson)
+            .map_err(|_| "no box has an exact solution with its Poisson's ratio")?;
+        let speed = model::wave_speed();
+        let mut scene = self.scene_with(rung, &guest::settings());
+        scene.time = guest::RELAXATION * SIDE / speed;
+        let scene = guest::with_nodal_loads(scene);
+        let scene = guest::prepared(scene, 1, guest::COURANT * rung.cell / speed);
+        Ok(Guest {
+            counts: Box::new(|x| compare::is_outside(x, LEFT_OUT)),
+            exact: Box::new(move |starts, _| exact.displacement_many(starts)),
+            ..Guest::new(scene, |_, _| [0.0; 3]).at_the_end()
+        })
     }
 
     fn run(

@@ -33,6 +33,7 @@ use super::{NO_RESULTS, body, cuboid, material, open_plane, reference};
 use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -354,6 +355,12 @@ impl Study for Cantilever {
             displacement: true,
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "its reference is the history of a tip that vertices of its boundary follow, and frames of particles have none there",
+        )
     }
 
     fn run(

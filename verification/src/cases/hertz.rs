@@ -27,6 +27,7 @@ use super::{body, elastic, mortar, open_plane};
 use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -253,6 +254,10 @@ impl Study for Hertz {
         settings.apply(&mut scene);
         scene.transfer.pic_fraction = PIC;
         scene
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err("what is known exactly is the pressure of a contact, and frames of particles hold none")
     }
 
     fn run(

@@ -22,7 +22,7 @@
 
 mod judge;
 
-use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep};
+use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep, Vector};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use super::incline::{
@@ -32,6 +32,7 @@ use super::incline::{
 use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
+use crate::guest::{self, Guest, Norm};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -377,6 +378,34 @@ impl Study for InclinedBlock {
 
     fn options(&self, rung: &Rung, options: Options) -> Options {
         self.incline(rung).options(options)
+    }
+
+    /// A scene file has one gravity for all of a run, so the block is released at once. It is so flat that the swing of its
+    /// weight is over in a hundredth of the time, and leaves the impulse of friction as it is but for the settlement.
+    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
+        let problem = Self::problem(rung);
+        if (problem.kind, problem.dimension) != (Kind::Settled, Dimension::Two) {
+            return Err(
+                "blocks that stick are judged by their creep, after a time in which gravity turns",
+            );
+        }
+        let incline = Incline {
+            held: false,
+            ..self.incline(rung)
+        };
+        let mut scene = incline.scene("inclined_block", TIME);
+        guest::settings().apply(&mut scene);
+        scene.mesh.planes[1][0] = PlaneCondition::Fixed;
+        let speed = scene.materials[0].law.wave_speed(DENSITY);
+        let step = guest::COURANT * rung.cell / speed;
+        let scene = guest::prepared(guest::slab(scene), 1, step);
+        let (exact, base) = (Self::exact(&problem), incline.base);
+        let slid = move |_: &Vector, t| [exact.displacement(t), 0.0, 0.0];
+        Ok(Guest {
+            norm: Norm::Mean(0),
+            counts: Box::new(move |x| x[1] > base),
+            ..Guest::new(scene, slid).at_the_end()
+        })
     }
 
     fn run(

@@ -18,6 +18,7 @@ use super::incline::{
 use super::judging::error_at_most;
 use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study, few};
 
@@ -289,6 +290,12 @@ impl Study for InclinedTwoBlocks {
 
     fn options(&self, rung: &Rung, options: Options) -> Options {
         self.incline(rung).options(options)
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "its blocks settle without friction before they are released, and a scene file has one gravity and one friction for all of a run",
+        )
     }
 
     fn run(

@@ -19,6 +19,7 @@ use super::elastic;
 use super::judging::{error_of, of_variant, order_gate, table, value_of};
 use super::statics::relax;
 use crate::case::{Case, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -188,6 +189,12 @@ impl Study for IncompressibleBox {
             measure: true,
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "without means of volumetric strain over cells, which the manuals do not know, it locks",
+        )
     }
 
     fn run(

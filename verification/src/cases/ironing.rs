@@ -38,6 +38,7 @@ use super::dynamics::at_intervals;
 use super::mortar::{PAPER, barrier, boundary, rigid_line, settings};
 use super::{NO_RESULTS, PARTED, body, cuboid, elastic, open_plane};
 use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
+use crate::guest::Guest;
 use crate::settings::Settings;
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -347,6 +348,10 @@ impl Study for Ironing {
         settings.apply(&mut scene);
         scene.transfer.pic_fraction = PIC;
         scene
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err("mortar contact, which the manuals do not know, is what it is about")
     }
 
     fn run(

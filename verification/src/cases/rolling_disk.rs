@@ -32,6 +32,7 @@ use super::mortar::{barrier, boundary, rigid_line, settings};
 use super::{body, elastic, open_plane};
 use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::rolling_disk::RollingDisk as Exact;
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -303,6 +304,12 @@ impl Study for RollingDisk {
         settings.apply(&mut scene);
         scene.transfer.pic_fraction = PIC;
         scene
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "its disk is followed by the vertices of its boundary in mortar contact, which the manuals do not know",
+        )
     }
 
     fn run(

@@ -18,6 +18,7 @@ use super::dynamics::{DISPLACEMENT, advance, l2, ratio};
 use super::judging::{error_gate, table};
 use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -185,6 +186,12 @@ impl Study for Rotation {
             })),
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "it begins with a velocity that is another at every place, and a scene file has one for a body",
+        )
     }
 
     fn run(

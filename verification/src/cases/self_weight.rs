@@ -10,7 +10,7 @@
 
 use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::scene::{
-    Damping, Dimension, DomainUpdate, Mesh, PlaneCondition, Scene, Weighting,
+    Damping, Dimension, DomainUpdate, Mesh, PlaneCondition, Scene, Vector, Weighting,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -20,6 +20,7 @@ use super::statics::{most_steps, relax};
 use super::{FIELDS, NO_RESULTS, body, cuboid, material};
 use crate::case::{Case, Curve, Found, Rung, Size, Solved, Verdict};
 use crate::exact::self_weight::{Law as ExactLaw, SelfWeightColumn};
+use crate::guest::{self, Guest};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -172,6 +173,18 @@ impl Study for SelfWeight {
             measure: true,
             ..options
         }
+    }
+
+    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
+        let speed = ((LAW.elasticity().lambda + 2.0 * LAW.elasticity().shear) / DENSITY).sqrt();
+        let mut scene = guest::slab(self.scene_with(rung, &guest::settings()));
+        scene.time = guest::RELAXATION * HEIGHT / speed;
+        // The column sinks fast, and its waves get faster: by two thirds together.
+        let step = 0.5 * guest::COURANT * rung.cell / speed;
+        let scene = guest::prepared(scene, 1, step);
+        let exact = self.exact();
+        let sunk = move |x: &Vector, _| [0.0, exact.position(x[1]) - x[1], 0.0];
+        Ok(Guest::new(scene, sunk).at_the_end())
     }
 
     fn run(

@@ -27,6 +27,7 @@ use super::judging::{error_gate, of_variant, order_gate, table};
 use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::exact::axis_aligned_mms::{AxisAlignedMms, Law};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -239,6 +240,12 @@ impl Study for StaggeredStart {
             })),
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "its force and its state at the start are another at every place, and no scene file can say that",
+        )
     }
 
     fn run(

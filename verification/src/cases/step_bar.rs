@@ -13,7 +13,7 @@
 //! impact has order 2/3, as the last of the wave's impulse comes late.
 
 use proctor_kernel::scene::{
-    Contact, ContactNormal, Dimension, History, Mesh, PlaneCondition, Scene, Traction,
+    Contact, ContactNormal, Dimension, History, Mesh, PlaneCondition, Scene, Traction, Vector,
 };
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -23,6 +23,7 @@ use super::{FIELDS, NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Case, Curve, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::bar_impact::MovingBar;
 use crate::exact::step_bar::StepBar as Exact;
+use crate::guest::{self, Guest};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -400,6 +401,20 @@ impl Study for StepBar {
             displacement: true,
             ..options
         }
+    }
+
+    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
+        if rung.variant != LOADED {
+            return Err("what is known of the thrown bar is how long it presses on the wall");
+        }
+        let mut scene = guest::slab(self.scene_with(rung, &guest::settings()));
+        scene.time = COMPARED * Self::transit();
+        let scene = guest::with_nodal_loads(scene);
+        let exact = self.exact();
+        let step = guest::COURANT * rung.cell / exact.wave_speed();
+        let scene = guest::prepared(scene, 1, step);
+        let moved = move |x: &Vector, t| [exact.displacement(x[0], t), 0.0, 0.0];
+        Ok(Guest::new(scene, moved).at_the_end())
     }
 
     fn run(

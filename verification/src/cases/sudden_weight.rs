@@ -9,7 +9,7 @@
 //! of order 1 of the stress and 5/3 of the displacement. The base is where two layers of particles are extrapolated to.
 //! `proctor verify sudden-weight`.
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene};
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, Vector};
 use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{ratio, step};
@@ -18,6 +18,7 @@ use super::{NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::convergence::relative_l2;
 use crate::exact::sudden_weight::SuddenWeight as Exact;
+use crate::guest::{self, Guest};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Phase, Study};
 
@@ -241,6 +242,15 @@ impl Study for SuddenWeight {
             displacement: true,
             ..options
         }
+    }
+
+    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
+        let scene = guest::slab(self.scene_with(rung, &guest::settings()));
+        let exact = self.exact();
+        let step = guest::COURANT * rung.cell / exact.wave_speed;
+        let scene = guest::prepared(scene, guest::FRAMES, step);
+        let sunk = move |x: &Vector, t| [0.0, exact.displacement(x[1], t), 0.0];
+        Ok(Guest::new(scene, sunk))
     }
 
     fn run(

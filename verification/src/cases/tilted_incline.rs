@@ -37,6 +37,7 @@ use super::judging::{error_at_most, run_of};
 use super::{AT_REST, NO_RESULTS, body, elastic};
 use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 use frame::Frame;
@@ -429,6 +430,12 @@ impl Study for TiltedIncline {
             initial: Some(Arc::new(initial)),
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "its block settles on a rough plane before friction changes, and a scene file has one friction for all of a run",
+        )
     }
 
     fn run(

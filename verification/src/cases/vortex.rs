@@ -30,6 +30,7 @@ use super::judging::{error_gate, of_variant, order_gate, table};
 use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, material};
 use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
 use crate::exact::vortex::{RADII, Vortex as Exact};
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -297,6 +298,12 @@ impl Study for Vortex {
             })),
             ..options
         }
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err(
+            "a force that is another at every place and time drives it, and no scene file can say that",
+        )
     }
 
     fn run(

@@ -2,12 +2,15 @@
 
 use crate::bench::scenes::Exact;
 use crate::frames::Frame;
+use crate::show::number;
 use std::collections::HashMap;
 
 /// Name of the array of displacements \[m\] in frames, as the manuals' program writes it.
 const DISPLACEMENT: &str = "Displacement";
 /// Grid, in cells, on which starting points of two solvers are matched.
 const MATCH: f64 = 1e-3;
+/// Share of a step by which the times of two frames may differ: labels are often printed with six digits.
+const SAME_TIME: f64 = 0.01;
 
 /// Relative L2 error of the displacement: sqrt(sum |u - u_exact|² / sum |u_exact|²) over the particles, u_exact at
 /// where each began, x - u.
@@ -28,11 +31,29 @@ pub fn error(frame: &Frame, exact: &Exact, time: f64) -> Result<f64, String> {
     finite((wrong / right).sqrt(), "the exact solution does not move")
 }
 
-/// Relative L2 difference of the displacements of two frames, particle by particle, each known by where it began.
+/// Whether two frames that know the times of their particles are of one time, to a hundredth of a step \[s\].
 ///
 /// # Errors
-/// If a frame has no displacements, or the particles did not begin at the same places.
-pub fn difference(frame: &Frame, reference: &Frame, cell: f64) -> Result<f64, String> {
+/// The two times.
+pub fn same_time(frame: &Frame, reference: &Frame, step: f64) -> Result<(), String> {
+    match (frame.time, reference.time) {
+        (Some(time), Some(other)) if (time - other).abs() > SAME_TIME * step => Err(format!(
+            "frames of different times: {} s, the reference {} s, a step {} s",
+            number(time),
+            number(other),
+            number(step)
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Relative L2 difference of the displacements of two frames, particle by particle, each known by where it began, on a
+/// mesh of cells of `cell` (m) and with steps of `step` (s).
+///
+/// # Errors
+/// If the frames are of different times, a frame has no displacements, or the particles did not begin at the same places.
+pub fn difference(frame: &Frame, reference: &Frame, cell: f64, step: f64) -> Result<f64, String> {
+    same_time(frame, reference, step)?;
     let (u, u_reference) = (displacements(frame)?, displacements(reference)?);
     if frame.points.len() != reference.points.len() {
         return Err(format!(
@@ -79,7 +100,7 @@ fn neighbours([i, j, k]: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
     std::iter::from_fn(move || steps.next().map(|[a, b, c]| [i + a, j + b, k + c]))
 }
 
-fn displacements(frame: &Frame) -> Result<Vec<[f64; 3]>, String> {
+pub(super) fn displacements(frame: &Frame) -> Result<Vec<[f64; 3]>, String> {
     frame.vectors(DISPLACEMENT).ok_or_else(|| {
         let found: Vec<&str> = frame.arrays.keys().map(String::as_str).collect();
         format!(

@@ -2,25 +2,35 @@
 //!
 //! A solver gets the scene as a JSON file and leaves `.vtu` frames in a folder. Its time is that of its whole process,
 //! by the clock and on the processors, set-up and output included; that holds for this program too, which is run as
-//! one of them. Its error is measured on its last frame.
+//! one of them. Its error is measured on its last frame, at the time that its particles have by what the configuration
+//! says of its labels; a free fall finds out before whether that is so ([`calibrate`]).
 
+mod calibration;
 mod compare;
+mod finding;
 mod process;
+mod said;
+mod visit;
 mod watch;
+mod written;
 
-pub use compare::{difference, error};
+pub use calibration::{Calibration, Fault, judge, scene as free_fall};
+pub use compare::{difference, error, same_time};
+pub use finding::Finding;
+pub(crate) use visit::Handed;
 
-use super::config::{Config, Executable};
+use super::config::{Config, Executable, TimeLabel};
 use super::plan::words;
 use super::scenes::{Exact, Made};
-use crate::frames;
+use crate::frames::{self, Frame};
 use crate::record::Row;
 use proctor_files::json::from_json;
-use proctor_kernel::scene::SceneError;
+use proctor_kernel::scene::{SceneError, TimeStep};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use written::written;
 
 /// Name of this program among the executables.
 pub const OWN: &str = "proctor";
@@ -33,9 +43,12 @@ pub struct Job {
     pub scene: String,
     /// Weighting function, stress scheme and transfer.
     pub method: [String; 3],
+    /// Number of axes.
+    pub axes: usize,
     json: Value,
     cell: f64,
     end: f64,
+    step: f64,
     exact: Option<(&'static str, Exact)>,
 }
 
@@ -49,6 +62,22 @@ pub struct Child {
     pub threads: usize,
 }
 
+/// This program as one of the executables.
+#[must_use]
+pub fn own() -> Option<Executable> {
+    let program = std::env::current_exe().ok()?;
+    let arguments = ["run", "{scene}", "--out", "{out}", "--threads", "{threads}"];
+    let mut command = vec![program.display().to_string()];
+    command.extend(arguments.map(str::to_owned));
+    Some(Executable {
+        name: OWN.into(),
+        command,
+        folder: None,
+        timeout: Executable::TIMEOUT,
+        time_label: TimeLabel::Frame,
+    })
+}
+
 /// All runs of executables that a configuration asks for; those of one scene together, this program first.
 ///
 /// # Errors
@@ -57,18 +86,7 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
     if config.executables.is_empty() {
         return Ok(vec![]);
     }
-    let mut executables: Vec<Executable> = vec![];
-    if let Ok(program) = std::env::current_exe() {
-        let arguments = ["run", "{scene}", "--out", "{out}", "--threads", "{threads}"];
-        let mut command = vec![program.display().to_string()];
-        command.extend(arguments.map(str::to_owned));
-        executables.push(Executable {
-            name: OWN.into(),
-            command,
-            folder: None,
-            timeout: Executable::TIMEOUT,
-        });
-    }
+    let mut executables: Vec<Executable> = own().into_iter().collect();
     executables.extend(config.executables.iter().cloned());
     let mut children = vec![];
     for choice in &config.scenes {
@@ -80,10 +98,9 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
         for &particles in counts {
             for method in &config.methods {
                 let values = choice.scene(particles, method)?;
-                let Made { mut scene, exact } = choice.make(particles, method);
-                if values.results.print == 0 {
-                    scene["results"]["print"] = 1.into();
-                }
+                let Made { scene, exact } = choice.make(particles, method);
+                let json = written(scene, &values);
+                let values = from_json(&json.to_string(), &choice.name(), Path::new(""))?;
                 let method = words(&values);
                 let size = if choice.scales() {
                     format!("/{particles}")
@@ -100,10 +117,15 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
                         .copied()
                         .fold(f64::INFINITY, f64::min),
                     end: values.time,
-                    json: scene,
+                    step: match values.time_step {
+                        TimeStep::Fixed { dt, .. } => dt,
+                        // A scene that cannot be set up; its runs say why.
+                        TimeStep::Automatic | TimeStep::Multiplier { .. } => values.time,
+                    },
+                    axes,
+                    json,
                     exact,
                 });
-                from_json(&job.json.to_string(), &job.scene, Path::new(""))?;
                 for &threads in &config.threads {
                     for executable in &executables {
                         children.push(Child {
@@ -117,6 +139,36 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
         }
     }
     Ok(children)
+}
+
+/// Has an executable run the free fall: the row of the calibration, and what is known of it or why it is not to be
+/// trusted.
+pub(crate) fn calibrate(
+    executable: &Executable,
+    axes: usize,
+    threads: usize,
+    folder: &Path,
+    stop: &AtomicBool,
+) -> (Row, Result<Calibration, Fault>) {
+    let name = format!("{}/calibration-{axes}d/threads:{threads}", executable.name);
+    let mut row = Row::sample(name, 0, threads);
+    row.label("executable", executable.name.clone());
+    row.label("scene", format!("calibration-{axes}d"));
+    row.label("stage", "calibration");
+    row.label("time_label", executable.time_label.word());
+    match calibration::calibrate(executable, axes, threads, folder, stop) {
+        Ok((finished, calibration)) => {
+            let mut row = row.timed(finished.spent);
+            if let Some(ahead) = calibration.velocity_ahead {
+                row.count("velocity_ahead_steps", ahead);
+            }
+            (row, Ok(calibration))
+        }
+        Err(fault) => {
+            row.fail(fault.to_string());
+            (row, Err(fault))
+        }
+    }
 }
 
 impl Job {
@@ -149,9 +201,8 @@ impl Child {
         folder.join(&self.job.key).join(leaf)
     }
 
-    /// Runs it once; a run that fails is a row with the reason.
-    #[must_use]
-    pub fn run(&self, repetition: u64, folder: &Path, stop: &AtomicBool) -> Row {
+    /// A row without results.
+    fn blank(&self, repetition: u64) -> Row {
         let mut row = Row::sample(self.name(), repetition, self.threads);
         row.label("executable", self.executable.name.clone());
         row.label("scene", self.job.scene.clone());
@@ -162,43 +213,88 @@ impl Child {
         {
             row.label(key, word.clone());
         }
-        match self.try_run(row.clone(), folder, stop) {
+        row
+    }
+
+    /// Runs it once; a run that fails is a row with the reason and the last that the program said.
+    #[must_use]
+    pub fn run(&self, repetition: u64, folder: &Path, stop: &AtomicBool) -> Row {
+        let mut row = self.blank(repetition);
+        let out = self.out(folder, &self.executable.name);
+        match self.try_run(row.clone(), &out, folder, stop) {
             Ok(row) => row,
             Err(reason) => {
-                row.fail(reason);
+                row.fail(said::with_words(&reason, &out));
                 row
             }
         }
     }
 
-    fn try_run(&self, row: Row, folder: &Path, stop: &AtomicBool) -> Result<Row, String> {
-        let out = self.out(folder, &self.executable.name);
-        let scene = folder.join(&self.job.key).join("scene.json");
-        process::prepare(&out, &scene, &self.job.json)?;
-        let finished = process::run(&self.executable, &scene, self.threads, &out, stop)?;
+    /// The row of a run that is not made, as its executable is not to be trusted.
+    #[must_use]
+    pub fn not_run(&self, repetition: u64, reason: &str) -> Row {
+        let mut row = self.blank(repetition);
+        row.fail(reason);
+        row
+    }
+
+    fn try_run(
+        &self,
+        row: Row,
+        out: &Path,
+        folder: &Path,
+        stop: &AtomicBool,
+    ) -> Result<Row, String> {
+        let job = &self.job;
+        let scene = folder.join(&job.key).join("scene.json");
+        process::prepare(out, &scene, &job.json)?;
+        let finished = process::run(&self.executable, &scene, self.threads, out, stop)?;
         let mut row = row.timed(finished.spent);
         if let Some(peak) = finished.peak_rss {
             row.count("peak_rss_bytes", peak as f64);
         }
-        let (file, said) =
-            frames::last(&out).ok_or_else(|| format!("no .vtu frame below {}", out.display()))?;
-        let frame = frames::read(&file)?;
-        let time = said.or(frame.time).unwrap_or(self.job.end);
+        let frame = self.last_frame(out)?;
+        let time = frame.time.unwrap_or(job.end);
         row.count("particles", frame.points.len() as f64);
         row.count("time", time);
-        process::take_summary(&out, frame.points.len(), &mut row);
+        process::take_summary(out, frame.points.len(), &mut row);
         let own = self.executable.name == OWN;
-        if let Some((source, exact)) = &self.job.exact {
+        if let Some((source, exact)) = &job.exact {
             row.label("error_against", *source);
             row.count("error_l2_displacement", error(&frame, exact, time)?);
         } else if !own {
             row.label("error_against", OWN);
         }
-        if !own && let Some((reference, _)) = frames::last(&self.out(folder, OWN)) {
-            let reference = frames::read(&reference)?;
-            let difference = difference(&frame, &reference, self.job.cell)?;
-            row.count("difference_l2_displacement", difference);
+        let reference = self.out(folder, OWN);
+        if !own && frames::last(&reference).is_some() {
+            let reference = last_frame(&reference, TimeLabel::Frame, job.step, job.end)?;
+            let comparable = same_time(&frame, &reference, job.step);
+            match (comparable, &job.exact) {
+                // There is an error without it.
+                (Err(reason), Some(_)) => row.label(REFUSED, reason),
+                _ => row.count(
+                    "difference_l2_displacement",
+                    difference(&frame, &reference, job.cell, job.step)?,
+                ),
+            }
         }
         Ok(row)
     }
+
+    fn last_frame(&self, out: &Path) -> Result<Frame, String> {
+        last_frame(out, self.executable.time_label, self.job.step, self.job.end)
+    }
+}
+
+/// Label of a row that says why its frame was not compared with that of this program.
+pub(super) const REFUSED: &str = "difference_refused";
+
+/// The last frame of a folder, with the time of its particles: its label, or the end of the scene (s) where it has none, and
+/// what the label means for steps of `step` (s).
+fn last_frame(out: &Path, label: TimeLabel, step: f64, end: f64) -> Result<Frame, String> {
+    let (file, said) = frames::last(out).ok_or_else(|| calibration::no_frame(out))?;
+    let mut frame = frames::read(&file)?;
+    let time = said.or(frame.time).unwrap_or(end);
+    frame.time = Some(time + label.ahead() * step);
+    Ok(frame)
 }

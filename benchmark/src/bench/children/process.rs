@@ -1,5 +1,6 @@
 //! A process: its command, its time, its memory.
 
+use super::said;
 use super::watch::{self, Ended};
 use crate::bench::config::Executable;
 use crate::measure::Spent;
@@ -7,7 +8,7 @@ use crate::record::Row;
 use proctor_files::output::Summary;
 use proctor_files::output::summary::SUMMARY;
 use serde_json::Value;
-use std::fs::{self, File};
+use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -34,7 +35,7 @@ pub(super) fn prepare(out: &Path, scene: &Path, json: &Value) -> Result<(), Stri
     fs::write(scene, format!("{json:#}")).map_err(said(scene))
 }
 
-/// Runs a command to its end.
+/// Runs a command to its end. What it says is kept in the folder `out`.
 pub(super) fn run(
     executable: &Executable,
     scene: &Path,
@@ -53,8 +54,7 @@ pub(super) fn run(
             .replace("{out}", &out_name)
     };
     let words: Vec<String> = executable.command.iter().map(fill).collect();
-    let log = out.join("standard-error.txt");
-    let errors = File::create(&log).map_err(|error| format!("{}: {error}", log.display()))?;
+    let [errors, output] = said::outputs(out)?;
     let mut command = Command::new(&words[0]);
     command
         .args(&words[1..])
@@ -62,7 +62,7 @@ pub(super) fn run(
         // Most solvers take their number of threads from there.
         .env("OMP_NUM_THREADS", threads.to_string())
         .stdin(Stdio::null())
-        .stdout(Stdio::null())
+        .stdout(output)
         .stderr(errors);
     watch::apart(&mut command);
     let clock = Instant::now();
@@ -79,12 +79,7 @@ pub(super) fn run(
         ));
     }
     if !used.status.success() && !stop.load(Ordering::Relaxed) {
-        let said = fs::read_to_string(&log).unwrap_or_default();
-        let last = said.lines().rfind(|line| !line.trim().is_empty());
-        return Err(match last {
-            Some(last) => format!("{}: {last}", used.status),
-            None => used.status.to_string(),
-        });
+        return Err(used.status.to_string());
     }
     Ok(Finished {
         spent: Spent {

@@ -2,7 +2,8 @@
 
 use super::raw::{OneOrMany, RawConfig, RawExecutable};
 use super::scene::{Method, SceneChoice};
-use super::{Asked, Config, Executable, manual};
+use super::{Asked, Config, Executable, TimeLabel, manual};
+use crate::bench::children::OWN;
 use crate::bench::scenes;
 use proctor_files::json::{listed, nearest, words_of};
 use proctor_kernel::memory::{Memory, words};
@@ -386,12 +387,16 @@ impl<'a> Check<'a> {
         let mut all = vec![];
         for (name, executable) in raw.executables.iter().flat_map(|named| &named.0) {
             let path = format!("executables.{name}");
-            let (command, folder, timeout) = match executable {
+            if name == OWN {
+                let accepted = "another name: this program is among them by itself";
+                self.add(&*path, format!("the name `{OWN}`"), accepted);
+            }
+            let (command, folder, timeout, time_label) = match executable {
                 RawExecutable::Path(program) => {
                     let arguments = ["run", "{scene}", "--out", "{out}", "--threads", "{threads}"];
                     let mut command = vec![self.program(program)];
                     command.extend(arguments.map(str::to_owned));
-                    (command, None, Executable::TIMEOUT)
+                    (command, None, Executable::TIMEOUT, TimeLabel::Frame)
                 }
                 RawExecutable::Solver(solver) => {
                     let mut command = match &solver.command {
@@ -425,6 +430,7 @@ impl<'a> Check<'a> {
                             .as_ref()
                             .map(|folder| self.folder.join(folder)),
                         self.timeout(&format!("{path}.timeout"), solver.timeout),
+                        self.time_label(&format!("{path}.time_label"), solver.time_label.as_ref()),
                     )
                 }
             };
@@ -433,9 +439,22 @@ impl<'a> Check<'a> {
                 command,
                 folder,
                 timeout,
+                time_label,
             });
         }
         all
+    }
+
+    fn time_label(&mut self, path: &str, given: Option<&String>) -> TimeLabel {
+        let Some(word) = given else {
+            return TimeLabel::default();
+        };
+        let known = TimeLabel::ALL.iter().find(|(known, _)| known == word);
+        if let Some((_, label)) = known {
+            return *label;
+        }
+        self.unknown(path, word, &TimeLabel::ALL.map(|(known, _)| known));
+        TimeLabel::default()
     }
 
     fn timeout(&mut self, path: &str, given: Option<f64>) -> Duration {

@@ -6,9 +6,11 @@ mod check;
 mod manual;
 mod raw;
 mod scene;
+mod time_label;
 
 pub use manual::{ManualTest, TestScene};
 pub use scene::{Method, SceneChoice};
+pub use time_label::TimeLabel;
 
 use check::Check;
 use proctor_files::json::{parse, place};
@@ -42,6 +44,8 @@ pub struct Executable {
     pub folder: Option<PathBuf>,
     /// Time by the clock after which it is ended, with all processes that it started.
     pub timeout: Duration,
+    /// What the times of its frames mean.
+    pub time_label: TimeLabel,
 }
 
 impl Executable {

@@ -206,7 +206,7 @@ pub(super) enum RawExecutable {
 #[derive(Debug, Default, Deserialize)]
 #[serde(
     deny_unknown_fields,
-    expecting = "an object with `command`, `folder` and `timeout`"
+    expecting = "an object with `command`, `folder`, `timeout` and `time_label`"
 )]
 pub(super) struct RawSolver {
     /// Program and arguments, with {scene}, {threads} and {out}.
@@ -215,6 +215,8 @@ pub(super) struct RawSolver {
     pub folder: Option<String>,
     /// Time by the clock after which it is ended [s]. Default: an hour.
     pub timeout: Option<f64>,
+    /// What the times of its frames mean. Default: the time of the particles.
+    pub time_label: Option<String>,
 }
 
 /// One value or a list of them.
@@ -289,7 +291,7 @@ impl<'de> Visitor<'de> for ExecutableVisitor {
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(
-            "the path of a proctor in quotes, or an object with `command`, `folder` and `timeout`",
+            "the path of a proctor in quotes, or an object with `command`, `folder`, `timeout` and `time_label`",
         )
     }
 

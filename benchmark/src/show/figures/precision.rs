@@ -2,7 +2,7 @@
 
 use super::slopes::slopes;
 use crate::precision::choices::{SCHEMES, TRANSFERS, WEIGHTINGS};
-use crate::precision::{Findings, Line, Studied};
+use crate::precision::{Findings, Line, PeerLine, PeerRun, Studied};
 use crate::show::chart::{
     Axis, Chart, Colour, Entry, Format, Guide, Mark, Point, Scale, Series, Strength, Stroke,
 };
@@ -63,6 +63,21 @@ pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
             points: line.path.iter().filter_map(point).collect(),
         });
     }
+    if measure == 0 {
+        for (i, peer) in studied.peers.iter().enumerate() {
+            let (colour, mark, stroke) = peer_look(i);
+            let points = peer.runs.iter();
+            series.push(Series {
+                colour,
+                mark,
+                stroke,
+                strength: Strength::Plain,
+                points: points
+                    .filter_map(|run| peer_point(peer, run, studied.threads))
+                    .collect(),
+            });
+        }
+    }
     series.retain(|series| !series.points.is_empty());
     Chart {
         equal: false,
@@ -72,7 +87,7 @@ pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
         ),
         description: description(&findings, word),
         x: Axis {
-            label: studied.seconds_words().to_owned(),
+            label: time_words(studied, measure),
             scale: Scale::Log,
             format: Format::Seconds,
         },
@@ -82,9 +97,52 @@ pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
             format: Format::Percent,
         },
         guides: order_guides(&series, studied.study.refined_axes()),
-        legend: legend(studied, &series),
+        legend: legend(studied, measure, &series),
         series,
     }
+}
+
+/// What the time is, of methods and of other solvers.
+fn time_words(studied: &Studied, measure: usize) -> String {
+    let words = studied.seconds_words();
+    if studied.peers.is_empty() || measure > 0 {
+        words.to_owned()
+    } else {
+        format!("{words}; of (process) all of it")
+    }
+}
+
+/// Colour, mark and stroke of another solver: none has the mark of a scheme.
+fn peer_look(number: usize) -> (Colour, Mark, Stroke) {
+    let stroke = if number.is_multiple_of(2) {
+        Stroke::Solid
+    } else {
+        Stroke::Dashed
+    };
+    (
+        Colour::Hue(WEIGHTINGS.len() + number),
+        Mark::Diamond,
+        stroke,
+    )
+}
+
+/// A run of another solver as a point; `None` if it has no time.
+fn peer_point(peer: &PeerLine, run: &PeerRun, threads: usize) -> Option<Point> {
+    let time = run.seconds(threads)?;
+    let outcome = match &run.error {
+        Ok(error) => format!("error {} %, {}", number(100.0 * error), seconds(time)),
+        Err(reason) => format!("failed after {}: {reason}", seconds(time)),
+    };
+    let particles = run.particles;
+    let particles = particles.map_or_else(String::new, |n| format!(", {n} particles"));
+    Some(Point {
+        x: time,
+        y: run.error.as_ref().ok().copied(),
+        title: format!(
+            "{}, whole process, {}\n{outcome}{particles}",
+            peer.name, run.rung.label
+        ),
+    })
 }
 
 /// Colour, mark and stroke of a method.
@@ -163,7 +221,7 @@ fn order_guides(series: &[Series], axes: usize) -> Vec<Guide> {
 }
 
 /// Entries for what occurs: colours, marks, strokes, dots, open marks, the front.
-fn legend(studied: &Studied, series: &[Series]) -> Vec<Entry> {
+fn legend(studied: &Studied, measure: usize, series: &[Series]) -> Vec<Entry> {
     let lines = &studied.plan.lines;
     let any = |test: &dyn Fn(Method) -> bool| lines.iter().any(|line| test(line.method));
     let mut entries = vec![];
@@ -202,6 +260,15 @@ fn legend(studied: &Studied, series: &[Series]) -> Vec<Entry> {
             }
             .transfer_word();
             push(word, Colour::Ink, Mark::None, TRANSFER_STROKES[i]);
+        }
+    }
+    if measure == 0 {
+        for (i, peer) in studied.peers.iter().enumerate() {
+            let (colour, mark, stroke) = peer_look(i);
+            if peer.runs.iter().all(|run| run.samples.is_empty()) {
+                continue;
+            }
+            push(&format!("{} (process)", peer.name), colour, mark, stroke);
         }
     }
     entries.push(Entry {

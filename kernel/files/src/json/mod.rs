@@ -1,4 +1,5 @@
 //! The raw stage: from JSON text to a checked scene, with a place in the text for every problem.
+//! Other programs get a scene by [`write`].
 
 mod bodies;
 mod build;
@@ -16,6 +17,7 @@ mod position;
 mod shapes;
 mod surfaces;
 mod words;
+mod write;
 
 use std::path::Path;
 
@@ -26,6 +28,7 @@ use self::keys::RawScene;
 use proctor_kernel::scene::{Problem, Scene, SceneError};
 
 pub use self::words::{listed, nearest, words_of};
+pub use self::write::{NotWritten, Written, write};
 
 /// Reads a scene from a JSON file; files that it names are looked for in its folder.
 ///

@@ -7,3 +7,4 @@ mod keys;
 mod manual;
 mod mortar;
 mod records;
+mod written;

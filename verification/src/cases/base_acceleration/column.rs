@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use proctor_kernel::scene::{
-    BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene, TimeStep,
+    BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene, TimeStep, Vector,
 };
 use proctor_kernel::simulation::Simulation;
 
@@ -12,6 +12,7 @@ use crate::cases::dynamics::{l2, step};
 use crate::cases::{NO_RESULTS, body, cuboid, elastic};
 use crate::convergence::relative_l2;
 use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
+use crate::guest::{self, Compared, Guest};
 use crate::settings::Settings;
 use crate::study::{Failure, Observer, Phase};
 
@@ -171,6 +172,30 @@ impl Column {
         });
         self.settings.apply(&mut scene);
         scene
+    }
+
+    /// The column in three dimensions as other solvers can run it, against a column whose stiffness is `stiffness` times
+    /// that of the scene.
+    pub fn guest(&self, stiffness: f64) -> Guest {
+        let column = Self {
+            dimension: Dimension::Three,
+            ..*self
+        };
+        let mut scene = column.scene();
+        scene.time = END;
+        let step = guest::COURANT * self.cell / Self::wave_speed(1.0);
+        let exact = BaseColumn {
+            height: HEIGHT,
+            wave_speed: Self::wave_speed(stiffness),
+            density: DENSITY,
+        };
+        let shaking = self.shaking;
+        let moved =
+            move |x: &Vector, t| [0.0, 0.0, exact.velocity(x[2], t, |t| shaking.velocity(t))];
+        Guest {
+            compared: Compared::Velocity,
+            ..Guest::new(guest::prepared(scene, guest::FRAMES, step), moved)
+        }
     }
 
     /// Runs to [`END`] and compares with the exact response of a column whose stiffness is `stiffness` times that

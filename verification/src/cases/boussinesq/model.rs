@@ -55,6 +55,12 @@ impl Loading {
     }
 }
 
+/// Speed of compression waves \[m/s\].
+pub fn wave_speed() -> f64 {
+    let modulus = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
+    (modulus / DENSITY).sqrt()
+}
+
 /// The quarter `[0.5, 1]² x [0, 1]` of the cube in cells of `h` (m), with one layer of empty cells above.
 pub fn scene(h: f64, loading: Loading) -> Scene {
     let cells = (SIDE / h).round() as usize;

@@ -6,6 +6,7 @@ use proctor_kernel::simulation::Simulation;
 use super::{AVERAGED, FINE, FORCE, HertzSphere, L2, PEAK, WIDTH, peak, rungs};
 use crate::case::{Curve, CurvePoint, Found, Quantity, Rung, Size};
 use crate::cases::pressures::Pressures;
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study, few};
 
@@ -51,6 +52,10 @@ impl Study for HertzSphere {
 
     fn try_scene_with(&self, rung: &Rung, settings: &Settings) -> Result<Scene, Failure> {
         Ok(Self::build(rung, settings)?)
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err("what is known exactly is the pressure of a contact, and frames of particles hold none")
     }
 
     fn run(

@@ -1,0 +1,164 @@
+//! A problem of a case, run by an executable: its scene as a file, and its frames as what the case compares.
+
+use super::calibration::Calibration;
+use super::compare::displacements;
+use super::process;
+use super::said::with_words;
+use super::written::written;
+use crate::bench::config::Executable;
+use crate::frames::{self, Frame};
+use crate::measure::Spent;
+use crate::show::number;
+use proctor_files::json::write;
+use proctor_kernel::scene::TimeStep;
+use proctor_verification::guest::{Compared, Guest, Snapshot};
+use serde_json::Value;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+/// Steps by which the last frame may miss the end of the scene.
+const END: f64 = 1.5;
+
+/// The scene of a problem as executables get it.
+pub(crate) struct Handed {
+    scene: Value,
+    files: Vec<(String, String)>,
+    /// The constant step \[s\].
+    step: f64,
+}
+
+impl Handed {
+    /// Of a problem.
+    ///
+    /// # Errors
+    /// What of its scene no scene file can say.
+    pub(crate) fn new(guest: &Guest) -> Result<Self, String> {
+        let text = write(&guest.scene).map_err(|error| error.to_string())?;
+        let scene = written(text.scene, &guest.scene);
+        let TimeStep::Fixed { dt, .. } = guest.scene.time_step else {
+            return Err("its scene has no constant step".to_owned());
+        };
+        Ok(Self {
+            scene,
+            files: text.files,
+            step: dt,
+        })
+    }
+
+    /// Has an executable run the scene in `folder`, results in a folder of its own there; the time of its process.
+    ///
+    /// # Errors
+    /// Why it failed, with the last that it said.
+    pub(crate) fn run(
+        &self,
+        executable: &Executable,
+        threads: usize,
+        folder: &Path,
+        stop: &AtomicBool,
+    ) -> Result<Spent, String> {
+        let out = folder.join(crate::record::key(&executable.name));
+        let file = folder.join("scene.json");
+        let run = || {
+            process::prepare(&out, &file, &self.scene)?;
+            for (name, text) in &self.files {
+                let path = folder.join(name);
+                std::fs::write(&path, text)
+                    .map_err(|error| format!("{}: {error}", path.display()))?;
+            }
+            process::run(executable, &file, threads, &out, stop)
+        };
+        run()
+            .map(|finished| finished.spent)
+            .map_err(|reason| with_words(&reason, &out))
+    }
+
+    /// The frames that an executable left in `folder`, as the problem compares them; never none.
+    ///
+    /// # Errors
+    /// Why they cannot be compared, with the last that the executable said.
+    pub(crate) fn snapshots(
+        &self,
+        guest: &Guest,
+        executable: &Executable,
+        calibration: &Calibration,
+        folder: &Path,
+    ) -> Result<Vec<Snapshot>, String> {
+        let out = folder.join(crate::record::key(&executable.name));
+        self.read(guest, executable, calibration, &out)
+            .map_err(|reason| with_words(&reason, &out))
+    }
+
+    fn read(
+        &self,
+        guest: &Guest,
+        executable: &Executable,
+        calibration: &Calibration,
+        out: &Path,
+    ) -> Result<Vec<Snapshot>, String> {
+        let mut files = frames::all(out);
+        let last = files.len().checked_sub(1);
+        let last = last.ok_or_else(|| super::calibration::no_frame(out))?;
+        let mut snapshots = vec![];
+        let mut reached = 0.0;
+        for (i, (file, said)) in files.drain(..).enumerate() {
+            if guest.last_alone && i < last {
+                continue;
+            }
+            let frame = frames::read(&file)?;
+            let label = match said.or(frame.time) {
+                Some(label) => label,
+                // A frame without a time is of no use, but for the last, which is of the end.
+                None if i == last => guest.scene.time,
+                None => continue,
+            };
+            // The state at the start is no answer.
+            if label <= 0.5 * self.step {
+                continue;
+            }
+            reached = label + executable.time_label.ahead() * self.step;
+            snapshots.push(self.snapshot(guest, calibration, &frame, reached)?);
+        }
+        let ends = (reached - guest.scene.time).abs() <= END * self.step;
+        if !ends {
+            return Err(format!(
+                "its last particles are at {} s where the scene ends at {} s",
+                number(reached),
+                number(guest.scene.time)
+            ));
+        }
+        let asked = guest.scene.results.print;
+        if !guest.last_alone && snapshots.len() + 1 < asked {
+            return Err(format!(
+                "{} frames after the start where `print` asks for {asked}",
+                snapshots.len()
+            ));
+        }
+        Ok(snapshots)
+    }
+
+    fn snapshot(
+        &self,
+        guest: &Guest,
+        calibration: &Calibration,
+        frame: &Frame,
+        time: f64,
+    ) -> Result<Snapshot, String> {
+        let u = displacements(frame)?;
+        let starts = frame.points.iter().zip(&u);
+        let starts = starts.map(|(x, u)| std::array::from_fn(|axis| x[axis] - u[axis]));
+        let starts = starts.collect();
+        let (values, time) = match guest.compared {
+            Compared::Displacement => (u, time),
+            Compared::Velocity => {
+                let known = frame.vectors("Velocity").zip(calibration.velocity_ahead);
+                let (v, ahead) = known.ok_or("no point data `Velocity` of 3 components")?;
+                (v, time + ahead * self.step)
+            }
+        };
+        Ok(Snapshot {
+            time,
+            starts,
+            values,
+        })
+    }
+}

@@ -1,0 +1,210 @@
+//! Other solvers on the problem of a case, beside the methods of this program.
+
+use super::choices::Effort;
+use super::cost::{At, Cost, cost};
+use super::findings::LEVELS;
+use super::run::{LONG, USELESS};
+use crate::bench::children::{Calibration, Handed, OWN, calibrate, own};
+use crate::bench::config::Executable;
+use crate::measure::Spent;
+use crate::record::{Row, key};
+use proctor_verification::case::Rung;
+use proctor_verification::study::Study;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Dimensions of all problems that other solvers get.
+const AXES: usize = 3;
+
+/// An executable, and what its calibration said.
+pub struct Peer {
+    /// The executable.
+    pub executable: Executable,
+    /// What is known of its frames, or why it is not to be trusted.
+    pub calibration: Result<Calibration, String>,
+}
+
+/// The runs of one executable on the path of a study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeerLine {
+    /// Name of the executable.
+    pub name: String,
+    /// Its runs, coarse to fine.
+    pub runs: Vec<PeerRun>,
+}
+
+/// A run of an executable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeerRun {
+    /// Resolution.
+    pub rung: Rung,
+    /// Time of the whole process, one per repetition.
+    pub samples: Vec<Spent>,
+    /// Number of particles in its last frame.
+    pub particles: Option<usize>,
+    /// Relative error of the first measure of the study, or why there is none.
+    pub error: Result<f64, String>,
+}
+
+impl PeerRun {
+    /// Time of the fastest repetition \[s\]: on the processors with one thread, by the clock with several, as that of
+    /// methods.
+    #[must_use]
+    pub fn seconds(&self, threads: usize) -> Option<f64> {
+        let time = |spent: &Spent| if threads == 1 { spent.cpu } else { spent.wall };
+        let fastest = self.samples.iter().map(time).min();
+        fastest.map(|time| time.as_secs_f64())
+    }
+
+    /// Error and time, where there are both.
+    #[must_use]
+    pub fn at(&self, threads: usize) -> Option<At> {
+        Some(At {
+            error: *self.error.as_ref().ok()?,
+            time: self.seconds(threads)?,
+        })
+    }
+}
+
+impl PeerLine {
+    /// Cost of each of [`LEVELS`] along the line.
+    #[must_use]
+    pub fn costs(&self, threads: usize) -> [Cost; 2] {
+        let line: Vec<Option<At>> = self.runs.iter().map(|run| run.at(threads)).collect();
+        LEVELS.map(|level| cost(&line, level))
+    }
+
+    /// Order of the error between the two finest runs.
+    #[must_use]
+    pub fn order(&self) -> Option<f64> {
+        let [.., coarse, fine] = self.runs.as_slice() else {
+            return None;
+        };
+        let error = |run: &PeerRun| run.error.as_ref().ok().copied();
+        let (coarse_error, fine_error) = (error(coarse)?, error(fine)?);
+        let order = (coarse_error / fine_error).ln() / (coarse.rung.cell / fine.rung.cell).ln();
+        order.is_finite().then_some(order)
+    }
+}
+
+/// Has this program and each executable run the free fall, and adds a row for each to `rows`.
+pub fn calibrated(
+    executables: Vec<Executable>,
+    threads: usize,
+    folder: &Path,
+    stop: &AtomicBool,
+    rows: &mut Vec<Row>,
+) -> Vec<Peer> {
+    own()
+        .into_iter()
+        .chain(executables)
+        .map_while(|executable| {
+            let (row, calibration) = calibrate(&executable, AXES, threads, folder, stop);
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            rows.push(row);
+            Some(Peer {
+                executable,
+                calibration: calibration.map_err(|fault| fault.to_string()),
+            })
+        })
+        .collect()
+}
+
+/// Runs a study's problem with every executable on its path, this program first. A run that fails does not end it; an
+/// interrupt does.
+///
+/// # Errors
+/// Why other solvers cannot run it.
+pub fn run(
+    study: &dyn Study,
+    peers: &[Peer],
+    effort: Effort,
+    threads: usize,
+    folder: &Path,
+    stop: &AtomicBool,
+) -> Result<Vec<PeerLine>, String> {
+    let mut lines: Vec<PeerLine> = peers
+        .iter()
+        .map(|peer| PeerLine {
+            name: peer.executable.name.clone(),
+            runs: vec![],
+        })
+        .collect();
+    for rung in study.path(effort.size) {
+        let guest = study.guest(&rung)?;
+        let handed = Handed::new(&guest)?;
+        let folder = folder.join(study.name()).join(key(&rung.label));
+        let mut due = None;
+        for (peer, line) in peers.iter().zip(&mut lines) {
+            let mut run = PeerRun {
+                rung: rung.clone(),
+                samples: vec![],
+                particles: None,
+                error: Err(String::new()),
+            };
+            match &peer.calibration {
+                Err(fault) => run.error = Err(fault.clone()),
+                Ok(calibration) => {
+                    run.error = timed(&handed, &peer.executable, effort, threads, &folder, stop)
+                        .and_then(|samples| {
+                            run.samples = samples;
+                            handed.snapshots(&guest, &peer.executable, calibration, &folder)
+                        })
+                        .and_then(|frames| {
+                            run.particles = frames.last().map(|frame| frame.starts.len());
+                            let own = peer.executable.name == OWN;
+                            due = due.or(run.particles.filter(|_| own));
+                            as_many(run.particles, due)?;
+                            guest.error(&frames)
+                        })
+                        .and_then(useful);
+                }
+            }
+            if stop.load(Ordering::Relaxed) {
+                return Ok(lines);
+            }
+            line.runs.push(run);
+        }
+    }
+    Ok(lines)
+}
+
+/// The repetitions of a run.
+fn timed(
+    handed: &Handed,
+    executable: &Executable,
+    effort: Effort,
+    threads: usize,
+    folder: &Path,
+    stop: &AtomicBool,
+) -> Result<Vec<Spent>, String> {
+    let mut samples: Vec<Spent> = vec![];
+    while samples.len() < effort.repetitions.max(1) && !stop.load(Ordering::Relaxed) {
+        let spent = handed.run(executable, threads, folder, stop)?;
+        samples.push(spent);
+        if spent.wall > LONG {
+            break;
+        }
+    }
+    Ok(samples)
+}
+
+/// Another number of particles is another problem.
+fn as_many(found: Option<usize>, due: Option<usize>) -> Result<(), String> {
+    match (found, due) {
+        (Some(found), Some(due)) if found != due => Err(format!(
+            "{found} particles where {OWN} has {due} in the same scene"
+        )),
+        _ => Ok(()),
+    }
+}
+
+fn useful(error: f64) -> Result<f64, String> {
+    if error <= USELESS {
+        Ok(error)
+    } else {
+        Err(format!("relative error {error:.1e}"))
+    }
+}

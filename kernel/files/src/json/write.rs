@@ -1,0 +1,321 @@
+//! A scene as the text of a scene file, for other programs.
+//!
+//! What is written is read back as the same scene. What the language has no word for, or what is not written yet, is refused
+//! by name.
+
+use std::fmt;
+
+use serde_json::{Map, Value, json};
+
+use super::words::{
+    CONTACT_NORMALS, FIELDS, NODAL_FIELDS, PLANE_CONDITIONS, PLANES, SCHEMES, Words,
+};
+use crate::records;
+use proctor_kernel::laws::{self, AnyLaw};
+use proctor_kernel::scene::{
+    BaseMotion, Body, Damping, Dimension, History, Mesh, Motion, OnImbalance, Outside, Scene,
+    Shape, TimeStep, Transfer, Vector, VolumetricStrain,
+};
+
+/// A scene in the language of scene files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Written {
+    /// The keys. Every plane is named, and no choice of the method is left to a default.
+    pub scene: Value,
+    /// Files that the scene names, which belong into its folder: name and text.
+    pub files: Vec<(String, String)>,
+}
+
+/// What of a scene is not written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotWritten {
+    /// What it is.
+    pub what: String,
+}
+
+impl fmt::Display for NotWritten {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} cannot be written into a scene file", self.what)
+    }
+}
+
+impl std::error::Error for NotWritten {}
+
+/// Name of the file of a base motion.
+const RECORD: &str = "base.csv";
+
+/// The scene as a scene file has it.
+///
+/// # Errors
+/// [`NotWritten`]: surfaces, mortar contact, shapes other than cuboids, laws and transfers that no word stands for,
+/// probes.
+pub fn write(scene: &Scene) -> Result<Written, NotWritten> {
+    refuse(!scene.surfaces.is_empty(), "a rigid surface")?;
+    let mortar = &scene.mortar;
+    refuse(
+        !(mortar.boundaries.is_empty() && mortar.contacts.is_empty()),
+        "mortar contact",
+    )?;
+    refuse(!scene.probes.is_empty(), "a probe")?;
+    refuse(
+        scene.volumetric_strain != VolumetricStrain::Particle,
+        "a mean of strain over cells",
+    )?;
+    refuse(scene.outside != Outside::Stop, "removal of particles")?;
+    let to = Writer(scene.dimension.axes());
+    let mut keys = json!({
+        "dimension": to.0,
+        "time": scene.time,
+        "gravity": to.vector(&scene.gravity),
+        "stress_scheme_update": word(SCHEMES, &scene.scheme),
+        "damping": damping(scene.damping),
+        "mesh": to.mesh(&scene.mesh),
+        "material": materials(scene)?,
+        "body": list(&scene.bodies, |body| to.body(scene, body))?,
+        "results": {
+            "print": scene.results.print,
+            "fields": scene.results.fields.iter().map(|field| field_word(FIELDS, field)).collect::<Vec<_>>(),
+            "checkpoint": scene.results.checkpoint,
+        },
+    });
+    method(scene, &mut keys)?;
+    if scene.on_imbalance == OnImbalance::Stop {
+        keys["on_imbalance"] = "stop".into();
+    }
+    if !scene.results.nodal_fields.is_empty() {
+        let fields = scene.results.nodal_fields.iter();
+        let words = fields.map(|field| field_word(NODAL_FIELDS, field));
+        keys["results"]["grid_nodal_results"] = words.collect::<Vec<_>>().into();
+    }
+    let loads = scene.point_loads.iter();
+    let loads: Vec<Value> = loads
+        .map(|load| json!([to.vector(&load.position), to.vector(&load.force)]))
+        .collect();
+    let corners = |p1, p2| json!({ "point_p1": to.vector(p1), "point_p2": to.vector(p2) });
+    let with = |mut keys: Value, key: &str, value: &Vector| {
+        keys[key] = to.vector(value);
+        keys
+    };
+    let tractions = scene.tractions.iter();
+    let boxes = scene.box_loads.iter();
+    let held = scene.held_boxes.iter();
+    for (key, list) in [
+        ("nodal_point_load", loads),
+        (
+            "traction",
+            tractions
+                .map(|t| with(corners(&t.p1, &t.p2), "traction", &t.traction))
+                .collect(),
+        ),
+        (
+            "box_load",
+            boxes
+                .map(|b| with(corners(&b.p1, &b.p2), "force", &b.force))
+                .collect(),
+        ),
+        ("held_box", held.map(|b| corners(&b.p1, &b.p2)).collect()),
+        ("contact", contacts(scene)),
+    ] {
+        if !list.is_empty() {
+            keys[key] = list.into();
+        }
+    }
+    if let Some(distance) = scene.contact_distance {
+        keys["contact_manager"] = json!({ "real_distance_correction_coefficient": distance });
+    }
+    let mut files = vec![];
+    if let Some(base) = &scene.base_motion {
+        let (entry, text) = to.base_motion(base);
+        keys["earthquake"] = entry;
+        files.push((RECORD.to_owned(), text));
+    }
+    Ok(Written { scene: keys, files })
+}
+
+fn refuse(is: bool, what: &str) -> Result<(), NotWritten> {
+    if is {
+        return Err(NotWritten {
+            what: what.to_owned(),
+        });
+    }
+    Ok(())
+}
+
+/// The first word of a meaning.
+fn word<T: PartialEq>(words: Words<T>, meaning: &T) -> &'static str {
+    words
+        .iter()
+        .find(|(_, known)| known == meaning)
+        .map_or("", |(word, _)| word)
+}
+
+/// The word of one field, of words that stand for lists.
+fn field_word<T: PartialEq>(words: Words<&'static [T]>, field: &T) -> &'static str {
+    let own = words
+        .iter()
+        .find(|(_, fields)| matches!(fields, [one] if one == field));
+    own.map_or("none", |(word, _)| word)
+}
+
+fn damping(damping: Damping) -> Value {
+    match damping {
+        Damping::None => json!({ "type": "none" }),
+        Damping::Local { alpha } => json!({ "type": "local", "value": alpha }),
+        Damping::Kinetic => json!({ "type": "kinetic" }),
+        Damping::Viscous { alpha } => json!({ "type": "viscous", "value": alpha }),
+    }
+}
+
+fn contacts(scene: &Scene) -> Vec<Value> {
+    let contact = scene.contacts.iter();
+    contact
+        .map(|contact| {
+            json!({
+                "id": contact.id, "friction": contact.friction, "master_id": contact.master,
+                "slave_id": contact.slave, "normal_type": word(CONTACT_NORMALS, &contact.normal),
+            })
+        })
+        .collect()
+}
+
+/// Weighting function, transfer and time step.
+fn method(scene: &Scene, keys: &mut Value) -> Result<(), NotWritten> {
+    let kind = scene.weighting.kind();
+    keys["shape_function"] = kind.word.into();
+    if let Some(update) = kind.update {
+        keys["domain_update"] = update.into();
+    }
+    let transfer = scene.transfer.kind.kind().word;
+    refuse(transfer.is_empty(), "a transfer without a word")?;
+    keys["transfer"] = transfer.into();
+    if scene.transfer != Transfer::new(scene.transfer.kind) {
+        keys["pic_fraction"] = scene.transfer.pic_fraction.into();
+    }
+    let (key, value, allow) = match scene.time_step {
+        TimeStep::Automatic => return Ok(()),
+        TimeStep::Fixed { dt, allow_unstable } => ("time_step", dt, allow_unstable),
+        TimeStep::Multiplier {
+            multiplier,
+            allow_unstable,
+        } => ("critical_time_step_multiplier", multiplier, allow_unstable),
+    };
+    keys[key] = value.into();
+    if allow {
+        keys["allow_unstable"] = true.into();
+    }
+    Ok(())
+}
+
+/// Each entry of a list, or the first that cannot be written.
+fn list<T>(
+    entries: &[T],
+    write: impl Fn(&T) -> Result<Value, NotWritten>,
+) -> Result<Vec<Value>, NotWritten> {
+    entries.iter().map(write).collect()
+}
+
+fn materials(scene: &Scene) -> Result<Vec<Value>, NotWritten> {
+    list(&scene.materials, |material| {
+        let mut keys = law(&material.law)?;
+        keys["id"] = material.id.into();
+        keys["density"] = material.density.into();
+        Ok(keys)
+    })
+}
+
+/// Writes vectors of so many axes.
+struct Writer(usize);
+
+impl Writer {
+    fn vector(&self, vector: &Vector) -> Value {
+        vector[..self.0].to_vec().into()
+    }
+
+    fn mesh(&self, mesh: &Mesh) -> Value {
+        let mut planes = Map::new();
+        for (name, (axis, side)) in PLANES.iter().filter(|(_, (axis, _))| *axis < self.0) {
+            let condition = word(PLANE_CONDITIONS, &mesh.planes[*axis][*side]);
+            planes.insert(format!("plane_{name}"), condition.into());
+        }
+        json!({
+            "cells_dimension": self.vector(&mesh.cell),
+            "cells_number": mesh.cells[..self.0].to_vec(),
+            "origin": self.vector(&mesh.origin),
+            "boundary_conditions": planes,
+        })
+    }
+
+    fn body(&self, scene: &Scene, body: &Body) -> Result<Value, NotWritten> {
+        let Shape::Cuboid { p1, p2 } = &body.shape else {
+            return Err(NotWritten {
+                what: format!("the shape of body {}", body.id),
+            });
+        };
+        let material = scene.materials.get(body.material).map(|m| m.id);
+        let mut keys = json!({
+            "type": "cuboid", "id": body.id, "material_id": material, "point_p1": self.vector(p1),
+            "point_p2": self.vector(p2), "particles_per_cell": body.particles_per_cell[..self.0].to_vec(),
+            "initial_velocity": self.vector(&body.velocity),
+        });
+        if let Some(motion) = &body.motion {
+            let rows = motion.times.iter().zip(&motion.values);
+            keys["prescribed_velocity"] = rows
+                .map(|(t, v)| [&[*t], &v[..self.0]].concat())
+                .collect::<Vec<_>>()
+                .into();
+        }
+        Ok(keys)
+    }
+
+    /// The entry of a base motion, and its record.
+    fn base_motion(&self, base: &BaseMotion) -> (Value, String) {
+        let (quantity, history) = match &base.motion {
+            Motion::Acceleration(history) => ("acceleration", history),
+            Motion::Velocity(history) => ("velocity", history),
+        };
+        let mut entry = json!({
+            "active": true, "file": RECORD, "header": true, "quantity": quantity,
+        });
+        // The plane that is meant where none is named is left out: the manuals do not know the key.
+        if (base.axis, base.side) != (self.0 - 1, 0) {
+            entry["plane"] = word(PLANES, &(base.axis, base.side)).into();
+        }
+        (entry, self.record(history))
+    }
+
+    /// A record with a column per axis.
+    fn record(&self, history: &History) -> String {
+        let text = records::to_csv(history);
+        if self.0 == Dimension::Three.axes() {
+            return text;
+        }
+        let two = |line: &str| {
+            let columns: Vec<&str> = line.split(',').take(1 + self.0).collect();
+            columns.join(",") + "\n"
+        };
+        text.lines().map(two).collect()
+    }
+}
+
+/// The keys of a law that a scene file names.
+fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
+    let values: Vec<f64> = law
+        .constants()
+        .into_iter()
+        .map(|(_, value)| value)
+        .collect();
+    let kind = laws::ALL.iter().find(|kind| {
+        let first = vec![0; kind.choices.len()];
+        kind.constants.len() == values.len() && (kind.read)(&values, &first) == *law
+    });
+    let Some(kind) = kind else {
+        return Err(NotWritten {
+            what: format!("the law {law:?}"),
+        });
+    };
+    let mut keys = json!({ "type": kind.name });
+    for (constant, value) in kind.constants.iter().zip(values) {
+        keys[constant.key] = value.into();
+    }
+    Ok(keys)
+}

@@ -1,0 +1,93 @@
+//! Scenes as they are written for other programs.
+
+use std::path::{Path, PathBuf};
+
+use proctor_files::json::{from_json, read, write};
+use proctor_kernel::scene::{ContactNormal, Scene, TimeStep};
+
+/// Writes a scene and reads it back, in a folder with the files that it names.
+fn back(scene: &Scene) -> Scene {
+    let written = write(scene).unwrap_or_else(|error| panic!("{error}"));
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text) in &written.files {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    }
+    let text = format!("{:#}", written.scene);
+    let mut again = from_json(&text, &scene.name, folder.path())
+        .unwrap_or_else(|error| panic!("{error}: {text}"));
+    // Names of entries are for messages.
+    again.name.clone_from(&scene.name);
+    for (new, old) in again.materials.iter_mut().zip(&scene.materials) {
+        new.name.clone_from(&old.name);
+    }
+    for (new, old) in again.bodies.iter_mut().zip(&scene.bodies) {
+        new.name.clone_from(&old.name);
+    }
+    for (new, old) in again.contacts.iter_mut().zip(&scene.contacts) {
+        new.name.clone_from(&old.name);
+    }
+    again.threads = scene.threads;
+    again
+}
+
+#[test]
+fn what_is_written_is_read_back() {
+    let folder = Path::new("../../fixtures/scenes");
+    let mut count = 0;
+    for name in [
+        "column_gravity_2d.json",
+        "sliding_block_2d.json",
+        "shaken_base_2d.json",
+        "manual/boussinesq.json",
+        "manual/base_acceleration.json",
+        "manual/inclined_block.json",
+        "manual/inclined_two_blocks.json",
+        "speed/block_1m.json",
+    ] {
+        let path: PathBuf = folder.join(name);
+        let Ok(scene) = read(&path) else {
+            panic!("{name} is no scene")
+        };
+        if scene.probes.is_empty() {
+            assert_eq!(
+                format!("{:?}", back(&scene)),
+                format!("{scene:?}"),
+                "{name}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count >= 6, "only {count} scenes were written");
+}
+
+#[test]
+fn every_choice_is_written() {
+    let mut scene = read(Path::new(
+        "../../fixtures/scenes/manual/inclined_block.json",
+    ))
+    .expect("a scene");
+    scene.time_step = TimeStep::Fixed {
+        dt: 1e-4,
+        allow_unstable: true,
+    };
+    scene.contacts[0].normal = ContactNormal::Slave;
+    scene.contact_distance = Some(0.25);
+    scene.bodies[0].velocity = [1.0, 2.0, 3.0];
+    assert_eq!(format!("{:?}", back(&scene)), format!("{scene:?}"));
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_by_name() {
+    for (name, what) in [
+        ("rings_2d.json", "mortar contact"),
+        ("sphere_on_terrain.json", "a rigid surface"),
+        ("disc_bounce_2d.json", "the shape of body"),
+    ] {
+        let scene = read(&Path::new("../../fixtures/scenes").join(name)).expect("a scene");
+        let refused = write(&scene).expect_err(name).to_string();
+        assert!(
+            refused.contains(what) || refused.contains("a probe"),
+            "{name}: {refused}"
+        );
+    }
+}

@@ -1,0 +1,169 @@
+//! Problems of the cases as other solvers run them: sound scenes in the words of scene files, and exact solutions that
+//! this kernel comes near.
+#![allow(missing_docs)]
+
+use proctor_files::json::{from_json, write};
+use proctor_kernel::scene::{Dimension, Mesh, OnImbalance, Scene, Vector};
+use proctor_kernel::simulation::{Options, Simulation};
+use proctor_verification::case::{Rung, Size};
+use proctor_verification::guest::{Compared, Guest, Norm, Snapshot};
+use proctor_verification::study::{self, Study};
+
+fn guest(case: &str) -> (Guest, Rung) {
+    let study = study::all().into_iter().find(|study| study.name() == case);
+    let study = study.unwrap_or_else(|| panic!("no study {case}"));
+    let rung = study.path(Size::Quick)[0].clone();
+    let guest = study
+        .guest(&rung)
+        .unwrap_or_else(|reason| panic!("{reason}"));
+    (guest, rung)
+}
+
+/// Frames of this kernel, as many as the scene asks for.
+fn frames(guest: &Guest) -> Vec<Snapshot> {
+    let mut scene = guest.scene.clone();
+    scene.on_imbalance = OnImbalance::Stop;
+    scene.check().unwrap_or_else(|error| panic!("{error}"));
+    let options = Options {
+        displacement: true,
+        ..Options::default()
+    };
+    let mut simulation =
+        Simulation::new(&scene, &options).unwrap_or_else(|error| panic!("{error}"));
+    let mut frames = vec![];
+    for frame in 1..=scene.results.print {
+        let stop = scene.time * frame as f64 / scene.results.print as f64;
+        while simulation.time() < stop * (1.0 - 1e-12) {
+            simulation
+                .step(stop)
+                .unwrap_or_else(|error| panic!("{error}"));
+        }
+        let (mut starts, mut values) = (vec![], vec![]);
+        for (body, set) in simulation.sets().iter().enumerate() {
+            for p in 0..set.len() {
+                starts.push(simulation.initial_position(body, p).expect("kept"));
+                values.push(match guest.compared {
+                    Compared::Displacement => simulation.displacement(body, p).expect("kept"),
+                    Compared::Velocity => set.velocity(p),
+                });
+            }
+        }
+        let time = match guest.compared {
+            Compared::Displacement => simulation.time(),
+            Compared::Velocity => simulation.velocity_time(),
+        };
+        frames.push(Snapshot {
+            time,
+            starts,
+            values,
+        });
+    }
+    frames
+}
+
+#[test]
+fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
+    let mut count = 0;
+    for study in study::all() {
+        for rung in study.path(Size::Quick) {
+            match study.guest(&rung) {
+                Err(reason) => assert!(reason.len() > 20, "{}: {reason}", study.name()),
+                Ok(guest) => {
+                    count += 1;
+                    check(study, &guest);
+                }
+            }
+        }
+    }
+    assert!(count >= 12, "only {count} scenes");
+}
+
+fn check(study: &dyn Study, guest: &Guest) {
+    let name = study.name();
+    assert_eq!(guest.scene.dimension, Dimension::Three, "{name}");
+    let written = write(&guest.scene).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let folder = std::env::temp_dir().join(format!("proctor-guest-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for (file, text) in &written.files {
+        std::fs::write(folder.join(file), text).expect("written");
+    }
+    let text = written.scene.to_string();
+    let again: Result<Scene, _> = from_json(&text, name, &folder);
+    std::fs::remove_dir_all(&folder).expect("removed");
+    let again = again.unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert_eq!(again.mesh, guest.scene.mesh, "{name}");
+    assert_eq!(again.time_step, guest.scene.time_step, "{name}");
+    assert_eq!(again.point_loads, guest.scene.point_loads, "{name}");
+    // What only this program has a word for does not occur.
+    for key in ["traction", "held_box", "box_load", "on_imbalance"] {
+        assert!(written.scene.get(key).is_none(), "{name}: {key}");
+    }
+}
+
+#[test]
+fn this_kernel_comes_near_the_exact_solutions() {
+    for (case, bound) in [
+        ("boussinesq", 0.05),
+        ("self-weight", 0.05),
+        ("sudden-weight", 0.02),
+        ("base-acceleration", 0.06),
+        ("step-bar", 0.06),
+        ("inclined-block", 0.02),
+    ] {
+        let (guest, rung) = guest(case);
+        let error = guest
+            .error(&frames(&guest))
+            .unwrap_or_else(|e| panic!("{case}: {e}"));
+        println!("{case}, {}: {error:.3e}", rung.label);
+        assert!(error < bound, "{case}, {}: {error:.3e}", rung.label);
+    }
+}
+
+/// A block that moves by one along x, of which the exact solution says so.
+fn moved(norm: Norm, last_alone: bool) -> Guest {
+    let mesh = Mesh::new(Dimension::Three, [0.0; 3], [1.0; 3], [1; 3]);
+    let scene = Scene::new(Dimension::Three, mesh, 1.0);
+    Guest {
+        norm,
+        last_alone,
+        counts: Box::new(|x| x[0] < 0.5),
+        ..Guest::new(scene, |_, _| [1.0, 0.0, 0.0])
+    }
+}
+
+fn frame(values: &[(f64, Vector)]) -> Snapshot {
+    Snapshot {
+        time: 1.0,
+        starts: values.iter().map(|(x, _)| [*x, 0.0, 0.0]).collect(),
+        values: values.iter().map(|(_, value)| *value).collect(),
+    }
+}
+
+#[test]
+fn the_error_is_of_what_counts_by_the_norm_that_is_asked_for() {
+    let early = frame(&[(0.0, [2.0, 0.0, 0.0]), (0.1, [2.0, 0.0, 0.0])]);
+    let late = frame(&[
+        (0.0, [1.0, 0.1, 0.0]),
+        (0.1, [1.2, 0.0, 0.0]),
+        (0.9, [7.0, 7.0, 7.0]),
+    ]);
+    let frames = [early, late];
+    let close = |found: Result<f64, String>, wanted: f64| {
+        let found = found.expect("an error");
+        assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
+    };
+    close(
+        moved(Norm::L2, true).error(&frames),
+        (0.05_f64 / 2.0).sqrt(),
+    );
+    close(
+        moved(Norm::L2, false).error(&frames),
+        (2.05_f64 / 4.0).sqrt(),
+    );
+    close(moved(Norm::Mean(0), true).error(&frames), 0.1);
+    let nothing = frame(&[(0.9, [1.0; 3])]);
+    assert!(moved(Norm::L2, true).error(&[nothing]).is_err());
+    assert!(moved(Norm::L2, true).error(&[]).is_err());
+    let wrong = frame(&[(0.0, [f64::NAN; 3])]);
+    assert!(moved(Norm::L2, true).error(&[wrong]).is_err());
+}
