@@ -23,6 +23,7 @@ use super::mortar::{barrier, boundary, rigid_line, settings};
 use super::{NO_RESULTS, body, cuboid, elastic, open_plane};
 use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
+use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
 
@@ -218,6 +219,10 @@ impl Study for CornerBlock {
         };
         settings.apply(&mut scene);
         scene
+    }
+
+    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
+        Err("mortar contact, which the manuals do not know, is what it is about")
     }
 
     fn run(
