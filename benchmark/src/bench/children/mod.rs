@@ -3,7 +3,7 @@
 //! A solver gets the scene as a JSON file and leaves `.vtu` frames in a folder. Its time is that of its whole process,
 //! by the clock and on the processors, set-up and output included; that holds for this program too, which is run as
 //! one of them. Its error is measured on its last frame, at the time that its particles have by what the configuration
-//! says of its labels; a free fall finds out before whether that is so ([`calibrate`]).
+//! says of its labels; a free fall finds out before whether that is so (`calibrate`).
 
 mod calibration;
 mod compare;

@@ -1,5 +1,5 @@
 //! The raw stage: from JSON text to a checked scene, with a place in the text for every problem.
-//! Other programs get a scene by [`write`].
+//! Other programs get a scene by [`fn@write`].
 
 mod bodies;
 mod build;
