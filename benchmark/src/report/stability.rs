@@ -3,7 +3,7 @@
 use super::html::{Section, Table, paragraph};
 use crate::record::Record;
 use crate::show::{number, picture};
-use crate::stability::ExtremeDetail;
+use crate::stability::{ExtremeDetail, StabilityCell};
 
 /// The section, where the record holds a map.
 pub fn section(record: &Record) -> Option<Section> {
@@ -17,9 +17,10 @@ pub fn section(record: &Record) -> Option<Section> {
         ));
         body.push_str("<figure>\n");
         body.push_str(&picture::svg(detail));
-        body.push_str(
-            "<figcaption>The number is the largest safe c dt/h.</figcaption>\n</figure>\n",
-        );
+        body.push_str("<figcaption>The number is the largest safe c dt/h.</figcaption>\n");
+        body.push_str("<details><summary>the numbers</summary>\n");
+        body.push_str(&cells(&detail.cells));
+        body.push_str("</details>\n</figure>\n");
     }
     if !detail.nonlinear.is_empty() {
         let head = [
@@ -56,6 +57,36 @@ pub fn section(record: &Record) -> Option<Section> {
         title: "Stability".to_owned(),
         body,
     })
+}
+
+/// The cells of the map as a table.
+fn cells(cells: &[StabilityCell]) -> String {
+    let head = [
+        "weighting",
+        "scheme",
+        "transfer",
+        "particles per cell and axis",
+        "safe c dt/h",
+        "ruled by a",
+        "measured over predicted",
+        "kernel's c dt/h",
+    ];
+    let mut table = Table::new("largest safe c dt/h", &head);
+    for cell in cells {
+        let class = if cell.passed { "passed" } else { "failed" };
+        let row = [
+            cell.weighting.clone(),
+            cell.scheme.clone(),
+            cell.transfer.clone(),
+            cell.particles_per_cell.to_string(),
+            number(cell.safe),
+            cell.ruled_by.clone(),
+            cell.ratio.map_or_else(|| "not measured".to_owned(), number),
+            number(cell.kernel),
+        ];
+        table.push_as(class, row);
+    }
+    table.html()
 }
 
 /// The stiff and extreme scenes: how each ended, and all gates of those that failed.

@@ -75,7 +75,7 @@ pub fn svg(detail: &StabilityDetail) -> String {
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"map\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
          aria-label=\"{}\" font-family=\"system-ui, 'Liberation Sans', sans-serif\" font-size=\"{TEXT}\">\n\
-         <style>{STYLE}</style>\n<rect class=\"paper\" width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
+         <title>Largest safe c dt/h of each method</title>\n<style>{STYLE}</style>\n<rect class=\"paper\" width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
         escape(&description(detail))
     );
     let failed = detail.gates.iter().filter(|gate| !gate.passed).count();
@@ -199,7 +199,7 @@ fn draw_cell(text: &mut String, cell: &StabilityCell, [x, y]: [f64; 2], width: f
     // Writing to a string cannot fail.
     let _ = write!(
         text,
-        "<g><title>{}</title><rect class=\"{class}\" fill=\"{fill}\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" rx=\"3\"/>",
+        "<g class=\"point\"><title>{}</title><rect class=\"{class}\" fill=\"{fill}\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" rx=\"3\"/>",
         escape(&title),
         x + GAP,
         y + GAP,

@@ -78,7 +78,9 @@ fn the_picture_has_a_cell_for_each_method_and_size() {
     // Whether the kernel's steps are short enough is for the gates.
     assert!(matches!(code(&output), 0 | 1), "{}", stderr(&output));
     let svg = std::fs::read_to_string(desk.path("pictures/stability.svg")).expect("a picture");
-    assert_eq!(svg.matches("<title>").count(), 3 * 4 * 3);
+    // One of the picture and one of each cell.
+    assert_eq!(svg.matches("<title>").count(), 1 + 3 * 4 * 3);
+    assert_eq!(svg.matches("class=\"point\"").count(), 3 * 4 * 3);
     assert!(svg.contains("uGIMP MUSL FLIP, 2 per cell"));
     let text = stdout(&output);
     for word in [
