@@ -63,6 +63,7 @@ pub fn section(record: &Record) -> Option<Section> {
 fn cells(cells: &[StabilityCell]) -> String {
     let head = [
         "weighting",
+        "gates",
         "scheme",
         "transfer",
         "particles per cell and axis",
@@ -73,9 +74,14 @@ fn cells(cells: &[StabilityCell]) -> String {
     ];
     let mut table = Table::new("largest safe c dt/h", &head);
     for cell in cells {
-        let class = if cell.passed { "passed" } else { "failed" };
+        let (class, gates) = if cell.passed {
+            ("passed", "hold")
+        } else {
+            ("failed", "fail")
+        };
         let row = [
             cell.weighting.clone(),
+            gates.to_owned(),
             cell.scheme.clone(),
             cell.transfer.clone(),
             cell.particles_per_cell.to_string(),
