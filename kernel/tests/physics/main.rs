@@ -15,6 +15,7 @@ mod driven;
 mod faults;
 mod loads;
 mod mortar;
+mod mortar_limits;
 mod mortar_space;
 mod moving_base;
 mod own_law;

@@ -1,4 +1,4 @@
-//! Mortar contact in the cycle: balance, bits, vertices that follow their body, and what is refused.
+//! Mortar contact in the cycle: balance, bits, and vertices that follow their body.
 
 use crate::common::{
     APIC, FLIP, IDENTITY, body, cuboid, elastic, empty, material, momentum_scale, options,
@@ -6,20 +6,17 @@ use crate::common::{
 };
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::law::NormalLaw;
 use proctor_kernel::mortar::motion::Follow;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, PlaneCondition,
-    RigidLine, Scene, Shape, StressScheme, TimeStep, Transfer, Vertices, Weighting,
+    RigidLine, Scene, Shape, StressScheme, Transfer, Vertices, Weighting,
 };
-use proctor_kernel::simulation::{
-    Bound, InitialState, Options, SetupError, Simulation, StepErrorKind,
-};
+use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-const GAP: f64 = 0.04;
+pub const GAP: f64 = 0.04;
 
 pub fn contact(master: i64, slave: i64, friction: f64) -> MortarContact {
     MortarContact {
@@ -36,14 +33,14 @@ pub fn contact(master: i64, slave: i64, friction: f64) -> MortarContact {
     }
 }
 
-fn disc(center: [f64; 2], radius: f64) -> Shape {
+pub fn disc(center: [f64; 2], radius: f64) -> Shape {
     Shape::Sphere {
         center: [center[0], center[1], 0.0],
         radius,
     }
 }
 
-fn boundary(body: i64, follow: Follow) -> BodyBoundary {
+pub fn boundary(body: i64, follow: Follow) -> BodyBoundary {
     BodyBoundary {
         body,
         vertices: Vertices::Spacing(0.05),
@@ -355,91 +352,8 @@ fn a_held_body_with_a_boundary_stands_still() {
     }
 }
 
-#[test]
-fn surfaces_that_overlap_are_refused() {
-    let mut scene = collision(0.0);
-    scene.bodies[1].shape = disc([1.34, 0.6], 0.3);
-    let Err(SetupError::Mortar { path, reason }) = Simulation::new(&scene, &options()) else {
-        panic!("they overlap");
-    };
-    assert!(
-        path == "contact" && reason.contains("gap is -"),
-        "{path}: {reason}"
-    );
-}
-
-/// A block over a line: the barrier may press with a tenth of Young's modulus at the start, and the message says from which
-/// gap on it does not press more.
-#[test]
-fn a_start_that_squeezes_is_refused() {
-    let (young, height) = (1.0e6, 0.4);
-    let of = |gap: f64| {
-        let mut scene = empty(Dimension::Two, [24, 14, 1], 0.1);
-        scene.materials = vec![material(elastic(young, 0.3))];
-        let block = cuboid([0.6, height + gap, 0.0], [1.2, 0.9, 0.0]);
-        scene.bodies = vec![body(1, block)];
-        scene.mortar.boundaries = vec![boundary(1, Follow::Spin)];
-        scene.mortar.lines = vec![line(&[[2.0, height], [0.2, height]])];
-        scene.mortar.contacts = vec![contact(9, 1, 0.0)];
-        Simulation::new(&scene, &options())
-    };
-    let law = NormalLaw::barrier(1.0e6, GAP);
-    let least = law.gap_at(0.1 * young);
-    assert!(least > 0.1 * GAP && least < 0.9 * GAP);
-    assert!(of(least * 1.001).is_ok());
-    let Err(SetupError::Mortar { reason, .. }) = of(0.3 * least) else {
-        panic!("it squeezes");
-    };
-    let said = reason.split("at least ").nth(1).expect("the gap to use");
-    let said: f64 = said.trim_end_matches(" m").parse().expect("a number");
-    assert!((said - least).abs() < 1e-12 * GAP, "{reason}");
-}
-
-#[test]
-fn a_vertex_off_the_body_is_named() {
-    let mut scene = collision(0.0);
-    let triangle = [[0.5, 0.3], [0.8, 0.3], [0.5, 1.2]];
-    scene.mortar.boundaries[0].vertices = Vertices::Given(vec![Chain {
-        points: triangle.iter().map(|p| Point::from(*p)).collect(),
-        side: Side::Outer,
-    }]);
-    let mut simulation = simulation(&scene);
-    let error = simulation.step(1.0).expect_err("nothing is near it");
-    assert!(
-        matches!(
-            error.kind,
-            StepErrorKind::VertexLost {
-                body: 1,
-                vertex: 2,
-                ..
-            }
-        ),
-        "{error}"
-    );
-}
-
-#[test]
-fn a_surface_inside_another_is_refused() {
-    let mut scene = collision(0.0);
-    scene.bodies[1].shape = disc([0.75, 0.6], 0.1);
-    let Err(SetupError::Mortar { reason, .. }) = Simulation::new(&scene, &options()) else {
-        panic!("one is in the other");
-    };
-    assert!(
-        reason.contains("vertex 0 of the slave lies inside"),
-        "{reason}"
-    );
-    // In the hole of a ring there is room.
-    scene.bodies[0].shape = Shape::Ring {
-        center: [0.75, 0.6, 0.0],
-        inner: 0.2,
-        outer: 0.4,
-    };
-    assert!(Simulation::new(&scene, &options()).is_ok());
-}
-
 /// A plate that comes up at a disc at rest.
-fn plate(speed: f64) -> Scene {
+pub fn plate(speed: f64) -> Scene {
     let mut scene = collision(0.0);
     scene.bodies.truncate(1);
     scene.bodies[0].velocity = [0.0; 3];
@@ -471,66 +385,4 @@ fn the_work_of_a_plate_is_the_energy_of_what_it_hits() {
         "{energy:?} {work}"
     );
     assert!(energy.dissipated.abs() < 0.05 * work, "{energy:?}");
-}
-
-/// Steps are shortened so that no gap closes by more than half the critical one, and the disc is carried along.
-#[test]
-fn bodies_do_not_pass_through_each_other() {
-    let speed = 30.0;
-    let mut simulation = simulation(&plate(speed));
-    let mut shortened = 0;
-    let end = 0.014;
-    while simulation.time() < end {
-        // A stop that is far away, so that steps are as long as they may be.
-        let info = simulation.step(1.0).unwrap_or_else(|e| panic!("{e}"));
-        shortened += u32::from(info.bound == Bound::Closing);
-        let at = simulation.boundary_vertices(9).expect("is there")[0][1];
-        let lowest = simulation.boundary_vertices(1).expect("is there");
-        let lowest = lowest.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min);
-        assert!(lowest > at - GAP, "{lowest} {at}");
-    }
-    assert!(shortened > 0);
-    assert!(simulation.center(0).2[1] > 0.5 * speed);
-}
-
-/// Steps that are prescribed are refused instead.
-#[test]
-fn a_prescribed_step_in_which_a_gap_closes_too_far_is_refused() {
-    let failure = |speed: f64| {
-        let mut scene = plate(speed);
-        scene.time_step = TimeStep::Fixed {
-            dt: 1.0e-3,
-            allow_unstable: true,
-        };
-        let mut simulation = simulation(&scene);
-        loop {
-            if let Err(error) = simulation.step(0.1) {
-                break error;
-            }
-        }
-    };
-    let error = failure(30.0);
-    let StepErrorKind::ClosingTooFast {
-        bodies,
-        vertex: Some((_, at)),
-        approach,
-        allowed,
-    } = error.kind
-    else {
-        panic!("{error}");
-    };
-    assert_eq!(bodies, [9, 1]);
-    assert!((at[0] - 0.75).abs() < 0.1 && at[1] < 0.35, "{at:?}");
-    assert!(approach > allowed && allowed >= 0.5 * GAP);
-    let message = error.to_string();
-    assert!(message.contains("vertex") && message.starts_with(&format!("step {}", error.step)));
-    // So fast that it would pass from out of reach to the other side.
-    let error = failure(1000.0);
-    assert!(
-        matches!(
-            error.kind,
-            StepErrorKind::ClosingTooFast { vertex: None, .. }
-        ) && error.step == 1,
-        "{error}"
-    );
 }

@@ -9,7 +9,7 @@
 //! round-off. FLIP brings all that particles have to the nodes, but moves them with another velocity than they carry,
 //! and gets of increments only their mean over the particle: it loses like h². TPIC takes velocity gradients for the
 //! affine velocity, which are not the moments that nodes have. What FLIP and TPIC lose is stated, and judged is what theory
-//! says, APIC.
+//! says, APIC. The energy that each gains at most is stated, too.
 //! `proctor verify angular-momentum`.
 
 use std::f64::consts::{SQRT_2, TAU};

@@ -19,7 +19,7 @@ use proctor_kernel::simulation::Simulation;
 
 use super::dynamics::run;
 use super::judging::error_at_most;
-use super::mortar::{barrier, boundary, rigid_line, settings};
+use super::mortar::{NO_GUEST, barrier, boundary, rigid_line, settings};
 use super::{NO_RESULTS, body, cuboid, elastic, open_plane};
 use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::sliding::Slope;
@@ -222,7 +222,7 @@ impl Study for CornerBlock {
     }
 
     fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err("mortar contact, which the manuals do not know, is what it is about")
+        Err(NO_GUEST)
     }
 
     fn run(

@@ -35,7 +35,7 @@ use proctor_kernel::simulation::Simulation;
 use std::f64::consts::PI;
 
 use super::dynamics::at_intervals;
-use super::mortar::{PAPER, barrier, boundary, rigid_line, settings};
+use super::mortar::{NO_GUEST, PAPER, barrier, boundary, rigid_line, settings};
 use super::{NO_RESULTS, PARTED, body, cuboid, elastic, open_plane};
 use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::guest::Guest;
@@ -351,7 +351,7 @@ impl Study for Ironing {
     }
 
     fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err("mortar contact, which the manuals do not know, is what it is about")
+        Err(NO_GUEST)
     }
 
     fn run(

@@ -11,6 +11,9 @@ use proctor_kernel::scene::{
 
 use crate::settings::{Method, Settings};
 
+/// Why no other solver can run a case.
+pub const NO_GUEST: &str = "mortar contact, which the manuals do not know, is what it is about";
+
 /// The paper's method.
 pub const PAPER: Method = Method {
     weighting: Weighting::ContiguousGimp(DomainUpdate::LeftStretch),

@@ -19,7 +19,7 @@ use proctor_kernel::simulation::Simulation;
 
 use super::dynamics::at_intervals;
 use super::judging::{error_of, table, value_of};
-use super::mortar::{PAPER, barrier, boundary, settings, without_pic};
+use super::mortar::{NO_GUEST, PAPER, barrier, boundary, settings, without_pic};
 use super::{NO_RESULTS, PARTED, body, material, open_plane, reference};
 use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::fe::{Barrier, NeoHookean};
@@ -366,7 +366,7 @@ impl Study for Rings {
     }
 
     fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err("mortar contact, which the manuals do not know, is what it is about")
+        Err(NO_GUEST)
     }
 
     fn run(

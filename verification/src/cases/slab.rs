@@ -16,6 +16,7 @@ use proctor_kernel::surface::{Surface, SurfaceError};
 use std::fmt;
 use std::sync::Arc;
 
+use super::mortar::NO_GUEST;
 use crate::case::{Case, Found, Rung, Size};
 use crate::guest::Guest;
 use crate::settings::{Method, Settings};
@@ -77,7 +78,7 @@ impl<T: AsSlab> Study for T {
     }
 
     fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err("mortar contact, which the manuals do not know, is what it is about")
+        Err(NO_GUEST)
     }
 
     fn run(

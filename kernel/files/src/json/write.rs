@@ -56,6 +56,10 @@ pub fn write(scene: &Scene) -> Result<Written, NotWritten> {
         !(mortar.boundaries.is_empty() && mortar.contacts.is_empty()),
         "mortar contact",
     )?;
+    refuse(
+        !(mortar.lines.is_empty() && mortar.facets.is_empty()),
+        "a rigid line or surface of mortar contact",
+    )?;
     refuse(!scene.probes.is_empty(), "a probe")?;
     refuse(
         scene.volumetric_strain != VolumetricStrain::Particle,
