@@ -44,7 +44,7 @@ pub struct Layout {
     pub displacement_origin: Option<usize>,
     /// Deformation gradient, row by row: 4 columns in 2D (F_zz = 1), 9 in 3D.
     pub deformation: Option<usize>,
-    /// Affine velocity C, or with FLIP the velocity gradient that spins are taken from, row by row: `axes`² columns.
+    /// Affine velocity C, row by row: `axes`² columns.
     pub affine: Option<usize>,
     /// Half-lengths of the particle domain in cells: `axes` columns.
     pub half_length: Option<usize>,

@@ -7,9 +7,8 @@ mod stability;
 mod warnings;
 
 use crate::layout::{Layout, Optional};
-use crate::mortar::motion::Follow;
 use crate::scene::{
-    Damping, Dimension, DomainUpdate, Field, Scene, StressScheme, VolumetricStrain, Weighting,
+    Damping, DomainUpdate, Field, Scene, StressScheme, VolumetricStrain, Weighting,
 };
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
@@ -47,9 +46,7 @@ pub struct Plan {
     pub affine: Affine,
     /// Whether volumetric strain is a mean over cells.
     pub cell_average: bool,
-    /// Whether the mapping carries the spin of the particles, for boundaries that follow it.
-    pub spin: bool,
-    /// Whether the mapping carries affine velocity, spin or forces of the particles.
+    /// Whether the mapping carries affine velocity or forces of the particles.
     pub full_mapping: bool,
     /// Kinetic damping.
     pub kinetic_damping: bool,
@@ -91,16 +88,6 @@ impl Plan {
             _ => None,
         };
         let kinetic_damping = scene.damping == Damping::Kinetic;
-        // In three dimensions spins are summed from the velocity gradients of the particles near the boundary.
-        let in_plane = scene.dimension == Dimension::Two;
-        let spin = scene.mortar.boundaries.iter().any(|boundary| {
-            in_plane
-                && boundary.follow == Follow::Spin
-                && scene
-                    .bodies
-                    .iter()
-                    .any(|body| body.id == boundary.body && body.motion.is_none())
-        });
         let own_force = !scene.box_loads.is_empty() || demands.body_force;
         let written =
             |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
@@ -119,7 +106,7 @@ impl Plan {
                         deformation: law.needs_deformation()
                             || domain_update.is_some()
                             || written(Field::DeformationGradient),
-                        affine: affine != Affine::Leave || spin,
+                        affine: affine != Affine::Leave,
                         half_length: domain_update.is_some()
                             || (scene.weighting == Weighting::UniformGimp && is_list(body)),
                         initial_half_length: domain_update.is_some(),
@@ -136,8 +123,7 @@ impl Plan {
             scheme: scene.scheme,
             affine,
             cell_average: scene.volumetric_strain == VolumetricStrain::CellAverage,
-            spin,
-            full_mapping: affine != Affine::Leave || spin || own_force || viscous_damping.is_some(),
+            full_mapping: affine != Affine::Leave || own_force || viscous_damping.is_some(),
             kinetic_damping,
             viscous_damping,
             measure: demands.measure || kinetic_damping,

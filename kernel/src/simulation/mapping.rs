@@ -13,8 +13,7 @@ use crate::stage::solve::{Planes, Wall};
 use crate::weights::{axis_weights_at, base_offset};
 use std::ops::Range;
 
-/// The mapping of a kind; [`Carry::All`] has spins with it where the plan asks for them. Borrows the particles alone, so
-/// that the nodes can be written meanwhile.
+/// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
 pub(super) fn bodies_onto<'a>(
     decided: &'a Decided,
     state: &'a State,
@@ -22,11 +21,7 @@ pub(super) fn bodies_onto<'a>(
     carry: Carry,
 ) -> BodiesOnto<'a> {
     let (plan, stencil) = (&decided.plan, state.stencil);
-    let carry = match carry {
-        Carry::All if plan.spin => Carry::AllAndSpin,
-        carry => carry,
-    };
-    let carries_force = matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force);
+    let carries_force = matches!(carry, Carry::All | Carry::Force);
     let instance = |carry| Carrier {
         carry,
         call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
@@ -92,9 +87,6 @@ impl BodiesOnto<'_> {
     pub(super) fn fold(&self, slab: &mut Slab<'_>, walls: &[Wall]) {
         for planes in slab.planes() {
             planes.fold(walls, true, true);
-            if self.free.carry == Carry::AllAndSpin {
-                planes.fold_spins(walls);
-            }
             planes.velocities();
         }
     }
@@ -177,7 +169,6 @@ impl BodiesOnto<'_> {
                 planes: planes.range.clone(),
                 nodes: planes.nodes,
                 carry,
-                spin: set.layout.affine,
                 viscous_rate: body.viscous_rate,
             },
         )

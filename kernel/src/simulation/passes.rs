@@ -112,7 +112,7 @@ impl Simulation {
         ended: Watcher<'_>,
     ) -> Result<usize, StepError> {
         for one in self.work.interactions.iter().flatten() {
-            one.load(&mut self.work.grid);
+            one.load(&mut self.work.grid, &self.decided.scene);
         }
         let mapped = self.work.mapped.take();
         let settles = self.interactions().any(Interaction::settles);

@@ -141,11 +141,7 @@ impl Simulation {
             mesh_shift: [0.0; 3],
             strain: strain.map(|dt| (dt, Configuration::Beginning)),
             gradient_of_upper: false,
-            affine: match self.decided.plan.affine {
-                // The velocity gradient is kept for the spins alone.
-                Affine::Leave if self.decided.plan.spin => Affine::Tpic,
-                affine => affine,
-            },
+            affine: self.decided.plan.affine,
         }
     }
 

@@ -156,22 +156,6 @@ impl Planes<'_> {
         }
     }
 
-    /// Folds the mass times spin that lies on ghost nodes, after their mass has been folded. Beyond a sliding plane the
-    /// mirrored body turns the other way, so that nothing turns in the plane; beyond a fixed one it is taken to do so too.
-    pub fn fold_spins(&mut self, walls: &[Wall]) {
-        for wall in walls {
-            let (ghost, plane, mirror) = wall.layers(self.shape);
-            self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
-                nodes[mirror][7] -= nodes[ghost][7];
-            });
-            if !wall.fixed {
-                self.for_pairs(wall.axis, plane, plane, |nodes, plane, _| {
-                    nodes[plane][7] = 0.0;
-                });
-            }
-        }
-    }
-
     /// Gives ghost nodes the mirrored velocity (and increment) of their mirror nodes.
     pub fn unfold(&mut self, walls: &[Wall], increments: bool) {
         for wall in walls.iter().rev() {

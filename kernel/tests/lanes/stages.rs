@@ -105,9 +105,8 @@ fn nodes_after(
     carry: Carry,
 ) -> Vec<Line> {
     let shape = shape(axes);
-    let spin = carry == Carry::AllAndSpin;
     let wanted = Optional {
-        affine: full || spin,
+        affine: full,
         force: full,
         ..Optional::default()
     };
@@ -126,7 +125,6 @@ fn nodes_after(
             planes: 0..shape.nodes[0],
             nodes: nodes.lines_mut(),
             carry,
-            spin: set.layout.affine.filter(|_| spin),
             viscous_rate: if full { 0.5 } else { 0.0 },
         },
     );
@@ -168,8 +166,6 @@ fn check_all_sums(axes: usize) {
 #[test]
 fn a_line_has_the_same_bits_whole_and_by_halves_in_the_plane() {
     check_all_sums(2);
-    check_sums(2, 3, true, Carry::AllAndSpin);
-    check_sums(2, 4, true, Carry::AllAndSpin);
 }
 
 #[test]

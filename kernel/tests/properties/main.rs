@@ -11,6 +11,7 @@ mod contact_bits;
 mod far_origin;
 mod interactions;
 mod mapping;
+mod mortar_work;
 mod motion;
 mod oblong;
 mod rehearsal;

@@ -107,7 +107,6 @@ fn check(
             planes: 0..shape.nodes[0],
             nodes: nodes.lines_mut(),
             carry: Carry::All,
-            spin: None,
             viscous_rate,
         },
     );

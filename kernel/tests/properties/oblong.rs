@@ -188,7 +188,6 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
                     planes: 0..shape.nodes[0],
                     nodes: nodes.lines_mut(),
                     carry: Carry::MassGradient,
-                    spin: None,
                     viscous_rate: 0.0,
                 },
             );

@@ -58,6 +58,7 @@ mod rotation;
 mod self_weight;
 mod shear_and_turn;
 mod slab;
+mod slipping_disk;
 mod sphere_on_terrain;
 mod staggered_start;
 mod statics;
@@ -114,6 +115,7 @@ list! {
     sphere_on_terrain::SphereOnTerrain[GIVEN],
     hertz::Hertz[GIVEN],
     rolling_disk::RollingDisk[GIVEN],
+    slipping_disk::SlippingDisk[GIVEN],
     corner_block::CornerBlock[GIVEN],
     hertz_slab::HertzSlab[GIVEN],
     hertz_sphere::HertzSphere[GIVEN],

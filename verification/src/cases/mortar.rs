@@ -10,6 +10,7 @@ use proctor_kernel::scene::{
 };
 
 use crate::settings::{Method, Settings};
+use proctor_kernel::simulation::Simulation;
 
 /// Why no other solver can run a case.
 pub const NO_GUEST: &str = "mortar contact, which the manuals do not know, is what it is about";
@@ -74,4 +75,20 @@ pub fn barrier(
         enforcement: Enforcement::Barrier,
         detection: Detection::Mortar,
     }
+}
+
+/// Angular momentum in the plane of the particles of a set about their own centre \[kg m²/s\], anticlockwise; in two
+/// dimensions per thickness.
+pub fn angular_momentum(simulation: &Simulation, set: usize) -> f64 {
+    let (_, x_c, v_c) = simulation.center(set);
+    let of = |p: usize| {
+        let m = simulation.mass_and_volume(set, p).0;
+        let (x, v) = (
+            simulation.position(set, p),
+            simulation.sets()[set].velocity(p),
+        );
+        let (rx, ry) = (x[0] - x_c[0], x[1] - x_c[1]);
+        m * (rx * (v[1] - v_c[1]) - ry * (v[0] - v_c[0]))
+    };
+    (0..simulation.sets()[set].len()).map(of).sum()
 }

@@ -28,7 +28,7 @@ use std::f64::consts::TAU;
 
 use super::dynamics::run;
 use super::judging::{error_of, table, value_of};
-use super::mortar::{barrier, boundary, rigid_line, settings};
+use super::mortar::{angular_momentum, barrier, boundary, rigid_line, settings};
 use super::{body, elastic, open_plane};
 use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::rolling_disk::RollingDisk as Exact;
@@ -373,14 +373,15 @@ fn area(simulation: &Simulation) -> f64 {
 
 /// Angular velocity down the plane (clockwise), as angular momentum over moment of inertia \[1/s\].
 fn angular_velocity(simulation: &Simulation) -> f64 {
-    let (_, x_c, v_c) = simulation.center(0);
-    let (mut angular, mut inertia) = (0.0, 0.0);
+    let (_, x_c, _) = simulation.center(0);
+    let mut inertia = 0.0;
     for p in 0..simulation.particles() {
-        let m = simulation.mass_and_volume(0, p).0;
-        let (x, v) = (simulation.position(0, p), simulation.sets()[0].velocity(p));
+        let (m, x) = (
+            simulation.mass_and_volume(0, p).0,
+            simulation.position(0, p),
+        );
         let (rx, ry) = (x[0] - x_c[0], x[1] - x_c[1]);
-        angular += m * (rx * (v[1] - v_c[1]) - ry * (v[0] - v_c[0]));
         inertia += m * (rx * rx + ry * ry);
     }
-    -angular / inertia
+    -angular_momentum(simulation, 0) / inertia
 }

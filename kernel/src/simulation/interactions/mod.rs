@@ -99,7 +99,7 @@ pub trait Interaction: Any + Send + Sync {
     }
 
     /// Adds forces to those at the nodes.
-    fn load(&self, _grid: &mut Grid) {}
+    fn load(&self, _grid: &mut Grid, _scene: &Scene) {}
 
     /// What acts on each slab of a visit, in their order; nothing where it acts on none.
     fn on_slabs(&mut self, _grid: &Grid, _visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {

@@ -44,7 +44,7 @@ pub(super) fn add_group<
     if B::WHOLE_LINE {
         return add_part::<B::Line, D, N, FULL, GRADIENT, BOTH>(scratch, below, nodes);
     }
-    if matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Momentum) {
+    if matches!(carry, Carry::All | Carry::Momentum) {
         add_part::<B::Half, D, N, FULL, GRADIENT, LOWER>(scratch, below, nodes);
     }
     if carry != Carry::Momentum {

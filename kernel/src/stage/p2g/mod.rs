@@ -36,9 +36,6 @@ pub enum Carry {
         /// Which of both.
         averaged: bool,
     },
-    /// As [`Carry::All`], and m times spin to the last lane, for the vertices of boundaries (2D; Liang et al. 2024,
-    /// eq. 28).
-    AllAndSpin,
 }
 
 /// One call: the particles of some layers of a set onto some planes.
@@ -57,8 +54,6 @@ pub struct P2g<'a> {
     pub nodes: &'a mut [Line],
     /// What is carried.
     pub carry: Carry,
-    /// First column of the velocity gradient of which the spin is carried.
-    pub spin: Option<usize>,
     /// Rate of viscous damping, f = -rate m v \[1/s\] (Liang et al. 2024, eq. 20); 0 for none.
     pub viscous_rate: f64,
 }
@@ -67,10 +62,8 @@ pub struct P2g<'a> {
 const NOTHING: u8 = 0;
 /// It carries the mass gradient instead of them.
 const MASS_GRADIENT: u8 = 1;
-/// It carries the spin too.
-const SPIN: u8 = 2;
 /// It carries the force of the mean stress instead of them.
-const MEAN_STRESS: u8 = 3;
+const MEAN_STRESS: u8 = 2;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
@@ -82,7 +75,7 @@ pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
 #[must_use]
 pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn {
-    let gradient = full || matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force);
+    let gradient = full || matches!(carry, Carry::All | Carry::Force);
     // An instance of its own, so that the others do not ask for every particle.
     match carry {
         Carry::MassGradient => {
@@ -101,8 +94,6 @@ pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn 
                 (_, _) => entry::<3, 4, false, true, MEAN_STRESS>,
             };
         }
-        Carry::AllAndSpin if stencil == 3 => return entry::<2, 3, true, true, SPIN>,
-        Carry::AllAndSpin => return entry::<2, 4, true, true, SPIN>,
         _ => {}
     }
     match (axes, stencil, full, gradient) {
@@ -158,7 +149,6 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
             layout: call.layout,
             mapping,
             carry: call.carry,
-            spin: call.spin,
             viscous_rate: call.viscous_rate,
         };
         let mut scratch = Scratch::<N>::new();

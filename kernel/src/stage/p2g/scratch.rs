@@ -1,6 +1,6 @@
 //! Weights and quantities of one group of particles, as the sums over nodes want them.
 
-use super::{Carry, MASS_GRADIENT, MEAN_STRESS, SPIN, voigt};
+use super::{Carry, MASS_GRADIENT, MEAN_STRESS, voigt};
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
 use crate::stage::{Group, Mapping, weights_of};
@@ -16,8 +16,6 @@ pub(super) struct Source<'a> {
     pub mapping: &'a Mapping,
     /// What is carried.
     pub carry: Carry,
-    /// First column of the velocity gradient of which the spin is carried.
-    pub spin: Option<usize>,
     /// Rate of viscous damping \[1/s\]; 0 for none.
     pub viscous_rate: f64,
 }
@@ -228,13 +226,6 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
         }
         return (lower, upper);
     }
-    if EXTRA == SPIN
-        && let Some(gradient) = from.spin
-    {
-        let turn = load::<Q>(&columns[gradient + 2], at, count)
-            - load::<Q>(&columns[gradient + 1], at, count);
-        upper[0][3] = Q::splat(0.5) * m * turn;
-    }
     let mut v = [zero; 3];
     for c in 0..D {
         v[c] = load::<Q>(&columns[Layout::velocity(D) + c], at, count);
@@ -266,7 +257,7 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
             }
         }
     }
-    if matches!(carry, Carry::All | Carry::AllAndSpin | Carry::Force) {
+    if matches!(carry, Carry::All | Carry::Force) {
         let volume = -load::<Q>(&columns[Layout::VOLUME], at, count);
         for axis in 0..D {
             let scale = volume * Q::splat(mapping.inverse_cell[axis]);

@@ -1,10 +1,9 @@
 //! All boundaries and pairs of one dimension, and what a step does with them.
 
-use super::gradients::NodalGradients;
+use super::mirrors::Mirrors;
 use super::pair::MortarPair;
 use super::surface::{
-    Carrier, Mirrors, Patch, Surface, from_vector, in_scene, nodes_of_patch, velocity_at,
-    velocity_of,
+    Carrier, Patch, Surface, from_vector, in_scene, nodes_of_patch, velocity_at, velocity_of,
 };
 use crate::mortar::PointIn;
 use crate::mortar::bound::{Closing, NodalStiffness, allowed_approach};
@@ -46,6 +45,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         let zeros = vec![PointIn::zeros(); boundary.points().len()];
         self.surfaces.push(Surface {
             id,
+            around: carrier.around(),
             carrier,
             start: boundary.points().to_vec(),
             boundary,
@@ -126,7 +126,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     /// # Errors
     /// The first vertex without a node with mass near it.
     pub(super) fn weigh(&mut self, hosts: &Simulation) -> Result<(), StepErrorKind> {
-        let (time, mirrors) = (hosts.state.clock.time, Mirrors::of(&hosts.decided.scene.mesh));
+        let (time, mirrors) = (hosts.state.clock.time, Mirrors::of(&hosts.decided.scene));
         let shape = &hosts.work.grid.shape;
         for surface in &mut self.surfaces {
             let (index, follow) = match &surface.carrier {
@@ -155,19 +155,16 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 } else {
                     raw.augmented(&mirrors.with_images(raw.base, masses))
                 };
-                let mut patch = Patch {
+                let patch = Patch {
                     weights: weights.ok()?,
                     masses,
                     nodes,
-                    spins: [0.0; N],
                 };
                 let mut v = PointIn::zeros();
                 for k in 0..N {
                     let w = patch.weights.weights[k];
                     if w > 0.0 {
-                        let line = &lines[patch.nodes[k]];
-                        v += w * velocity_at(line);
-                        patch.spins[k] = line[7] / line[0];
+                        v += w * velocity_at(&lines[patch.nodes[k]]);
                     }
                 }
                 Some((patch, surface.boundary.held(vertex, v)))
@@ -184,6 +181,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 };
                 surface.velocity[vertex] = v;
                 surface.patches.push(patch);
+            }
+            if let Some(around) = &mut surface.around {
+                let (set, body) = (&hosts.state.sets[index], &hosts.decided.bodies[index]);
+                let (stencil, team) = (hosts.state.stencil, &hosts.work.grid.team);
+                around.find(&surface.patches, set, body, shape, &mirrors, stencil, team);
             }
         }
         Ok(())
@@ -302,15 +304,20 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         sites.flatten().filter(|v| v.pressure > 0.0).count()
     }
 
-    /// Adds the contact forces to the nodes (eq. 56).
-    pub(super) fn load_nodes(&self, grid: &mut Grid) {
+    /// Adds the contact forces to the nodes (eq. 56), and what of them turns and stretches the bodies.
+    pub(super) fn load_nodes(&self, grid: &mut Grid, mirrors: &Mirrors) {
         for surface in &self.surfaces {
-            let Some(index) = surface.body() else {
+            let Carrier::Body { index, follow } = surface.carrier else {
                 continue;
             };
             let number = grid.number_of(index);
+            let shape = &grid.shape;
             let lines = grid.fields[number].nodes.lines_mut();
-            for (patch, force) in surface.patches.iter().zip(&surface.force) {
+            // A plane of symmetry, which holds a vertex, bears what would take it off.
+            let held = |(vertex, force)| surface.boundary.held(vertex, force);
+            let forces: Vec<PointIn<D>> =
+                surface.force.iter().copied().enumerate().map(held).collect();
+            for (patch, force) in surface.patches.iter().zip(&forces) {
                 if force.iter().all(|f| *f == 0.0) {
                     continue;
                 }
@@ -323,6 +330,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         }
                     }
                 }
+            }
+            if let Some(around) = &surface.around {
+                around.load(lines, &surface.patches, &forces, follow, shape, mirrors);
             }
         }
     }
@@ -359,29 +369,15 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         continue;
                     };
                     let lines = field.nodes.lines();
-                    // In space a line of a node has no room for a spin, so that it is taken from the gradients.
-                    let summed = match follow {
-                        Follow::Unaugmented | Follow::Velocity => false,
-                        Follow::Spin => D == 3,
-                        Follow::Gradient => true,
-                    };
-                    let gradients = summed.then(|| {
-                        NodalGradients::new(
-                            &surface.patches,
-                            &hosts.state.sets[*index],
-                            &hosts.decided.bodies[*index],
-                            shape,
-                            lines,
-                            hosts.state.stencil,
-                            &hosts.work.grid.team,
-                        )
-                    });
+                    let around = surface.around.as_ref();
+                    let gradients = around
+                        .map(|around| around.gradients(lines, shape, &hosts.work.grid.team));
                     let moved = |vertex: usize| {
                         let patch = &surface.patches[vertex];
                         let velocities = patch.nodes.map(|n| velocity_at(&lines[n]));
-                        let around = std::array::from_fn(|k| match &gradients {
-                            Some(gradients) => gradients.at(patch.nodes[k]),
-                            None => turn(patch.spins[k]),
+                        let around = patch.nodes.map(|node| {
+                            let gradients = gradients.as_ref();
+                            gradients.map_or_else(SMatrix::zeros, |all| all.at(node))
                         });
                         let v =
                             vertex_velocity(&patch.weights, &velocities, &around, *follow, &cell);
@@ -401,12 +397,4 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             }
         }
     }
-}
-
-/// Velocity gradient of a turn in the plane of the first two axes \[1/s\].
-fn turn<const D: usize>(spin: f64) -> SMatrix<f64, D, D> {
-    let mut gradient = SMatrix::zeros();
-    gradient[(1, 0)] = spin;
-    gradient[(0, 1)] = -spin;
-    gradient
 }

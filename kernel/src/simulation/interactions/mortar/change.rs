@@ -46,6 +46,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         for surface in self.surfaces.iter_mut().filter(|s| s.id == id) {
             surface.carrier = carrier.clone();
             surface.patches.clear();
+            surface.around = carrier.around();
         }
         let mut known = std::mem::take(&mut self.pairs);
         for contact in &scene.mortar.contacts {

@@ -1,7 +1,9 @@
 //! The parts of a step that mortar contact adds.
 
 use super::MortarState;
+use super::mirrors::Mirrors;
 use super::surface::Surface;
+use crate::scene::Scene;
 use crate::simulation::{Simulation, Way};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::StepError;
@@ -50,9 +52,10 @@ impl Interaction for MortarState {
     }
 
     /// Adds the contact forces to those at the nodes (eq. 56).
-    fn load(&self, grid: &mut Grid) {
-        self.plane.load_nodes(grid);
-        self.space.load_nodes(grid);
+    fn load(&self, grid: &mut Grid, scene: &Scene) {
+        let mirrors = Mirrors::of(scene);
+        self.plane.load_nodes(grid, &mirrors);
+        self.space.load_nodes(grid, &mirrors);
     }
 
     /// Adds the power of the contact forces that prescribed boundaries exert.

@@ -4,10 +4,11 @@
 //! Each body with a boundary has a velocity field to itself. A step goes: mapping to the nodes, augmented weights of the
 //! vertices, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
 
+mod around;
 mod boundaries;
 mod change;
 mod cycle;
-mod gradients;
+mod mirrors;
 mod pair;
 mod remembered;
 mod setup;

@@ -1,10 +1,11 @@
 //! A boundary in motion, and the nodes that its vertices hang on.
 
+use super::around::Around;
 use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
-use crate::mortar::weights::{NODES, VertexWeights, in_patch};
-use crate::scene::{History, Mesh, PlaneCondition, Vector};
+use crate::mortar::weights::{VertexWeights, in_patch};
+use crate::scene::{History, Vector};
 use crate::simulation::{BodyRun, history_value};
 
 /// What moves the vertices of a surface.
@@ -28,6 +29,17 @@ impl Carrier {
             None => Self::Body { index, follow },
         }
     }
+
+    /// Room for the particles around the boundary, where its vertices follow more than velocities.
+    pub(super) fn around<const D: usize>(&self) -> Option<Around<D>> {
+        match self {
+            Self::Body {
+                follow: Follow::Spin | Follow::Gradient,
+                ..
+            } => Some(Around::default()),
+            _ => None,
+        }
+    }
 }
 
 /// A boundary in motion; positions relative to the origin of the mesh.
@@ -46,6 +58,8 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(super) force: Vec<PointIn<D>>,
     /// Augmented weights and masses of the patches, for surfaces of bodies.
     pub(super) patches: Vec<Patch<D, N>>,
+    /// The particles around them, where vertices follow more than velocities.
+    pub(super) around: Option<Around<D>>,
 }
 
 /// The nodes that a vertex hangs on.
@@ -57,8 +71,6 @@ pub(super) struct Patch<const D: usize, const N: usize> {
     pub(super) masses: [f64; N],
     /// Their indices.
     pub(super) nodes: [usize; N],
-    /// Their spins \[1/s\] (eq. 28), where the mapping carries them: in the plane.
-    pub(super) spins: [f64; N],
 }
 
 impl<B, const D: usize, const N: usize> Surface<B, D, N> {
@@ -117,76 +129,6 @@ pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
         }
     }
     (nodes, masses)
-}
-
-/// The planes of the mesh that mirror bodies: those that are sliding or fixed.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Mirrors {
-    /// Whether the lower and the upper plane along each axis do.
-    planes: [[bool; 2]; 3],
-    /// Cells of the mesh.
-    cells: [usize; 3],
-}
-
-impl Mirrors {
-    /// Those of a mesh.
-    pub(super) fn of(mesh: &Mesh) -> Self {
-        let mirrors = |condition| condition != PlaneCondition::Free;
-        Self {
-            planes: mesh.planes.map(|sides| sides.map(mirrors)),
-            cells: mesh.cells,
-        }
-    }
-
-    /// Whether a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
-    fn at(&self, axis: usize, lower: i64, upper: i64) -> [bool; 2] {
-        let [below, above] = self.planes[axis];
-        [
-            below && lower == 0,
-            above && upper == self.cells[axis] as i64,
-        ]
-    }
-
-    /// Weights of a vertex in the body and its images, on nodes of the mesh alone.
-    pub(super) fn fold<const D: usize, const N: usize>(
-        &self,
-        mut raw: VertexWeights<D, N>,
-    ) -> VertexWeights<D, N> {
-        let last = NODES as i64 - 1;
-        for axis in 0..D {
-            let base = raw.base[axis];
-            let [below, above] = self.at(axis, base + 1, base + last - 1);
-            if below {
-                raw = raw.folded(axis, 0);
-            }
-            if above {
-                raw = raw.folded(axis, NODES - 1);
-            }
-        }
-        raw
-    }
-
-    /// Masses \[kg\] of the body and its images from those of the body on the nodes of a patch: twice on a plane.
-    pub(super) fn with_images<const D: usize, const N: usize>(
-        &self,
-        base: [i64; D],
-        masses: [f64; N],
-    ) -> [f64; N] {
-        let along: [[f64; NODES]; D] = std::array::from_fn(|axis| {
-            std::array::from_fn(|place| {
-                let node = base[axis] + place as i64;
-                if self.at(axis, node, node).contains(&true) {
-                    2.0
-                } else {
-                    1.0
-                }
-            })
-        });
-        std::array::from_fn(|k| {
-            let place = in_patch::<D>(k);
-            (0..D).fold(masses[k], |mass, axis| mass * along[axis][place[axis]])
-        })
-    }
 }
 
 /// Velocity of a node \[m/s\].

@@ -16,9 +16,10 @@ pub(in crate::simulation) fn words(scene: &Scene, list: &mut Words) {
                     "its vertices follow the velocities of the nodes, those without mass too"
                 }
                 Follow::Velocity => "its vertices follow the velocities of the nodes",
-                Follow::Spin => "its vertices follow velocities and spins of the nodes",
+                Follow::Spin => "its vertices follow velocities and spins of the nodes, and forces on them turn these too",
                 Follow::Gradient => {
-                    "its vertices follow velocities and velocity gradients of the nodes"
+                    "its vertices follow velocities and velocity gradients of the nodes, and forces on them turn and \
+                     stretch these too"
                 }
             },
         );

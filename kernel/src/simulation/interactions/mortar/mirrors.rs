@@ -1,0 +1,159 @@
+//! Planes of the mesh that mirror bodies, as vertices see them.
+
+use crate::grid::{GHOSTS_BELOW, GridShape};
+use crate::mortar::PointIn;
+use crate::mortar::weights::{NODES, VertexWeights, in_patch};
+use crate::scene::{PlaneCondition, Scene};
+use nalgebra::SMatrix;
+use std::array;
+
+/// The planes of the mesh that mirror bodies: those that are sliding or fixed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mirrors {
+    /// What the lower and the upper plane along each axis prescribe.
+    planes: [[PlaneCondition; 2]; 3],
+    /// Cells of the mesh.
+    cells: [usize; 3],
+}
+
+impl Mirrors {
+    /// Those of a scene; a moving base is fixed to the plane that it moves.
+    pub(super) fn of(scene: &Scene) -> Self {
+        let mut planes = scene.mesh.planes;
+        if let Some(base) = &scene.base_motion {
+            planes[base.axis][base.side] = PlaneCondition::Fixed;
+        }
+        Self {
+            planes,
+            cells: scene.mesh.cells,
+        }
+    }
+
+    fn mirrors(&self, axis: usize) -> [bool; 2] {
+        self.planes[axis].map(|condition| condition != PlaneCondition::Free)
+    }
+
+    /// Whether a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
+    fn at(&self, axis: usize, lower: i64, upper: i64) -> [bool; 2] {
+        let [below, above] = self.mirrors(axis);
+        [
+            below && lower == 0,
+            above && upper == self.cells[axis] as i64,
+        ]
+    }
+
+    /// Weights of a vertex in the body and its images, on nodes of the mesh alone.
+    pub(super) fn fold<const D: usize, const N: usize>(
+        &self,
+        mut raw: VertexWeights<D, N>,
+    ) -> VertexWeights<D, N> {
+        let last = NODES as i64 - 1;
+        for axis in 0..D {
+            let base = raw.base[axis];
+            let [below, above] = self.at(axis, base + 1, base + last - 1);
+            if below {
+                raw = raw.folded(axis, 0);
+            }
+            if above {
+                raw = raw.folded(axis, NODES - 1);
+            }
+        }
+        raw
+    }
+
+    /// Masses \[kg\] of the body and its images from those of the body on the nodes of a patch: twice on a plane.
+    pub(super) fn with_images<const D: usize, const N: usize>(
+        &self,
+        base: [i64; D],
+        masses: [f64; N],
+    ) -> [f64; N] {
+        let along: [[f64; NODES]; D] = array::from_fn(|axis| {
+            array::from_fn(|place| {
+                let node = base[axis] + place as i64;
+                if self.at(axis, node, node).contains(&true) {
+                    2.0
+                } else {
+                    1.0
+                }
+            })
+        });
+        array::from_fn(|k| {
+            let place = in_patch::<D>(k);
+            (0..D).fold(masses[k], |mass, axis| mass * along[axis][place[axis]])
+        })
+    }
+
+    /// Along an axis the plane that a node in storage lies beyond, if any: its side and the storage index of the mirror
+    /// node.
+    fn beyond(&self, axis: usize, index: usize) -> Option<(usize, usize)> {
+        let [below, above] = self.mirrors(axis);
+        let upper = GHOSTS_BELOW + self.cells[axis];
+        if below && index < GHOSTS_BELOW {
+            Some((0, 2 * GHOSTS_BELOW - index))
+        } else if above && index > upper {
+            Some((1, 2 * upper - index))
+        } else {
+            None
+        }
+    }
+
+    /// The node that a ghost repeats, by its storage indices, with -1 for each axis along which it is its mirror image;
+    /// every other node is itself.
+    pub(super) fn inside<const D: usize>(
+        &self,
+        shape: &GridShape,
+        mut at: [usize; 3],
+    ) -> ([usize; 3], PointIn<D>) {
+        let mut sides = PointIn::repeat(1.0);
+        for axis in 0..D {
+            let index = &mut at[shape.direction(axis)];
+            if let Some((_, mirror)) = self.beyond(axis, *index) {
+                *index = mirror;
+                sides[axis] = -1.0;
+            }
+        }
+        (at, sides)
+    }
+
+    /// Per axis -1 where a ghost has the velocity of its mirror node the other way round, 1 where it has it as it is.
+    pub(super) fn prescribed<const D: usize>(
+        &self,
+        shape: &GridShape,
+        at: [usize; 3],
+    ) -> PointIn<D> {
+        let mut signs = PointIn::repeat(1.0);
+        for axis in 0..D {
+            if let Some((side, _)) = self.beyond(axis, at[shape.direction(axis)]) {
+                if self.planes[axis][side] == PlaneCondition::Fixed {
+                    signs = -signs;
+                } else {
+                    signs[axis] = -signs[axis];
+                }
+            }
+        }
+        signs
+    }
+
+    /// 1 for the entries of the velocity gradient of a node that the body and its images have together: in a sliding plane
+    /// nothing turns or shears out of it.
+    pub(super) fn kept<const D: usize>(
+        &self,
+        shape: &GridShape,
+        at: [usize; 3],
+    ) -> SMatrix<f64, D, D> {
+        let slides: [bool; D] = array::from_fn(|axis| {
+            let index = at[shape.direction(axis)];
+            let upper = GHOSTS_BELOW + self.cells[axis];
+            let [below, above] = self.planes[axis];
+            (below == PlaneCondition::Sliding && index == GHOSTS_BELOW)
+                || (above == PlaneCondition::Sliding && index == upper)
+        });
+        SMatrix::from_fn(|i, j| {
+            if i != j && slides[i] != slides[j] {
+                0.0
+            } else {
+                1.0
+            }
+        })
+    }
+}
