@@ -45,8 +45,12 @@ mod rotation;
 mod self_weight;
 #[path = "cases/shear_and_turn.rs"]
 mod shear_and_turn;
+#[path = "cases/slipping_disk.rs"]
+mod slipping_disk;
 #[path = "cases/sphere_on_terrain.rs"]
 mod sphere_on_terrain;
+#[path = "cases/spinning_collision.rs"]
+mod spinning_collision;
 #[path = "cases/staggered_start.rs"]
 mod staggered_start;
 #[path = "cases/step_bar.rs"]

@@ -83,14 +83,6 @@ impl BodiesOnto<'_> {
         groups
     }
 
-    /// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
-    pub(super) fn fold(&self, slab: &mut Slab<'_>, walls: &[Wall]) {
-        for planes in slab.planes() {
-            planes.fold(walls, true, true);
-            planes.velocities();
-        }
-    }
-
     /// Maps the bodies of one field.
     pub(super) fn run_field(&self, field: &mut SlabField<'_>) -> usize {
         let planes = &mut field.planes;
@@ -172,6 +164,14 @@ impl BodiesOnto<'_> {
                 viscous_rate: body.viscous_rate,
             },
         )
+    }
+}
+
+/// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
+pub(super) fn fold(slab: &mut Slab<'_>, walls: &[Wall]) {
+    for planes in slab.planes() {
+        planes.fold(walls, true, true);
+        planes.velocities();
     }
 }
 

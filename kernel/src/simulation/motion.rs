@@ -3,6 +3,7 @@
 use super::conditions::FieldNodes;
 use super::fields::{Owner, Slab};
 use super::interactions::{Again, Now, OnSlab};
+use super::mapping::fold;
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
@@ -204,7 +205,7 @@ impl Now<'_> {
     /// particles that the slab owns.
     pub(super) fn map(&self, slab: &mut Slab<'_>) -> usize {
         let groups = self.mapping.run(slab);
-        self.mapping.fold(slab, &self.walls);
+        fold(slab, &self.walls);
         groups
     }
 

@@ -4,7 +4,7 @@ use super::conditions::{Acting, prescribed};
 use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
 use super::interactions::{Again, Interaction, Interactions, Now, Visit, on_slabs};
-use super::mapping::bodies_onto;
+use super::mapping::{bodies_onto, fold};
 use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::Phase;
 use super::step::Watcher;
@@ -144,7 +144,7 @@ impl Simulation {
     pub(super) fn solve_alone(&mut self, acting: &Acting) {
         let (now, grid, _) = self.divide(Carry::All, acting);
         grid.visit(|mut slab| {
-            now.mapping.fold(&mut slab, &now.walls);
+            fold(&mut slab, &now.walls);
             solve(&mut slab, &mut [], &now).is_ok()
         });
     }

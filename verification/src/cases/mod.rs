@@ -60,6 +60,7 @@ mod shear_and_turn;
 mod slab;
 mod slipping_disk;
 mod sphere_on_terrain;
+mod spinning_collision;
 mod staggered_start;
 mod statics;
 mod step_bar;
@@ -116,6 +117,7 @@ list! {
     hertz::Hertz[GIVEN],
     rolling_disk::RollingDisk[GIVEN],
     slipping_disk::SlippingDisk[GIVEN],
+    spinning_collision::SpinningCollision[GIVEN],
     corner_block::CornerBlock[GIVEN],
     hertz_slab::HertzSlab[GIVEN],
     hertz_sphere::HertzSphere[GIVEN],

@@ -6,9 +6,9 @@
 //!
 //! Exact: d(angular momentum) = arm x d(impulse of friction), whatever the friction was; the arm is R less the approach of
 //! the disk to the line (Johnson, eq. 5.57), 0.16 % here. The pressure on a disk that is elastic has no moment about its
-//! centre. What is left is that of the method: forces that act elsewhere than at the vertices, and a pressure that is not
-//! even about the middle of the contact. With forces on the nodes by the weights alone (Liang et al. 2024, eq. 56) 4 to 5 %
-//! were missing. `proctor verify slipping-disk`.
+//! centre. What is left is that of the method: forces that act elsewhere than at the vertices (by the weights of eq. 56 of
+//! Liang et al. 2024 alone they act a tenth of a cell inside), inertia of mass on nodes, and a pressure that is not even about
+//! the middle of the contact. `proctor verify slipping-disk`.
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
@@ -74,8 +74,7 @@ impl SlippingDisk {
             load: DENSITY * PI * RADIUS * RADIUS * GRAVITY * libm::cos(slope),
             modulus: contact_modulus([YOUNG, f64::INFINITY], [POISSON, 0.0]),
         };
-        let log = libm::log(4.0 * RADIUS / hertz.half_width());
-        RADIUS - hertz.load / (PI * hertz.modulus) * (2.0 * log - 1.0)
+        RADIUS - hertz.approach()
     }
 }
 

@@ -100,9 +100,7 @@ pub(super) fn growth(spin: f64, young: f64) -> f64 {
 /// Approach of a disk of this modulus over its radius, by which the arm of the friction is shorter: of the half-plane
 /// under the pressure of Hertz (Johnson, eq. 5.57 with a rigid plane).
 fn flattening() -> f64 {
-    let hertz = hertz(YOUNG);
-    let log = libm::log(4.0 * RADIUS / hertz.half_width());
-    hertz.load / (PI * hertz.modulus) * (2.0 * log - 1.0) / RADIUS
+    hertz(YOUNG).approach() / RADIUS
 }
 
 /// Largest relative error of the ratio on a mesh, and why.

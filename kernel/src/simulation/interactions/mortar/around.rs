@@ -149,8 +149,7 @@ impl<const D: usize> Around<D> {
     pub(super) fn find<const N: usize>(
         &mut self,
         patches: &[Patch<D, N>],
-        set: &ParticleSet,
-        body: &BodyRun,
+        (set, body): (&ParticleSet, &BodyRun),
         shape: &GridShape,
         mirrors: &Mirrors,
         stencil: usize,

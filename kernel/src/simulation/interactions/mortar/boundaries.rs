@@ -183,9 +183,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 surface.patches.push(patch);
             }
             if let Some(around) = &mut surface.around {
-                let (set, body) = (&hosts.state.sets[index], &hosts.decided.bodies[index]);
+                let own = (&hosts.state.sets[index], &hosts.decided.bodies[index]);
                 let (stencil, team) = (hosts.state.stencil, &hosts.work.grid.team);
-                around.find(&surface.patches, set, body, shape, &mirrors, stencil, team);
+                around.find(&surface.patches, own, shape, &mirrors, stencil, team);
             }
         }
         Ok(())
