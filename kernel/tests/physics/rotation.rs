@@ -1,7 +1,9 @@
 //! A disc that spins: its area must not grow with the number of steps.
 
-use crate::common::{APIC, SCHEMES, body, elastic, empty, material, run_towards, simulation_from};
-use proctor_kernel::scene::{Dimension, DomainUpdate, Shape, StressScheme, Weighting};
+use crate::common::{
+    APIC, FLIP, SCHEMES, TPIC, body, elastic, empty, material, run_towards, simulation_from,
+};
+use proctor_kernel::scene::{Dimension, DomainUpdate, Shape, StressScheme, Transfer, Weighting};
 use proctor_kernel::simulation::{InitialState, Simulation};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -13,12 +15,13 @@ const DENSITY: f64 = 1000.0;
 /// One turn per second \[1/s\].
 const OMEGA: f64 = TAU;
 
-fn spinning(scheme: StressScheme) -> Simulation {
+/// A disc that spins.
+fn spinning(weighting: Weighting, scheme: StressScheme, transfer: Transfer) -> Simulation {
     let mut scene = empty(Dimension::Two, [14, 14, 1], 0.1);
     let center = [0.7, 0.7, 0.0];
-    scene.weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
+    scene.weighting = weighting;
     scene.scheme = scheme;
-    scene.transfer = APIC;
+    scene.transfer = transfer;
     scene.materials = vec![material(elastic(YOUNG, POISSON))];
     scene.bodies = vec![body(
         1,
@@ -28,7 +31,7 @@ fn spinning(scheme: StressScheme) -> Simulation {
         },
     )];
     scene.bodies[0].particles_per_cell = [3, 3, 1];
-    simulation_from(
+    let simulation = simulation_from(
         &scene,
         Arc::new(move |x| InitialState {
             velocity: [-OMEGA * (x[1] - center[1]), OMEGA * (x[0] - center[0]), 0.0],
@@ -36,7 +39,42 @@ fn spinning(scheme: StressScheme) -> Simulation {
             stress: [0.0; 6],
             deformation: crate::common::IDENTITY,
         }),
-    )
+    );
+    simulation
+}
+
+const CPGIMP: Weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
+
+/// What a disc has gained in so many turns, as a share of the kinetic energy that it began with.
+fn gained(weighting: Weighting, scheme: StressScheme, transfer: Transfer, turns: f64) -> f64 {
+    let mut simulation = spinning(weighting, scheme, transfer);
+    let before = simulation.kinetic_energy();
+    while simulation.time() < turns {
+        run_towards(&mut simulation, 1, turns);
+    }
+    (simulation.kinetic_energy() + simulation.strain_energy()) / before - 1.0
+}
+
+/// The plan says how much; nobody knows a cure, so that it must be said. In three turns it is 61 % with uGIMP and 7 % with
+/// B-splines, and with MUSL 5 %.
+#[test]
+fn flip_with_usf_gains_energy_and_the_plan_says_so() {
+    let usf = StressScheme::Usf;
+    let flip = gained(Weighting::UniformGimp, usf, FLIP, 3.0);
+    assert!((0.5..0.7).contains(&flip), "{flip}");
+    let splines = gained(Weighting::QuadraticBSpline, usf, FLIP, 3.0);
+    assert!((0.05..0.08).contains(&splines), "{splines}");
+    for transfer in [APIC, TPIC] {
+        let others = gained(Weighting::UniformGimp, usf, transfer, 3.0);
+        assert!(others < 0.001, "{transfer:?}: {others}");
+    }
+    let usl = gained(Weighting::UniformGimp, StressScheme::Usl, FLIP, 3.0);
+    assert!(usl < 0.001, "{usl}");
+    for (scheme, transfer) in [(usf, FLIP), (usf, APIC), (StressScheme::Usl, FLIP)] {
+        let simulation = spinning(Weighting::UniformGimp, scheme, transfer);
+        let warned = simulation.plan().warnings.iter().any(|w| w.contains("USF"));
+        assert_eq!(warned, (scheme, transfer) == (usf, FLIP));
+    }
 }
 
 /// Sum of the volumes, which are V_0 det F.
@@ -55,7 +93,7 @@ fn the_area_of_a_spinning_disc_grows_by_the_centrifugal_force_alone() {
     let centrifugal = (1.0 + POISSON) * (1.0 - 2.0 * POISSON) * DENSITY * (OMEGA * RADIUS).powi(2)
         / (2.0 * YOUNG);
     for scheme in SCHEMES {
-        let mut simulation = spinning(scheme);
+        let mut simulation = spinning(CPGIMP, scheme, APIC);
         let before = area(&simulation);
         let (mut sum, mut count, mut largest, mut inflation) = (0.0, 0, 0.0_f64, 0.0);
         while simulation.time() < 1.0 {
