@@ -12,7 +12,7 @@
 //! is. `proctor verify rolling-disk`.
 //!
 //! The turn of the disk that slips is that of a rigid one but for the shorter arm of the friction, by the flattening of the
-//! disk and by nodes on which forces act inside it, and for the inertia of mass on nodes ([`turn`]). The disk that sticks creeps: it
+//! disk, for a pressure that lies beside the middle of the contact, and for the inertia of mass on nodes ([`turn`]). The disk that sticks creeps: it
 //! rolls on the tangential spring and on a layer as wide as the barrier reaches, with
 //! [`crate::exact::rolling_creep`], and that is its reference.
 
