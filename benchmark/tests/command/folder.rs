@@ -23,7 +23,9 @@ fn frames(desk: &Desk, out: &str) -> [Vec<String>; 2] {
             .into_string()
             .expect("text")
     });
-    let mut there: Vec<String> = names.filter(|name| name.ends_with(".vtu")).collect();
+    let mut there: Vec<String> = names
+        .filter(|name| name.starts_with("particles_"))
+        .collect();
     there.sort();
     let list = fs::read_to_string(desk.path(out).join("particles.pvd")).expect("a list");
     let listed = list.split("file=\"").skip(1);
