@@ -184,7 +184,11 @@ impl Verdict<'_> {
         };
         if self.interrupted {
             let run = self.kept.cases + self.cases.len();
-            let _ = write!(text, "{run} of {cases}; the others were not run");
+            let _ = if run < self.asked {
+                write!(text, "{run} of {cases}; the others were not run")
+            } else {
+                write!(text, "{cases}; what comes after them was not finished")
+            };
         } else {
             text.push_str(&cases);
         }
@@ -266,6 +270,11 @@ mod tests {
         assert_eq!(
             text,
             "! INTERRUPTED: 1 of 1 gates in 1 of 31 cases; the others were not run, 1.50 s\n"
+        );
+        let after = said(&[ran(0, 0.001)], 1, &[], true);
+        assert!(
+            after.contains("in 1 case; what comes after them was not finished"),
+            "{after}"
         );
         let failed = said(&[ran(0, 1.0)], 2, &[], true);
         assert!(failed.starts_with("! INTERRUPTED: 0 of 1 gates in 1 of 2 cases"));
