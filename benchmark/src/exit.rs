@@ -12,8 +12,8 @@ pub enum Outcome {
     Failed,
     /// There is nothing to judge by, and the verb has said why: 2.
     CannotCompare,
-    /// The user stopped it: 130, as a shell has it for an interrupt.
-    Interrupted,
+    /// The user stopped it: the code that a shell has for the signal, 130 for Ctrl-C and 143 for SIGTERM.
+    Interrupted(u8),
 }
 
 /// A verb could not do its work.

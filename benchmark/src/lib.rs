@@ -23,21 +23,23 @@ use exit::{Failure, Outcome};
 use say::say;
 use std::io::{BufWriter, Write};
 use std::process::ExitCode;
-use verbs::Verb;
+use verbs::{Amount, Verb};
 
 /// Verifies and measures an explicit material point method (MPM/GIMP) kernel.
 ///
 /// Without a verb: the main job on the built-in set, errors and run times side by side.
 #[derive(Parser)]
-#[command(name = "proctor", version, max_term_width = 100, after_help = EXIT_CODES)]
+#[command(name = "proctor", version, max_term_width = 100, after_help = EXIT_CODES, args_conflicts_with_subcommands = true)]
 struct Cli {
     #[command(subcommand)]
     verb: Option<Verb>,
+    #[command(flatten)]
+    amount: Amount,
 }
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 fine, 1 a check or a run failed or something got worse, 2 bad input or nothing that
-can be compared, 130 interrupted.
+can be compared, 130 interrupted by Ctrl-C, 143 by SIGTERM.
 Units are SI everywhere. `proctor VERB -h` explains a verb with an example.";
 
 /// Runs the command on the arguments of this process.
@@ -47,13 +49,13 @@ pub fn command() -> ExitCode {
     // One writer for everything that goes to standard output: a reader that closes the pipe is then an error
     // value here, not a panic in some print.
     let mut out = BufWriter::new(std::io::stdout().lock());
-    let result = verbs::run(cli.verb.as_ref(), &mut out)
+    let result = verbs::run(cli.verb.as_ref(), cli.amount, &mut out)
         .and_then(|outcome| out.flush().map(|()| outcome).map_err(Failure::from));
     match result {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Failed) => ExitCode::from(1),
         Ok(Outcome::CannotCompare) => ExitCode::from(2),
-        Ok(Outcome::Interrupted) => ExitCode::from(interrupt::EXIT_CODE),
+        Ok(Outcome::Interrupted(code)) => ExitCode::from(code),
         Err(Failure::BadInput(message)) => {
             // What was printed before the message belongs in front of it.
             let _ = out.flush();

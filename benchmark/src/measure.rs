@@ -20,6 +20,23 @@ impl Spent {
     }
 }
 
+/// How many times longer work took by the clock than on the processors, from which on something else had them.
+const BUSY: f64 = 1.2;
+/// Work below which that says nothing \[s\].
+const TOO_SHORT: f64 = 0.5;
+
+/// How many times longer runs took by the clock than on the processors, where that shows a busy machine: a run computes and
+/// waits for nobody, so that on one thread both are the same. Of runs on several threads a busy machine shows only where
+/// not even one of them was kept at work.
+#[must_use]
+pub fn busy(runs: impl IntoIterator<Item = Spent>) -> Option<f64> {
+    let (wall, cpu) = runs.into_iter().fold((0.0, 0.0), |(wall, cpu), run| {
+        (wall + run.wall.as_secs_f64(), cpu + run.cpu.as_secs_f64())
+    });
+    let times: f64 = wall / cpu;
+    (wall >= TOO_SHORT && times > BUSY).then_some(times)
+}
+
 /// Adds up the time of pieces of work.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stopwatch {
@@ -44,5 +61,27 @@ impl Stopwatch {
         self.spent.cpu += cpu.elapsed();
         self.spent.wall += wall.elapsed();
         result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spent(wall: f64, cpu: f64) -> Spent {
+        Spent {
+            wall: Duration::from_secs_f64(wall),
+            cpu: Duration::from_secs_f64(cpu),
+        }
+    }
+
+    #[test]
+    fn a_busy_machine_is_one_whose_clock_runs_ahead() {
+        assert_eq!(busy([spent(1.0, 1.0), spent(2.0, 1.9)]), None);
+        assert_eq!(busy([spent(1.0, 0.5), spent(2.0, 1.0)]), Some(2.0));
+        // Two threads at work, and what is too short to say anything.
+        assert_eq!(busy([spent(1.0, 1.9)]), None);
+        assert_eq!(busy([spent(0.01, 0.001)]), None);
+        assert_eq!(busy([]), None);
     }
 }

@@ -1,7 +1,6 @@
 //! Cases, run and timed.
 
 use crate::measure::{Spent, Stopwatch};
-use crate::progress::Progress;
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, CaseError, Rung, Size, Solved, Verdict};
 use std::collections::BTreeMap;
@@ -54,7 +53,8 @@ impl Ran {
 }
 
 /// Runs cases side by side, `workers` at a time and each on one thread, as long as `go` says so before each run, and
-/// hands them to `each` in their order as soon as all before them are there, until one fails.
+/// hands them to `each` in their order as soon as all before them are there, until one fails. `progress` hears of each case,
+/// by its number, the share that is done.
 ///
 /// Small scenes gain little from a second thread; two cases on two threads gain all of it.
 ///
@@ -66,6 +66,7 @@ pub fn run_side_by_side<E>(
     options: &Options,
     workers: usize,
     go: &(dyn Fn() -> bool + Sync),
+    progress: &(dyn Fn(usize, f64) + Sync),
     mut each: impl FnMut(Ran) -> Result<(), E>,
 ) -> Result<(), E> {
     let options = Options {
@@ -86,11 +87,11 @@ pub fn run_side_by_side<E>(
                     let Some(&case) = cases.get(k).filter(|_| go()) else {
                         break;
                     };
+                    let ran = run_while(case, size, options, 1, go, &mut |share| {
+                        progress(k, share);
+                    });
                     // Nobody listens any more once `each` has failed.
-                    if send
-                        .send((k, run_while(case, size, options, 1, go)))
-                        .is_err()
-                    {
+                    if send.send((k, ran)).is_err() {
                         break;
                     }
                 }
@@ -111,7 +112,7 @@ pub fn run_side_by_side<E>(
 }
 
 /// Runs a case as long as `go` says so before each run; the verdict is about those that were made. A run that fails does
-/// not end it.
+/// not end it. `progress` hears the share of the case that is done.
 ///
 /// What takes less than a second is run `repetitions` times, for its time: the answers are the same. If that is more than
 /// once, what is very short is run until half a second is measured, because a busy machine is slow for tenths of a second
@@ -122,20 +123,23 @@ pub fn run_while(
     options: &Options,
     repetitions: usize,
     go: &dyn Fn() -> bool,
+    progress: &mut dyn FnMut(f64),
 ) -> Ran {
     // Whether a run is measured once more.
     let wanted = |samples: usize, measured: Duration| {
         samples < repetitions || (1 < repetitions && samples < MOST && measured < ENOUGH)
     };
-    let rungs: Vec<RanRung> = case
-        .rungs(size)
+    let ladder = case.rungs(size);
+    let weights = weights(&ladder);
+    let rungs: Vec<RanRung> = ladder
         .into_iter()
+        .zip(&weights)
         .take_while(|_| go())
-        .map(|rung| {
-            let mut progress = Progress::new(&format!("{} {}", case.name(), rung.label));
+        .map(|(rung, [before, own])| {
             let mut solve = || {
                 let mut stopwatch = Stopwatch::default();
-                let work = || case.solve(&rung, options, &mut |share| progress.at(share));
+                let work =
+                    || case.solve(&rung, options, &mut |share| progress(before + share * own));
                 // With one thread a simulation stays in that of its caller.
                 let solved = if options.threads == Some(1) {
                     stopwatch.time_thread(work)
@@ -153,6 +157,7 @@ pub fn run_while(
                 measured += again.wall;
                 samples.push(again);
             }
+            progress(before + own);
             RanRung {
                 rung,
                 solved,
@@ -170,4 +175,18 @@ pub fn run_while(
         rungs,
         verdict,
     }
+}
+
+/// Share of a ladder that lies before each of its runs, and the share that the run is, as far as the cell size tells: in the
+/// plane half as large a cell means four times as many particles and twice as many steps.
+fn weights(ladder: &[Rung]) -> Vec<[f64; 2]> {
+    let work = |rung: &Rung| rung.cell.powi(-3);
+    let all: f64 = ladder.iter().map(work).sum();
+    let mut before = 0.0;
+    let share = |rung: &Rung| {
+        let own = work(rung) / all;
+        before += own;
+        [before - own, own]
+    };
+    ladder.iter().map(share).collect()
 }

@@ -76,8 +76,19 @@ impl<'a> Report<'a> {
         Self { session, record }
     }
 
+    /// Whole steps alone, and what failed.
+    #[must_use]
+    pub fn short(&self) -> impl fmt::Display + '_ {
+        Short(self)
+    }
+
     fn samples(&self, slot: &Slot) -> Samples<'a> {
         Samples::of(self.record, &name(slot))
+    }
+
+    fn steps(&self) -> Vec<&'a Slot> {
+        let slots = self.session.slots.iter();
+        slots.filter(|slot| slot.stage.is_none()).collect()
     }
 
     /// Time on one thread over time on n threads and n, in percent, where one thread was measured too.
@@ -338,21 +349,29 @@ fn ns(x: f64) -> String {
     format!("{x:.decimals$}")
 }
 
+/// What a report tells in short.
+struct Short<'a>(&'a Report<'a>);
+
+impl fmt::Display for Short<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.times(f, &self.0.steps(), STEPS)?;
+        self.0.failures(f)
+    }
+}
+
+/// What stands above whole steps.
+const STEPS: &str = "whole steps: ns per particle and step, median";
+
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let steps: Vec<&Slot> = self
-            .session
-            .slots
-            .iter()
-            .filter(|s| s.stage.is_none())
-            .collect();
+        let steps = self.steps();
         let stages: Vec<&Slot> = self
             .session
             .slots
             .iter()
             .filter(|s| s.stage.is_some())
             .collect();
-        self.times(f, &steps, "whole steps: ns per particle and step, median")?;
+        self.times(f, &steps, STEPS)?;
         self.phases(f, &steps)?;
         self.machine(f, &steps)?;
         self.times(

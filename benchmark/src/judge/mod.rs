@@ -12,7 +12,7 @@ pub mod time;
 
 pub use case::{CaseVerdict, Finding};
 
-use crate::record::{Cases, Meaning, Record};
+use crate::record::{Cases, Meaning, Record, Row};
 use change::Moved;
 use ledger::Ledger;
 
@@ -51,6 +51,8 @@ pub struct Comparison {
     pub findings: Vec<Finding>,
     /// Which ladder was run, `quick` or `full`; empty for records of something else.
     pub ladder: String,
+    /// Whether times were there and left out.
+    pub times_left_out: bool,
 }
 
 /// How many numbers and words of one meaning were compared.
@@ -125,6 +127,7 @@ pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
     {
         obstacles.push(format!("another ladder: {before} in BASE, {after} in HEAD"));
     }
+    let (before, after) = (base, head);
     let (base, head) = (Cases::of(base), Cases::of(head));
     let mut findings: Vec<Finding> = head
         .list
@@ -145,5 +148,24 @@ pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
         notes,
         findings,
         ladder,
+        times_left_out: rules.ignore_time && (timed(before) || timed(after)),
     }
+}
+
+/// Whether all times of both records come from a single pass, so that there are no pairs to judge them by. Asked of records
+/// that somebody made without a thought of times, such as those of the main job; where one of them has passes, times are
+/// meant to be judged.
+#[must_use]
+pub fn measured_once(base: &Record, head: &Record) -> bool {
+    let once = |record: &Record| {
+        let passes = record.rows.iter().filter(|row| row.wall().is_some());
+        let mut passes: Vec<u64> = passes.map(Row::pass).collect();
+        passes.dedup();
+        passes.len() == 1
+    };
+    once(base) && once(head)
+}
+
+fn timed(record: &Record) -> bool {
+    record.rows.iter().any(|row| row.wall().is_some())
 }

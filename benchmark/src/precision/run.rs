@@ -3,7 +3,6 @@
 use super::choices::{Choice, Effort, Plan};
 use super::peers::PeerLine;
 use crate::measure::Spent;
-use crate::progress::Progress;
 use cpu_time::ProcessTime;
 use proctor_kernel::simulation::Options;
 use proctor_verification::study::{Observer, Phase, Study};
@@ -131,7 +130,7 @@ struct Watch<'a> {
     sample: Sample,
     phase: Phase,
     since: (Instant, ProcessTime),
-    progress: &'a mut Progress,
+    progress: &'a mut dyn FnMut(f64),
     /// Share of the study that was done before this run, and the share that it is.
     share: [f64; 2],
     interrupt: &'a AtomicBool,
@@ -158,7 +157,7 @@ impl Observer for Watch<'_> {
     }
 
     fn progress(&mut self, share: f64) {
-        self.progress.at(self.share[0] + share * self.share[1]);
+        (self.progress)(self.share[0] + share * self.share[1]);
     }
 
     fn stop(&self) -> bool {
@@ -166,28 +165,21 @@ impl Observer for Watch<'_> {
     }
 }
 
-/// Runs a study. A run that fails does not end it; an interrupt does, and the run in progress is left out.
+/// Runs a study. A run that fails does not end it; an interrupt does, and the run in progress is left out. `progress` hears
+/// the share that is done.
 pub fn run(
     study: &'static dyn Study,
     effort: Effort,
     options: &Options,
     interrupt: &AtomicBool,
+    progress: &mut dyn FnMut(f64),
 ) -> Studied {
     let plan = Plan::new(study, effort.size);
-    let mut progress = Progress::new(study.name());
     let count = plan.choices.len().max(1) as f64;
     let mut runs = vec![];
     for (i, choice) in plan.choices.iter().enumerate() {
         let share = [i as f64 / count, 1.0 / count];
-        match point(
-            study,
-            choice,
-            effort,
-            options,
-            interrupt,
-            &mut progress,
-            share,
-        ) {
+        match point(study, choice, effort, options, interrupt, progress, share) {
             Some(run) => runs.push(run),
             None => break,
         }
@@ -209,7 +201,7 @@ fn point(
     effort: Effort,
     options: &Options,
     interrupt: &AtomicBool,
-    progress: &mut Progress,
+    progress: &mut dyn FnMut(f64),
     share: [f64; 2],
 ) -> Option<Run> {
     let mut run = Run {

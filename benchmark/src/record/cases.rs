@@ -1,5 +1,6 @@
 //! Rows of verification cases.
 
+use super::done::VERDICT;
 use super::row::{GATE, GATE_BOUND, GATE_SIDE, GATE_VALUE};
 use super::{LADDER, Record, Row, key};
 use crate::measure::Spent;
@@ -79,7 +80,7 @@ fn gate_row(case: &str, gate: &Gate, threads: usize) -> Row {
 
 /// Verdict and observed orders of a case.
 fn verdict_row(ran: &Ran, threads: usize) -> Row {
-    let mut row = Row::aggregate(ran.case.name(), "verdict", threads);
+    let mut row = Row::aggregate(ran.case.name(), VERDICT, threads);
     let failed = ran.verdict.gates.iter().filter(|g| !g.passed()).count();
     row.count("gates", ran.verdict.gates.len() as f64);
     row.count("gates_failed", failed as f64);

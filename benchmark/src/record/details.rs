@@ -10,7 +10,7 @@ use crate::stability::StabilityDetail;
 use crate::suite::Ran;
 use proctor_files::run::plan_value;
 use proctor_kernel::plan::Plan;
-use proctor_verification::case::{Curve, Gate};
+use proctor_verification::case::{Curve, Gate, Relation};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -64,6 +64,34 @@ pub struct GateDetail {
     pub reason: String,
     /// Whether it is kept.
     pub passed: bool,
+}
+
+impl GateDetail {
+    /// Share of its bound that the gate uses up, 0 to 1; more where it does not hold, and nothing where the value lies on
+    /// the far side of zero or nothing is allowed.
+    #[must_use]
+    pub fn used(&self) -> f64 {
+        let Some(value) = self.value else {
+            return f64::INFINITY;
+        };
+        let (low, high) = if self.relation == Relation::AtLeast.words() {
+            (self.bound, value)
+        } else {
+            (value, self.bound)
+        };
+        // Of two negative numbers the lower one has the larger magnitude.
+        let share = if low < 0.0 && high < 0.0 {
+            high / low
+        } else {
+            low / high
+        };
+        match (self.passed, share) {
+            (true, share) if share > 0.0 => share.min(1.0),
+            (true, _) => 0.0,
+            (false, share) if share > 1.0 => share,
+            (false, _) => f64::INFINITY,
+        }
+    }
 }
 
 /// A picture.
@@ -248,5 +276,35 @@ fn shown(curve: &Curve) -> &'static str {
         "computed against exact"
     } else {
         "as computed"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gate_uses_up_a_share_of_its_bound() {
+        let at_most = |value, bound| gate(&Gate::at_most(String::new(), value, bound, "")).used();
+        let at_least = |value, bound| gate(&Gate::at_least(String::new(), value, bound, "")).used();
+        assert_eq!(at_most(0.004, 0.005), 0.8);
+        assert_eq!(at_least(2.0, 1.8), 0.9);
+        assert_eq!(at_most(-4.0, -2.0), 0.5);
+        assert_eq!(at_least(-2.0, -4.0), 0.5);
+        // Nothing is allowed and nothing was found; and on the far side of zero.
+        assert_eq!(at_most(0.0, 0.0), 0.0);
+        assert_eq!(at_most(-1.0, 2.0), 0.0);
+        assert_eq!(at_least(0.1, 0.0), 0.0);
+        // What does not hold uses up more than all of it.
+        assert_eq!(at_most(0.01, 0.005), 2.0);
+        assert_eq!(at_least(0.9, 1.8), 2.0);
+        for share in [
+            at_most(f64::NAN, 1.0),
+            at_most(1e-9, 0.0),
+            at_least(-1.0, 1.8),
+            at_least(-1.0, 0.0),
+        ] {
+            assert_eq!(share, f64::INFINITY);
+        }
     }
 }

@@ -78,14 +78,22 @@ impl Record {
         Ok(())
     }
 
+    /// What tells two records apart that cannot be one, as they come from other programs or machines: a key, and what stands
+    /// there in this one and in the other.
+    #[must_use]
+    pub fn differs_from(&self, other: &Self) -> Option<[String; 3]> {
+        let of = |record: &Self, key: &str| record.context[key].to_string();
+        SHARED
+            .into_iter()
+            .find(|key| self.context[*key] != other.context[*key])
+            .map(|key| [key.to_owned(), of(self, key), of(other, key)])
+    }
+
     /// Appends the rows of another record of the same program and machine.
     fn join(&mut self, other: Self, first: &Path, file: &Path) -> Result<(), RecordError> {
-        for key in SHARED {
-            let (mine, its) = (&self.context[key], &other.context[key]);
-            if mine != its {
-                let what = format!("`{key}` is {its}, but {mine} in {}", first.display());
-                return Err(RecordError::new(file, Reason::Shape(what)));
-            }
+        if let Some([key, mine, its]) = self.differs_from(&other) {
+            let what = format!("`{key}` is {its}, but {mine} in {}", first.display());
+            return Err(RecordError::new(file, Reason::Shape(what)));
         }
         if other.incomplete() {
             self.set_incomplete(true);
@@ -94,6 +102,7 @@ impl Record {
         if let (None, Some(ladder)) = (self.ladder(), other.ladder()) {
             self.context[LADDERS] = ladder.into();
         }
+        self.join_cases(&other);
         self.rows.extend(other.rows);
         Ok(())
     }

@@ -5,6 +5,7 @@
 mod cases;
 pub mod context;
 pub mod details;
+mod done;
 mod error;
 pub mod export;
 mod join;
@@ -16,6 +17,7 @@ mod series;
 mod table;
 
 pub use details::Details;
+pub use done::CaseState;
 pub use error::RecordError;
 pub use meaning::Meaning;
 pub use row::{BY_SCENE, Kind, Row, key};

@@ -8,7 +8,9 @@ use crate::stability::extreme::ROWS as EXTREME;
 /// One word for the whole record.
 pub fn word(record: &Record) -> &'static str {
     let gates = gates(record);
-    if gates.is_empty() {
+    if record.incomplete() {
+        "INTERRUPTED"
+    } else if gates.is_empty() {
         "nothing was judged"
     } else if gates.iter().all(|gate| gate.passed) && failed_rows(record) == 0 {
         "PASS"
@@ -42,7 +44,7 @@ pub fn html(record: &Record) -> String {
         n => format!(" {n} runs failed."),
     };
     text.push_str(&failed);
-    if record.context["incomplete"] == true {
+    if record.incomplete() {
         text.push_str(" The record is incomplete: it was interrupted.");
     }
     let said = |key: &str| record.context[key].as_str().map(escape);

@@ -65,6 +65,20 @@ pub fn gates(ran: &Ran, reasons: bool, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out)
 }
 
+/// Gates that do not hold, each with its reason.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn failed_gates(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+    for gate in ran.verdict.gates.iter().filter(|gate| !gate.passed()) {
+        writeln!(out, "  {}\n        {}", gate_line(gate), gate.reason)?;
+    }
+    if ran.verdict.gates.is_empty() {
+        writeln!(out, "  FAIL  nothing was compared")?;
+    }
+    writeln!(out)
+}
+
 /// Lines that judge nothing.
 ///
 /// # Errors
@@ -78,29 +92,6 @@ pub fn for_the_record(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "    {line}")?;
     }
     writeln!(out)
-}
-
-/// How many gates of how many cases hold.
-///
-/// # Errors
-/// If `out` cannot be written.
-pub fn total(all: &[Ran], out: &mut dyn Write) -> io::Result<()> {
-    let gates: usize = all.iter().map(|ran| ran.verdict.gates.len()).sum();
-    let passed = all
-        .iter()
-        .flat_map(|ran| &ran.verdict.gates)
-        .filter(|gate| gate.passed())
-        .count();
-    let word = if all.iter().all(Ran::passed) {
-        "PASS"
-    } else {
-        "FAIL"
-    };
-    let cases = match all.len() {
-        1 => "1 case".to_owned(),
-        n => format!("{n} cases"),
-    };
-    writeln!(out, "{word}: {passed} of {gates} gates in {cases}")
 }
 
 /// One line per run.

@@ -1,6 +1,6 @@
 //! A comparison of two records, as text and as Markdown.
 
-use super::Table;
+use super::{Table, shortened};
 use crate::judge::{CaseVerdict, Comparison, Finding, Tally, Verdict};
 use crate::record::Record;
 use std::fmt::Write as _;
@@ -17,20 +17,24 @@ const WIDTH: usize = 100;
 /// If `out` cannot be written.
 pub fn terminal(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new(HEADINGS);
-    for finding in shown(comparison) {
+    // What is equal bit by bit and has no time says nothing that the last lines do not say.
+    let telling = |f: &&Finding| f.verdict != CaseVerdict::Same || f.time.is_some();
+    for finding in shown(comparison).filter(telling) {
         let mut cells = cells(finding);
-        cells[0] = shortened(&cells[0]);
+        cells[0] = shortened(&cells[0], NAME);
         table.push(cells);
     }
-    writeln!(
-        out,
-        "HEAD over BASE: worst error and count, median time and its 95 % interval, chance of such"
-    )?;
-    writeln!(
-        out,
-        "an order of times without a change (Mann-Whitney), tolerance\n"
-    )?;
-    writeln!(out, "{table}")?;
+    if table.lines().len() > 1 {
+        writeln!(
+            out,
+            "HEAD over BASE: worst error and count, median time and its 95 % interval, chance of such"
+        )?;
+        writeln!(
+            out,
+            "an order of times without a change (Mann-Whitney), tolerance\n"
+        )?;
+        writeln!(out, "{table}")?;
+    }
     for (about, reason) in reasons(comparison) {
         paragraph(&about, 2, out)?;
         paragraph(&reason, 6, out)?;
@@ -291,7 +295,12 @@ fn verdict_line(comparison: &Comparison) -> String {
         Verdict::Worse => "WORSE",
         Verdict::CannotCompare => "CANNOT COMPARE",
     };
-    format!("{verdict}: {} compared, {parts}", cases(compared))
+    let times = if comparison.times_left_out {
+        "; times left out"
+    } else {
+        ""
+    };
+    format!("{verdict}: {} compared, {parts}{times}", cases(compared))
 }
 
 fn cases(count: usize) -> String {
@@ -310,17 +319,6 @@ fn side(name: &str, record: &Record) -> String {
         word("cpu_model"),
         word("lanes")
     )
-}
-
-/// A name that fits, its middle left out.
-fn shortened(name: &str) -> String {
-    let length = name.chars().count();
-    if length <= NAME {
-        return name.to_owned();
-    }
-    let head: String = name.chars().take(NAME / 2).collect();
-    let tail: String = name.chars().skip(length - (NAME - NAME / 2 - 1)).collect();
-    format!("{head}…{tail}")
 }
 
 /// Text inside a Markdown table or list.
@@ -342,17 +340,6 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn long_names_lose_their_middle() {
-        let name = "whole-step/two-bodies-3d/uGIMP/USL/FLIP/64000";
-        let short = shortened(name);
-        assert_eq!(short.chars().count(), NAME);
-        let (head, tail) = short.split_once('…').expect("something is left out");
-        assert!(name.starts_with(head) && name.ends_with(tail), "{short}");
-        assert!(head.len().abs_diff(tail.len()) <= 1, "{short}");
-        assert_eq!(shortened("short"), "short");
-    }
 
     #[test]
     fn chances_and_factors_are_short() {

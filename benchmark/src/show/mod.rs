@@ -4,9 +4,12 @@ pub mod case;
 pub mod chart;
 pub mod comparison;
 pub mod figures;
+pub mod paint;
 pub mod picture;
 pub mod precision;
+pub mod short;
 pub mod stability;
+pub mod summary;
 
 use std::fmt::{self, Write as _};
 
@@ -92,6 +95,19 @@ pub fn bytes(n: u64) -> String {
     }
 }
 
+/// A name in so many characters, its middle left out where it is longer.
+#[must_use]
+pub fn shortened(name: &str, characters: usize) -> String {
+    let length = name.chars().count();
+    if length <= characters {
+        return name.to_owned();
+    }
+    let half = characters / 2;
+    let head: String = name.chars().take(half).collect();
+    let tail: String = name.chars().skip(length + half + 1 - characters).collect();
+    format!("{head}…{tail}")
+}
+
 /// Columns of text: the first to the left, the others to the right.
 pub struct Table {
     lines: Vec<Vec<String>>,
@@ -169,6 +185,17 @@ mod tests {
         assert_eq!(percent(1e-9), "1.0e-7 %");
         assert_eq!(percent(0.0), "0 %");
         assert_eq!(percent(f64::NAN), "-");
+    }
+
+    #[test]
+    fn long_names_lose_their_middle() {
+        let name = "whole-step/two-bodies-3d/uGIMP/USL/FLIP/64000";
+        let short = shortened(name, 29);
+        assert_eq!(short.chars().count(), 29);
+        let (head, tail) = short.split_once('…').expect("something is left out");
+        assert!(name.starts_with(head) && name.ends_with(tail), "{short}");
+        assert!(head.len().abs_diff(tail.len()) <= 1, "{short}");
+        assert_eq!(shortened("short", 29), "short");
     }
 
     #[test]

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn map(detail: &StabilityDetail, out: &mut dyn Write) -> io::Result<()> {
+pub fn map(detail: &StabilityDetail, interrupted: bool, out: &mut dyn Write) -> io::Result<()> {
     for transfer in words(&detail.cells, |cell| &cell.transfer) {
         cells(detail, transfer, out)?;
     }
@@ -40,10 +40,18 @@ pub fn map(detail: &StabilityDetail, out: &mut dyn Write) -> io::Result<()> {
             writeln!(out, "  {why}")?;
         }
     }
+    verdict(detail, interrupted, out)
+}
+
+/// What could not be done and gates that do not hold, and the verdict over all gates.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn verdict(detail: &StabilityDetail, interrupted: bool, out: &mut dyn Write) -> io::Result<()> {
     for failure in &detail.failures {
         writeln!(out, "failed: {failure}")?;
     }
-    gates(&detail.gates, out)
+    gates(detail, interrupted, out)
 }
 
 /// Values in the order in which they come first.
@@ -130,7 +138,7 @@ fn cells(detail: &StabilityDetail, transfer: &str, out: &mut dyn Write) -> io::R
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn extreme(rows: &[ExtremeDetail], out: &mut dyn Write) -> io::Result<()> {
+pub fn extreme(rows: &[ExtremeDetail], interrupted: bool, out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new([
         "",
         "ended",
@@ -173,7 +181,11 @@ pub fn extreme(rows: &[ExtremeDetail], out: &mut dyn Write) -> io::Result<()> {
     let count = |ending: &str| rows.iter().filter(|row| row.ending == ending).count();
     let [held, refused, failed] =
         [Ending::Held, Ending::Refused, Ending::Failed].map(|ending| count(ending.word()));
-    let word = if failed == 0 { "PASS" } else { "FAIL" };
+    let word = match failed {
+        _ if interrupted => "INTERRUPTED",
+        0 => "PASS",
+        _ => "FAIL",
+    };
     writeln!(
         out,
         "{word}: {held} stiff and extreme scenes held, {refused} refused with a reason, {failed} failed"
@@ -196,19 +208,18 @@ fn found(gate: &GateDetail) -> String {
     gate.value.map_or_else(|| "not finite".to_owned(), number)
 }
 
-fn gates(gates: &[GateDetail], out: &mut dyn Write) -> io::Result<()> {
-    failing("FAIL  ", gates, out)?;
-    let passed = gates.iter().filter(|gate| gate.passed).count();
-    let word = if passed == gates.len() {
+fn gates(detail: &StabilityDetail, interrupted: bool, out: &mut dyn Write) -> io::Result<()> {
+    failing("FAIL  ", &detail.gates, out)?;
+    let gates = detail.gates.len();
+    let passed = detail.gates.iter().filter(|gate| gate.passed).count();
+    let word = if interrupted {
+        "INTERRUPTED"
+    } else if passed == gates && detail.failures.is_empty() {
         "PASS"
     } else {
         "FAIL"
     };
-    writeln!(
-        out,
-        "{word}: {passed} of {} gates of stability",
-        gates.len()
-    )
+    writeln!(out, "{word}: {passed} of {gates} gates of stability")
 }
 
 /// Gates that do not hold, with what was found, each behind a word.

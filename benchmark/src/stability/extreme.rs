@@ -93,25 +93,8 @@ impl ExtremeDetail {
     /// The gate that is nearest to its bound, or farthest beyond it.
     #[must_use]
     pub fn worst(&self) -> Option<&GateDetail> {
-        let by_use = |a: &&GateDetail, b: &&GateDetail| used(a).total_cmp(&used(b));
+        let by_use = |a: &&GateDetail, b: &&GateDetail| a.used().total_cmp(&b.used());
         self.gates.iter().max_by(by_use)
-    }
-}
-
-/// Share of its bound that a gate uses up; more than one where it does not hold.
-fn used(gate: &GateDetail) -> f64 {
-    let Some(value) = gate.value else {
-        return f64::INFINITY;
-    };
-    let (low, high) = if gate.relation == "at least" {
-        (gate.bound, value)
-    } else {
-        (value, gate.bound)
-    };
-    match low / high {
-        // Nothing where nothing is allowed.
-        share if share.is_nan() => 0.0,
-        share => share,
     }
 }
 

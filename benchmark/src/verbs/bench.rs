@@ -1,7 +1,7 @@
 //! `proctor bench`: the configurable multi-thread benchmark.
 
 use super::folder::Folder;
-use super::settings::Lanes;
+use super::settings::{Lanes, OPTION, bounded};
 use crate::bench::Session;
 use crate::bench::config::{Asked, Config, FILE};
 use crate::bench::tables::Report;
@@ -62,6 +62,10 @@ impl Bench {
             ..Options::default()
         };
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        // A configuration is one for several machines and may ask for more, which is warned of there.
+        for threads in &self.threads {
+            bounded(OPTION, threads.get())?;
+        }
         let config = self.config()?;
         let mut session = Session::new(&config, options.lanes).map_err(Failure::bad_input)?;
         let mut record = Record::new(&options);
@@ -81,7 +85,7 @@ impl Bench {
         }
         if interrupted {
             writeln!(out, "interrupted: what was measured until then")?;
-            return Ok(Outcome::Interrupted);
+            return Ok(stop.outcome());
         }
         let sound = record.rows.iter().all(|row| row.error.is_none());
         Ok(if sound {

@@ -23,7 +23,8 @@ use std::path::PathBuf;
 /// paid for in accuracy is judged at equal error.
 ///
 /// What cannot be compared (cases or numbers that only one record has, another machine or build, too few pairs, noise
-/// in which a loss of a tenth could hide, an interrupted record) is never fine: exit code 2.
+/// in which a loss of a tenth could hide, an interrupted record) is never fine: exit code 2. Of two records that were each
+/// measured in one pass the times are left out, which is said.
 ///
 /// BASE and HEAD are records, or folders of records: one pass per sub-folder, or per file where there are none.
 #[derive(Args)]
@@ -57,6 +58,10 @@ pub struct Compare {
     strict: bool,
 }
 
+/// What is said where there are no pairs of runs.
+const ONCE: &str = "note: times were measured once and are not judged; scripts/compare-commits BASE measures two commits in \
+                    pairs, and a folder with one record per pass is such a measurement, too";
+
 impl Compare {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let base = Record::read_joined(&self.base).map_err(Failure::bad_input)?;
@@ -65,8 +70,9 @@ impl Compare {
         let noise = noise.map_err(Failure::bad_input)?;
         let read = |path: &PathBuf| Ledger::read(path).map_err(Failure::bad_input);
         let ledger = self.ledger.as_ref().map(read).transpose()?;
+        let once = !self.ignore_time && judge::measured_once(&base, &head);
         let rules = Rules {
-            ignore_time: self.ignore_time,
+            ignore_time: self.ignore_time || once,
             noise: noise.as_ref(),
             ledger: ledger.as_ref(),
             strict: self.strict,
@@ -77,6 +83,9 @@ impl Compare {
         {
             let what = "lines of the ledger were changed or removed: it may only grow at its end";
             comparison.obstacles.push(what.to_owned());
+        }
+        if once {
+            comparison.notes.push(ONCE.to_owned());
         }
         show::terminal(&comparison, out)?;
         if let Some(path) = &self.markdown {

@@ -1,5 +1,6 @@
 //! `proctor` without a verb: the main job on the built-in set.
 
+use super::Amount;
 use super::settings::processors;
 use super::stability::done as solve_stability;
 use crate::bench::Session;
@@ -7,10 +8,13 @@ use crate::bench::config::{Asked, Config};
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
-use crate::precision::{Effort, run as study_run};
+use crate::precision::{Effort, Studied, run as study_run};
+use crate::progress::{self, Whole, ladders};
 use crate::record::Record;
 use crate::report;
-use crate::show::{case as show, precision as show_study, stability as show_stability};
+use crate::show::paint::Paint;
+use crate::show::summary::{Kept, Lines, Verdict};
+use crate::show::{case as full, precision as show_study, short, stability as show_stability};
 use crate::stability::{Asked as AskedOfStability, Done, jobs};
 use crate::suite::{self, Ran};
 use proctor_files::output::atomic;
@@ -21,7 +25,8 @@ use proctor_verification::case::{self, Size};
 use proctor_verification::stability::{map, nonlinear};
 use proctor_verification::study;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// Where record and page go, below the working folder.
 const FOLDER: &str = "target/proctor";
@@ -29,51 +34,127 @@ const FOLDER: &str = "target/proctor";
 /// Speed of the built-in set: the moving block of the speed fixtures.
 const SPEED: &str = r#"{ "scenes": ["moving-3d"], "particles": 64000, "particle_steps": 4000000 }"#;
 
-const WHERE_TO_GO: &str = "\
-Where to go from here (in a checkout, `cargo run --release --` stands for `proctor`)
-  proctor verify
-      the full ladders with observed orders, and why each bound
-  proctor precision bar
-      error against run time for every combination of weighting function, scheme and transfer
-  proctor run fixtures/scenes/disc_bounce_2d.json --out out
-      a scene; open out/particles.pvd in ParaView
-  proctor -h
-      everything else";
+/// CPU time of the map of stability and time of the studies \[s\] on the machine on which they were last looked at: what is
+/// expected at first.
+const STABILITY_SECONDS: f64 = 5.0;
+const STUDIES_SECONDS: f64 = 100.0;
 
-/// The suites in short, error against run time, and speed; tables here, everything in a record and a page.
-pub fn run(out: &mut dyn Write) -> Result<Outcome, Failure> {
+const WHERE_TO_GO: &str = "\
+Next (in a checkout, `cargo run --release --` stands for `proctor`): `proctor -v` tells all of it, `proctor verify` runs the
+full ladders, `proctor run fixtures/scenes/disc_bounce_2d.json --out out` a scene; `proctor -h` names everything else.";
+
+/// What the parts of the main job share.
+struct Job<'a> {
+    amount: Amount,
+    paint: Paint,
+    stop: Interrupt,
+    whole: Whole,
+    out: &'a mut dyn Write,
+}
+
+impl Job<'_> {
+    /// Writes below what is there, the line of progress taken away.
+    fn tell(
+        &mut self,
+        write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+    ) -> Result<(), Failure> {
+        let out = &mut *self.out;
+        Ok(progress::above(|| write(out).and_then(|()| out.flush()))?)
+    }
+}
+
+/// The suites in short, error against run time, and speed; a line each here, everything in a record and a page.
+pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
+    let begun = Instant::now();
     let options = Options::default();
     let folder = Path::new(FOLDER);
     std::fs::create_dir_all(folder)
         .map_err(|error| Failure::BadInput(format!("{}: {error}", folder.display())))?;
     let mut record = Record::new(&options);
+    record.set_ladder(Size::Quick);
     record.set_incomplete(true);
     record
         .write(&folder.join("record.json"))
         .map_err(Failure::bad_input)?;
-    let stop = Interrupt::listen()?;
-
-    let all = verify(&options, &mut record, &stop, out)?;
-    if !stop.raised() {
+    if !amount.more_than_the_verdict() {
+        progress::hide();
+    }
+    let mut job = Job {
+        amount,
+        paint: Paint::of_standard_output(),
+        stop: Interrupt::listen()?,
+        whole: whole(),
+        out,
+    };
+    let all = job.verify(&options, &mut record)?;
+    if !job.stop.raised() {
         keep_cases(&record, folder)?;
     }
-    let stable = stability(&mut record, &stop, out)?;
-    precision(&mut record, &stop, out)?;
-    let fast = speed(&mut record, &stop, out)?;
+    let stable = job.stability(&mut record)?;
+    job.precision(&mut record)?;
+    let Job {
+        stop,
+        paint,
+        whole,
+        out,
+        ..
+    } = job;
+    drop(whole);
+    let fast = speed(&mut record, amount, &stop, out)?;
 
     let interrupted = stop.raised();
     record.set_incomplete(interrupted);
-    write(&record, folder, out)?;
-    show::total(&all, out)?;
-    if interrupted {
-        return Ok(Outcome::Interrupted);
+    write(&record, folder)?;
+    let also = [(stable, "stability"), (fast, "speed")];
+    let also: Vec<&'static str> = also
+        .iter()
+        .filter(|(held, _)| !held)
+        .map(|(_, name)| *name)
+        .collect();
+    let verdict = Verdict {
+        cases: &all,
+        kept: Kept::default(),
+        asked: case::all().len(),
+        also_failed: &also,
+        interrupted,
+        took: begun.elapsed(),
+    };
+    verdict.line(paint, out)?;
+    if amount.more_than_the_verdict() {
+        verdict.busy(paint, out)?;
+        let [data, page] = files(folder);
+        writeln!(
+            out,
+            "record in {}, page in {}",
+            data.display(),
+            page.display()
+        )?;
     }
-    writeln!(out, "\n{WHERE_TO_GO}")?;
-    Ok(if fast && stable && all.iter().all(Ran::passed) {
+    if interrupted {
+        return Ok(stop.outcome());
+    }
+    if amount.more_than_the_verdict() {
+        writeln!(out, "\n{WHERE_TO_GO}")?;
+    }
+    Ok(if verdict.held() {
         Outcome::Fine
     } else {
         Outcome::Failed
     })
+}
+
+/// The line of progress over the cases, the map of stability and the studies, in that order.
+fn whole() -> Whole {
+    let at_a_time = processors() as f64;
+    let cases = case::all()
+        .iter()
+        .map(|case| ladders::seconds(case.name(), Size::Quick) / at_a_time);
+    let studies = study::all().len();
+    let each = STUDIES_SECONDS / studies.max(1) as f64;
+    let weights = cases
+        .chain([STABILITY_SECONDS / at_a_time])
+        .chain(std::iter::repeat_n(each, studies));
+    Whole::new("main job", weights.collect(), 1)
 }
 
 /// Writes what the cases gave by itself: it is the record of `proctor verify --quick`, and no case is run twice for it.
@@ -84,85 +165,142 @@ fn keep_cases(record: &Record, folder: &Path) -> Result<(), Failure> {
     cases.write(&path).map_err(Failure::bad_input)
 }
 
-/// Short ladders of all cases, as many at a time as there are processors, with the plans of their scenes.
-fn verify(
-    options: &Options,
-    record: &mut Record,
-    stop: &Interrupt,
-    out: &mut dyn Write,
-) -> Result<Vec<Ran>, Failure> {
-    let workers = processors();
-    writeln!(
-        out,
-        "Cases with exact answers: {workers} at a time, each on one thread. What comes after them runs alone.\n"
-    )?;
-    let mut all: Vec<Ran> = vec![];
-    let go = || !stop.raised();
-    let mut each = |ran: Ran| -> Result<(), Failure> {
-        record.push_case(&ran, 1);
-        // Of a case that was interrupted the verdict is about a part.
-        if stop.raised() {
-            return Ok(());
+impl Job<'_> {
+    /// Short ladders of all cases, as many at a time as there are processors, with the plans of their scenes.
+    fn verify(&mut self, options: &Options, record: &mut Record) -> Result<Vec<Ran>, Failure> {
+        let workers = processors();
+        let (amount, paint) = (self.amount, self.paint);
+        let lines = Lines::new(paint, case::all().iter().map(|case| case.name()));
+        if amount.more_than_the_verdict() {
+            self.tell(|out| {
+                writeln!(
+                    out,
+                    "Cases with exact answers: {workers} at a time, each on one thread. What comes after them runs alone."
+                )?;
+                if amount.all() { writeln!(out) } else { lines.heading(out) }
+            })?;
         }
-        show::runs(&ran, out)?;
-        show::gates(&ran, false, out)?;
-        out.flush()?;
-        if let Some(rung) = ran.rungs.last() {
-            let scene = ran.case.scene(&rung.rung);
-            let plan = proctor_kernel::simulation::plan(&scene, Demands::default());
-            record
-                .details
-                .push_plan(&format!("{}, {}", ran.case.name(), rung.rung.label), &plan);
-        }
-        all.push(ran);
-        Ok(())
-    };
-    suite::run_side_by_side(case::all(), Size::Quick, options, workers, &go, &mut each)?;
-    Ok(all)
-}
-
-/// The map of stability in short; whether all of it holds.
-fn stability(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<bool, Failure> {
-    let scenes: Vec<_> = nonlinear::ALL.iter().collect();
-    let jobs = jobs(AskedOfStability::Short, true, &scenes, &map::SCHEMES);
-    let passed = solve_stability(&jobs, stop, record)
-        .iter()
-        .all(Done::passed);
-    if let Some(detail) = &record.details.stability {
-        writeln!(
-            out,
-            "Stability, in short: `proctor stability` has all of it.\n"
+        let mut all: Vec<Ran> = vec![];
+        let stop = self.stop.clone();
+        let Self { whole, out, .. } = self;
+        let each = |ran: Ran| -> Result<(), Failure> {
+            record.push_case(&ran, 1);
+            // Of a case that was interrupted the verdict is about a part.
+            if stop.raised() {
+                return Ok(());
+            }
+            progress::above(|| -> std::io::Result<()> {
+                if amount.all() {
+                    full::runs(&ran, out)?;
+                    full::gates(&ran, false, out)?;
+                } else if amount.more_than_the_verdict() {
+                    lines.case(&ran, out)?;
+                }
+                out.flush()
+            })?;
+            if let Some(rung) = ran.rungs.last() {
+                let scene = ran.case.scene(&rung.rung);
+                let plan = proctor_kernel::simulation::plan(&scene, Demands::default());
+                record
+                    .details
+                    .push_plan(&format!("{}, {}", ran.case.name(), rung.rung.label), &plan);
+            }
+            all.push(ran);
+            Ok(())
+        };
+        let go = || !stop.raised();
+        let progress = |case: usize, share: f64| whole.at(case, share);
+        suite::run_side_by_side(
+            case::all(),
+            Size::Quick,
+            options,
+            workers,
+            &go,
+            &progress,
+            each,
         )?;
-        show_stability::map(detail, out)?;
-        writeln!(out)?;
+        Ok(all)
     }
-    Ok(passed)
-}
 
-/// Short studies of all cases that can be studied, on one thread.
-fn precision(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<(), Failure> {
-    let options = Options {
-        threads: Some(1),
-        ..Options::default()
-    };
-    let effort = Effort {
-        size: Size::Quick,
-        repetitions: 1,
-    };
-    for study in study::all() {
-        if stop.raised() {
-            break;
+    /// The map of stability in short; whether all of it holds.
+    fn stability(&mut self, record: &mut Record) -> Result<bool, Failure> {
+        let scenes: Vec<_> = nonlinear::ALL.iter().collect();
+        let jobs = jobs(AskedOfStability::Short, true, &scenes, &map::SCHEMES);
+        let whole = &self.whole;
+        let mut at = |share| whole.at(case::all().len(), share);
+        let passed = solve_stability(&jobs, &self.stop, record, &mut at)
+            .iter()
+            .all(Done::passed);
+        let (amount, interrupted) = (self.amount, self.stop.raised());
+        if let Some(detail) = record
+            .details
+            .stability
+            .as_ref()
+            .filter(|_| amount.more_than_the_verdict())
+        {
+            self.tell(|out| {
+                writeln!(out)?;
+                if amount.all() {
+                    writeln!(
+                        out,
+                        "Stability, in short: `proctor stability` has all of it.\n"
+                    )?;
+                    show_stability::map(detail, interrupted, out)
+                } else {
+                    show_stability::verdict(detail, interrupted, out)
+                }
+            })?;
         }
-        let studied = study_run::run(study, effort, &options, stop.flag());
-        show_study::study(&studied, false, out)?;
-        out.flush()?;
-        record.push_study(&studied, 1);
+        Ok(passed)
     }
-    Ok(())
+
+    /// Short studies of all cases that can be studied, on one thread.
+    fn precision(&mut self, record: &mut Record) -> Result<(), Failure> {
+        let options = Options {
+            threads: Some(1),
+            ..Options::default()
+        };
+        let effort = Effort {
+            size: Size::Quick,
+            repetitions: 1,
+        };
+        let amount = self.amount;
+        let mut all: Vec<Studied> = vec![];
+        for (number, study) in study::all().into_iter().enumerate() {
+            if self.stop.raised() {
+                break;
+            }
+            let (whole, part) = (&self.whole, case::all().len() + 1 + number);
+            let mut at = |share| whole.at(part, share);
+            let studied = study_run::run(study, effort, &options, self.stop.flag(), &mut at);
+            at(1.0);
+            record.push_study(&studied, 1);
+            if amount.all() {
+                self.tell(|out| show_study::study(&studied, false, out))?;
+            }
+            all.push(studied);
+        }
+        if amount.more_than_the_verdict() && !amount.all() && !all.is_empty() {
+            self.tell(|out| {
+                writeln!(out)?;
+                short::studies(&all, out)?;
+                writeln!(out)
+            })?;
+        }
+        Ok(())
+    }
 }
 
 /// Speed on one thread and on all; whether every sample was taken.
-fn speed(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<bool, Failure> {
+fn speed(
+    record: &mut Record,
+    amount: Amount,
+    stop: &Interrupt,
+    out: &mut dyn Write,
+) -> Result<bool, Failure> {
+    if stop.raised() {
+        return Ok(true);
+    }
     let mut threads = vec![1, processors()];
     threads.dedup();
     let asked = Asked {
@@ -180,21 +318,23 @@ fn speed(record: &mut Record, stop: &Interrupt, out: &mut dyn Write) -> Result<b
         rows: record.rows[first..].to_vec(),
         ..record.clone()
     };
-    write!(out, "{}", Report::new(&session, &measured))?;
+    let report = Report::new(&session, &measured);
+    if amount.all() {
+        write!(out, "{report}")?;
+    } else if amount.more_than_the_verdict() {
+        write!(out, "{}", report.short())?;
+    }
     Ok(measured.rows.iter().all(|row| row.error.is_none()))
 }
 
-/// The record and the page made from it.
-fn write(record: &Record, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {
-    let (data, page) = (folder.join("record.json"), folder.join("report.html"));
+/// Where the record and the page made from it go.
+fn files(folder: &Path) -> [PathBuf; 2] {
+    ["record.json", "report.html"].map(|name| folder.join(name))
+}
+
+fn write(record: &Record, folder: &Path) -> Result<(), Failure> {
+    let [data, page] = files(folder);
     record.write(&data).map_err(Failure::bad_input)?;
     let html = report::page(record);
-    atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)?;
-    writeln!(
-        out,
-        "record in {}\npage in {}\n",
-        data.display(),
-        page.display()
-    )?;
-    Ok(())
+    atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)
 }

@@ -1,6 +1,7 @@
 //! The verbs of the command, one file each.
 
 mod accept;
+mod amount;
 mod bench;
 mod compare;
 mod export;
@@ -18,6 +19,7 @@ mod stability;
 mod verify;
 
 use crate::exit::{Failure, Outcome};
+pub use amount::Amount;
 use clap::Subcommand;
 use proctor_files::json;
 use proctor_kernel::scene::Scene;
@@ -53,10 +55,10 @@ pub enum Verb {
     Schema(schema::Schema),
 }
 
-/// Runs a verb; without one, the main job.
-pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure> {
+/// Runs a verb; without one, the main job, of which so much is told.
+pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
     match verb {
-        None => main_job::run(out),
+        None => main_job::run(amount, out),
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),

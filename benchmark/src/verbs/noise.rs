@@ -61,24 +61,24 @@ pub struct Noise {
 
 impl Noise {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let options = self.settings.options();
+        let options = self.settings.options()?;
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
-        let (records, interrupted) = if self.records.is_empty() {
+        let (records, stopped) = if self.records.is_empty() {
             let cases = names::chosen(&self.cases, case::all(), "case", Case::name)?;
             let interrupt = Interrupt::listen()?;
             let mut empty = Record::new(&options);
             empty.set_incomplete(true);
             self.write(&empty)?;
             let records = measured(&cases, &options, self.passes, &interrupt);
-            (records, interrupt.raised())
+            (records, interrupt.raised().then(|| interrupt.outcome()))
         } else {
             let records = self.records.iter().map(|path| Record::read_joined(path));
             let records = records.collect::<Result<Vec<_>, _>>();
-            (records.map_err(Failure::bad_input)?, false)
+            (records.map_err(Failure::bad_input)?, None)
         };
         let bands = match noise::bands(&records, self.pairs as usize) {
             Ok(bands) => bands,
-            Err(_) if interrupted => vec![],
+            Err(_) if stopped.is_some() => vec![],
             Err(reason) => return Err(Failure::BadInput(reason)),
         };
         show(&bands, self.pairs, out)?;
@@ -89,16 +89,12 @@ impl Noise {
             )
         })?;
         record.rows = bands;
-        record.set_incomplete(interrupted);
+        record.set_incomplete(stopped.is_some());
         self.write(&record)?;
         if let Some(path) = &self.json {
             writeln!(out, "bands in {}", path.display())?;
         }
-        Ok(if interrupted {
-            Outcome::Interrupted
-        } else {
-            Outcome::Fine
-        })
+        Ok(stopped.unwrap_or(Outcome::Fine))
     }
 
     fn write(&self, record: &Record) -> Result<(), Failure> {
@@ -129,13 +125,13 @@ fn measured(
             // A B, then B A: what grows while the machine works is on both sides.
             for turn in 0..SIDES {
                 let one = &mut measured[(turn + pass as usize) % SIDES];
-                let ran = suite::run_while(case, Size::Quick, options, REPETITIONS, &go);
+                let mut each = |share| progress.at((f64::from(done) + share) / runs as f64);
+                let ran = suite::run_while(case, Size::Quick, options, REPETITIONS, &go, &mut each);
                 one.push_case(&ran, threads);
                 if interrupt.raised() {
                     return sides;
                 }
                 done += 1;
-                progress.at(f64::from(done) / runs as f64);
             }
         }
         for (side, one) in sides.iter_mut().zip(measured) {

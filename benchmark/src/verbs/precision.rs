@@ -7,6 +7,7 @@ use crate::bench::config::{Asked, Config, Executable};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::precision::{Effort, Studied, peers, rows, run};
+use crate::progress::Progress;
 use crate::record::Record;
 use crate::show::{figures, precision as show};
 use clap::Args;
@@ -69,7 +70,7 @@ pub struct Precision {
 impl Precision {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let studies = names::chosen(&self.cases, &study::all(), "case", Case::name)?;
-        let mut options = self.settings.options();
+        let mut options = self.settings.options()?;
         // Small runs gain nothing from threads, and their times would say more about waiting than about work.
         let threads = *options.threads.get_or_insert(1);
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
@@ -100,7 +101,10 @@ impl Precision {
         };
         let mut studied: Vec<Studied> = vec![];
         for study in studies {
-            let mut ran = run::run(study, effort, &options, interrupt.flag());
+            let mut progress = Progress::new(study.name());
+            let mut at = |share| progress.at(share);
+            let mut ran = run::run(study, effort, &options, interrupt.flag(), &mut at);
+            drop(progress);
             if let Some(peers) = &peers
                 && !interrupt.raised()
             {
@@ -123,7 +127,7 @@ impl Precision {
         }
         self.write(&record, &studied, out)?;
         Ok(if interrupt.raised() {
-            Outcome::Interrupted
+            interrupt.outcome()
         } else if sound {
             Outcome::Fine
         } else {

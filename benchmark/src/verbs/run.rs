@@ -3,7 +3,7 @@
 mod report;
 
 use super::scene;
-use super::settings::Settings;
+use super::settings::{Settings, bounded};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::measure::Stopwatch;
@@ -22,8 +22,9 @@ use std::path::PathBuf;
 /// Run a scene; write frames, history and a summary.
 ///
 /// Into DIR go frames (particles.pvd lists them for viewers), history.csv, checkpoint.bin and
-/// summary.json, each of them whole at any moment. Without --out nothing is written. Ctrl-C finishes the step and
-/// writes the summary; a second one ends at once.
+/// summary.json, each of them whole at any moment. Without --out nothing is written. DIR belongs to one run at a time; what
+/// the lists of an earlier run name there is taken away, unless --restart goes on with it, and frames that no list names are
+/// refused. Ctrl-C and SIGTERM finish the step and write the summary; a second one ends at once.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor run fixtures/scenes/manual/boussinesq.json --out out\n\
@@ -53,10 +54,15 @@ struct Tally {
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let scene = scene(&self.scene)?;
+        let options = self.settings.options()?;
+        if let (None, Some(threads)) = (options.threads, scene.threads) {
+            let key = format!("{}: n_threads", self.scene.display());
+            bounded(&key, threads)?;
+        }
         let interrupt = Interrupt::listen()?;
         let mut run = KernelRun::start(
             &scene,
-            &self.settings.options(),
+            &options,
             self.out.as_deref(),
             self.restart.as_deref(),
         )
@@ -91,7 +97,7 @@ impl Run {
             }
         )?;
         Ok(match summary.status {
-            Status::Interrupted => Outcome::Interrupted,
+            Status::Interrupted => interrupt.outcome(),
             Status::Finished if written => Outcome::Fine,
             _ => Outcome::Failed,
         })

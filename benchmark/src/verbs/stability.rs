@@ -128,12 +128,16 @@ impl Stability {
         record.set_incomplete(true);
         self.can_write(&record)?;
         let interrupt = Interrupt::listen()?;
-        let passed = done(&jobs, &interrupt, &mut record)
-            .iter()
-            .all(Done::passed);
+        let mut progress = Progress::new("stability");
+        let passed = done(&jobs, &interrupt, &mut record, &mut |share| {
+            progress.at(share);
+        })
+        .iter()
+        .all(Done::passed);
+        drop(progress);
         record.set_incomplete(interrupt.raised());
         if let Some(detail) = &record.details.stability {
-            show::map(detail, out)?;
+            show::map(detail, interrupt.raised(), out)?;
         }
         self.write(&record, out)?;
         Ok(ended(&interrupt, passed))
@@ -156,7 +160,7 @@ impl Stability {
         });
         record.set_incomplete(interrupt.raised());
         if let Some(detail) = &record.details.stability {
-            show::extreme(&detail.extreme, out)?;
+            show::extreme(&detail.extreme, interrupt.raised(), out)?;
         }
         self.write(&record, out)?;
         Ok(ended(&interrupt, passed))
@@ -194,7 +198,7 @@ impl Stability {
 /// How a run of rows ends.
 fn ended(interrupt: &Interrupt, passed: bool) -> Outcome {
     if interrupt.raised() {
-        Outcome::Interrupted
+        interrupt.outcome()
     } else if passed {
         Outcome::Fine
     } else {
@@ -202,15 +206,19 @@ fn ended(interrupt: &Interrupt, passed: bool) -> Outcome {
     }
 }
 
-/// Does jobs and puts them into a record.
-pub fn done(jobs: &[stability::Job], interrupt: &Interrupt, record: &mut Record) -> Vec<Done> {
-    let mut progress = Progress::new("stability");
+/// Does jobs and puts them into a record; `progress` hears the share that is done.
+pub fn done(
+    jobs: &[stability::Job],
+    interrupt: &Interrupt,
+    record: &mut Record,
+    progress: &mut dyn FnMut(f64),
+) -> Vec<Done> {
     let mut all: Vec<Done> = vec![];
     let go = || !interrupt.raised();
     stability::run(jobs, processors(), &go, |done| {
         record.push_stability(&done);
         all.push(done);
-        progress.at(all.len() as f64 / jobs.len() as f64);
+        progress(all.len() as f64 / jobs.len() as f64);
     });
     all
 }
@@ -248,7 +256,10 @@ fn print_table(out: &mut dyn Write) -> Result<Outcome, Failure> {
     let mut record = Record::new(&Options::default());
     let interrupt = Interrupt::listen()?;
     let mut entries = vec![];
-    for done in done(&jobs, &interrupt, &mut record) {
+    let mut progress = Progress::new("stability");
+    for done in done(&jobs, &interrupt, &mut record, &mut |share| {
+        progress.at(share);
+    }) {
         match done.outcome {
             Ok(Found::Entry(entry)) => entries.push(*entry),
             Ok(Found::Nonlinear(_)) => {}
@@ -259,7 +270,7 @@ fn print_table(out: &mut dyn Write) -> Result<Outcome, Failure> {
         }
     }
     if interrupt.raised() {
-        return Ok(Outcome::Interrupted);
+        return Ok(interrupt.outcome());
     }
     let numbers = table::numbers(&entries);
     let date = record.context["date"].as_str().unwrap_or("an unknown day");

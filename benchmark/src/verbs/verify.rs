@@ -1,25 +1,35 @@
 //! `proctor verify`: cases, errors, observed orders, gates.
 
-use super::names;
+mod earlier;
+
 use super::settings::Settings;
+use super::{Amount, names};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
-use crate::record::{BY_SCENE, Record};
-use crate::say::say;
-use crate::show::case as show;
+use crate::progress::{self, Whole, ladders};
+use crate::record::{BY_SCENE, CaseState, Record};
+use crate::show::case as full;
+use crate::show::paint::Paint;
+use crate::show::summary::{Kept, Lines, Verdict};
 use crate::suite::{self, Ran};
 use clap::Args;
+use earlier::Earlier;
 use proctor_kernel::lanes::Selected;
+use proctor_kernel::simulation::Options;
 use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
 use std::path::PathBuf;
+use std::time::Instant;
 
 /// Run verification cases: errors, observed orders, gates.
 ///
-/// Each case compares runs over a ladder of resolutions with an exact solution. The exit code is 1 if a gate fails.
+/// Each case compares runs over a ladder of resolutions with an exact solution. Of each a line is told: gates that hold, the
+/// one nearest to its bound as a share of it, the error that the case is about, on its finest mesh, and the time; of what
+/// fails everything. The exit code is 1 if a gate fails.
 #[derive(Args)]
 #[command(after_help = "Example: proctor verify boussinesq base-acceleration\n\
-    A short ladder, as record: proctor verify --quick --json record.json")]
+    A short ladder, as record: proctor verify --quick --json record.json\n\
+    After Ctrl-C, or a case that failed: proctor verify --resume record.json")]
 pub struct Verify {
     /// Cases to run [default: all]
     #[arg(value_name = "CASE")]
@@ -36,66 +46,187 @@ pub struct Verify {
     /// Print the names of the cases and run none
     #[arg(long)]
     list: bool,
+    /// Run the cases that this record lacks or that failed in it, on its ladders, and complete it (with --json a copy of it)
+    #[arg(long, value_name = "RECORD", conflicts_with_all = ["failed", "quick", "list"])]
+    resume: Option<PathBuf>,
+    /// Run only the cases that failed in this record, on its ladders [default: that of the main job]
+    #[arg(long, value_name = "RECORD", num_args = 0..=1, default_missing_value = MAIN_JOB, conflicts_with_all = ["quick", "list"])]
+    failed: Option<PathBuf>,
+    #[command(flatten)]
+    amount: Amount,
     #[command(flatten)]
     settings: Settings,
 }
 
+/// The record of the main job.
+const MAIN_JOB: &str = "target/proctor/record.json";
+
+/// What is to be done.
+struct Task {
+    cases: Vec<&'static dyn Case>,
+    size: Size,
+    /// What is known before the first case.
+    record: Record,
+    /// Where the record goes.
+    file: Option<PathBuf>,
+    /// Cases that were asked for then or now, those that are not run again too.
+    asked: Vec<&'static dyn Case>,
+}
+
 impl Verify {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let cases = names::chosen(&self.cases, case::all(), "case", Case::name)?;
+        let chosen = names::chosen(&self.cases, case::all(), "case", Case::name)?;
         if self.list {
-            for case in cases {
+            for case in chosen {
                 writeln!(out, "{}", case.name())?;
             }
             return Ok(Outcome::Fine);
         }
-        let options = self.settings.options();
+        let options = self.settings.options()?;
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
-        let size = if self.quick { Size::Quick } else { Size::Full };
-        let threads = options.threads.unwrap_or(BY_SCENE);
+        let task = self.task(&options, &chosen)?;
+        if let (Some(path), true) = (&self.failed, task.cases.is_empty()) {
+            writeln!(out, "no case failed in {}", path.display())?;
+            return Ok(Outcome::Fine);
+        }
         let interrupt = Interrupt::listen()?;
-        let mut record = Record::new(&options);
+        if !self.amount.more_than_the_verdict() {
+            progress::hide();
+        }
+        self.work(task, &options, &interrupt, out)
+    }
+
+    /// What is to be run, and the record that it goes into.
+    fn task(&self, options: &Options, chosen: &[&'static dyn Case]) -> Result<Task, Failure> {
+        let mut record = Record::new(options);
+        let all = case::all().len();
+        if let Some(path) = &self.resume {
+            let earlier = Earlier::read(path)?;
+            let states = [CaseState::Missing, CaseState::Failed];
+            let cases = earlier.those(chosen, &states);
+            let states = [CaseState::Missing, CaseState::Failed, CaseState::Held];
+            return Ok(Task {
+                record: earlier.without(&cases, &record, path, self.json.is_none())?,
+                size: earlier.size(),
+                asked: earlier.those(case::all(), &states),
+                file: Some(self.json.clone().unwrap_or_else(|| path.clone())),
+                cases,
+            });
+        }
+        let (cases, size) = match &self.failed {
+            Some(path) => {
+                let earlier = Earlier::read(path)?;
+                earlier.holds_cases(path)?;
+                (earlier.those(chosen, &[CaseState::Failed]), earlier.size())
+            }
+            None if self.quick => (chosen.to_vec(), Size::Quick),
+            None => (chosen.to_vec(), Size::Full),
+        };
         record.set_ladder(size);
+        let names: Vec<&str> = cases.iter().map(|case| case.name()).collect();
+        record.set_cases(&names, all);
+        Ok(Task {
+            asked: cases.clone(),
+            cases,
+            size,
+            record,
+            file: self.json.clone(),
+        })
+    }
+
+    fn work(
+        &self,
+        task: Task,
+        options: &Options,
+        interrupt: &Interrupt,
+        out: &mut dyn Write,
+    ) -> Result<Outcome, Failure> {
+        let Task {
+            cases,
+            size,
+            mut record,
+            file,
+            asked,
+        } = task;
+        let begun = Instant::now();
+        let kept = Kept::of(&record, &asked, size);
         // Until all is done. A process that is killed leaves it so.
         record.set_incomplete(true);
-        if let Some(path) = &self.json {
-            // An empty record now rather than a file that cannot be written after minutes.
-            record.write(path).map_err(Failure::bad_input)?;
-        }
-        let mut all: Vec<Ran> = vec![];
-        for case in cases {
-            let go = || !interrupt.raised();
-            let ran = suite::run_while(case, size, &options, self.repetitions.into(), &go);
-            record.push_case(&ran, threads);
-            if interrupt.raised() {
-                return self.interrupted(&record);
-            }
-            show::runs(&ran, out)?;
-            show::tables(&ran, out)?;
-            show::gates(&ran, true, out)?;
-            show::for_the_record(&ran, out)?;
+        let write = |record: &Record| match &file {
+            Some(path) => record.write(path).map_err(Failure::bad_input),
+            None => Ok(()),
+        };
+        // An empty record now rather than a file that cannot be written after minutes.
+        write(&record)?;
+        let paint = Paint::of_standard_output();
+        let lines = Lines::new(paint, cases.iter().map(|case| case.name()));
+        if !self.amount.all() && self.amount.more_than_the_verdict() && !cases.is_empty() {
+            lines.heading(out)?;
             out.flush()?;
+        }
+        let expected = cases.iter().map(|case| ladders::seconds(case.name(), size));
+        let whole = Whole::new("verify", expected.collect(), 1);
+        let threads = options.threads.unwrap_or(BY_SCENE);
+        let mut all: Vec<Ran> = vec![];
+        for (number, &case) in cases.iter().enumerate() {
+            let go = || !interrupt.raised();
+            let mut at = |share| whole.at(number, share);
+            let ran = suite::run_while(case, size, options, self.repetitions.into(), &go, &mut at);
+            record.push_case(&ran, threads);
+            // What was done so far is there, whatever happens to this process.
+            write(&record)?;
+            // Of a case that was interrupted the verdict is about a part.
+            if interrupt.raised() {
+                break;
+            }
+            progress::above(|| self.tell(&ran, &lines, out))?;
             all.push(ran);
         }
-        show::total(&all, out)?;
-        record.set_incomplete(false);
-        if let Some(path) = &self.json {
-            record.write(path).map_err(Failure::bad_input)?;
-            writeln!(out, "record in {}", path.display())?;
+        drop(whole);
+        let verdict = Verdict {
+            cases: &all,
+            kept,
+            asked: cases.len() + kept.cases,
+            also_failed: &[],
+            interrupted: interrupt.raised(),
+            took: begun.elapsed(),
+        };
+        verdict.line(paint, out)?;
+        let missing = |case: &&&dyn Case| record.case_state(**case, size) == CaseState::Missing;
+        let incomplete = interrupt.raised() || asked.iter().any(|case| missing(&case));
+        record.set_incomplete(incomplete);
+        record.sort_cases(&earlier::names());
+        write(&record)?;
+        if self.amount.more_than_the_verdict() {
+            verdict.busy(paint, out)?;
+            if let Some(path) = &file {
+                let word = if incomplete {
+                    "incomplete record"
+                } else {
+                    "record"
+                };
+                writeln!(out, "{word} in {}", path.display())?;
+            }
         }
-        Ok(if all.iter().all(Ran::passed) {
+        Ok(if interrupt.raised() {
+            interrupt.outcome()
+        } else if verdict.held() {
             Outcome::Fine
         } else {
             Outcome::Failed
         })
     }
 
-    /// Writes what was measured until Ctrl-C.
-    fn interrupted(&self, record: &Record) -> Result<Outcome, Failure> {
-        if let Some(path) = &self.json {
-            record.write(path).map_err(Failure::bad_input)?;
-            say!("interrupted; incomplete record in {}", path.display());
+    /// What is told of a case.
+    fn tell(&self, ran: &Ran, lines: &Lines, out: &mut dyn Write) -> std::io::Result<()> {
+        if self.amount.all() {
+            full::runs(ran, out)?;
+            full::tables(ran, out)?;
+            full::gates(ran, true, out)?;
+            full::for_the_record(ran, out)?;
+        } else if self.amount.more_than_the_verdict() {
+            lines.case(ran, out)?;
         }
-        Ok(Outcome::Interrupted)
+        out.flush()
     }
 }

@@ -51,6 +51,82 @@ fn the_exit_code_is_the_verdict() {
 }
 
 #[test]
+fn a_record_of_one_pass_is_fine_beside_itself_and_its_times_are_left_out() {
+    let desk = Desk::new();
+    let once = |seconds: f64, error: f64| {
+        let mut record = record(seconds, error);
+        record["benchmarks"]
+            .as_array_mut()
+            .expect("rows")
+            .truncate(1);
+        record
+    };
+    for (head, expected, words) in [
+        (
+            once(1.0, 0.1),
+            0,
+            "FINE: 1 case compared, no change; times left out",
+        ),
+        // A time that was measured once says nothing.
+        (
+            once(9.0, 0.1),
+            0,
+            "FINE: 1 case compared, no change; times left out",
+        ),
+        (
+            once(1.0, 0.2),
+            1,
+            "WORSE: 1 case compared, 1 worse; times left out",
+        ),
+        // Where somebody measured passes, times are meant to be judged.
+        (
+            record(1.0, 0.1),
+            2,
+            "1 pass in common, at least 3 are needed",
+        ),
+    ] {
+        let [base, head] = two(&desk, &once(1.0, 0.1), &head);
+        let output = proctor(&["compare", &base, &head]);
+        let text = stdout(&output);
+        assert_eq!(code(&output), expected, "{text}{}", stderr(&output));
+        assert!(text.contains(words), "{words}: {text}");
+        let told = text.contains("times were measured once") && text.contains("compare-commits");
+        assert_eq!(told, expected < 2, "{text}");
+    }
+    // What only one of them has is never fine.
+    let mut less = once(1.0, 0.1);
+    less["benchmarks"][0]
+        .as_object_mut()
+        .expect("a row")
+        .remove("error_l2");
+    let [base, head] = two(&desk, &once(1.0, 0.1), &less);
+    assert_eq!(code(&proctor(&["compare", &base, &head])), 2);
+    // Nothing but a time, measured once: nothing to judge.
+    let [base, head] = two(&desk, &less, &less);
+    let output = proctor(&["compare", &base, &head]);
+    assert_eq!(code(&output), 2);
+    assert!(
+        stdout(&output).contains("nothing to compare"),
+        "{}",
+        stdout(&output)
+    );
+}
+
+#[test]
+fn a_record_of_the_command_is_fine_beside_itself() {
+    let desk = Desk::new();
+    let file = desk.name("record.json");
+    let output = proctor(&["verify", "rotation", "bar", "--quick", "--json", &file]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let output = proctor(&["compare", &file, &file]);
+    let text = stdout(&output);
+    assert_eq!(code(&output), 0, "{text}");
+    assert!(text.contains("FINE: "), "{text}");
+    // What is equal needs no table.
+    assert!(text.lines().count() < 10, "{text}");
+}
+
+#[test]
 fn the_markdown_is_written_whatever_the_verdict() {
     let desk = Desk::new();
     let [base, head] = two(&desk, &record(1.0, 0.1), &record(1.2, 0.1));

@@ -2,10 +2,12 @@
 #![allow(missing_docs)]
 
 mod accept;
+mod again;
 mod any_input;
 mod bad_input;
 mod bench;
 mod compare;
+mod folder;
 #[cfg(unix)]
 mod guests;
 mod memory;
@@ -18,4 +20,6 @@ mod run;
 mod scripts;
 mod stability;
 mod support;
+mod terminal;
+mod threads;
 mod verify;

@@ -193,22 +193,31 @@ fn a_killed_run_leaves_no_half_file() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_says_so() {
-    let desk = Desk::new();
-    let scene = desk.scene("scene.json", &endless());
-    let out = desk.path("out");
-    let child = command(&["run", &scene, "--out", &out.display().to_string()])
-        .stdout(std::process::Stdio::piped())
-        .spawn()
-        .expect("starts");
-    wait_for(&out.join("particles_000001.vtu"));
-    let id = child.id().to_string();
-    let killed = std::process::Command::new("kill")
-        .args(["-INT", &id])
-        .status();
-    assert!(killed.expect("kill runs").success());
-    let output = child.wait_with_output().expect("ended");
-    assert_eq!(code(&output), 130);
-    assert_eq!(desk.summary("out")["status"], "interrupted");
+    for (signal, expected) in [("-INT", 130), ("-TERM", 143)] {
+        let desk = Desk::new();
+        let scene = desk.scene("scene.json", &endless());
+        let out = desk.path("out");
+        let child = command(&["run", &scene, "--out", &out.display().to_string()])
+            .stdout(std::process::Stdio::piped())
+            .spawn()
+            .expect("starts");
+        wait_for(&out.join("particles_000001.vtu"));
+        let id = child.id().to_string();
+        let killed = std::process::Command::new("kill")
+            .args([signal, &id])
+            .status();
+        assert!(killed.expect("kill runs").success());
+        let output = child.wait_with_output().expect("ended");
+        assert_eq!(code(&output), expected);
+        assert_eq!(desk.summary("out")["status"], "interrupted");
+        // With what to go on from.
+        let checkpoint = out.join("checkpoint.bin");
+        assert!(checkpoint.is_file());
+        let text = stdout(&output);
+        assert!(text.contains("interrupted"), "{text}");
+        let words = format!("--restart {}", checkpoint.display());
+        assert!(text.contains(&words), "{words}: {text}");
+    }
 }
 
 #[test]

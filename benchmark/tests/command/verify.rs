@@ -27,16 +27,7 @@ fn a_quick_ladder_passes_and_leaves_a_record() {
     let record = desk.name("record.json");
     let output = proctor(&["verify", "boussinesq", "--quick", "--json", &record]);
     assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
-    let text = stdout(&output);
-    for word in [
-        "PASS",
-        "relative error of",
-        "observed orders",
-        "wall",
-        "CPU",
-    ] {
-        assert!(text.contains(word), "{word}: {text}");
-    }
+    assert!(stdout(&output).contains("PASS: 6 of 6 gates in 1 case"));
     let text = std::fs::read_to_string(record).expect("a record");
     let record: Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(record["context"]["schema_version"], 1);

@@ -4,6 +4,8 @@
 mod checkpoint;
 #[path = "output/contact.rs"]
 mod contact;
+#[path = "output/earlier.rs"]
+mod earlier;
 #[path = "output/folder.rs"]
 mod folder;
 #[path = "output/frames.rs"]

@@ -1,11 +1,14 @@
 //! What a run prints when it is over.
 
+use crate::measure::{self, Spent};
 use crate::show::{grouped, number, seconds};
 use proctor_files::output::Summary;
+use proctor_files::output::checkpoint::CHECKPOINT;
 use proctor_files::output::summary::Status;
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::path::Path;
+use std::time::Duration;
 
 /// Events that are shown one by one; the summary file holds all.
 const SHOWN_EVENTS: usize = 3;
@@ -57,6 +60,12 @@ impl fmt::Display for Report<'_> {
             );
             row(f, "stepping", &text)?;
         }
+        if let Some(times) = self.busy() {
+            let text = format!(
+                "the machine was busy: {times:.1} times as long by the clock as on the processors"
+            );
+            row(f, "attention", &text)?;
+        }
         if let Some(ns) = s.ns_per_particle_step {
             row(
                 f,
@@ -89,12 +98,29 @@ impl fmt::Display for Report<'_> {
         }
         if let Some(folder) = self.folder {
             row(f, "results", &folder.display().to_string())?;
+            let checkpoint = folder.join(CHECKPOINT);
+            if s.status == Status::Interrupted && checkpoint.is_file() {
+                let text = format!(
+                    "--restart {}, from the last output on",
+                    checkpoint.display()
+                );
+                row(f, "to go on", &text)?;
+            }
         }
         Ok(())
     }
 }
 
 impl Report<'_> {
+    /// How many times longer it took by the clock than on the processors, where that shows a busy machine.
+    fn busy(&self) -> Option<f64> {
+        let time = |seconds: Option<f64>| Duration::try_from_secs_f64(seconds?).ok();
+        measure::busy([Spent {
+            wall: time(self.summary.wall_seconds)?,
+            cpu: time(self.summary.cpu_seconds)?,
+        }])
+    }
+
     /// The time steps taken and what decided most of them.
     fn time_step(&self) -> Option<String> {
         let (least, most) = (self.summary.dt_min?, self.summary.dt_max?);

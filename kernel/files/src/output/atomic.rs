@@ -1,8 +1,9 @@
 //! Files that are whole or not there, and the folder they go into.
 
-use std::fs;
+use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use tempfile::NamedTempFile;
 
@@ -75,6 +76,9 @@ fn sync_folder(folder: &Path) {
 #[derive(Clone, Debug)]
 pub struct OutputFolder {
     path: PathBuf,
+    /// What keeps other runs out as long as a copy of this is alive; the system lets go of it when the process ends, however
+    /// it ends.
+    _claim: Option<Arc<File>>,
 }
 
 impl OutputFolder {
@@ -82,18 +86,44 @@ impl OutputFolder {
     /// that a run does not fail at its first frame.
     ///
     /// Temporaries that a killed run left there are removed; nothing else is touched. Two runs at the same time
-    /// into one folder are not supported: they would overwrite each other's frames anyway.
+    /// into one folder would mix their files: who writes one asks for it with [`OutputFolder::claim`].
     ///
     /// # Errors
     /// [`OutputError::Folder`] if it cannot be made or is not a folder, [`OutputError::NotWritable`] if no file can
     /// be written into it.
     pub fn create(path: impl Into<PathBuf>) -> Result<Self, OutputError> {
-        let path = path.into();
+        Self::made(path.into(), |_| Ok(None))
+    }
+
+    /// As [`OutputFolder::create`], for one run alone: nobody else can claim the folder as long as a copy of this is alive.
+    /// Where the file system knows no locks nobody is kept out.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::create`], and [`OutputError::InUse`] if another run has claimed it.
+    pub fn claim(path: impl Into<PathBuf>) -> Result<Self, OutputError> {
+        Self::made(path.into(), |path| match lock(path) {
+            Ok(claim) => Ok(Some(Arc::new(claim))),
+            Err(TryLockError::WouldBlock) => Err(OutputError::InUse {
+                path: path.to_path_buf(),
+            }),
+            Err(TryLockError::Error(_)) => Ok(None),
+        })
+    }
+
+    fn made(
+        path: PathBuf,
+        claim: impl FnOnce(&Path) -> Result<Option<Arc<File>>, OutputError>,
+    ) -> Result<Self, OutputError> {
         if let Err(source) = fs::create_dir_all(&path) {
             return Err(OutputError::Folder { path, source });
         }
+        // Before anything in it is touched: temporaries may be those of a run that is still at work.
+        let claim = claim(&path)?;
         match check_writable(&path) {
-            Ok(()) => Ok(Self { path }),
+            Ok(()) => Ok(Self {
+                path,
+                _claim: claim,
+            }),
             Err(source) => Err(OutputError::NotWritable { path, source }),
         }
     }
@@ -109,6 +139,22 @@ impl OutputFolder {
     pub fn file(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }
+}
+
+/// Locks the folder itself, which leaves no file behind.
+#[cfg(unix)]
+fn lock(folder: &Path) -> Result<File, TryLockError> {
+    let folder = File::open(folder).map_err(TryLockError::Error)?;
+    folder.try_lock()?;
+    Ok(folder)
+}
+
+/// Locks a file in the folder, where a folder cannot be opened.
+#[cfg(not(unix))]
+fn lock(folder: &Path) -> Result<File, TryLockError> {
+    let file = File::create(folder.join(".proctor.lock")).map_err(TryLockError::Error)?;
+    file.try_lock()?;
+    Ok(file)
 }
 
 /// Permission bits do not tell (root, read-only mounts, full disks), so a file is written.

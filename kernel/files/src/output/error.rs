@@ -22,6 +22,20 @@ pub enum OutputError {
         /// What the operating system said.
         source: io::Error,
     },
+    /// Another run writes into the output folder.
+    InUse {
+        /// The folder asked for.
+        path: PathBuf,
+    },
+    /// The output folder holds frames that the list of no earlier run names.
+    Unlisted {
+        /// The folder asked for.
+        path: PathBuf,
+        /// Name of the first of them.
+        first: String,
+        /// How many there are.
+        count: usize,
+    },
     /// A file could not be written; the file that was there before is untouched.
     Write {
         /// The file.
@@ -126,6 +140,18 @@ impl fmt::Display for OutputError {
                     path.display()
                 )
             }
+            Self::InUse { path } => write!(
+                f,
+                "the output folder {} is in use: another run writes into it; accepted: a folder of its own for each run",
+                path.display()
+            ),
+            Self::Unlisted { path, first, count } => write!(
+                f,
+                "the output folder {} holds frames that the list of no earlier run names: found {count}, the first is \
+                 {first}; a viewer would show them among those of this run. Accepted: another folder, or this one without \
+                 them",
+                path.display()
+            ),
             Self::Write { path, source } => write!(f, "cannot write {}: {source}", path.display()),
             Self::Read { path, source } => write!(f, "cannot read {}: {source}", path.display()),
             Self::Malformed { path, line, reason } => {

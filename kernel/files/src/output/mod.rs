@@ -13,6 +13,7 @@
 
 pub mod atomic;
 pub mod checkpoint;
+pub mod earlier;
 mod error;
 pub mod history;
 mod little_endian;

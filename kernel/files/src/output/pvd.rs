@@ -5,10 +5,16 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::vtu::{self, Compression, Frame, escape, unescape};
-use super::{OutputError, OutputFolder, atomic};
+use super::{OutputError, OutputFolder, atomic, earlier};
 
 /// Beginning of the names of the files that hold particles.
-const PARTICLES: &str = "particles";
+pub(crate) const PARTICLES: &str = "particles";
+/// Beginning of the names of the files that hold nodes.
+pub(crate) const GRID: &str = "grid";
+/// Beginning of the names of the files that hold boundaries.
+pub(crate) const BOUNDARIES: &str = "boundaries";
+/// Ends of the names of frames.
+pub(super) const EXTENSIONS: [&str; 2] = ["vtu", "vtp"];
 
 /// Name of the list of particle frames in the output folder.
 pub const LIST: &str = "particles.pvd";
@@ -33,7 +39,8 @@ pub struct Series {
 
 impl Series {
     /// A new series in `folder`, and its list with no frames, so that `ParaView` never opens the list of an earlier
-    /// run. Frame files of an earlier run are left alone until a frame of the same number replaces them.
+    /// run. Frame files of an earlier run are left alone until a frame of the same number replaces them;
+    /// [`super::earlier::clear`] takes them away.
     ///
     /// # Errors
     /// [`OutputError::Write`].
@@ -60,8 +67,8 @@ impl Series {
         Ok(series)
     }
 
-    /// Goes on with the series in `folder` from `restart_time` \[s\]: later frames leave the list (their files are
-    /// replaced as the run gets there again). Where there is no list yet, the series is empty.
+    /// Goes on with the series in `folder` from `restart_time` \[s\]: later frames leave the list and the folder (the
+    /// run makes them again as it gets there). Where there is no list yet, the series is empty.
     ///
     /// # Errors
     /// [`OutputError::Read`], [`OutputError::Malformed`] if the list is not as this program writes it,
@@ -84,15 +91,18 @@ impl Series {
         compression: Compression,
         restart_time: f64,
     ) -> Result<Self, OutputError> {
-        let mut entries = read_list(&folder.file(&list_name(stem)))?;
-        entries.retain(|entry| entry.time <= restart_time);
+        let (entries, later) = read_list(&folder.file(&list_name(stem)))?
+            .into_iter()
+            .partition(|entry: &Entry| entry.time <= restart_time);
         let series = Self {
             folder,
             stem,
             compression,
             entries,
         };
+        // The list first: a run that is killed in between has no list that names what is gone.
         series.write_list()?;
+        earlier::drop_frames(&series.folder, stem, &later)?;
         Ok(series)
     }
 
@@ -176,21 +186,24 @@ pub fn frame_name(number: u64) -> String {
     name_of(PARTICLES, number, "vtu")
 }
 
-fn name_of(stem: &str, number: u64, extension: &str) -> String {
+pub(super) fn name_of(stem: &str, number: u64, extension: &str) -> String {
     format!("{stem}_{number:06}.{extension}")
 }
 
-fn list_name(stem: &str) -> String {
+pub(super) fn list_name(stem: &str) -> String {
     format!("{stem}.pvd")
 }
 
-fn frame_number(stem: &str, file: &str) -> Option<u64> {
-    let name = file.strip_suffix(".vtu").or(file.strip_suffix(".vtp"))?;
-    name.strip_prefix(stem)?.strip_prefix('_')?.parse().ok()
+/// The number of a file that is called as a frame is.
+pub(super) fn frame_number(stem: &str, file: &str) -> Option<u64> {
+    let (name, extension) = file.rsplit_once('.')?;
+    let number = name.strip_prefix(stem)?.strip_prefix('_')?.parse().ok()?;
+    let ours = EXTENSIONS.contains(&extension) && file == name_of(stem, number, extension);
+    ours.then_some(number)
 }
 
 /// Reads the list as [`Series`] writes it, one frame a line; empty where there is none.
-fn read_list(path: &Path) -> Result<Vec<Entry>, OutputError> {
+pub(super) fn read_list(path: &Path) -> Result<Vec<Entry>, OutputError> {
     let text = match crate::reading::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),

@@ -2,15 +2,12 @@
 
 use super::{RunError, boundaries, grid, state};
 use crate::output::checkpoint::CHECKPOINT;
+use crate::output::earlier;
+use crate::output::pvd::{BOUNDARIES, GRID};
 use crate::output::{Array, ArrayData, Compression, Frame, HistoryWriter, OutputFolder, Series};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::Field;
 use proctor_kernel::simulation::Simulation;
-
-/// Beginning of the names of the files that hold nodes.
-const GRID: &str = "grid";
-/// Beginning of the names of the files that hold boundaries.
-const BOUNDARIES: &str = "boundaries";
 
 /// The growing files of a run.
 pub(super) struct Files {
@@ -32,12 +29,15 @@ struct ProbedParticle {
 }
 
 impl Files {
-    /// Makes the files, or after a restart goes on with them.
+    /// Makes the files, or after a restart goes on with them. What an earlier run left there goes where this one begins anew.
     pub(super) fn open(
         simulation: &Simulation,
         folder: OutputFolder,
         resume: bool,
     ) -> Result<Self, RunError> {
+        if !resume {
+            earlier::clear(&folder)?;
+        }
         let mut files = Self {
             folder,
             series: None,

@@ -47,7 +47,8 @@ pub struct Run {
 
 impl Run {
     /// Sets up a simulation, and in `folder`, if given, its files with the state at the start. With `restart`
-    /// the state comes from a checkpoint of the same scene, and files in the folder are continued.
+    /// the state comes from a checkpoint of the same scene, and files in the folder are continued; without it what the
+    /// lists of an earlier run name there is taken away. The folder belongs to this run until it is dropped.
     ///
     /// # Errors
     /// See [`RunError`]. Nothing is written unless the scene and the checkpoint are sound.
@@ -66,7 +67,7 @@ impl Run {
         let files = match folder {
             None => None,
             Some(folder) => {
-                let folder = OutputFolder::create(folder)?;
+                let folder = OutputFolder::claim(folder)?;
                 let mut files = Files::open(&simulation, folder, restart.is_some())?;
                 files.write(&simulation)?;
                 Some(files)

@@ -71,6 +71,24 @@ fn the_folder_is_made_and_only_stale_temporaries_go() {
 }
 
 #[test]
+fn a_folder_belongs_to_one_run_as_long_as_that_is_there() {
+    let parent = tempfile::tempdir().unwrap();
+    let path = parent.path().join("out");
+    let first = OutputFolder::claim(&path).unwrap();
+    let copy = first.clone();
+    // What the first one is writing is no leftover.
+    fs::write(first.file(".proctor-w0rk.tmp"), b"x").unwrap();
+    drop(first);
+    let error = OutputFolder::claim(&path).unwrap_err();
+    assert!(matches!(&error, OutputError::InUse { path: p } if *p == path));
+    assert!(error.to_string().contains("is in use"), "{error}");
+    assert_eq!(names(&path), [".proctor-w0rk.tmp"]);
+    drop(copy);
+    OutputFolder::claim(&path).unwrap();
+    assert_eq!(names(&path), [""; 0]);
+}
+
+#[test]
 fn a_folder_that_cannot_be_is_named_with_the_reason() {
     let parent = tempfile::tempdir().unwrap();
     let file = parent.path().join("file");

@@ -1,0 +1,95 @@
+//! Colour on a terminal, and a symbol beside every colour.
+
+use anstream::{AutoStream, ColorChoice};
+use anstyle::{AnsiColor, Style};
+
+/// What a symbol stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// It holds.
+    Held,
+    /// It does not.
+    Failed,
+    /// Something to know, or work that was not finished.
+    Attention,
+}
+
+impl Mark {
+    /// What stands for it without colour.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Held => "✓",
+            Self::Failed => "✗",
+            Self::Attention => "!",
+        }
+    }
+
+    fn style(self) -> Style {
+        let colour = match self {
+            Self::Held => AnsiColor::Green,
+            Self::Failed => AnsiColor::Red,
+            Self::Attention => AnsiColor::Yellow,
+        };
+        colour.on_default().bold()
+    }
+}
+
+/// Whether what is printed may have colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Paint {
+    colour: bool,
+}
+
+impl Paint {
+    /// No colour.
+    pub const NONE: Self = Self { colour: false };
+
+    /// As standard output takes it: colour on a terminal, unless `NO_COLOR` is set or `TERM` says that it has none, and
+    /// elsewhere where `CLICOLOR_FORCE` asks for it.
+    #[must_use]
+    pub fn of_standard_output() -> Self {
+        Self {
+            colour: AutoStream::choice(&std::io::stdout()) != ColorChoice::Never,
+        }
+    }
+
+    /// Text in the colour of a mark.
+    #[must_use]
+    pub fn text(self, mark: Mark, text: &str) -> String {
+        if self.colour {
+            let style = mark.style();
+            format!("{style}{text}{style:#}")
+        } else {
+            text.to_owned()
+        }
+    }
+
+    /// The symbol of a mark, one character wide.
+    #[must_use]
+    pub fn symbol(self, mark: Mark) -> String {
+        self.text(mark, mark.symbol())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_colour_has_a_symbol_of_its_own() {
+        let marks = [Mark::Held, Mark::Failed, Mark::Attention];
+        for (i, mark) in marks.iter().enumerate() {
+            assert_eq!(mark.symbol().chars().count(), 1);
+            assert!(
+                marks[..i]
+                    .iter()
+                    .all(|other| other.symbol() != mark.symbol())
+            );
+            assert_eq!(Paint::NONE.symbol(*mark), mark.symbol());
+            let coloured = Paint { colour: true }.symbol(*mark);
+            assert!(coloured.starts_with('\u{1b}') && coloured.contains(mark.symbol()));
+            assert!(coloured.ends_with("\u{1b}[0m"), "{coloured:?}");
+        }
+    }
+}

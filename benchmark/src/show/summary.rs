@@ -1,0 +1,335 @@
+//! Cases that were run, one line each, and the verdict over all of them.
+
+use super::paint::{Mark, Paint};
+use super::{case as full, percent, seconds, shortened};
+use crate::measure;
+use crate::record::details::{GateDetail, gate};
+use crate::record::{CaseState, Record};
+use crate::suite::Ran;
+use proctor_verification::case::{Case, Size};
+use std::fmt::Write as _;
+use std::io::{self, Write};
+use std::time::Duration;
+
+/// Characters of the name of the headline error.
+const HEADLINE: usize = 29;
+/// Cases that failed and are named in the verdict; all of them stand above it.
+const NAMED: usize = 6;
+
+/// Lines of cases below each other, in columns that fit their names.
+pub struct Lines {
+    paint: Paint,
+    /// Characters of the longest name.
+    name: usize,
+}
+
+impl Lines {
+    /// For cases of these names.
+    pub fn new<'a>(paint: Paint, names: impl IntoIterator<Item = &'a str>) -> Self {
+        let lengths = names.into_iter().map(|name| name.chars().count());
+        Self {
+            paint,
+            name: lengths.max().unwrap_or(0).max("case".len()),
+        }
+    }
+
+    /// What stands above them.
+    ///
+    /// # Errors
+    /// If `out` cannot be written.
+    pub fn heading(&self, out: &mut dyn Write) -> io::Result<()> {
+        let line = self.line(" ", "case", ["gates", "tightest", "error of", "", "time"]);
+        writeln!(out, "{line}")
+    }
+
+    /// The line of a case: gates that hold, the gate nearest to its bound as a share of it, the headline error and the time
+    /// of all its runs by the clock. Below it all of it, where something failed.
+    ///
+    /// # Errors
+    /// If `out` cannot be written.
+    pub fn case(&self, ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+        let gates: Vec<GateDetail> = ran.verdict.gates.iter().map(gate).collect();
+        let held = gates.iter().filter(|gate| gate.passed).count();
+        let tightest = gates.iter().map(GateDetail::used).reduce(f64::max);
+        let (of, error) = headline(ran).map_or_else(Default::default, |(name, error)| {
+            (shortened(name, HEADLINE), percent(error))
+        });
+        let time: f64 = ran.rungs.iter().map(|r| r.spent().wall.as_secs_f64()).sum();
+        let mark = if ran.passed() {
+            Mark::Held
+        } else {
+            Mark::Failed
+        };
+        let line = self.line(
+            &self.paint.symbol(mark),
+            ran.case.name(),
+            [
+                &format!("{held} of {}", gates.len()),
+                &tightest.map_or_else(String::new, share),
+                &of,
+                &error,
+                &seconds(time),
+            ],
+        );
+        writeln!(out, "{line}")?;
+        if ran.passed() {
+            return Ok(());
+        }
+        writeln!(out)?;
+        full::runs(ran, out)?;
+        full::tables(ran, out)?;
+        full::failed_gates(ran, out)
+    }
+
+    fn line(&self, symbol: &str, name: &str, cells: [&str; 5]) -> String {
+        let [gates, tightest, of, error, time] = cells;
+        let width = self.name;
+        format!(
+            "{symbol} {name:<width$}  {gates:>8}  {tightest:>8}  {of:<HEADLINE$}  {error:>9}  {time:>7}"
+        )
+    }
+}
+
+/// A share of a bound. What holds is never told as all of it or more.
+fn share(used: f64) -> String {
+    let percent = 100.0 * used;
+    match percent {
+        _ if percent <= 99.0 => format!("{percent:.0} %"),
+        _ if percent <= 100.0 => format!("{:.1} %", (percent * 10.0).floor() / 10.0),
+        _ if percent < 1000.0 => format!("{:.0} %", percent.ceil()),
+        _ => "> 999 %".to_owned(),
+    }
+}
+
+/// The first error of the finest run of the first problem that has one, of several as fine ones the last: what the case is
+/// about.
+fn headline(ran: &Ran) -> Option<(&'static str, f64)> {
+    let error = |number: usize| {
+        let solved = ran.rungs.get(number)?.solved.as_ref().ok()?;
+        let found = solved.quantities.iter().find(|q| q.error.is_some())?;
+        Some((found.name, found.error?))
+    };
+    let first = (0..ran.rungs.len()).find(|&number| error(number).is_some())?;
+    let variant = ran.rungs[first].rung.variant;
+    let finest = (0..ran.rungs.len())
+        .rev()
+        .filter(|&number| ran.rungs[number].rung.variant == variant && error(number).is_some())
+        .min_by(|&a, &b| ran.rungs[a].rung.cell.total_cmp(&ran.rungs[b].rung.cell))?;
+    error(finest)
+}
+
+/// What an earlier record holds of cases that are not run again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kept {
+    /// Cases all of which holds.
+    pub cases: usize,
+    /// Their gates.
+    pub gates: usize,
+}
+
+impl Kept {
+    /// What a record holds of cases on the ladders of that size.
+    #[must_use]
+    pub fn of(record: &Record, cases: &[&'static dyn Case], size: Size) -> Self {
+        let held = cases
+            .iter()
+            .filter(|case| record.case_state(**case, size) == CaseState::Held);
+        held.fold(Self::default(), |kept, case| Self {
+            cases: kept.cases + 1,
+            gates: kept.gates + record.gates_of(case.name()),
+        })
+    }
+}
+
+/// What came of all cases.
+pub struct Verdict<'a> {
+    /// Those that were run to their end.
+    pub cases: &'a [Ran],
+    /// Those that were not run again.
+    pub kept: Kept,
+    /// How many were asked for, kept ones too.
+    pub asked: usize,
+    /// What else failed, by name.
+    pub also_failed: &'a [&'static str],
+    /// Whether the user stopped it.
+    pub interrupted: bool,
+    /// Time since the beginning.
+    pub took: Duration,
+}
+
+impl Verdict<'_> {
+    /// Whether all that was run holds.
+    #[must_use]
+    pub fn held(&self) -> bool {
+        self.also_failed.is_empty() && self.cases.iter().all(Ran::passed)
+    }
+
+    /// The verdict in one line. What was interrupted never passes.
+    ///
+    /// # Errors
+    /// If `out` cannot be written.
+    pub fn line(&self, paint: Paint, out: &mut dyn Write) -> io::Result<()> {
+        let gates = || self.cases.iter().flat_map(|ran| &ran.verdict.gates);
+        let passed = self.kept.gates + gates().filter(|gate| gate.passed()).count();
+        let all = self.kept.gates + gates().count();
+        let (mark, word) = match (self.interrupted, self.held()) {
+            (true, _) => (Mark::Attention, "INTERRUPTED"),
+            (false, true) => (Mark::Held, "PASS"),
+            (false, false) => (Mark::Failed, "FAIL"),
+        };
+        let mut text = format!("{passed} of {all} gates in ");
+        let cases = match self.asked {
+            1 => "1 case".to_owned(),
+            n => format!("{n} cases"),
+        };
+        if self.interrupted {
+            let run = self.kept.cases + self.cases.len();
+            let _ = if run < self.asked {
+                write!(text, "{run} of {cases}; the others were not run")
+            } else {
+                write!(text, "{cases}; what comes after them was not finished")
+            };
+        } else {
+            text.push_str(&cases);
+        }
+        if self.kept.cases > 0 {
+            let _ = write!(text, "; {} of them held before", self.kept.cases);
+        }
+        let failed = self.cases.iter().filter(|ran| !ran.passed());
+        let names: Vec<&str> = failed.map(|ran| ran.case.name()).collect();
+        let names: Vec<&str> = names.iter().chain(self.also_failed).copied().collect();
+        if !names.is_empty() {
+            let shown = names[..names.len().min(NAMED)].join(", ");
+            let more = match names.len() - names.len().min(NAMED) {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            let _ = write!(text, "; failed: {shown}{more}");
+        }
+        let word = format!("{} {word}", mark.symbol());
+        let took = seconds(self.took.as_secs_f64());
+        writeln!(out, "{}: {text}, {took}", paint.text(mark, &word))
+    }
+
+    /// Says so where the machine was busy with something else.
+    ///
+    /// # Errors
+    /// If `out` cannot be written.
+    pub fn busy(&self, paint: Paint, out: &mut dyn Write) -> io::Result<()> {
+        let runs = self.cases.iter().flat_map(|ran| &ran.rungs);
+        let Some(times) = measure::busy(runs.map(crate::suite::RanRung::spent)) else {
+            return Ok(());
+        };
+        writeln!(
+            out,
+            "{} the machine was busy: runs took {times:.1} times as long by the clock as on the processors",
+            paint.symbol(Mark::Attention)
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proctor_verification::case::{self, Gate, Verdict as CaseVerdict};
+
+    fn ran(number: usize, found: f64) -> Ran {
+        let gate = Gate::at_most("error".to_owned(), found, 0.01, "a reason");
+        Ran {
+            case: case::all()[number],
+            rungs: vec![],
+            verdict: CaseVerdict {
+                gates: vec![gate],
+                ..CaseVerdict::default()
+            },
+        }
+    }
+
+    fn said(
+        cases: &[Ran],
+        asked: usize,
+        also_failed: &[&'static str],
+        interrupted: bool,
+    ) -> String {
+        let verdict = Verdict {
+            cases,
+            kept: Kept::default(),
+            asked,
+            also_failed,
+            interrupted,
+            took: Duration::from_millis(1500),
+        };
+        let mut text = vec![];
+        verdict.line(Paint::NONE, &mut text).expect("written");
+        String::from_utf8(text).expect("text")
+    }
+
+    #[test]
+    fn what_was_interrupted_never_passes() {
+        let text = said(&[ran(0, 0.001)], 31, &[], true);
+        assert_eq!(
+            text,
+            "! INTERRUPTED: 1 of 1 gates in 1 of 31 cases; the others were not run, 1.50 s\n"
+        );
+        let after = said(&[ran(0, 0.001)], 1, &[], true);
+        assert!(
+            after.contains("in 1 case; what comes after them was not finished"),
+            "{after}"
+        );
+        let failed = said(&[ran(0, 1.0)], 2, &[], true);
+        assert!(failed.starts_with("! INTERRUPTED: 0 of 1 gates in 1 of 2 cases"));
+        assert!(failed.contains("; failed: boussinesq"), "{failed}");
+    }
+
+    #[test]
+    fn the_verdict_names_what_failed() {
+        assert_eq!(
+            said(&[ran(0, 0.001)], 1, &[], false),
+            "✓ PASS: 1 of 1 gates in 1 case, 1.50 s\n"
+        );
+        let text = said(&[ran(0, 0.001), ran(1, 0.1)], 2, &["stability"], false);
+        let name = case::all()[1].name();
+        assert_eq!(
+            text,
+            format!("✗ FAIL: 1 of 2 gates in 2 cases; failed: {name}, stability, 1.50 s\n")
+        );
+        // No gate failed, and still nobody may take it for a pass.
+        assert!(said(&[ran(0, 0.001)], 1, &["speed"], false).contains("FAIL: 1 of 1 gates"));
+    }
+
+    #[test]
+    fn a_case_is_a_line_and_all_of_it_where_it_failed() {
+        let lines = Lines::new(Paint::NONE, ["boussinesq"]);
+        let text = |found: f64| {
+            let mut text = vec![];
+            lines.case(&ran(0, found), &mut text).expect("written");
+            String::from_utf8(text).expect("text")
+        };
+        let held = text(0.008);
+        assert_eq!(held.lines().count(), 1, "{held}");
+        assert!(
+            held.starts_with("✓ boussinesq    1 of 1      80 %"),
+            "{held}"
+        );
+        let failed = text(0.02);
+        assert!(
+            failed.starts_with("✗ boussinesq    0 of 1     200 %"),
+            "{failed}"
+        );
+        for word in ["FAIL  error: 0.02, at most 0.01", "a reason"] {
+            assert!(failed.contains(word), "{word}: {failed}");
+        }
+    }
+
+    #[test]
+    fn what_holds_is_never_told_as_the_whole_of_its_bound() {
+        assert_eq!(share(0.0), "0 %");
+        assert_eq!(share(0.804), "80 %");
+        assert_eq!(share(0.998_24), "99.8 %");
+        assert_eq!(share(0.999_99), "99.9 %");
+        assert_eq!(share(1.0), "100.0 %");
+        assert_eq!(share(1.000_1), "101 %");
+        assert_eq!(share(12.0), "> 999 %");
+        assert_eq!(share(f64::INFINITY), "> 999 %");
+    }
+}
