@@ -4,6 +4,7 @@
 mod bodies;
 mod build;
 mod contact;
+mod glossary;
 mod keys;
 mod lists;
 mod loads;
@@ -27,6 +28,7 @@ use self::build::Build;
 use self::keys::RawScene;
 use proctor_kernel::scene::{Problem, Scene, SceneError};
 
+pub use self::glossary::{Block, Key, Otherwise, Range, blocks, schema};
 pub use self::words::{listed, nearest, words_of};
 pub use self::write::{NotWritten, Written, write};
 
@@ -115,10 +117,4 @@ pub fn place(problems: &mut [Problem], text: &str, source_name: &str) {
             .as_ref()
             .map(|at| (at.file != source_name, at.file.clone(), at.line, at.column))
     });
-}
-
-/// The JSON Schema of a scene file, for editors.
-#[must_use]
-pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(RawScene).to_value()
 }

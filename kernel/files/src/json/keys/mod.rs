@@ -1,413 +1,277 @@
 //! The keys of a scene file, as written: flat, all optional, nothing checked but types.
 //!
-//! The documentation of a key is its description in the JSON Schema. "The manuals" are the technical manual of
-//! 2026 and the contact manual v0.1; "their program" is MPM-Geomechanics, whose defaults hold where the manuals
-//! give none.
+//! What is said of a key here is all that is said of it anywhere: its description, unit, default, range and example are
+//! in the JSON Schema, in `proctor keys`, and held against the reader by a test. Beside the words of JSON Schema
+//! (`default`, `minimum`, `examples`, ...) there are
+//!
+//! | word | says |
+//! |---|---|
+//! | `x-unit` | SI unit; `1` of a plain number |
+//! | `x-default` | what holds where the key is missing, if that is no value |
+//! | `x-needed` | there is no default: the key must be there |
+//! | `x-needs` | what else must be in the scene for the key to mean something |
+//! | `x-also` | the key of which this is another spelling |
+//! | `x-file` | the text names a file, relative to the folder of the scene |
+//!
+//! "The manuals" are the technical manual of 2026 and the contact manual v0.1; "their program" is MPM-Geomechanics, whose
+//! defaults hold where the manuals give none.
+
+mod bodies;
+mod contact;
+mod mesh;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::lists::{Contacts, Counts, Entries, Terrains, VectorOrTable};
+use super::lists::{Comment, Contacts, Counts, Entries, Terrains};
 use super::material_keys::RawMaterial;
+
+pub(super) use self::bodies::{RawBody, RawBoxLoad, RawHeldBox, RawProbe, RawTraction};
+pub(super) use self::contact::{
+    RawContact, RawContactManager, RawRigidLine, RawRigidSurface, RawTerrainContact,
+};
+pub(super) use self::mesh::{RawEarthquake, RawMesh, RawPlanes};
 
 /// A scene: what is simulated, in SI units.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with the keys of a scene")]
 pub(super) struct RawScene {
-    /// Number of dimensions: 3 (the default) or 2, plane strain in x-y with vectors of length 2.
-    #[schemars(extend("enum" = [2, 3]))]
+    /// Number of dimensions: 3, or 2, plane strain in x-y with vectors of length 2.
+    #[schemars(extend("enum" = [2, 3], "default" = 3, "examples" = [2]))]
     pub dimension: Option<u64>,
-    /// End time [s].
+    /// End time.
+    #[schemars(extend(
+        "x-unit" = "s", "x-needed" = true, "exclusiveMinimum" = 0, "examples" = [1.5]
+    ))]
     pub time: Option<f64>,
-    /// Constant time step [s]. Without it and without a multiplier the step is automatic.
+    /// Constant time step.
+    #[schemars(extend(
+        "x-unit" = "s", "x-default" = "the largest safe one, chosen anew in each step", "exclusiveMinimum" = 0,
+        "examples" = [1e-4]
+    ))]
     pub time_step: Option<f64>,
     /// Time step as a factor on min(h) / max(c + |v|).
+    #[schemars(extend(
+        "x-unit" = "1", "x-default" = "the largest safe step, chosen anew in each step", "exclusiveMinimum" = 0,
+        "examples" = [0.4]
+    ))]
     pub critical_time_step_multiplier: Option<f64>,
-    /// Another spelling of `critical_time_step_multiplier`, used by the technical manual.
+    /// Another spelling of `critical_time_step_multiplier`, that of the technical manual.
+    #[schemars(extend(
+        "x-unit" = "1", "x-also" = "critical_time_step_multiplier", "exclusiveMinimum" = 0, "examples" = [0.4]
+    ))]
     pub time_step_multiplier: Option<f64>,
-    /// Run even where the time step is above the bound of the scheme. Default: false.
+    /// Run even where the time step is above the bound of the scheme.
+    #[schemars(extend(
+        "x-needs" = "`time_step` or `critical_time_step_multiplier`", "default" = false, "examples" = [true]
+    ))]
     pub allow_unstable: Option<bool>,
-    /// Acceleration of gravity [m/s²]. Default: zero, as in the manuals' program.
+    /// Acceleration of gravity, one number per axis.
+    #[schemars(extend(
+        "x-unit" = "m/s²", "x-default" = "zero, as in the manuals' program", "examples" = [[0, -9.81], [0, 0, -9.81]]
+    ))]
     pub gravity: Option<Vec<f64>>,
-    /// Number of threads; the command line overrides it. Default: all.
+    /// Number of threads; the command line overrides it.
+    #[schemars(extend(
+        "x-default" = "one for 8192 particles, at most all of the machine", "minimum" = 1, "examples" = [2]
+    ))]
     pub n_threads: Option<usize>,
-    /// Number of phases; only 1, the default, is built.
+    /// Number of phases; only 1 is built.
+    #[schemars(extend("default" = 1, "examples" = [1]))]
     pub n_phases: Option<u64>,
-    /// When the stress is updated. Default: USL, as in the manuals' program.
-    #[schemars(extend("enum" = ["USF", "USL", "MUSL"]))]
+    /// When the stress is updated: before the momentum (USF), after it (USL), or after it with velocities mapped again
+    /// (MUSL). The default is that of the manuals' program.
+    #[schemars(extend("enum" = ["USF", "USL", "MUSL"], "default" = "USL", "examples" = ["MUSL"]))]
     pub stress_scheme_update: Option<String>,
-    /// Weighting function. Default: GIMP, as in the manuals' program; GIMP and uGIMP are the same.
-    #[schemars(extend("enum" = ["linear", "GIMP", "uGIMP", "cpGIMP", "quadratic_bspline"]))]
+    /// Weighting function; GIMP and uGIMP are the same. The default is that of the manuals' program.
+    #[schemars(extend(
+        "enum" = ["linear", "GIMP", "uGIMP", "cpGIMP", "quadratic_bspline"], "default" = "GIMP",
+        "examples" = ["cpGIMP"]
+    ))]
     pub shape_function: Option<String>,
-    /// How the particle domain of cpGIMP follows the deformation. Default: determinant.
-    #[schemars(extend("enum" = ["determinant", "stretch", "left_stretch"]))]
+    /// How the particle domain of cpGIMP follows the deformation.
+    #[schemars(extend(
+        "enum" = ["determinant", "stretch", "left_stretch"], "x-needs" = "`shape_function` \"cpGIMP\"",
+        "default" = "determinant", "examples" = ["stretch"]
+    ))]
     pub domain_update: Option<String>,
-    /// How velocity is carried between particles and nodes. Default: FLIP, as in the manuals.
-    #[schemars(extend("enum" = ["FLIP", "APIC", "TPIC"]))]
+    /// How velocity is carried between particles and nodes. The default is that of the manuals.
+    #[schemars(extend(
+        "enum" = ["FLIP", "APIC", "TPIC"], "default" = "FLIP", "examples" = ["APIC"]
+    ))]
     pub transfer: Option<String>,
-    /// Share of the nodal velocity in the particle velocity, 0 to 1. Default: 0 with FLIP, 1 with APIC and TPIC.
+    /// Share of the nodal velocity in the particle velocity.
+    #[schemars(extend(
+        "x-unit" = "1", "x-default" = "0 with FLIP, 1 with APIC and TPIC", "minimum" = 0, "maximum" = 1,
+        "examples" = [0.01]
+    ))]
     pub pic_fraction: Option<f64>,
-    /// Where the volumetric strain is taken. Default: particle. With `cell_average` nearly incompressible material does not
-    /// lock.
-    #[schemars(extend("enum" = ["particle", "cell_average"]))]
+    /// Where the volumetric strain is taken. With `cell_average` nearly incompressible material does not lock.
+    #[schemars(extend(
+        "enum" = ["particle", "cell_average"], "default" = "particle", "examples" = ["cell_average"]
+    ))]
     pub volumetric_strain: Option<String>,
-    /// Particles per cell and axis, one number or one per axis; a body may say otherwise. Default: 2 per axis, as
-    /// in the manuals' program.
+    /// Particles per cell and axis, one number or one per axis; a body may say otherwise. The default is that of the
+    /// manuals' program.
+    #[schemars(extend("default" = 2, "examples" = [3]))]
     pub particles_per_cell: Option<Counts>,
-    /// Numerical damping. Default: none.
+    /// Numerical damping.
+    #[schemars(extend("x-default" = "none", "examples" = [{"type": "local", "value": 0.05}]))]
     pub damping: Option<RawDamping>,
     /// What is written.
+    #[schemars(extend(
+        "x-default" = "ten frames with identifier and displacement",
+        "examples" = [{"print": 20, "fields": ["id", "stress"]}]
+    ))]
     pub results: Option<RawResults>,
     /// Background mesh.
+    #[schemars(extend(
+        "x-needed" = true, "examples" = [{"cells_dimension": [0.1, 0.1, 0.1], "cells_number": [20, 20, 20]}]
+    ))]
     pub mesh: Option<RawMesh>,
     /// Motion of a boundary plane from a record.
+    #[schemars(extend(
+        "x-default" = "no plane moves", "examples" = [{"active": true, "file": "record.csv"}]
+    ))]
     pub earthquake: Option<RawEarthquake>,
     /// Materials, as a list or by name.
+    #[schemars(extend(
+        "x-needed" = true, "examples" = [[{"type": "elastic", "id": 1, "young": 1e6, "poisson": 0.3, "density": 1000}]]
+    ))]
     pub material: Option<Entries<RawMaterial>>,
     /// Another spelling of `material`.
+    #[schemars(extend(
+        "x-also" = "material",
+        "examples" = [[{"type": "elastic", "id": 1, "young": 1e6, "poisson": 0.3, "density": 1000}]]
+    ))]
     pub materials: Option<Entries<RawMaterial>>,
     /// Bodies, as a list or by name.
+    #[schemars(extend(
+        "x-needed" = true,
+        "examples" = [[{"type": "sphere", "id": 1, "material_id": 1, "center": [0.5, 0.5, 0.5], "radius": 0.4}]]
+    ))]
     pub body: Option<Entries<RawBody>>,
     /// Another spelling of `body`.
+    #[schemars(extend(
+        "x-also" = "body",
+        "examples" = [[{"type": "sphere", "id": 1, "material_id": 1, "center": [0.5, 0.5, 0.5], "radius": 0.4}]]
+    ))]
     pub bodies: Option<Entries<RawBody>>,
     /// Boxes in which all nodes of the mesh stand still.
+    #[schemars(extend(
+        "x-default" = "none", "examples" = [[{"point_p1": [0, 0, 0], "point_p2": [0.5, 0, 0]}]]
+    ))]
     pub held_box: Option<Vec<RawHeldBox>>,
-    /// Forces on nodes: pairs of a position [m] and a force [N].
+    /// Forces on nodes: pairs of a position and a force.
+    #[schemars(extend(
+        "x-unit" = "m, N", "x-default" = "none", "examples" = [[[[0.5, 0.5, 1.0], [0, 0, -100]]]]
+    ))]
     pub nodal_point_load: Option<Vec<Vec<Vec<f64>>>>,
     /// Tractions on rectangles fixed in space.
+    #[schemars(extend(
+        "x-default" = "none",
+        "examples" = [[{"point_p1": [0, 0, 1], "point_p2": [1, 1, 1], "traction": [0, 0, -1000]}]]
+    ))]
     pub traction: Option<Vec<RawTraction>>,
     /// Forces spread over the particles that lie in a box at the start.
+    #[schemars(extend(
+        "x-default" = "none", "examples" = [[{"point_p1": [0, 0, 0], "point_p2": [1, 1, 0.5], "force": [10, 0, 0]}]]
+    ))]
     pub box_load: Option<Vec<RawBoxLoad>>,
-    /// What happens to a particle that leaves the mesh. Default: stop.
-    #[schemars(extend("enum" = ["stop", "remove"]))]
+    /// What happens to a particle that leaves the mesh.
+    #[schemars(extend("enum" = ["stop", "remove"], "default" = "stop", "examples" = ["remove"]))]
     pub outside: Option<String>,
     /// What happens when energy, momentum or a strain increment is out of balance: the run tells it at its end, or
-    /// stops. Default: tell.
-    #[schemars(extend("enum" = ["tell", "stop"]))]
+    /// stops.
+    #[schemars(extend("enum" = ["tell", "stop"], "default" = "tell", "examples" = ["stop"]))]
     pub on_imbalance: Option<String>,
     /// Particles whose history is written.
+    #[schemars(extend(
+        "x-default" = "none", "examples" = [[{"name": "top", "point": [0.5, 0.5, 1]}]]
+    ))]
     pub probes: Option<Vec<RawProbe>>,
-    /// Contact between bodies.
+    /// Contact between bodies, as a list or by name.
+    #[schemars(extend(
+        "x-default" = "none: bodies share one velocity field and stick",
+        "examples" = [[{"master_id": 1, "slave_id": 2, "friction": 0.3}]]
+    ))]
     pub contact: Option<Contacts>,
     /// Rigid polylines without particles, for mortar contact in two dimensions.
+    #[schemars(extend(
+        "x-needs" = "`dimension` 2", "x-default" = "none",
+        "examples" = [{"floor": {"id": 9, "points": [[1, 0], [0, 0]]}}]
+    ))]
     pub rigid_line: Option<Entries<RawRigidLine>>,
     /// Rigid surfaces of triangles without particles, for mortar contact in three dimensions.
+    #[schemars(extend(
+        "x-needs" = "`dimension` 3", "x-default" = "none", "examples" = [{"floor": {"id": 9, "stl_mesh": "floor.stl"}}]
+    ))]
     pub rigid_surface: Option<Entries<RawRigidSurface>>,
     /// Settings of all contacts.
+    #[schemars(extend("x-default" = "contacts act", "examples" = [{"active": false}]))]
     pub contact_manager: Option<RawContactManager>,
-    /// Contact with a rigid surface, or a list of them (3D).
+    /// Contact with a rigid surface, or a list of them.
+    #[schemars(extend(
+        "x-needs" = "`dimension` 3", "x-default" = "none",
+        "examples" = [{"active": true, "stl_mesh": "floor.stl", "friction": 0.3}]
+    ))]
     pub terrain_contact: Option<Terrains>,
+    /// Words for people: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
 }
 
 /// Numerical damping.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with `type` and `value`")]
 pub(super) struct RawDamping {
-    /// Kind of damping.
-    #[schemars(extend("enum" = ["none", "local", "kinetic", "viscous"]))]
+    /// Kind of damping: on the unbalanced force, by stopping at peaks of kinetic energy, or by drag.
+    #[schemars(extend(
+        "enum" = ["none", "local", "kinetic", "viscous"], "x-needed" = true, "examples" = ["local"]
+    ))]
     pub r#type: Option<String>,
-    /// Factor: 0 to 1 for local, 0 or greater for viscous damping.
+    /// Factor alpha, 0 to 1 for local damping; a rate for viscous damping.
+    #[schemars(extend(
+        "x-unit" = "1, or 1/s", "x-needs" = "`type` \"local\" or \"viscous\"", "x-needed" = true, "minimum" = 0,
+        "examples" = [0.05]
+    ))]
     pub value: Option<f64>,
     /// Another spelling of `value`.
+    #[schemars(extend(
+        "x-unit" = "1, or 1/s", "x-also" = "value", "minimum" = 0, "examples" = [0.05]
+    ))]
     pub alpha: Option<f64>,
+    /// Words for people: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
 }
 
 /// What is written.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with `print` and `fields`")]
 pub(super) struct RawResults {
-    /// Number of outputs after the initial one. Default: 10, as in the manuals' program.
+    /// Number of outputs after the initial one; 0 writes the summary alone. The default is that of the manuals'
+    /// program.
+    #[schemars(extend("default" = 10, "minimum" = 0, "maximum" = 999_999, "examples" = [40]))]
     pub print: Option<usize>,
-    /// Particle fields in the frames, `all` or `none`. Default: id and displacement, as in the manuals' program.
+    /// Particle fields in the frames, `all` or `none`. The default is that of the manuals' program.
+    #[schemars(extend(
+        "default" = ["id", "displacement"], "examples" = [["id", "velocity", "stress"]]
+    ))]
     pub fields: Option<Vec<String>>,
     /// Another spelling of `fields`.
+    #[schemars(extend("x-also" = "fields", "examples" = [["id", "velocity", "stress"]]))]
     pub material_point_results: Option<Vec<String>>,
-    /// Nodal fields in the grid frames, `all` or `none`. Default: none, and then there are no grid frames.
+    /// Nodal fields in the grid frames, `all` or `none`; without any there are no grid frames.
+    #[schemars(extend("default" = ["none"], "examples" = [["mass", "velocity"]]))]
     pub grid_nodal_results: Option<Vec<String>>,
-    /// Write a checkpoint with each frame. Default: true.
+    /// Write a checkpoint with each frame.
+    #[schemars(extend("default" = true, "examples" = [false]))]
     pub checkpoint: Option<bool>,
-}
-
-/// Background mesh.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, expecting = "an object with the keys of a mesh")]
-pub(super) struct RawMesh {
-    /// Edges of a cell [m].
-    pub cells_dimension: Option<Vec<f64>>,
-    /// Number of cells per axis.
-    pub cells_number: Option<Vec<usize>>,
-    /// Lower corner [m]. Default: zero, as in the manuals' program.
-    pub origin: Option<Vec<f64>>,
-    /// Conditions on the planes; a plane that is not named is sliding.
-    pub boundary_conditions: Option<RawPlanes>,
-}
-
-/// Conditions on the planes of the mesh: `free`, `sliding` or `fixed`.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the planes of the mesh"
-)]
-pub(super) struct RawPlanes {
-    /// Lower plane of x.
-    #[serde(rename = "plane_X0")]
-    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
-    pub x0: Option<String>,
-    /// Lower plane of y.
-    #[serde(rename = "plane_Y0")]
-    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
-    pub y0: Option<String>,
-    /// Lower plane of z.
-    #[serde(rename = "plane_Z0")]
-    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
-    pub z0: Option<String>,
-    /// Upper plane of x.
-    #[serde(rename = "plane_Xn")]
-    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
-    pub xn: Option<String>,
-    /// Upper plane of y.
-    #[serde(rename = "plane_Yn")]
-    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
-    pub yn: Option<String>,
-    /// Upper plane of z.
-    #[serde(rename = "plane_Zn")]
-    #[schemars(extend("enum" = ["free", "sliding", "fixed"]))]
-    pub zn: Option<String>,
-}
-
-/// Motion of a boundary plane from a record.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the keys of an earthquake"
-)]
-pub(super) struct RawEarthquake {
-    /// Whether it acts; nothing else here is read where it does not.
-    pub active: Option<bool>,
-    /// Record with the columns t, ax, ay, az; a path relative to the scene's folder.
-    pub file: Option<String>,
-    /// Whether the record has a header. Default: found by looking.
-    pub header: Option<bool>,
-    /// What the record holds. Default: acceleration, as in the manuals.
-    #[schemars(extend("enum" = ["acceleration", "velocity"]))]
-    pub quantity: Option<String>,
-    /// Plane that moves. Default: the lower plane of the last axis.
-    #[schemars(extend("enum" = ["X0", "Xn", "Y0", "Yn", "Z0", "Zn"]))]
-    pub plane: Option<String>,
-}
-
-/// A body. Which keys its shape needs depends on its type.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, expecting = "an object with the keys of a body")]
-pub(super) struct RawBody {
-    /// Shape: cuboid (2D and 3D), sphere, cylinder, `extruded_polygon` (3D), rectangle, disc, ring, polygon (2D),
-    /// particles (2D and 3D).
-    #[schemars(extend("enum" = ["cuboid", "rectangle", "sphere", "disc", "ring", "cylinder", "polygon",
-        "extruded_polygon", "particles"]))]
-    pub r#type: Option<String>,
-    /// Identifier.
-    pub id: Option<i64>,
-    /// Identifier of the material.
-    pub material_id: Option<i64>,
-    /// Lower corner of a cuboid or rectangle; centre of the first end face of a cylinder [m].
-    pub point_p1: Option<Vec<f64>>,
-    /// Upper corner of a cuboid or rectangle; centre of the other end face of a cylinder [m].
-    pub point_p2: Option<Vec<f64>>,
-    /// Centre of a sphere, disc or ring [m].
-    pub center: Option<Vec<f64>>,
-    /// Radius of a sphere, disc or cylinder [m].
-    pub radius: Option<f64>,
-    /// Inner radius of a ring [m].
-    pub inner_radius: Option<f64>,
-    /// Outer radius of a ring [m].
-    pub outer_radius: Option<f64>,
-    /// Corners of a polygon, or of an extruded polygon in the plane of its two other axes [m].
-    pub points: Option<Vec<Vec<f64>>>,
-    /// Axis along which a polygon is extruded.
-    #[schemars(extend("enum" = ["x", "y", "z"]))]
-    pub axis: Option<String>,
-    /// Lower and upper coordinate of an extruded polygon along its axis [m].
-    pub range: Option<Vec<f64>>,
-    /// Particles: rows of position [m] and volume [m³].
-    pub particles: Option<Vec<Vec<f64>>>,
-    /// Particles from a text file with the columns x, y, z, volume; a path relative to the scene's folder.
-    pub file: Option<String>,
-    /// Longest segment of the boundary made from the shape, for mortar contact; in three dimensions of the edges of its
-    /// triangles, but for diagonals [m].
-    pub boundary_segment: Option<f64>,
-    /// Vertices of the boundary, the body on their left, instead of one made from the shape [m].
-    pub boundary: Option<Vec<Vec<f64>>>,
-    /// Whether the last of these vertices is joined to the first; one that is open covers a part of the body alone.
-    /// Default: true.
-    pub boundary_closed: Option<bool>,
-    /// STL file with the triangles of the boundary, closed and with its normals out of the body, instead of one made from
-    /// the shape (3D) [m].
-    pub boundary_stl_mesh: Option<String>,
-    /// How the boundary follows the body. Default: spin.
-    #[schemars(extend("enum" = ["unaugmented", "velocity", "spin", "gradient"]))]
-    pub boundary_follows: Option<String>,
-    /// Particles per cell and axis. Default: that of the scene.
-    pub particles_per_cell: Option<Counts>,
-    /// Initial velocity [m/s]. Default: zero.
-    pub initial_velocity: Option<Vec<f64>>,
-    /// Prescribed velocity [m/s]: a vector, or rows of time [s] and velocity.
-    pub prescribed_velocity: Option<VectorOrTable>,
-}
-
-/// Constant traction on a rectangle (a segment in 2D) that is fixed in space.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with `point_p1`, `point_p2` and `traction`"
-)]
-pub(super) struct RawTraction {
-    /// Lower corner [m].
-    pub point_p1: Option<Vec<f64>>,
-    /// Upper corner [m], equal to `point_p1` along exactly one axis.
-    pub point_p2: Option<Vec<f64>>,
-    /// Traction [Pa].
-    pub traction: Option<Vec<f64>>,
-}
-
-/// Total force spread by volume over the particles that lie in a box at the start.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with `point_p1`, `point_p2` and `force`"
-)]
-pub(super) struct RawBoxLoad {
-    /// Lower corner [m].
-    pub point_p1: Option<Vec<f64>>,
-    /// Upper corner [m].
-    pub point_p2: Option<Vec<f64>>,
-    /// Total force [N].
-    pub force: Option<Vec<f64>>,
-}
-
-/// A box in which all nodes of the mesh stand still.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with `point_p1` and `point_p2`"
-)]
-pub(super) struct RawHeldBox {
-    /// Lower corner [m].
-    pub point_p1: Option<Vec<f64>>,
-    /// Upper corner [m].
-    pub point_p2: Option<Vec<f64>>,
-}
-
-/// A particle whose history is written.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, expecting = "an object with `name` and `point`")]
-pub(super) struct RawProbe {
-    /// Prefix of the columns.
-    pub name: Option<String>,
-    /// The particle nearest to this position at the start is followed [m].
-    pub point: Option<Vec<f64>>,
-}
-
-/// Contact between two bodies.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the keys of a contact"
-)]
-pub(super) struct RawContact {
-    /// Identifier. Default: the place in the list, from 1.
-    pub id: Option<i64>,
-    /// Coefficient of friction.
-    pub friction: Option<f64>,
-    /// Identifier of the master body.
-    pub master_id: Option<i64>,
-    /// Identifier of the slave body.
-    pub slave_id: Option<i64>,
-    /// How the normal is found. Default: collinear.
-    #[schemars(extend("enum" = ["master", "slave", "collinear"]))]
-    pub normal_type: Option<String>,
-    /// Method of contact. Default: grid.
-    #[schemars(extend("enum" = ["grid", "mortar"]))]
-    pub method: Option<String>,
-    /// Mortar: gap at which contact begins [m].
-    pub critical_gap: Option<f64>,
-    /// Mortar: stiffness of the normal law [Pa/m].
-    pub normal_stiffness: Option<f64>,
-    /// Mortar: stiffness of the tangential spring [Pa/m]. Default: so that a round body lags behind its way by 0.5 % at most.
-    pub tangential_stiffness: Option<f64>,
-    /// Mortar: normal law. Default: barrier.
-    #[schemars(extend("enum" = ["barrier", "penalty"]))]
-    pub enforcement: Option<String>,
-    /// Mortar: how contact is found. Default: mortar.
-    #[schemars(extend("enum" = ["mortar", "node_to_segment"]))]
-    pub detection: Option<String>,
-}
-
-/// A rigid polyline.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the keys of a rigid line"
-)]
-pub(super) struct RawRigidLine {
-    /// Identifier; no body may have it.
-    pub id: Option<i64>,
-    /// Vertices, material on the left of their direction [m].
-    pub points: Option<Vec<Vec<f64>>>,
-    /// Whether the last vertex is joined to the first. Default: false.
-    pub closed: Option<bool>,
-    /// Prescribed velocity: a vector, or rows of time and velocity [s, m/s]. Default: at rest.
-    pub prescribed_velocity: Option<VectorOrTable>,
-}
-
-/// A rigid surface of triangles.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the keys of a rigid surface"
-)]
-pub(super) struct RawRigidSurface {
-    /// Identifier; no body may have it.
-    pub id: Option<i64>,
-    /// STL file with the triangles, touched from the side to which their normals point [m].
-    pub stl_mesh: Option<String>,
-    /// Prescribed velocity: a vector, or rows of time and velocity [s, m/s]. Default: at rest.
-    pub prescribed_velocity: Option<VectorOrTable>,
-}
-
-/// Settings of all contacts.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the keys of a contact manager"
-)]
-pub(super) struct RawContactManager {
-    /// Whether contacts act. Default: true where there are any.
-    pub active: Option<bool>,
-    /// Factor lambda on the cell size in the real-distance correction; 0 for none. Default: the sum of the
-    /// half-lengths of the particles, in cells: 0.5, as in the manual, with two particles per cell and axis.
-    pub real_distance_correction_coefficient: Option<f64>,
-}
-
-/// Contact of all bodies with a rigid surface, from the side to which the normals of its triangles point.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "an object with the keys of a terrain contact"
-)]
-pub(super) struct RawTerrainContact {
-    /// Whether it acts.
-    pub active: Option<bool>,
-    /// File of the surface, STL, ASCII or binary, in metres; looked for in the folder of the scene.
-    pub stl_mesh: Option<String>,
-    /// Coefficient of friction. Default: 0, as in the manuals' program.
-    pub friction: Option<f64>,
-    /// Gap below which contact is looked for, and the longest way towards the surface in one step [m]. Default: the
-    /// smallest edge of a cell.
-    pub distance_threshold: Option<f64>,
-    /// Whether the penalty force acts. Default: true where a stiffness is given.
-    pub penalty_contact_active: Option<bool>,
-    /// Stiffness of a force that pushes penetrating particles out, per particle [N/m]. Default: no such force.
-    pub penalty_stiffness: Option<f64>,
-    /// Prescribed velocity of the surface [m/s]: a vector, or rows of time [s] and velocity. Default: it stands.
-    pub prescribed_velocity: Option<VectorOrTable>,
+    /// Words for people: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
 }
