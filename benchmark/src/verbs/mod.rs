@@ -18,10 +18,11 @@ mod stability;
 mod verify;
 
 use crate::exit::{Failure, Outcome};
+use crate::say::say;
 use clap::Subcommand;
-use proctor_files::json;
+use proctor_files::json::{Places, Source};
 use proctor_kernel::scene::Scene;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 /// What the command can do.
@@ -72,7 +73,19 @@ pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure>
     }
 }
 
-/// A scene from a file, or all that is wrong with it.
-fn scene(path: &Path) -> Result<Scene, Failure> {
-    json::read(path).map_err(Failure::bad_input)
+/// The name that stands for standard input where a scene is read.
+const STANDARD_INPUT: &str = "-";
+
+/// A scene from a file, or with `-` from standard input, and the places of its values; or all that is wrong with it.
+fn scene(path: &Path) -> Result<(Scene, Places), Failure> {
+    let source = if path.as_os_str() == STANDARD_INPUT {
+        let input = std::io::stdin();
+        if input.is_terminal() {
+            say!("reading a scene from standard input, to its end");
+        }
+        Source::stream("stdin", Path::new(""), input.lock())
+    } else {
+        Source::file(path)
+    };
+    source.and_then(Source::scene).map_err(Failure::bad_input)
 }

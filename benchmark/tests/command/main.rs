@@ -17,5 +17,6 @@ mod run;
 #[cfg(unix)]
 mod scripts;
 mod stability;
+mod standard_input;
 mod support;
 mod verify;

@@ -87,8 +87,9 @@ impl fmt::Display for Report<'_> {
             let more = s.events.len() - SHOWN_EVENTS;
             row(f, "event", &format!("and {more} more"))?;
         }
-        if let Some(folder) = self.folder {
-            row(f, "results", &folder.display().to_string())?;
+        match self.folder {
+            Some(folder) => row(f, "results", &folder.display().to_string())?,
+            None => row(f, "results", "nothing was written, as there was no --out")?,
         }
         Ok(())
     }
