@@ -5,8 +5,10 @@ mod bench;
 mod compare;
 mod export;
 mod folder;
+mod keys;
 mod main_job;
 mod names;
+mod new;
 mod noise;
 mod plan;
 mod precision;
@@ -28,6 +30,10 @@ use std::path::Path;
 /// What the command can do.
 #[derive(Subcommand)]
 pub enum Verb {
+    /// Write a small scene to start from; without a kind, list the kinds.
+    New(new::New),
+    /// Explain the keys of scene files: all in a table, or one by its name.
+    Keys(keys::Keys),
     /// Run a scene; write frames, history and a summary.
     Run(run::Run),
     /// Show what a scene needs, what is left out, and why.
@@ -58,6 +64,8 @@ pub enum Verb {
 pub fn run(verb: Option<&Verb>, out: &mut dyn Write) -> Result<Outcome, Failure> {
     match verb {
         None => main_job::run(out),
+        Some(Verb::New(new)) => new.run(out),
+        Some(Verb::Keys(keys)) => keys.run(out),
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),

@@ -8,7 +8,9 @@ mod bench;
 mod compare;
 #[cfg(unix)]
 mod guests;
+mod keys;
 mod memory;
+mod new;
 mod pipe;
 mod plan;
 mod precision;
