@@ -54,15 +54,11 @@ fn row(key: &Key) -> [String; 4] {
         Otherwise::Value(value) => cut(&shown(value), LONGEST_DEFAULT),
         default => cut(&default.to_string(), LONGEST_DEFAULT),
     };
-    let mut meaning = first_sentence(&key.meaning).to_owned();
-    if key.name == EVERYWHERE {
-        meaning.push_str("; in every object");
-    }
     [
         key.name.clone(),
         key.unit.clone().unwrap_or_default(),
         default,
-        meaning,
+        first_sentence(&key.meaning).to_owned(),
     ]
 }
 

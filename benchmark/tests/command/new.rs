@@ -48,7 +48,6 @@ fn each_is_written_planned_and_run_without_a_warning() {
         let output = here(&desk, &["plan", &file]);
         assert_eq!(code(&output), 0, "{kind}: {}", stderr(&output));
         assert_eq!(stderr(&output), "", "{kind}");
-        let begun = std::time::Instant::now();
         let output = here(&desk, &["run", &file, "--out", &kind]);
         assert_eq!(code(&output), 0, "{kind}: {}", stderr(&output));
         assert_eq!(stderr(&output), "", "{kind}");
@@ -57,11 +56,11 @@ fn each_is_written_planned_and_run_without_a_warning() {
             let doubtful = text.lines().any(|line| line.starts_with(doubt));
             assert!(!doubtful, "{kind}: {text}");
         }
-        assert!(
-            begun.elapsed().as_secs() < 60,
-            "{kind}: {:?}",
-            begun.elapsed()
-        );
+        // Seconds on any machine, however busy it is: a step of a particle takes a microsecond or less.
+        let summary = desk.summary(&kind);
+        let steps = summary["steps"].as_f64().expect("steps");
+        let work = steps * summary["particles"].as_f64().expect("particles");
+        assert!(work < 3e6, "{kind}: {work} particle steps");
         let frames = desk.path(&kind).join("particles.pvd");
         assert!(frames.is_file(), "{kind}");
         // The field that is said to show most is in the frames.

@@ -163,7 +163,7 @@ impl JsonSchema for RawMaterial {
                     "examples": [1000],
                 },
                 "comment": {
-                    "description": "Words for people: one text or a list of them. Nothing reads them.",
+                    "description": "Words for people, in every object: one text or a list of them. Nothing reads them.",
                     "anyOf": [generator.subschema_for::<Comment>(), { "type": "null" }],
                     "x-default": "none",
                     "examples": ["stiffer than the soil"],

@@ -97,7 +97,7 @@ impl Places {
             let lines: Vec<String> = (all.iter())
                 .map(|one| {
                     let alone = SetupError::Overlap(vec![one.clone()]);
-                    self.told(&[one.contact.clone()], &alone.to_string())
+                    self.told(std::slice::from_ref(&one.contact), &alone.to_string())
                 })
                 .collect();
             return lines.join("\n");

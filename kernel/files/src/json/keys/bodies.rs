@@ -124,7 +124,7 @@ pub(in crate::json) struct RawBody {
         "x-unit" = "m/s; s, m/s", "x-default" = "the body moves as it is pushed", "examples" = [[1, 0], [1, 0, 0]]
     ))]
     pub prescribed_velocity: Option<VectorOrTable>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -148,7 +148,7 @@ pub(in crate::json) struct RawTraction {
         "x-unit" = "Pa", "x-needed" = true, "examples" = [[0, -1000], [0, 0, -1000]]
     ))]
     pub traction: Option<Vec<f64>>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -170,7 +170,7 @@ pub(in crate::json) struct RawBoxLoad {
     /// Total force.
     #[schemars(extend("x-unit" = "N", "x-needed" = true, "examples" = [[10, 0], [10, 0, 0]]))]
     pub force: Option<Vec<f64>>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -189,7 +189,7 @@ pub(in crate::json) struct RawHeldBox {
     /// Upper corner.
     #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[1, 0.5], [1, 1, 0.5]]))]
     pub point_p2: Option<Vec<f64>>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -205,7 +205,7 @@ pub(in crate::json) struct RawProbe {
     /// The particle nearest to this position at the start is followed.
     #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0.5, 1], [0.5, 0.5, 1]]))]
     pub point: Option<Vec<f64>>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,

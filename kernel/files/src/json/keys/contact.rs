@@ -64,7 +64,7 @@ pub(in crate::json) struct RawContact {
         "examples" = ["node_to_segment"]
     ))]
     pub detection: Option<String>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -89,7 +89,7 @@ pub(in crate::json) struct RawRigidLine {
     /// Prescribed velocity: a vector, or rows of time and velocity.
     #[schemars(extend("x-unit" = "m/s; s, m/s", "x-default" = "at rest", "examples" = [[0, -0.1]]))]
     pub prescribed_velocity: Option<VectorOrTable>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -116,7 +116,7 @@ pub(in crate::json) struct RawRigidSurface {
         "x-unit" = "m/s; s, m/s", "x-default" = "at rest", "examples" = [[0, 0, 0.1]]
     ))]
     pub prescribed_velocity: Option<VectorOrTable>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -139,7 +139,7 @@ pub(in crate::json) struct RawContactManager {
         "minimum" = 0, "examples" = [0.5]
     ))]
     pub real_distance_correction_coefficient: Option<f64>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -181,7 +181,7 @@ pub(in crate::json) struct RawTerrainContact {
         "x-unit" = "m/s; s, m/s", "x-default" = "it stands", "examples" = [[0, 0, 0.1]]
     ))]
     pub prescribed_velocity: Option<VectorOrTable>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,

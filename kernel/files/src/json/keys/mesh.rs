@@ -30,7 +30,7 @@ pub(in crate::json) struct RawMesh {
         "x-default" = "all planes are sliding", "examples" = [{"plane_X0": "fixed", "plane_Yn": "free"}]
     ))]
     pub boundary_conditions: Option<RawPlanes>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -81,7 +81,7 @@ pub(in crate::json) struct RawPlanes {
         "examples" = ["fixed"]
     ))]
     pub zn: Option<String>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -116,7 +116,7 @@ pub(in crate::json) struct RawEarthquake {
         "examples" = ["X0"]
     ))]
     pub plane: Option<String>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,

@@ -216,7 +216,7 @@ pub(super) struct RawScene {
         "examples" = [{"active": true, "stl_mesh": "floor.stl", "friction": 0.3}]
     ))]
     pub terrain_contact: Option<Terrains>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -242,7 +242,7 @@ pub(super) struct RawDamping {
         "x-unit" = "1, or 1/s", "x-also" = "value", "minimum" = 0, "examples" = [0.05]
     ))]
     pub alpha: Option<f64>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
@@ -270,7 +270,7 @@ pub(super) struct RawResults {
     /// Write a checkpoint with each frame.
     #[schemars(extend("default" = true, "examples" = [false]))]
     pub checkpoint: Option<bool>,
-    /// Words for people: one text or a list of them. Nothing reads them.
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<Comment>,
