@@ -6,8 +6,10 @@ mod bench;
 mod compare;
 mod export;
 mod folder;
+mod keys;
 mod main_job;
 mod names;
+mod new;
 mod noise;
 mod plan;
 mod precision;
@@ -19,16 +21,21 @@ mod stability;
 mod verify;
 
 use crate::exit::{Failure, Outcome};
+use crate::say::say;
 pub use amount::Amount;
 use clap::Subcommand;
-use proctor_files::json;
+use proctor_files::json::{Places, Source};
 use proctor_kernel::scene::Scene;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 /// What the command can do.
 #[derive(Subcommand)]
 pub enum Verb {
+    /// Write a small scene to start from; without a kind, list the kinds.
+    New(new::New),
+    /// Explain the keys of scene files: all in a table, or one by its name.
+    Keys(keys::Keys),
     /// Run a scene; write frames, history and a summary.
     Run(run::Run),
     /// Show what a scene needs, what is left out, and why.
@@ -59,6 +66,8 @@ pub enum Verb {
 pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
     match verb {
         None => main_job::run(amount, out),
+        Some(Verb::New(new)) => new.run(out),
+        Some(Verb::Keys(keys)) => keys.run(out),
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
@@ -74,7 +83,19 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
     }
 }
 
-/// A scene from a file, or all that is wrong with it.
-fn scene(path: &Path) -> Result<Scene, Failure> {
-    json::read(path).map_err(Failure::bad_input)
+/// The name that stands for standard input where a scene is read.
+const STANDARD_INPUT: &str = "-";
+
+/// A scene from a file, or with `-` from standard input, and the places of its values; or all that is wrong with it.
+fn scene(path: &Path) -> Result<(Scene, Places), Failure> {
+    let source = if path.as_os_str() == STANDARD_INPUT {
+        let input = std::io::stdin();
+        if input.is_terminal() {
+            say!("reading a scene from standard input, to its end");
+        }
+        Source::stream("stdin", Path::new(""), input.lock())
+    } else {
+        Source::file(path)
+    };
+    source.and_then(Source::scene).map_err(Failure::bad_input)
 }

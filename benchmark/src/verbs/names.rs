@@ -29,19 +29,17 @@ pub fn chosen<T: Copy>(
     Ok(chosen)
 }
 
-/// What to say to a name that nothing has.
+/// What to say to a name that nothing has: the nearest known one, then all.
 fn unknown(kind: &str, name: &str, known: &[&str]) -> String {
-    let text = format!(
-        "found the {kind} {name:?}, which is not known; accepted: {}",
-        known.join(", ")
-    );
     let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
     let nearest = known
         .iter()
         .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
         .filter(|known| likeness(known) >= LIKENESS || known.starts_with(name));
-    match nearest {
-        Some(nearest) => format!("{text} (did you mean `{nearest}`?)"),
-        None => text,
-    }
+    // First what helps most: behind dozens of names nobody reads on.
+    let hint = nearest.map_or_else(String::new, |near| format!(" (did you mean `{near}`?)"));
+    format!(
+        "found the {kind} {name:?}, which is not known{hint}; accepted: {}",
+        known.join(", ")
+    )
 }

@@ -14,19 +14,19 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = "Example: proctor plan fixtures/scenes/manual/boussinesq.json")]
 pub struct Plan {
-    /// Scene file (JSON)
+    /// Scene file (JSON); - for standard input
     scene: PathBuf,
 }
 
 impl Plan {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let scene = scene(&self.scene)?;
+        let (scene, places) = scene(&self.scene)?;
         let options = Options {
             threads: Some(1),
             ..Options::default()
         };
         let simulation = Simulation::new(&scene, &options)
-            .map_err(|error| Failure::BadInput(format!("{}: {error}", self.scene.display())))?;
+            .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
         let plan = simulation.plan();
         writeln!(out, "scene {}", scene.name)?;
         writeln!(out, "{plan}")?;

@@ -10,9 +10,10 @@ use crate::measure::Stopwatch;
 use crate::progress::Progress;
 use crate::say::say;
 use clap::Args;
+use proctor_files::json::Places;
 use proctor_files::output::summary::{SUMMARY, Status};
 use proctor_files::output::{OutputFolder, Summary};
-use proctor_files::run::{Go, Run as KernelRun};
+use proctor_files::run::{Go, Run as KernelRun, RunError};
 use proctor_kernel::simulation::{Bound, StepInfo};
 use report::Report;
 use std::collections::BTreeMap;
@@ -28,10 +29,11 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor run fixtures/scenes/manual/boussinesq.json --out out\n\
+    A scene from another program: make-scene | proctor run - --out out\n\
     Go on from a checkpoint: proctor run SCENE --out out --restart out/checkpoint.bin"
 )]
 pub struct Run {
-    /// Scene file (JSON)
+    /// Scene file (JSON); - for standard input
     scene: PathBuf,
     /// Folder for the results; made if it is not there
     #[arg(long, value_name = "DIR")]
@@ -53,7 +55,7 @@ struct Tally {
 
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let scene = scene(&self.scene)?;
+        let (scene, places) = scene(&self.scene)?;
         let options = self.settings.options()?;
         if let (None, Some(threads)) = (options.threads, scene.threads) {
             let key = format!("{}: n_threads", self.scene.display());
@@ -66,7 +68,14 @@ impl Run {
             self.out.as_deref(),
             self.restart.as_deref(),
         )
-        .map_err(|error| Failure::BadInput(format!("{}: {error}", self.scene.display())))?;
+        .map_err(|error| Failure::BadInput(told(&places, &error)))?;
+        if self.out.is_none() {
+            // Now, and not after a run of hours.
+            say!(
+                "nothing will be written; for frames, histories and a summary: proctor run {} --out FOLDER",
+                self.scene.display()
+            );
+        }
         for warning in &run.simulation().plan().warnings {
             say!("warning: {warning}");
         }
@@ -76,15 +85,13 @@ impl Run {
         let mut summary = run.summary();
         if let Some(fault) = fault {
             summary.status = Status::Failed;
-            summary.error = Some(fault);
+            say!("{}", told(&places, &fault));
+            summary.error = Some(fault.to_string());
         }
         let spent = tally.stopwatch.spent;
         summary.wall_seconds = Some(spent.wall.as_secs_f64());
         summary.cpu_seconds = Some(spent.cpu.as_secs_f64());
         summary.ns_per_particle_step = spent.ns_per(tally.particle_steps);
-        if let Some(error) = &summary.error {
-            say!("{}: {error}", self.scene.display());
-        }
         let written = save(&summary, run.folder());
         write!(
             out,
@@ -104,8 +111,17 @@ impl Run {
     }
 }
 
+/// Why a run cannot start or go on, with the place in the scene where there is one.
+fn told(places: &Places, error: &RunError) -> String {
+    match error {
+        RunError::Setup(error) => places.of_setup(error),
+        RunError::Step(error) => places.of_step(error),
+        RunError::Checkpoint(_) | RunError::Output(_) => format!("{}: {error}", places.name()),
+    }
+}
+
 /// From output time to output time; returns why it ended early, if it failed.
-fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Option<String> {
+fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Option<RunError> {
     let name = run.simulation().scene().name.clone();
     let end = run.simulation().scene().time;
     let mut progress = Progress::new(&name);
@@ -121,13 +137,13 @@ fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Optio
         });
         tally.particle_steps += particles as f64 * (run.simulation().steps() - before) as f64;
         if let Err(error) = advanced {
-            return Some(error.to_string());
+            return Some(error.into());
         }
         if interrupt.raised() {
             return None;
         }
         if let Err(error) = run.write() {
-            return Some(error.to_string());
+            return Some(error);
         }
     }
     None

@@ -36,7 +36,7 @@ const PICTURE: &str = "stability.svg";
     A scene of one's own: proctor stability fixtures/scenes/rings_2d.json\n\
     Stiff and extreme scenes: proctor stability --extreme")]
 pub struct Stability {
-    /// Scene file (JSON); without one, the map
+    /// Scene file (JSON), - for standard input; without one, the map
     #[arg(value_name = "SCENE", conflicts_with_all = ["quick", "json", "svg", "table", "rows", "schemes"])]
     scene: Option<PathBuf>,
     /// Only the plane, and short runs of what is not linear
@@ -225,15 +225,18 @@ pub fn done(
 
 /// Asks a scene; it fails where the kernel's step is longer than the predicted one.
 fn ask(path: &Path, out: &mut dyn Write) -> Result<Outcome, Failure> {
-    let given = super::scene(path)?;
+    let (given, places) = super::scene(path)?;
     let report = match scene::ask(&given) {
         Ok(report) => report,
         Err(error @ (StabilityError::Step(_) | StabilityError::NoConvergence { .. })) => {
-            writeln!(out, "{}: {error}", path.display())?;
+            writeln!(out, "{}: {error}", places.name())?;
             return Ok(Outcome::Failed);
         }
+        Err(StabilityError::Setup(error)) => {
+            return Err(Failure::BadInput(places.of_setup(&error)));
+        }
         Err(error) => {
-            return Err(Failure::BadInput(format!("{}: {error}", path.display())));
+            return Err(Failure::BadInput(format!("{}: {error}", places.name())));
         }
     };
     show::scene(&given.name, &report, out)?;

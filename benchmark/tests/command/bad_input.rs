@@ -160,3 +160,171 @@ fn zero_threads_and_unknown_options_are_bad_input() {
         assert_eq!(code(&output), 2, "{wrong:?}");
     }
 }
+
+/// The place at which a message begins, behind the name of the file.
+fn place(message: &str, file: &str) -> (usize, usize) {
+    let rest = message.strip_prefix(&format!("{file}:"));
+    let numbers: Vec<usize> = rest
+        .and_then(|rest| rest.split_once(": "))
+        .map(|(place, _)| place.split(':').flat_map(str::parse).collect())
+        .unwrap_or_default();
+    match numbers[..] {
+        [line, column] => (line, column),
+        _ => panic!("no place in {message}"),
+    }
+}
+
+/// The line on which a text first has a word, from 1.
+fn line_of(text: &str, word: &str) -> usize {
+    let at = text.lines().position(|line| line.contains(word));
+    at.unwrap_or_else(|| panic!("{word} in {text}")) + 1
+}
+
+/// What shows its fault only when particles are there has its place in the file all the same.
+#[test]
+fn faults_at_set_up_have_their_place() {
+    let discs = |gap: f64| {
+        let mut scene = flying_block();
+        scene["time_step"] = json!(0.0002);
+        let disc = |id: i32, x: f64| {
+            json!({
+                "type": "disc", "id": id, "material_id": 1, "center": [x, 0.5], "radius": 0.3,
+                "boundary_segment": 0.05
+            })
+        };
+        scene["body"] = json!([disc(1, 0.5), disc(2, 1.1 + gap)]);
+        scene["contact"] = json!([{
+            "method": "mortar", "master_id": 1, "slave_id": 2, "friction": 0, "critical_gap": 0.02,
+            "normal_stiffness": 1e5
+        }]);
+        scene
+    };
+    let mut small = flying_block();
+    small["body"] = json!([{
+        "type": "disc", "id": 1, "material_id": 1, "center": [0.5, 0.5], "radius": 1e-3
+    }]);
+    let mut unstable = flying_block();
+    unstable["time_step"] = json!(0.1);
+    let mut many = flying_block();
+    many["particles_per_cell"] = json!(100_000_000);
+    for (scene, key, said) in [
+        (small, "\"body\"", "gets no particle"),
+        (unstable, "\"time_step\"", "critical time step"),
+        (discs(-0.1), "\"contact\"", "gap"),
+        (many, "\"body\"", "particles"),
+    ] {
+        let desk = Desk::new();
+        let name = desk.scene("scene.json", &scene);
+        let text = fs::read_to_string(&name).expect("a scene");
+        for verb in ["plan", "run"] {
+            let output = proctor(&[verb, &name]);
+            let message = stderr(&output);
+            assert_eq!(code(&output), 2, "{verb}: {message}");
+            assert!(message.contains(said), "{verb}: {message}");
+            let (line, _) = place(&message, &name);
+            let first = line_of(&text, key);
+            // The value itself, or the first entry of the list.
+            assert!((first..=first + 1).contains(&line), "{verb}: {message}");
+        }
+    }
+}
+
+#[test]
+fn bytes_that_are_no_text_have_their_place() {
+    let desk = Desk::new();
+    let name = desk.name("scene.json");
+    fs::write(&name, b"{\n  \"time\": \xff1\n}").expect("written");
+    for verb in ["run", "plan", "bench"] {
+        let output = proctor(&[verb, &name]);
+        let message = stderr(&output);
+        assert_eq!(code(&output), 2, "{verb}: {message}");
+        assert_eq!(place(&message, &name), (2, 11), "{verb}");
+        assert!(message.contains("found the byte 0xff"), "{message}");
+    }
+}
+
+#[test]
+fn a_text_that_ends_too_early_is_told_as_that() {
+    let desk = Desk::new();
+    let text = "{\n  \"time\": 1,\n  \"mesh\": {\"cells_number\": [4,\n\n";
+    for end in 3..text.len() {
+        let name = desk.name("scene.json");
+        fs::write(&name, &text[..end]).expect("written");
+        let output = proctor(&["plan", &name]);
+        let message = stderr(&output);
+        assert_eq!(code(&output), 2, "{message}");
+        assert!(
+            !message.contains('?') && !message.contains("found ,"),
+            "{message}"
+        );
+        assert!(
+            message.contains("found the end of the text; accepted: JSON in which every bracket"),
+            "{end}: {message}"
+        );
+        let (line, _) = place(&message, &name);
+        assert_eq!(line, text[..end].trim_end().lines().count(), "{message}");
+    }
+}
+
+#[test]
+fn numbers_in_messages_are_no_rows_of_zeros() {
+    let desk = Desk::new();
+    for (pointer, value) in [
+        ("/time", json!(-5e-324)),
+        ("/material/0/young", json!(-1e308)),
+    ] {
+        let mut scene = flying_block();
+        *scene.pointer_mut(pointer).expect("it is there") = value;
+        let output = proctor(&["plan", &desk.scene("scene.json", &scene)]);
+        assert_eq!(code(&output), 2);
+        let message = stderr(&output);
+        assert!(!message.contains("00000000"), "{message}");
+    }
+    let mut scene = flying_block();
+    scene["body"] = json!([{
+        "type": "disc", "id": 1, "material_id": 1, "center": [0.5, 0.5], "radius": 5e-324
+    }]);
+    let output = proctor(&["plan", &desk.scene("scene.json", &scene)]);
+    assert_eq!(code(&output), 2);
+    assert!(!stderr(&output).contains("00000000"), "{}", stderr(&output));
+}
+
+/// No folder holds so many frames, and the next output would be no later than this one.
+#[test]
+fn more_outputs_than_frames_have_names_are_refused() {
+    let desk = Desk::new();
+    for print in [1_000_000_u64, 1 << 63, u64::MAX] {
+        let mut scene = flying_block();
+        scene["results"]["print"] = json!(print);
+        let name = desk.scene("scene.json", &scene);
+        let output = proctor(&["plan", &name]);
+        let message = stderr(&output);
+        assert_eq!(code(&output), 2, "{print}: {message}");
+        place(&message, &name);
+        assert!(
+            message.contains(&format!("results.print: found {print}"))
+                && message.contains("999999"),
+            "{message}"
+        );
+    }
+}
+
+/// A step of the run that fails for a value of the scene is told at that value.
+#[test]
+fn a_step_that_fails_is_told_at_the_value_that_would_have_to_be_another() {
+    let desk = Desk::new();
+    let mut scene = flying_block();
+    // Stable at the start, and no more when the block has become faster.
+    scene["time_step"] = json!(0.002);
+    scene["gravity"] = json!([200, 0]);
+    let name = desk.scene("scene.json", &scene);
+    let text = fs::read_to_string(&name).expect("a scene");
+    let output = desk.run(&name, "out", &[]);
+    let message = stderr(&output);
+    assert_eq!(code(&output), 1, "{message}");
+    assert!(
+        message.contains("is above the critical time step"),
+        "{message}"
+    );
+    assert_eq!(place(&message, &name).0, line_of(&text, "\"time_step\""));
+}

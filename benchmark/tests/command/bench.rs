@@ -352,3 +352,81 @@ fn an_interrupt_leaves_a_valid_record_that_says_it_is_incomplete() {
     assert!(rows(&record, "rest-2d").len() < 1000);
     assert!(stdout(&output).contains("interrupted"));
 }
+
+/// Scenes with surfaces and particles in other files, as `run` takes them.
+#[test]
+fn scenes_that_name_files_are_measured() {
+    let desk = Desk::new();
+    let scenes = ["sphere_on_terrain", "sliding_block", "rolling_ball_3d"]
+        .map(|name| fixture(&format!("fixtures/scenes/{name}.json")));
+    let values = json!({
+        "scenes": scenes, "threads": 1, "particle_steps": 1, "warm_up": 1, "repetitions": 3
+    });
+    let json = desk.name("b.json");
+    let output = proctor(&["bench", &config(&desk, &values), "--json", &json]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let record = record(&desk.path("b.json"));
+    for name in ["sphere_on_terrain", "sliding_block", "rolling_ball_3d"] {
+        assert_eq!(rows(&record, name).len(), 3, "{name}");
+    }
+}
+
+/// An executable gets such a scene in another folder, with names of files that hold there too and without comments.
+#[test]
+fn a_scene_that_names_files_can_be_handed_over() {
+    let desk = Desk::new();
+    let scenes = desk.path("scenes");
+    std::fs::create_dir(&scenes).expect("a folder");
+    std::fs::copy(
+        fixture("fixtures/surfaces/plane.stl"),
+        scenes.join("plane.stl"),
+    )
+    .expect("a copy");
+    let mut scene: Value = serde_json::from_str(
+        &std::fs::read_to_string(fixture("fixtures/scenes/rolling_ball_3d.json")).expect("a scene"),
+    )
+    .expect("JSON");
+    scene["time"] = json!(0.01);
+    scene["comment"] = json!("not every program knows this key");
+    scene["rigid_surface"]["plane"]["stl_mesh"] = json!("plane.stl");
+    desk.scene("scenes/ball.json", &scene);
+    let values = json!({
+        "executables": { "other": { "command": ["false", "{scene}"] } },
+        "scenes": "scenes/ball.json", "threads": 1
+    });
+    let output = proctor(&[
+        "bench",
+        &config(&desk, &values),
+        "--json",
+        &desk.name("b.json"),
+    ]);
+    // The other one solves nothing; this program, which is handed the same file, does.
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    let record = record(&desk.path("b.json"));
+    let own = rows(&record, "proctor/ball");
+    assert_eq!(own.len(), 3);
+    assert!(
+        own.iter().all(|row| row["error_occurred"] != true),
+        "{own:?}"
+    );
+}
+
+/// A method that a scene does not go with is told at its place in the file of the user.
+#[test]
+fn a_scene_that_does_not_go_with_a_method_is_told_at_its_place() {
+    let desk = Desk::new();
+    let mut scene = crate::support::flying_block();
+    scene["shape_function"] = json!("cpGIMP");
+    scene["domain_update"] = json!("stretch");
+    let name = desk.scene("scene.json", &scene);
+    let text = std::fs::read_to_string(&name).expect("a scene");
+    let line = 1
+        + (text.lines())
+            .position(|line| line.contains("domain_update"))
+            .expect("it is there");
+    let values = json!({ "scenes": "scene.json", "threads": 1, "shape_function": "linear" });
+    let output = proctor(&["bench", &config(&desk, &values)]);
+    assert_eq!(code(&output), 2);
+    let said = stderr(&output);
+    assert!(said.starts_with(&format!("{name}:{line}:")), "{said}");
+}

@@ -10,7 +10,9 @@ mod compare;
 mod folder;
 #[cfg(unix)]
 mod guests;
+mod keys;
 mod memory;
+mod new;
 mod pipe;
 mod plan;
 mod precision;
@@ -19,6 +21,7 @@ mod run;
 #[cfg(unix)]
 mod scripts;
 mod stability;
+mod standard_input;
 mod support;
 mod terminal;
 mod threads;

@@ -51,12 +51,6 @@ fn greedy() -> Vec<(&'static str, Value, &'static str, &'static str)> {
             "TiB",
         ),
         (
-            "outputs",
-            with(&|scene| scene["results"]["print"] = json!(u64::MAX)),
-            "results.print",
-            "ZiB",
-        ),
-        (
             "vertices",
             with(&|scene| {
                 scene["mesh"]["cells_dimension"] = json!([1e-3, 1e-3]);

@@ -45,6 +45,15 @@ fn without_a_folder_nothing_is_written() {
         .expect("starts");
     assert_eq!(code(&output), 0);
     assert!(stdout(&output).contains("finished"));
+    assert!(
+        stdout(&output).contains("nothing was written"),
+        "{}",
+        stdout(&output)
+    );
+    let said = format!(
+        "nothing will be written; for frames, histories and a summary: proctor run {scene} --out FOLDER"
+    );
+    assert_eq!(stderr(&output).trim_end(), said);
     assert_eq!(fs::read_dir(desk.path("")).expect("a folder").count(), 1);
 }
 

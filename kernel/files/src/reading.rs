@@ -3,6 +3,7 @@
 //! Everything that is read goes through here: see [`proctor_kernel::memory`].
 
 use proctor_kernel::memory::{Memory, words};
+use std::fmt;
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
@@ -24,13 +25,56 @@ pub fn read(path: &Path) -> io::Result<Vec<u8>> {
 /// [`read`] as text.
 ///
 /// # Errors
-/// As [`read`], and bytes that are no UTF-8.
+/// As [`read`], and a [`NotUtf8`] within an error of the kind [`io::ErrorKind::InvalidData`].
 pub fn read_to_string(path: &Path) -> io::Result<String> {
-    String::from_utf8(read(path)?).map_err(|_| {
-        io::Error::new(
-            io::ErrorKind::InvalidData,
-            "stream did not contain valid UTF-8",
+    text(read(path)?)
+}
+
+/// Reads text from what has no name and no length, such as standard input, to its end.
+///
+/// # Errors
+/// As [`read_to_string`].
+pub fn stream_to_string(from: impl Read) -> io::Result<String> {
+    let most = LONGEST_STREAM.min(Memory::of_machine().bytes() / PER_BYTE_OF_FILE);
+    text(read_at_most(from, most)?)
+}
+
+/// A byte that stands in no text in UTF-8, and where it is, counted from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotUtf8 {
+    /// The byte.
+    pub byte: u8,
+    /// Its line.
+    pub line: usize,
+    /// Its column in characters.
+    pub column: usize,
+}
+
+impl fmt::Display for NotUtf8 {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { byte, line, column } = self;
+        write!(
+            f,
+            "the byte 0x{byte:02x} in line {line}, column {column} is no UTF-8"
         )
+    }
+}
+
+impl std::error::Error for NotUtf8 {}
+
+fn text(bytes: Vec<u8>) -> io::Result<String> {
+    String::from_utf8(bytes).map_err(|error| {
+        let end = error.utf8_error().valid_up_to();
+        let bytes = error.as_bytes();
+        // What is before the byte is sound.
+        let before = String::from_utf8_lossy(&bytes[..end]);
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        let found = NotUtf8 {
+            byte: bytes[end],
+            line: before.matches('\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+        };
+        io::Error::new(io::ErrorKind::InvalidData, found)
     })
 }
 
@@ -55,9 +99,14 @@ pub fn read_within(path: &Path, memory: Memory) -> io::Result<Vec<u8>> {
     } else {
         LONGEST_STREAM.min(memory.bytes() / PER_BYTE_OF_FILE)
     };
+    read_at_most(file, most)
+}
+
+/// All bytes, unless there are more than `most`.
+fn read_at_most(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = vec![];
     // One more than may be, to tell what ends there from what goes on; a file can grow while it is read.
-    file.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most {
         return Err(io::Error::new(
             io::ErrorKind::OutOfMemory,

@@ -10,6 +10,7 @@ pub mod bodies;
 pub mod memory;
 pub mod mesh;
 pub mod mortar;
+pub mod number;
 pub mod polygon;
 pub mod shape;
 pub mod surface;

@@ -104,6 +104,11 @@ pub struct Probe {
     pub position: Vector,
 }
 
+impl Results {
+    /// Most outputs: the names of frames have six digits.
+    pub const MOST: usize = 999_999;
+}
+
 impl Default for Results {
     /// Ten outputs with identifier and displacement, as the manuals' program does, and a checkpoint with each frame.
     fn default() -> Self {

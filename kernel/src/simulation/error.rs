@@ -2,6 +2,7 @@
 
 use super::trust::Doubt;
 use crate::memory::OutOfMemory;
+use crate::number::Number;
 use std::fmt;
 
 /// A simulation cannot be set up from this scene. All are faults of the input.
@@ -89,7 +90,10 @@ impl fmt::Display for Unstable {
             f,
             "time step {:e} s is above the critical time step {:e} s of this scheme (wave speed {} m/s, \
              particle speed {} m/s); accepted: a smaller step, or \"allow_unstable\": true",
-            self.dt, self.critical, self.wave_speed, self.particle_speed
+            self.dt,
+            self.critical,
+            Number(self.wave_speed),
+            Number(self.particle_speed)
         )
     }
 }
@@ -120,8 +124,9 @@ impl fmt::Display for SetupError {
                     let line = if i > 0 { "\n" } else { "" };
                     write!(
                         f,
-                        "{line}{contact}: the bodies {master} and {slave} overlap by {depth} m at {position:?} m; \
-                         accepted: bodies that touch at most"
+                        "{line}{contact}: the bodies {master} and {slave} overlap by {} m at {position:?} m; \
+                         accepted: bodies that touch at most",
+                        Number(*depth)
                     )?;
                 }
                 Ok(())

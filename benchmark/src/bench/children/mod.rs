@@ -24,7 +24,6 @@ use super::plan::words;
 use super::scenes::{Exact, Made};
 use crate::frames::{self, Frame};
 use crate::record::Row;
-use proctor_files::json::from_json;
 use proctor_kernel::scene::{SceneError, TimeStep};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -100,7 +99,7 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
                 let values = choice.scene(particles, method)?;
                 let Made { scene, exact } = choice.make(particles, method);
                 let json = written(scene, &values);
-                let values = from_json(&json.to_string(), &choice.name(), Path::new(""))?;
+                let values = choice.checked(&json)?;
                 let method = words(&values);
                 let size = if choice.scales() {
                     format!("/{particles}")

@@ -13,8 +13,8 @@ pub use scene::{Method, SceneChoice};
 pub use time_label::TimeLabel;
 
 use check::Check;
-use proctor_files::json::{parse, place};
-use proctor_kernel::scene::{Problem, SceneError};
+use proctor_files::json::{parse, place, unreadable};
+use proctor_kernel::scene::SceneError;
 use proctor_kernel::simulation::Part;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -102,13 +102,11 @@ impl Config {
                 ));
                 Ok(config)
             }
-            Err(error) => Err(SceneError {
-                problems: vec![Problem::new(
-                    "",
-                    format!("{name} ({error})"),
-                    "a configuration in JSON that can be read",
-                )],
-            }),
+            Err(error) => Err(unreadable(
+                &name,
+                &error,
+                "a configuration in JSON that can be read",
+            )),
         }
     }
 

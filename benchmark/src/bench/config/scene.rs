@@ -1,18 +1,31 @@
 //! A scene that is measured: one of the built-in ones, or a file.
 
 use crate::bench::scenes::{BuiltIn, Made};
-use proctor_files::json::from_json;
+use proctor_files::json::{self, from_json, place};
 use proctor_kernel::scene::{Scene, SceneError};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+
+/// The key of words for people.
+const COMMENT: &str = "comment";
 
 /// A scene by name or by file.
 #[derive(Clone)]
 pub enum SceneChoice {
     /// A built-in scene in a number of axes.
     BuiltIn(&'static BuiltIn, usize),
-    /// A scene file: its path and what it says, with absolute names of other files.
-    File(PathBuf, Value),
+    /// A scene file.
+    File(FileScene),
+}
+
+/// A scene file.
+#[derive(Clone)]
+pub struct FileScene {
+    path: PathBuf,
+    /// As its user wrote it.
+    text: String,
+    /// What it says, with absolute names of other files and without comments: it is handed to others, in other folders.
+    value: Value,
 }
 
 /// Weighting function, stress scheme and transfer in the words of scene files; what is not given is the scene's own.
@@ -40,10 +53,17 @@ impl SceneChoice {
         let text = proctor_files::reading::read_to_string(path).unwrap_or_default();
         let mut value: Value =
             serde_json::from_str(text.trim_start_matches('\u{feff}')).unwrap_or_default();
-        let folder = path.parent().unwrap_or(Path::new(""));
+        let folder = match path.parent() {
+            Some(folder) if folder != Path::new("") => folder,
+            _ => Path::new("."),
+        };
         let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
-        make_absolute(&mut value, &folder);
-        Ok(Self::File(path.to_owned(), value))
+        make_absolute(&mut value, &folder, &names_of_files());
+        Ok(Self::File(FileScene {
+            path: path.to_owned(),
+            text,
+            value,
+        }))
     }
 
     /// Name in tables and records: that of a built-in scene, or the stem of the file.
@@ -51,8 +71,7 @@ impl SceneChoice {
     pub fn name(&self) -> String {
         match self {
             Self::BuiltIn(scene, axes) => format!("{}-{axes}d", scene.name),
-            Self::File(path, _) => path
-                .file_stem()
+            Self::File(file) => (file.path.file_stem())
                 .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into()),
         }
     }
@@ -68,8 +87,8 @@ impl SceneChoice {
     pub fn make(&self, particles: usize, method: &Method) -> Made {
         let mut made = match self {
             Self::BuiltIn(scene, axes) => scene.make(*axes, particles),
-            Self::File(_, scene) => Made {
-                scene: scene.clone(),
+            Self::File(file) => Made {
+                scene: file.value.clone(),
                 exact: None,
             },
         };
@@ -88,29 +107,60 @@ impl SceneChoice {
     /// The same as checked values.
     ///
     /// # Errors
-    /// If the scene does not go with the method.
+    /// If the scene does not go with the method; of a scene file with places in the text of its user.
     pub fn scene(&self, particles: usize, method: &Method) -> Result<Scene, SceneError> {
-        let text = self.make(particles, method).scene.to_string();
-        from_json(&text, &self.name(), Path::new(""))
+        let made = self.make(particles, method).scene;
+        self.checked(&made)
+    }
+
+    /// A form of this scene as checked values.
+    ///
+    /// # Errors
+    /// As [`SceneChoice::scene`].
+    pub fn checked(&self, form: &Value) -> Result<Scene, SceneError> {
+        let name = self.name();
+        from_json(&form.to_string(), &name, Path::new("")).map_err(|mut error| {
+            if let Self::File(file) = self {
+                // Nobody wrote the text in which they were found.
+                for problem in &mut error.problems {
+                    if (problem.location.as_ref()).is_some_and(|at| at.file == name) {
+                        problem.location = None;
+                    }
+                }
+                let path = file.path.display().to_string();
+                place(&mut error.problems, &file.text, &path);
+            }
+            error
+        })
     }
 }
 
-/// Makes the names of files in a scene absolute, so that it can be written elsewhere.
-fn make_absolute(value: &mut Value, folder: &Path) {
+/// The keys that name files.
+fn names_of_files() -> Vec<String> {
+    let blocks = json::blocks();
+    let keys = blocks.into_iter().flat_map(|block| block.keys);
+    keys.filter(|key| key.is_file).map(|key| key.name).collect()
+}
+
+/// Makes the names of files in a scene absolute, so that it can be written elsewhere, and leaves out its comments, which
+/// not every program knows.
+fn make_absolute(value: &mut Value, folder: &Path, files: &[String]) {
     match value {
         Value::Object(entries) => {
+            // A body may have this name, but it is an object.
+            entries.retain(|key, entry| key != COMMENT || entry.is_object());
             for (key, entry) in entries {
                 match entry {
-                    Value::String(name) if key == "file" => {
+                    Value::String(name) if files.contains(key) => {
                         *name = folder.join(&*name).display().to_string();
                     }
-                    other => make_absolute(other, folder),
+                    other => make_absolute(other, folder, files),
                 }
             }
         }
         Value::Array(list) => list
             .iter_mut()
-            .for_each(|entry| make_absolute(entry, folder)),
+            .for_each(|entry| make_absolute(entry, folder, files)),
         _ => {}
     }
 }

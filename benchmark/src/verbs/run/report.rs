@@ -96,16 +96,17 @@ impl fmt::Display for Report<'_> {
             let more = s.events.len() - SHOWN_EVENTS;
             row(f, "event", &format!("and {more} more"))?;
         }
-        if let Some(folder) = self.folder {
-            row(f, "results", &folder.display().to_string())?;
-            let checkpoint = folder.join(CHECKPOINT);
-            if s.status == Status::Interrupted && checkpoint.is_file() {
-                let text = format!(
-                    "--restart {}, from the last output on",
-                    checkpoint.display()
-                );
-                row(f, "to go on", &text)?;
-            }
+        let Some(folder) = self.folder else {
+            return row(f, "results", "nothing was written, as there was no --out");
+        };
+        row(f, "results", &folder.display().to_string())?;
+        let checkpoint = folder.join(CHECKPOINT);
+        if s.status == Status::Interrupted && checkpoint.is_file() {
+            let text = format!(
+                "--restart {}, from the last output on",
+                checkpoint.display()
+            );
+            row(f, "to go on", &text)?;
         }
         Ok(())
     }

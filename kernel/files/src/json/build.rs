@@ -213,14 +213,12 @@ impl<'a> Build<'a> {
 
     /// All problems, those of the check spelt as in the file. A problem of the check is left out where building
     /// already reported the same place: its value is only a stand-in.
-    pub fn merged(self, check: Result<(), SceneError>) -> Vec<Problem> {
+    /// With them how paths of the checked scene are spelt in the file.
+    pub fn merged(self, check: Result<(), SceneError>) -> (Vec<Problem>, Vec<(String, String)>) {
         let mut problems = self.problems;
         let built = problems.len();
         for mut problem in check.err().map(|error| error.problems).unwrap_or_default() {
-            // Twice: first the entry as it is spelt in the file, then a key within it.
-            for _ in 0..2 {
-                problem.path = respelt(&problem.path, &self.spellings);
-            }
+            problem.path = as_in_file(&problem.path, &self.spellings);
             let is_shadowed = problems[..built]
                 .iter()
                 .map(|p| &p.path)
@@ -230,7 +228,7 @@ impl<'a> Build<'a> {
                 problems.push(problem);
             }
         }
-        problems
+        (problems, self.spellings)
     }
 }
 
@@ -247,6 +245,12 @@ pub(super) fn join(parent: &str, key: &str) -> String {
 fn reaches(prefix: &str, path: &str) -> bool {
     path.strip_prefix(prefix)
         .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}
+
+/// A path of the checked scene as the file has it.
+pub(super) fn as_in_file(path: &str, spellings: &[(String, String)]) -> String {
+    // Twice: first the entry as it is spelt in the file, then a key within it.
+    respelt(&respelt(path, spellings), spellings)
 }
 
 /// The path with its longest respelt beginning replaced.

@@ -1,4 +1,5 @@
-//! Values with more than one form: a list or named entries, one number or one per axis, a vector or a table.
+//! Values with more than one form: a list or named entries, one number or one per axis, a vector or a table, a text or
+//! lines of it.
 //!
 //! Written by hand, as serde's untagged enums lose the place of an error.
 
@@ -70,6 +71,46 @@ impl<T: JsonSchema> JsonSchema for Entries<T> {
                 { "type": "object", "additionalProperties": entry },
             ]
         })
+    }
+}
+
+/// Words for people: JSON has no comments. A text or a list of texts, of which nothing is kept.
+#[derive(Debug)]
+pub(super) struct Comment;
+
+struct CommentVisitor;
+
+impl<'de> Visitor<'de> for CommentVisitor {
+    type Value = Comment;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a text in quotes, or a list of them")
+    }
+
+    fn visit_str<E: Error>(self, _: &str) -> Result<Comment, E> {
+        Ok(Comment)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Comment, A::Error> {
+        while list.next_element::<String>()?.is_some() {}
+        Ok(Comment)
+    }
+}
+
+impl<'de> Deserialize<'de> for Comment {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(CommentVisitor)
+    }
+}
+
+impl JsonSchema for Comment {
+    fn schema_name() -> Cow<'static, str> {
+        "Comment".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let text = json_schema!({ "type": "string" });
+        json_schema!({ "anyOf": [text, { "type": "array", "items": text }] })
     }
 }
 

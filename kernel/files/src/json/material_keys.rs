@@ -3,10 +3,13 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use proctor_kernel::laws::{ALL, Choice, Constant};
+use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Kind};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde_json::{Value, json};
+
+use super::lists::Comment;
 
 /// A material as written: flat, all keys optional, nothing checked but types.
 #[derive(Debug, Default)]
@@ -66,7 +69,9 @@ impl<'de> Deserialize<'de> for Key {
         let of_all = ["type", "id", "density"].into_iter();
         let numbers = constants().into_iter().map(|constant| constant.key);
         let words = choices().into_iter().map(|choice| choice.key);
-        let known: Vec<&str> = of_all.chain(numbers).chain(words).collect();
+        let known: Vec<&str> = (of_all.chain(numbers).chain(words))
+            .chain(["comment"])
+            .collect();
         if known.contains(&key.as_str()) {
             return Ok(Self(key));
         }
@@ -100,6 +105,9 @@ impl<'de> Visitor<'de> for Keys {
                 "type" => material.r#type = map.next_value()?,
                 "id" => material.id = map.next_value()?,
                 "density" => material.density = map.next_value()?,
+                "comment" => {
+                    map.next_value::<Option<Comment>>()?;
+                }
                 key => {
                     if let Some(constant) = constants.iter().find(|c| c.key == key) {
                         material.numbers.push((constant.key, map.next_value()?));
@@ -125,7 +133,7 @@ impl JsonSchema for RawMaterial {
         "RawMaterial".into()
     }
 
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let names: Vec<&str> = ALL.iter().map(|law| law.name).collect();
         let mut schema = json_schema!({
             "description": "A material.",
@@ -135,16 +143,30 @@ impl JsonSchema for RawMaterial {
                     "description": "Constitutive law.",
                     "type": ["string", "null"],
                     "enum": names,
+                    "x-needed": true,
+                    "examples": [names.first()],
                 },
                 "id": {
                     "description": "Identifier, to which bodies refer.",
                     "type": ["integer", "null"],
                     "format": "int64",
+                    "x-needed": true,
+                    "examples": [1],
                 },
                 "density": {
-                    "description": "Initial mass density [kg/m³].",
+                    "description": "Initial mass density.",
                     "type": ["number", "null"],
                     "format": "double",
+                    "x-unit": "kg/m³",
+                    "x-needed": true,
+                    "exclusiveMinimum": 0,
+                    "examples": [1000],
+                },
+                "comment": {
+                    "description": "Words for people, in every object: one text or a list of them. Nothing reads them.",
+                    "anyOf": [generator.subschema_for::<Comment>(), { "type": "null" }],
+                    "x-default": "none",
+                    "examples": ["stiffer than the soil"],
                 },
             },
             "additionalProperties": false,
@@ -154,27 +176,71 @@ impl JsonSchema for RawMaterial {
             .and_then(serde_json::Value::as_object_mut);
         if let Some(properties) = properties {
             for constant in constants() {
-                let unit = match constant.unit {
-                    "" => String::new(),
-                    unit => format!(" [{unit}]"),
-                };
-                let property = json_schema!({
-                    "description": format!("{}{unit}.", constant.meaning),
-                    "type": ["number", "null"],
-                    "format": "double",
-                });
-                properties.insert(constant.key.to_owned(), property.to_value());
+                properties.insert(constant.key.to_owned(), of_constant(constant));
             }
             for choice in choices() {
-                let default = choice.words.first().copied().unwrap_or_default();
-                let property = json_schema!({
-                    "description": format!("{} Default: `{default}`.", choice.meaning),
-                    "type": ["string", "null"],
-                    "enum": choice.words,
-                });
-                properties.insert(choice.key.to_owned(), property.to_value());
+                properties.insert(choice.key.to_owned(), of_choice(choice));
             }
         }
         schema
+    }
+}
+
+/// The schema of a number that some laws need.
+fn of_constant(constant: &Constant) -> Value {
+    let mut property = json!({
+        "description": format!("{}.", constant.meaning),
+        "type": ["number", "null"],
+        "format": "double",
+        "x-unit": if constant.unit.is_empty() { "1" } else { constant.unit },
+        "x-needed": true,
+        "examples": [example(constant)],
+    });
+    match constant.accepted {
+        Accepted::Positive => property["exclusiveMinimum"] = 0.into(),
+        Accepted::NotNegative => property["minimum"] = 0.into(),
+        Accepted::Between(low, high) => {
+            property["exclusiveMinimum"] = low.into();
+            property["exclusiveMaximum"] = high.into();
+        }
+    }
+    needs(&mut property, |law| {
+        law.constants.iter().any(|own| own.key == constant.key)
+    });
+    property
+}
+
+/// The schema of a word that some laws may be given.
+fn of_choice(choice: &Choice) -> Value {
+    let mut property = json!({
+        "description": choice.meaning,
+        "type": ["string", "null"],
+        "enum": choice.words,
+        "default": choice.words.first(),
+        "examples": [choice.words.last()],
+    });
+    needs(&mut property, |law| {
+        law.choices.iter().any(|own| own.key == choice.key)
+    });
+    property
+}
+
+/// Says of a key which laws have it, unless all do.
+fn needs(property: &mut Value, has: impl Fn(&Kind) -> bool) {
+    let having = ALL.iter().filter(|law| has(law));
+    let words: Vec<String> = having.map(|law| format!("{:?}", law.name)).collect();
+    if words.len() < ALL.len() {
+        property["x-needs"] = format!("`type` {}", words.join(" or ")).into();
+    }
+}
+
+/// A value that a soft solid may have.
+fn example(constant: &Constant) -> f64 {
+    match constant.accepted {
+        Accepted::Positive | Accepted::NotNegative if constant.unit == "Pa" => 1e6,
+        Accepted::Positive => 1.0,
+        Accepted::NotNegative => 0.0,
+        accepted @ Accepted::Between(..) if accepted.holds(0.3) => 0.3,
+        Accepted::Between(low, high) => 0.5 * (low + high),
     }
 }

@@ -16,9 +16,10 @@ pub(super) fn problem(
     error: &serde_path_to_error::Error<serde_json::Error>,
 ) -> Problem {
     let inner = error.inner();
-    let path = match error.path().to_string() {
-        root if root == "." => String::new(),
-        path => path,
+    // Where the text ends too early the last piece of the path is a question mark.
+    let path = match error.path().to_string().as_str() {
+        "." | "?" => String::new(),
+        path => path.trim_end_matches(".?").to_owned(),
     };
     let full = inner.to_string();
     let said = full
@@ -83,9 +84,17 @@ fn syntax(file: &str, text: &str, path: String, said: &str, here: usize) -> Prob
         return Problem::new(path, found, "a finite number, up to 1.7e308")
             .at(location(file, text, at));
     }
+    if said.starts_with("EOF") {
+        return Problem::new(
+            path,
+            "the end of the text",
+            "JSON in which every bracket and quote is closed",
+        )
+        .at(location(file, text, text.trim_end().len()));
+    }
     let rest = text[here..].lines().next().unwrap_or("").trim();
     let found = if rest.is_empty() {
-        "the end of the line or text".to_owned()
+        "the end of the line".to_owned()
     } else {
         format!("{} ({said})", piece(rest))
     };

@@ -4,6 +4,7 @@
 mod bodies;
 mod build;
 mod contact;
+mod glossary;
 mod keys;
 mod lists;
 mod loads;
@@ -15,6 +16,7 @@ mod method;
 mod mortar;
 mod position;
 mod shapes;
+mod source;
 mod surfaces;
 mod words;
 mod write;
@@ -27,6 +29,8 @@ use self::build::Build;
 use self::keys::RawScene;
 use proctor_kernel::scene::{Problem, Scene, SceneError};
 
+pub use self::glossary::{Block, Key, Otherwise, Range, blocks, schema};
+pub use self::source::{Places, Source, unreadable};
 pub use self::words::{listed, nearest, words_of};
 pub use self::write::{NotWritten, Written, write};
 
@@ -35,15 +39,7 @@ pub use self::write::{NotWritten, Written, write};
 /// # Errors
 /// A file that cannot be read, and everything that [`from_json`] reports.
 pub fn read(path: &Path) -> Result<Scene, SceneError> {
-    let name = path.display().to_string();
-    let text = crate::reading::read_to_string(path).map_err(|error| SceneError {
-        problems: vec![Problem::new(
-            "",
-            format!("{name} ({error})"),
-            "a scene in JSON that can be read",
-        )],
-    })?;
-    from_json(&text, &name, path.parent().unwrap_or_else(|| Path::new("")))
+    Ok(Source::file(path)?.scene()?.0)
 }
 
 /// Reads a scene from JSON text. `source_name` stands for the text in messages, and its stem becomes the name of
@@ -53,13 +49,22 @@ pub fn read(path: &Path) -> Result<Scene, SceneError> {
 /// The first place where the text is not JSON, holds an unknown key or a value of another type; otherwise all
 /// problems at once: keys that are missing or contradict each other, and all that [`Scene::check`] finds.
 pub fn from_json(text: &str, source_name: &str, folder: &Path) -> Result<Scene, SceneError> {
+    placed(text, source_name, folder).map(|(scene, _)| scene)
+}
+
+/// [`from_json`], with how paths of the checked scene are spelt in the text.
+fn placed(
+    text: &str,
+    source_name: &str,
+    folder: &Path,
+) -> Result<(Scene, Vec<(String, String)>), SceneError> {
     let raw: RawScene = parse(text, source_name)?;
     let mut build = Build::new(folder);
     let mut scene = build.scene(&raw);
     scene.name = Path::new(source_name)
         .file_stem()
         .map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into());
-    let mut problems = build.merged(scene.check());
+    let (mut problems, spellings) = build.merged(scene.check());
     // Finding the place of a problem is a walk through the text, and nobody reads thousands.
     let more = problems.len().saturating_sub(MOST_PROBLEMS);
     problems.truncate(MOST_PROBLEMS);
@@ -68,7 +73,7 @@ pub fn from_json(text: &str, source_name: &str, folder: &Path) -> Result<Scene, 
         problems.push(Problem::new("", format!("{more} more problems"), "none"));
     }
     SceneError::unless_empty(problems)?;
-    Ok(scene)
+    Ok((scene, spellings))
 }
 
 /// Problems of a scene that are told one by one.
@@ -115,10 +120,4 @@ pub fn place(problems: &mut [Problem], text: &str, source_name: &str) {
             .as_ref()
             .map(|at| (at.file != source_name, at.file.clone(), at.line, at.column))
     });
-}
-
-/// The JSON Schema of a scene file, for editors.
-#[must_use]
-pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(RawScene).to_value()
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::json::unreadable;
 use proctor_kernel::scene::{Dimension, History, Location, ParticleSeed, Problem, SceneError};
 
 /// More problems than this in one file say the same again.
@@ -104,12 +105,9 @@ struct Table<'a> {
 
 impl<'a> Table<'a> {
     fn read(file: &'a Path, header: Option<bool>, names: &[&str]) -> Result<Self, SceneError> {
-        let text = crate::reading::read_to_string(file).map_err(|error| SceneError {
-            problems: vec![Problem::new(
-                "",
-                format!("{} ({error})", file.display()),
-                format!("a text file with the columns {}", names.join(", ")),
-            )],
+        let text = crate::reading::read_to_string(file).map_err(|error| {
+            let accepted = format!("a text file with the columns {}", names.join(", "));
+            unreadable(&file.display().to_string(), &error, &accepted)
         })?;
         let text = text.trim_start_matches('\u{feff}');
         let mut table = Self {

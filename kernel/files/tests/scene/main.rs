@@ -3,6 +3,7 @@
 mod any_input;
 mod bad_cases;
 mod bad_input;
+mod glossary;
 mod keys;
 mod manual;
 mod mortar;

@@ -2,6 +2,7 @@
 
 use crate::memory::OutOfMemory;
 use crate::mesh::Mesh;
+use crate::number::{Number, list};
 use crate::shape::{Dimension, Vector};
 use std::fmt;
 
@@ -118,12 +119,6 @@ pub(super) fn mesh_range(mesh: &Mesh) -> [[f64; 2]; 3] {
     })
 }
 
-/// `[a, b]` or `[a, b, c]`.
-fn list(values: &[f64]) -> String {
-    let words: Vec<String> = values.iter().map(f64::to_string).collect();
-    format!("[{}]", words.join(", "))
-}
-
 impl fmt::Display for FillError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of_particle = |index: &Option<usize>| match index {
@@ -161,11 +156,11 @@ impl fmt::Display for FillError {
             Self::BodyOutside { axis, body, mesh } => write!(
                 f,
                 "the body reaches from {} to {} m along axis {}, the mesh from {} to {} m",
-                body[0],
-                body[1],
+                Number(body[0]),
+                Number(body[1]),
                 ["x", "y", "z"].get(*axis).unwrap_or(&"?"),
-                mesh[0],
-                mesh[1]
+                Number(mesh[0]),
+                Number(mesh[1])
             ),
             Self::NotFinite {
                 quantity,
@@ -174,8 +169,9 @@ impl fmt::Display for FillError {
             } => {
                 write!(
                     f,
-                    "the {quantity}{} is not finite: {value}",
-                    of_particle(index)
+                    "the {quantity}{} is not finite: {}",
+                    of_particle(index),
+                    Number(*value)
                 )
             }
             Self::NotPositive {
@@ -185,8 +181,9 @@ impl fmt::Display for FillError {
             } => {
                 write!(
                     f,
-                    "the {quantity}{} is not positive: {value}",
-                    of_particle(index)
+                    "the {quantity}{} is not positive: {}",
+                    of_particle(index),
+                    Number(*value)
                 )
             }
             Self::Dimension { shape, dimension } => {

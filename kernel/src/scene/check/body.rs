@@ -2,6 +2,7 @@
 
 use super::collector::Collector;
 use super::load::check_history;
+use crate::number::Number;
 use crate::scene::{Body, Dimension, Mesh, Scene, Shape, Vector};
 use proctor_geometry::polygon;
 
@@ -92,8 +93,11 @@ fn check_shape(shape: &Shape, dimension: Dimension, path: &str, problems: &mut C
             if !(outer.is_finite() && outer > inner) {
                 problems.add(
                     format!("{path}.outer_radius"),
-                    outer.to_string(),
-                    format!("a finite number greater than the inner radius {inner} [m]"),
+                    Number(*outer).to_string(),
+                    format!(
+                        "a finite number greater than the inner radius {} [m]",
+                        Number(*inner)
+                    ),
                 );
             }
         }

@@ -1,5 +1,6 @@
 //! Collects problems, and knows how to say each kind of range.
 
+use crate::number::Number;
 use crate::scene::{Dimension, Problem, Vector};
 
 /// Problems found so far.
@@ -36,7 +37,7 @@ impl Collector {
             };
             self.add(
                 path,
-                value.to_string(),
+                Number(value).to_string(),
                 format!("a finite number greater than 0{unit}"),
             );
         }
@@ -45,7 +46,11 @@ impl Collector {
     /// Finite and zero or greater.
     pub(super) fn not_negative(&mut self, path: impl Into<String>, value: f64) {
         if !(value.is_finite() && value >= 0.0) {
-            self.add(path, value.to_string(), "a finite number, 0 or greater");
+            self.add(
+                path,
+                Number(value).to_string(),
+                "a finite number, 0 or greater",
+            );
         }
     }
 
@@ -54,7 +59,7 @@ impl Collector {
         if !(low..=high).contains(&value) {
             self.add(
                 path,
-                value.to_string(),
+                Number(value).to_string(),
                 format!("a number from {low} to {high}"),
             );
         }
@@ -66,11 +71,15 @@ impl Collector {
         let before = self.found.len();
         for (axis, x) in value.iter().enumerate() {
             if !x.is_finite() {
-                self.add(format!("{path}[{axis}]"), x.to_string(), "a finite number");
+                self.add(
+                    format!("{path}[{axis}]"),
+                    Number(*x).to_string(),
+                    "a finite number",
+                );
             } else if axis >= self.dimension.axes() && *x != 0.0 {
                 self.add(
                     format!("{path}[{axis}]"),
-                    x.to_string(),
+                    Number(*x).to_string(),
                     "0: there are two dimensions",
                 );
             }

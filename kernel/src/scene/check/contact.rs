@@ -1,6 +1,7 @@
 //! Contact: bodies that exist, friction, each pair once, and no overlap at the start.
 
 use super::collector::Collector;
+use crate::number::Number;
 use crate::scene::{Contact, Scene, Shape, Vector};
 
 pub(super) fn check(scene: &Scene, problems: &mut Collector) {
@@ -16,7 +17,7 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
         if contact.friction.is_nan() || contact.friction < 0.0 {
             problems.add(
                 format!("{path}.friction"),
-                contact.friction.to_string(),
+                Number(contact.friction).to_string(),
                 "a number, 0 or greater",
             );
         }
@@ -88,9 +89,10 @@ fn check_overlap(scene: &Scene, contact: &Contact, path: &str, problems: &mut Co
         problems.add(
             path,
             format!(
-                "the bodies {} and {}, which overlap by {depth} m at {:?} m",
+                "the bodies {} and {}, which overlap by {} m at {:?} m",
                 contact.master,
                 contact.slave,
+                Number(depth),
                 &at[..axes]
             ),
             "bodies that touch at most",

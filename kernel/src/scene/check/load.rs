@@ -2,6 +2,7 @@
 
 use super::body::{check_box, outside};
 use super::collector::Collector;
+use crate::number::Number;
 use crate::scene::{HeldBox, History, Mesh, Motion, PointLoad, Scene, Traction};
 
 /// A point load must lie on a node within this share of a cell: far above the round-off of any mesh that a file
@@ -72,7 +73,7 @@ pub(super) fn check_history(path: &str, history: &History, problems: &mut Collec
         if !time.is_finite() {
             problems.add(
                 format!("{path}[{row}]"),
-                time.to_string(),
+                Number(*time).to_string(),
                 "a finite time [s]",
             );
         } else if row > 0 && history.times[row - 1] >= *time {

@@ -10,9 +10,10 @@ mod mortar;
 mod surface;
 
 use self::collector::Collector;
-use super::{Damping, Dimension, PlaneCondition, Scene, SceneError, TimeStep};
+use super::{Damping, Dimension, PlaneCondition, Results, Scene, SceneError, TimeStep};
 use crate::laws::Accepted;
 use crate::layout::Variable;
+use crate::number::Number;
 
 impl Scene {
     /// Checks every value of the scene.
@@ -48,7 +49,10 @@ impl Scene {
                 if dt > 0.0 && dt < least {
                     problems.add(
                         "time_step",
-                        format!("{dt:e}, which is lost beside a time of {} s", self.time),
+                        format!(
+                            "{dt:e}, which is lost beside a time of {} s",
+                            Number(self.time)
+                        ),
                         format!("a number greater than {least:e} [s]"),
                     );
                 } else {
@@ -127,7 +131,7 @@ impl Scene {
                 match constant.accepted {
                     Accepted::Positive => problems.positive(path, value, constant.unit),
                     accepted if accepted.holds(value) => {}
-                    _ => problems.add(path, value.to_string(), constant.words()),
+                    _ => problems.add(path, Number(value).to_string(), constant.words()),
                 }
             }
             if let Some(twice) = named_twice(material.law.variables()) {
@@ -154,6 +158,13 @@ impl Scene {
     }
 
     fn check_results(&self, problems: &mut Collector) {
+        if self.results.print > Results::MOST {
+            problems.add(
+                "results.print",
+                self.results.print.to_string(),
+                format!("a whole number, at most {}", Results::MOST),
+            );
+        }
         for (i, probe) in self.probes.iter().enumerate() {
             let path = format!("probes[{i}]");
             problems.vector(format!("{path}.point"), &probe.position);

@@ -5,6 +5,7 @@ use super::collector::Collector;
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::outline::distance_to_outline;
 use crate::mortar::space::facets::Facets;
+use crate::number::Number;
 use crate::scene::{
     BodyBoundary, Contact, Damping, Dimension, MortarContact, Scene, StressScheme, Vertices,
 };
@@ -176,9 +177,10 @@ fn check_boundary(scene: &Scene, boundary: &BodyBoundary, problems: &mut Collect
             if *length > 0.0 && *length < least {
                 problems.add(
                     path,
-                    length.to_string(),
+                    Number(*length).to_string(),
                     format!(
-                        "a thousandth of a cell or more, {least} [m]: the grid sees nothing finer"
+                        "a thousandth of a cell or more, {} [m]: the grid sees nothing finer",
+                        Number(least)
                     ),
                 );
             } else {
@@ -228,10 +230,12 @@ fn check_places(scene: &Scene, i: usize, chains: &[Chain], path: &str, problems:
             problems.add(
                 path,
                 format!(
-                    "vertex {k} of polyline {chain} at ({}, {}) m, {distance} m from the outline of the body",
-                    x.x, x.y
+                    "vertex {k} of polyline {chain} at ({}, {}) m, {} m from the outline of the body",
+                    Number(x.x),
+                    Number(x.y),
+                    Number(distance)
                 ),
-                format!("vertices within half a cell of it, {most} m"),
+                format!("vertices within half a cell of it, {} m", Number(most)),
             );
             return;
         }

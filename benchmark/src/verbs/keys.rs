@@ -1,0 +1,121 @@
+//! `proctor keys`: what the keys of scene files mean.
+
+use crate::exit::{Failure, Outcome};
+use crate::show::keys::{BlockTable, EVERYWHERE, InFull};
+use clap::Args;
+use proctor_files::json::{Block, Key, blocks};
+use std::io::Write;
+
+/// Nearest names that are told where no key has the name.
+const NEAREST: usize = 3;
+/// Least likeness of a name to an unknown word, 0 to 1, for it to be among them.
+const LIKENESS: f64 = 0.4;
+
+/// Explain the keys of scene files: all in a table, or one by its name.
+///
+/// Of each key: what it means, its unit, the values that it may have, what holds where it is missing, what else it needs,
+/// an example. WORD is the name of a key, a part of one, a block such as `mesh`, or a value such as `cpGIMP`.
+#[derive(Args)]
+#[command(after_help = "Example: proctor keys\n\
+    One key: proctor keys cells_dimension\n\
+    In one block alone: proctor keys body.radius")]
+pub struct Keys {
+    /// Name of a key, a part of one, a block, or a value; without it, all keys
+    word: Option<String>,
+}
+
+impl Keys {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let blocks = blocks();
+        let Some(word) = &self.word else {
+            return all(&blocks, out);
+        };
+        let found = matching(word, &blocks);
+        if found.is_empty() {
+            return Err(Failure::BadInput(unknown(word, &blocks)));
+        }
+        for (i, (block, key)) in found.iter().enumerate() {
+            let gap = if i > 0 { "\n" } else { "" };
+            write!(
+                out,
+                "{gap}{}",
+                InFull {
+                    path: &block.path,
+                    key
+                }
+            )?;
+        }
+        for block in blocks.iter().filter(|block| is(word, &block.path)) {
+            write!(out, "\n{}", BlockTable(block))?;
+        }
+        Ok(Outcome::Fine)
+    }
+}
+
+fn all(blocks: &[Block], out: &mut dyn Write) -> Result<Outcome, Failure> {
+    for block in blocks {
+        writeln!(out, "{}", BlockTable(block))?;
+    }
+    writeln!(
+        out,
+        "Behind each key: its unit, what holds where it is missing, its meaning. (needed): where it means something.\n\
+         `proctor keys WORD` says all of a key, `proctor schema` tells it to editors."
+    )?;
+    Ok(Outcome::Fine)
+}
+
+/// The keys of that name; else those that have the word as a value; else those with it in their name.
+fn matching<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
+    let all = || {
+        blocks
+            .iter()
+            .flat_map(|block| block.keys.iter().map(move |key| (block, key)))
+            .filter(|(block, key)| block.path.is_empty() || key.name != EVERYWHERE)
+    };
+    let named = |(block, key): &(&Block, &Key)| {
+        is(word, &key.name) || is(word, &format!("{}.{}", block.path, key.name))
+    };
+    let part = |(_, key): &(&Block, &Key)| key.name.to_lowercase().contains(&word.to_lowercase());
+    let valued = |(_, key): &(&Block, &Key)| {
+        let mut words = key.words.iter().filter_map(|word| word.as_str());
+        words.any(|known| is(word, known))
+    };
+    let found: Vec<_> = all().filter(named).collect();
+    if !found.is_empty() {
+        return found;
+    }
+    let found: Vec<_> = all().filter(valued).collect();
+    if !found.is_empty() {
+        return found;
+    }
+    all().filter(part).collect()
+}
+
+/// Whether a word is a name; upper and lower case are the same.
+fn is(word: &str, name: &str) -> bool {
+    word.eq_ignore_ascii_case(name)
+}
+
+/// What to say to a word that leads to no key.
+fn unknown(word: &str, blocks: &[Block]) -> String {
+    let mut names: Vec<&str> = blocks
+        .iter()
+        .flat_map(|block| block.keys.iter().map(|key| key.name.as_str()))
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    let lower = word.to_lowercase();
+    let likeness = |name: &str| strsim::normalized_damerau_levenshtein(&lower, name);
+    names.retain(|name| likeness(name) >= LIKENESS);
+    names.sort_by(|a, b| likeness(b).total_cmp(&likeness(a)));
+    names.truncate(NEAREST);
+    let nearest: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    let hint = if nearest.is_empty() {
+        String::new()
+    } else {
+        format!(" (did you mean {}?)", nearest.join(" or "))
+    };
+    format!(
+        "found the key {word:?}, which is not known{hint}; accepted: a key of a scene, `proctor keys` lists them"
+    )
+}

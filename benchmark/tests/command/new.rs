@@ -1,0 +1,197 @@
+//! `proctor new`: scenes to start from that run as they are.
+
+use crate::support::{Desk, code, command, stderr, stdout};
+use std::fs;
+use std::process::Output;
+
+/// The command in the folder of the desk.
+fn here(desk: &Desk, arguments: &[&str]) -> Output {
+    command(arguments)
+        .current_dir(desk.path(""))
+        .output()
+        .expect("the command starts")
+}
+
+/// The kinds that the command lists.
+fn kinds() -> Vec<String> {
+    let output = here(&Desk::new(), &["new"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let text = stdout(&output);
+    let lines = text.lines().filter(|line| line.starts_with("  "));
+    lines
+        .map(|line| line.split_whitespace().next().expect("a name").to_owned())
+        .collect()
+}
+
+#[test]
+fn the_kinds_are_listed_with_what_happens_in_each() {
+    let output = here(&Desk::new(), &["new"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    insta::assert_snapshot!(stdout(&output));
+}
+
+#[test]
+fn each_is_written_planned_and_run_without_a_warning() {
+    let kinds = kinds();
+    assert!(kinds.len() >= 5, "{kinds:?}");
+    for kind in kinds {
+        let desk = Desk::new();
+        let output = here(&desk, &["new", &kind]);
+        assert_eq!(code(&output), 0, "{kind}: {}", stderr(&output));
+        let file = format!("{kind}.json");
+        assert!(desk.path(&file).is_file());
+        // What is said to be next is what is done here.
+        let said = stdout(&output);
+        let plan = format!("proctor plan {file}");
+        let run = format!("proctor run {file} --out {kind}");
+        assert!(said.contains(&plan) && said.contains(&run), "{said}");
+        let output = here(&desk, &["plan", &file]);
+        assert_eq!(code(&output), 0, "{kind}: {}", stderr(&output));
+        assert_eq!(stderr(&output), "", "{kind}");
+        let output = here(&desk, &["run", &file, "--out", &kind]);
+        assert_eq!(code(&output), 0, "{kind}: {}", stderr(&output));
+        assert_eq!(stderr(&output), "", "{kind}");
+        for doubt in ["attention", "event"] {
+            let text = stdout(&output);
+            let doubtful = text.lines().any(|line| line.starts_with(doubt));
+            assert!(!doubtful, "{kind}: {text}");
+        }
+        // Seconds on any machine, however busy it is: a step of a particle takes a microsecond or less.
+        let summary = desk.summary(&kind);
+        let steps = summary["steps"].as_f64().expect("steps");
+        let work = steps * summary["particles"].as_f64().expect("particles");
+        assert!(work < 3e6, "{kind}: {work} particle steps");
+        let frames = desk.path(&kind).join("particles.pvd");
+        assert!(frames.is_file(), "{kind}");
+        // The field that is said to show most is in the frames.
+        let field = said
+            .split("coloured by ")
+            .nth(1)
+            .and_then(|rest| rest.split_whitespace().next())
+            .expect("a field");
+        let frame = fs::read(desk.path(&kind).join("particles_000001.vtu")).expect("a frame");
+        let named = format!("Name=\"{field}\"");
+        assert!(
+            frame.windows(named.len()).any(|at| at == named.as_bytes()),
+            "{kind}: {field}"
+        );
+    }
+}
+
+/// Comments of a scene say what comes out; they are not to say more than it does.
+#[test]
+fn what_the_comments_promise_happens() {
+    let desk = Desk::new();
+    for kind in ["column", "incline", "drop", "soil"] {
+        assert_eq!(code(&here(&desk, &["new", kind])), 0);
+        let output = here(&desk, &["run", &format!("{kind}.json"), "--out", kind]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+    }
+    let column = |kind: &str, name: &str| -> Vec<f64> {
+        let text = fs::read_to_string(desk.path(kind).join("history.csv")).expect("a history");
+        let mut lines = text.lines();
+        let at = (lines.next().expect("a head").split(','))
+            .position(|column| column == name)
+            .unwrap_or_else(|| panic!("{name} in {kind}"));
+        lines
+            .map(|line| {
+                line.split(',')
+                    .nth(at)
+                    .expect("a cell")
+                    .parse()
+                    .expect("a number")
+            })
+            .collect()
+    };
+    let sunk = -column("column", "top_uy").last().expect("a row");
+    assert!((sunk - 0.029).abs() < 0.001, "{sunk}");
+    let slid = column("incline", "body2_x");
+    let slid = slid.last().expect("a row") - slid[0];
+    assert!((slid - 0.25).abs() < 0.02, "{slid}");
+    let speed = column("drop", "body1_vz");
+    let fastest = |of: fn(f64, f64) -> f64| speed.iter().copied().fold(0.0, of);
+    assert!(
+        fastest(f64::min) < -1.6 && fastest(f64::max) > 1.4,
+        "{speed:?}"
+    );
+    let goes = |name: &str| {
+        column("soil", name)
+            .iter()
+            .fold(0.0_f64, |most, x| most.max(x.abs()))
+    };
+    assert!(
+        goes("crest_ux") > 1.2 * goes("base_ux"),
+        "{}",
+        goes("base_ux")
+    );
+}
+
+#[test]
+fn each_is_formatted() {
+    for kind in kinds() {
+        let desk = Desk::new();
+        assert_eq!(code(&here(&desk, &["new", &kind])), 0);
+        let text = fs::read_to_string(desk.path(&format!("{kind}.json"))).expect("a scene");
+        assert!(text.ends_with("}\n") && !text.contains('\t'), "{kind}");
+        let mut depth = 0_usize;
+        for line in text.lines() {
+            let blanks = line.len() - line.trim_start().len();
+            let count = |these: [char; 2]| line.matches(these).count();
+            let (opened, closed) = (count(['{', '[']), count(['}', ']']));
+            let first_closes = line.trim_start().starts_with(['}', ']']);
+            assert_eq!(
+                blanks,
+                2 * (depth - usize::from(first_closes)),
+                "{kind}: {line}"
+            );
+            assert!(
+                line.len() <= 110 && line == line.trim_end(),
+                "{kind}: {line}"
+            );
+            depth = depth + opened - closed;
+        }
+        assert!(
+            text.contains("\"comment\""),
+            "{kind} says nothing of itself"
+        );
+    }
+}
+
+#[test]
+fn no_file_is_overwritten() {
+    let desk = Desk::new();
+    fs::write(desk.path("column.json"), "mine").expect("written");
+    let output = here(&desk, &["new", "column"]);
+    assert_eq!(code(&output), 2);
+    let said = stderr(&output);
+    assert!(
+        said.contains("column.json: found a file") && said.contains("--out"),
+        "{said}"
+    );
+    assert_eq!(
+        fs::read_to_string(desk.path("column.json")).expect("read"),
+        "mine"
+    );
+    assert_eq!(stdout(&output), "");
+    let output = here(&desk, &["new", "column", "--out", "mine.json"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(stdout(&output).contains("proctor run mine.json --out mine"));
+    // Where the record is taken, the scene is not written either.
+    fs::write(desk.path("soil.csv"), "mine").expect("written");
+    assert_eq!(code(&here(&desk, &["new", "soil"])), 2);
+    assert!(!desk.path("soil.json").exists());
+    assert_eq!(
+        code(&here(&desk, &["new", "beam", "--out", "no/such/beam.json"])),
+        2
+    );
+}
+
+#[test]
+fn an_unknown_kind_is_answered_with_the_nearest_and_all() {
+    let output = here(&Desk::new(), &["new", "colum"]);
+    assert_eq!(code(&output), 2);
+    let said = stderr(&output);
+    let nearest = said.find("did you mean `column`?").expect("the nearest");
+    let list = said.find("accepted: ").expect("all");
+    assert!(nearest < list && said.contains("incline"), "{said}");
+}

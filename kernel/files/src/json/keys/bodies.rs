@@ -1,0 +1,212 @@
+//! Keys of bodies, of what acts on them, and of the particles whose history is written.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::json::lists::{Comment, Counts, VectorOrTable};
+
+/// A body. Which keys its shape needs depends on its type.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with the keys of a body")]
+pub(in crate::json) struct RawBody {
+    /// Shape: cuboid (2D and 3D), sphere, cylinder, `extruded_polygon` (3D), rectangle, disc, ring, polygon (2D),
+    /// particles (2D and 3D).
+    #[schemars(extend(
+        "enum" = ["cuboid", "rectangle", "sphere", "disc", "ring", "cylinder", "polygon", "extruded_polygon", "particles"],
+        "x-needed" = true, "examples" = ["cuboid", "rectangle"]
+    ))]
+    pub r#type: Option<String>,
+    /// Identifier, to which contacts refer.
+    #[schemars(extend("x-needed" = true, "examples" = [1]))]
+    pub id: Option<i64>,
+    /// Identifier of the material.
+    #[schemars(extend("x-needed" = true, "examples" = [1]))]
+    pub material_id: Option<i64>,
+    /// Lower corner of a cuboid or rectangle; centre of the first end face of a cylinder.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"cuboid\", \"rectangle\" or \"cylinder\"", "x-needed" = true,
+        "examples" = [[0, 0], [0, 0, 0]]
+    ))]
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner of a cuboid or rectangle; centre of the other end face of a cylinder.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"cuboid\", \"rectangle\" or \"cylinder\"", "x-needed" = true,
+        "examples" = [[1, 1], [1, 1, 1]]
+    ))]
+    pub point_p2: Option<Vec<f64>>,
+    /// Centre of a sphere, disc or ring.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"sphere\", \"disc\" or \"ring\"", "x-needed" = true,
+        "examples" = [[1, 1], [1, 1, 1]]
+    ))]
+    pub center: Option<Vec<f64>>,
+    /// Radius of a sphere, disc or cylinder.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"sphere\", \"disc\" or \"cylinder\"", "x-needed" = true,
+        "exclusiveMinimum" = 0, "examples" = [0.4]
+    ))]
+    pub radius: Option<f64>,
+    /// Inner radius of a ring.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"ring\"", "x-needed" = true, "exclusiveMinimum" = 0, "examples" = [0.2]
+    ))]
+    pub inner_radius: Option<f64>,
+    /// Outer radius of a ring.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"ring\"", "x-needed" = true, "exclusiveMinimum" = 0, "examples" = [0.5]
+    ))]
+    pub outer_radius: Option<f64>,
+    /// Corners of a polygon, or of an extruded polygon in the plane of its two other axes.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"polygon\" or \"extruded_polygon\"", "x-needed" = true,
+        "examples" = [[[0, 0], [1, 0], [0, 1]]]
+    ))]
+    pub points: Option<Vec<Vec<f64>>>,
+    /// Axis along which a polygon is extruded.
+    #[schemars(extend(
+        "enum" = ["x", "y", "z"], "x-needs" = "`type` \"extruded_polygon\"", "x-needed" = true, "examples" = ["z"]
+    ))]
+    pub axis: Option<String>,
+    /// Lower and upper coordinate of an extruded polygon along its axis.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"extruded_polygon\"", "x-needed" = true, "examples" = [[0, 1]]
+    ))]
+    pub range: Option<Vec<f64>>,
+    /// Particles: rows of position and volume.
+    #[schemars(extend(
+        "x-unit" = "m, m³", "x-needs" = "`type` \"particles\" without `file`", "x-needed" = true,
+        "examples" = [[[0.25, 0.25, 0.25], [0.75, 0.25, 0.25]], [[0.25, 0.25, 0.25, 0.125], [0.75, 0.25, 0.25, 0.125]]]
+    ))]
+    pub particles: Option<Vec<Vec<f64>>>,
+    /// Particles from a text file with the columns x, y, z, volume; a path relative to the folder of the scene.
+    #[schemars(extend(
+        "x-unit" = "m, m³", "x-needs" = "`type` \"particles\" without `particles`", "x-needed" = true, "x-file" = true,
+        "examples" = ["particles.csv"]
+    ))]
+    pub file: Option<String>,
+    /// Longest segment of the boundary made from the shape, for mortar contact; in three dimensions of the edges of
+    /// its triangles, but for diagonals.
+    #[schemars(extend(
+        "x-unit" = "m", "x-default" = "no boundary", "exclusiveMinimum" = 0, "examples" = [0.25]
+    ))]
+    pub boundary_segment: Option<f64>,
+    /// Vertices of the boundary, the body on their left, instead of one made from the shape.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`dimension` 2", "x-default" = "no boundary",
+        "examples" = [[[0, 0], [1, 0], [1, 1], [0, 1]]]
+    ))]
+    pub boundary: Option<Vec<Vec<f64>>>,
+    /// Whether the last of these vertices is joined to the first; one that is open covers a part of the body alone.
+    #[schemars(extend("x-needs" = "`boundary`", "default" = true, "examples" = [false]))]
+    pub boundary_closed: Option<bool>,
+    /// STL file with the triangles of the boundary, closed and with its normals out of the body, instead of one made
+    /// from the shape.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`dimension` 3", "x-default" = "no boundary", "x-file" = true,
+        "examples" = ["block.stl"]
+    ))]
+    pub boundary_stl_mesh: Option<String>,
+    /// How the boundary follows the body.
+    #[schemars(extend(
+        "enum" = ["unaugmented", "velocity", "spin", "gradient"],
+        "x-needs" = "`boundary_segment`, `boundary` or `boundary_stl_mesh`", "default" = "spin",
+        "examples" = ["velocity"]
+    ))]
+    pub boundary_follows: Option<String>,
+    /// Particles per cell and axis.
+    #[schemars(extend("x-default" = "that of the scene", "examples" = [3]))]
+    pub particles_per_cell: Option<Counts>,
+    /// Initial velocity.
+    #[schemars(extend("x-unit" = "m/s", "x-default" = "zero", "examples" = [[1, 0], [1, 0, 0]]))]
+    pub initial_velocity: Option<Vec<f64>>,
+    /// Prescribed velocity: a vector, or rows of time and velocity.
+    #[schemars(extend(
+        "x-unit" = "m/s; s, m/s", "x-default" = "the body moves as it is pushed", "examples" = [[1, 0], [1, 0, 0]]
+    ))]
+    pub prescribed_velocity: Option<VectorOrTable>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Constant traction on a rectangle (a segment in 2D) that is fixed in space.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1`, `point_p2` and `traction`"
+)]
+pub(in crate::json) struct RawTraction {
+    /// Lower corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0, 1], [0, 0, 1]]))]
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner, equal to `point_p1` along exactly one axis.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[1, 1], [1, 1, 1]]))]
+    pub point_p2: Option<Vec<f64>>,
+    /// Traction.
+    #[schemars(extend(
+        "x-unit" = "Pa", "x-needed" = true, "examples" = [[0, -1000], [0, 0, -1000]]
+    ))]
+    pub traction: Option<Vec<f64>>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Total force spread by volume over the particles that lie in a box at the start.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1`, `point_p2` and `force`"
+)]
+pub(in crate::json) struct RawBoxLoad {
+    /// Lower corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0, 0], [0, 0, 0]]))]
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[1, 0.5], [1, 1, 0.5]]))]
+    pub point_p2: Option<Vec<f64>>,
+    /// Total force.
+    #[schemars(extend("x-unit" = "N", "x-needed" = true, "examples" = [[10, 0], [10, 0, 0]]))]
+    pub force: Option<Vec<f64>>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// A box in which all nodes of the mesh stand still.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1` and `point_p2`"
+)]
+pub(in crate::json) struct RawHeldBox {
+    /// Lower corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0, 0], [0, 0, 0]]))]
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[1, 0.5], [1, 1, 0.5]]))]
+    pub point_p2: Option<Vec<f64>>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// A particle whose history is written.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with `name` and `point`")]
+pub(in crate::json) struct RawProbe {
+    /// Prefix of the columns in `history.csv`: letters, digits, `_`, `-` and `.`.
+    #[schemars(extend("x-needed" = true, "examples" = ["top"]))]
+    pub name: Option<String>,
+    /// The particle nearest to this position at the start is followed.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0.5, 1], [0.5, 0.5, 1]]))]
+    pub point: Option<Vec<f64>>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}

@@ -1,0 +1,123 @@
+//! Keys of the mesh and of the motion of its planes.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::json::lists::Comment;
+
+/// Background mesh.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with the keys of a mesh")]
+pub(in crate::json) struct RawMesh {
+    /// Edges of a cell, one number per axis.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needed" = true, "items" = {"type": "number", "exclusiveMinimum": 0},
+        "examples" = [[0.1, 0.1], [0.1, 0.1, 0.1]]
+    ))]
+    pub cells_dimension: Option<Vec<f64>>,
+    /// Number of cells per axis.
+    #[schemars(extend(
+        "x-needed" = true, "items" = {"type": "integer", "minimum": 1}, "examples" = [[20, 10], [20, 10, 10]]
+    ))]
+    pub cells_number: Option<Vec<usize>>,
+    /// Lower corner of the mesh.
+    #[schemars(extend(
+        "x-unit" = "m", "x-default" = "zero, as in the manuals' program", "examples" = [[-1, 0], [-1, -1, 0]]
+    ))]
+    pub origin: Option<Vec<f64>>,
+    /// Conditions on the planes; a plane that is not named is sliding.
+    #[schemars(extend(
+        "x-default" = "all planes are sliding", "examples" = [{"plane_X0": "fixed", "plane_Yn": "free"}]
+    ))]
+    pub boundary_conditions: Option<RawPlanes>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Conditions on the planes of the mesh: `free`, `sliding` or `fixed`.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the planes of the mesh"
+)]
+pub(in crate::json) struct RawPlanes {
+    /// Lower plane of x.
+    #[serde(rename = "plane_X0")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+    ))]
+    pub x0: Option<String>,
+    /// Lower plane of y.
+    #[serde(rename = "plane_Y0")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+    ))]
+    pub y0: Option<String>,
+    /// Lower plane of z.
+    #[serde(rename = "plane_Z0")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "x-needs" = "`dimension` 3", "default" = "sliding",
+        "examples" = ["fixed"]
+    ))]
+    pub z0: Option<String>,
+    /// Upper plane of x.
+    #[serde(rename = "plane_Xn")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+    ))]
+    pub xn: Option<String>,
+    /// Upper plane of y.
+    #[serde(rename = "plane_Yn")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+    ))]
+    pub yn: Option<String>,
+    /// Upper plane of z.
+    #[serde(rename = "plane_Zn")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "x-needs" = "`dimension` 3", "default" = "sliding",
+        "examples" = ["fixed"]
+    ))]
+    pub zn: Option<String>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Motion of a boundary plane from a record.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of an earthquake"
+)]
+pub(in crate::json) struct RawEarthquake {
+    /// Whether it acts; nothing else here is read where it does not.
+    #[schemars(extend("x-needed" = true, "examples" = [true]))]
+    pub active: Option<bool>,
+    /// Record with the columns t, ax, ay, az; a path relative to the folder of the scene.
+    #[schemars(extend(
+        "x-unit" = "s, m/s² or m/s", "x-needed" = true, "x-file" = true, "examples" = ["record.csv"]
+    ))]
+    pub file: Option<String>,
+    /// Whether the record has a header.
+    #[schemars(extend("x-default" = "found by looking", "examples" = [true]))]
+    pub header: Option<bool>,
+    /// What the record holds. The default is that of the manuals.
+    #[schemars(extend(
+        "enum" = ["acceleration", "velocity"], "default" = "acceleration", "examples" = ["velocity"]
+    ))]
+    pub quantity: Option<String>,
+    /// Plane that moves.
+    #[schemars(extend(
+        "enum" = ["X0", "Xn", "Y0", "Yn", "Z0", "Zn"], "x-default" = "the lower plane of the last axis",
+        "examples" = ["X0"]
+    ))]
+    pub plane: Option<String>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}

@@ -1,0 +1,395 @@
+//! What is said of the keys, held against what the reader does with them.
+
+use std::ops::Bound;
+use std::path::Path;
+
+use proctor_files::json::{Block, Key, Otherwise, blocks, from_json, schema};
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+/// A folder with the files that the examples name.
+fn folder() -> TempDir {
+    let folder = TempDir::new().expect("a folder");
+    let fixtures = Path::new("../../fixtures");
+    for (from, to) in [
+        ("records/comma_header.csv", "record.csv"),
+        ("records/particles.csv", "particles.csv"),
+        ("surfaces/plane.stl", "floor.stl"),
+        ("surfaces/cube.stl", "block.stl"),
+    ] {
+        std::fs::copy(fixtures.join(from), folder.path().join(to)).expect("a fixture");
+    }
+    folder
+}
+
+/// A scene in so many dimensions with a block of 1 m at the lower corner of a mesh of 2 m.
+fn block(axes: usize) -> Value {
+    let mut scene = json!({
+        "time": 1,
+        "mesh": {"cells_dimension": vec![0.1; axes], "cells_number": vec![20; axes], "boundary_conditions": {}},
+        "results": {},
+        "material": [{"type": "elastic", "id": 1, "young": 1e6, "poisson": 0.3, "density": 1000}],
+        "body": [{
+            "type": "cuboid", "id": 1, "material_id": 1,
+            "point_p1": vec![0; axes], "point_p2": vec![1; axes]
+        }]
+    });
+    if axes == 2 {
+        scene["dimension"] = 2.into();
+    }
+    scene
+}
+
+/// The block with more keys, those of its body first.
+fn with(axes: usize, of_body: &Value, more: &Value) -> Value {
+    let mut scene = block(axes);
+    with_body(&mut scene, of_body);
+    for (key, value) in more.as_object().expect("keys") {
+        scene[key] = value.clone();
+    }
+    scene
+}
+
+/// The block in another shape.
+fn shaped(axes: usize, shape: &Value) -> Value {
+    let mut scene = block(axes);
+    let body = scene["body"][0].as_object_mut().expect("a body");
+    body.remove("point_p1");
+    body.remove("point_p2");
+    with_body(&mut scene, shape);
+    scene
+}
+
+fn with_body(scene: &mut Value, keys: &Value) {
+    for (key, value) in keys.as_object().expect("keys") {
+        scene["body"][0][key] = value.clone();
+    }
+}
+
+/// Two blocks that touch.
+fn two(axes: usize, more: &Value) -> Value {
+    let mut scene = with(axes, &json!({}), more);
+    let mut second = scene["body"][0].clone();
+    second["id"] = 2.into();
+    second["point_p1"][0] = 1.into();
+    second["point_p2"][0] = 2.into();
+    scene["body"].as_array_mut().expect("a list").push(second);
+    scene
+}
+
+/// Sound scenes; between them they have every block and every key that another one needs.
+fn bases() -> Vec<Value> {
+    let none = json!({});
+    let corner = |axes: usize, z: f64| {
+        let mut at = vec![0.0; axes];
+        at[axes - 1] = z;
+        at
+    };
+    let mut bases = vec![];
+    for axes in [2, 3] {
+        let upper = |z: f64| {
+            let mut at = vec![1.0; axes];
+            at[axes - 1] = z;
+            at
+        };
+        bases.extend([
+            block(axes),
+            with(axes, &none, &json!({"time_step": 1e-4, "shape_function": "cpGIMP"})),
+            with(axes, &none, &json!({"damping": {"type": "local"}})),
+            with(axes, &none, &json!({"damping": {"type": "local", "value": 0.1}})),
+            with(axes, &none, &json!({
+                "traction": [{"point_p1": corner(axes, 1.0), "point_p2": upper(1.0), "traction": corner(axes, -1.0)}],
+                "box_load": [{"point_p1": corner(axes, 0.0), "point_p2": upper(0.5), "force": corner(axes, -1.0)}],
+                "held_box": [{"point_p1": corner(axes, 0.0), "point_p2": upper(0.0)}],
+                "probes": [{"name": "a", "point": corner(axes, 1.0)}],
+            })),
+            two(axes, &json!({
+                "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 2}], "contact_manager": {},
+            })),
+            with(axes, &json!({"boundary_segment": 0.25}), &none),
+        ]);
+    }
+    let mut spelt = block(3);
+    let top = spelt.as_object_mut().expect("an object");
+    for (key, other) in [("material", "materials"), ("body", "bodies")] {
+        let value = top.remove(key).expect("it is there");
+        top.insert(other.to_owned(), value);
+    }
+    let outline = json!([[0, 0], [1, 0], [1, 1], [0, 1]]);
+    let rolling = json!({
+        "rigid_line": [{"id": 9, "points": [[2, 0.1], [0, 0.1]]}],
+        "contact": [{
+            "method": "mortar", "master_id": 9, "slave_id": 1, "friction": 0.3, "critical_gap": 0.02,
+            "normal_stiffness": 1e5, "tangential_stiffness": 1e5
+        }]
+    });
+    let mut mortar = shaped(
+        2,
+        &json!({
+            "type": "disc", "center": [1, 1], "radius": 0.5, "boundary_segment": 0.1
+        }),
+    );
+    for (key, value) in rolling.as_object().expect("keys") {
+        mortar[key] = value.clone();
+    }
+    let mut pushed = two(
+        2,
+        &json!({
+            "contact": [{
+                "method": "mortar", "master_id": 1, "slave_id": 2, "friction": 0.3, "critical_gap": 0.02,
+                "normal_stiffness": 1e5, "tangential_stiffness": 1e5
+            }]
+        }),
+    );
+    for i in [0, 1] {
+        pushed["body"][i]["boundary_segment"] = json!(0.25);
+    }
+    bases.extend([
+        spelt,
+        mortar,
+        pushed,
+        with(2, &json!({"boundary": outline}), &none),
+        with(2, &none, &json!({"rigid_line": [{"id": 9, "points": [[1.5, 0], [1, 0.5], [0, 0]]}]})),
+        with(3, &none, &json!({"rigid_surface": [{"id": 9, "stl_mesh": "floor.stl"}]})),
+        with(3, &none, &json!({"terrain_contact": {"active": true, "stl_mesh": "floor.stl"}})),
+        with(3, &none, &json!({"earthquake": {"active": true, "file": "record.csv"}})),
+        shaped(2, &json!({"type": "disc", "center": [1, 1], "radius": 0.5})),
+        shaped(3, &json!({"type": "sphere", "center": [1, 1, 1], "radius": 0.5})),
+        shaped(3, &json!({"type": "cylinder", "point_p1": [1, 1, 0], "point_p2": [1, 1, 1], "radius": 0.5})),
+        shaped(2, &json!({"type": "ring", "center": [1, 1], "inner_radius": 0.25, "outer_radius": 0.5})),
+        shaped(2, &json!({"type": "polygon", "points": [[0, 0], [1, 0], [1, 1]]})),
+        shaped(3, &json!({
+            "type": "extruded_polygon", "points": [[0, 0], [1, 0], [1, 1]], "axis": "y", "range": [0, 1]
+        })),
+        shaped(
+            2,
+            &json!({"type": "particles", "particles": [[0.5, 0.5, 0.01]]}),
+        ),
+        shaped(
+            3,
+            &json!({"type": "particles", "particles": [[0.5, 0.5, 0.5, 0.001]]}),
+        ),
+        shaped(3, &json!({"type": "particles", "file": "particles.csv"})),
+    ]);
+    bases
+}
+
+/// The first object of a block in a scene.
+fn object<'a>(scene: &'a mut Value, path: &str) -> Option<&'a mut Value> {
+    let mut at = scene;
+    for name in path.split('.').filter(|name| !name.is_empty()) {
+        at = at.get_mut(name)?;
+        if at.is_array() {
+            at = at.get_mut(0)?;
+        }
+    }
+    at.is_object().then_some(at)
+}
+
+/// The scene as the reader has it.
+fn read(scene: &Value, folder: &TempDir) -> Result<String, String> {
+    from_json(&scene.to_string(), "scene.json", folder.path())
+        .map(|scene| format!("{scene:?}"))
+        .map_err(|error| error.to_string())
+}
+
+/// The scenes that have the block, with a value at the key, and whether it was there before.
+fn put<'a>(
+    block: &'a Block,
+    key: &'a Key,
+    value: &'a Value,
+) -> impl Iterator<Item = (Value, Value, bool)> + 'a {
+    bases().into_iter().filter_map(move |base| {
+        let mut scene = base.clone();
+        let object = object(&mut scene, &block.path)?;
+        let was_there = object.get(&key.name).is_some();
+        object[&key.name] = value.clone();
+        Some((base, scene, was_there))
+    })
+}
+
+fn all(check: impl Fn(&Block, &Key, &str)) {
+    let blocks = blocks();
+    for block in &blocks {
+        for key in &block.keys {
+            check(block, key, &format!("{}.{}", block.path, key.name));
+        }
+    }
+}
+
+#[test]
+fn the_bases_are_sound() {
+    let folder = folder();
+    let mut unsound = 0;
+    for base in bases() {
+        if let Err(error) = read(&base, &folder) {
+            // One lacks the value of its damping, so that both spellings of it can be put there.
+            assert_eq!(base["damping"], json!({"type": "local"}), "{error}: {base}");
+            unsound += 1;
+        }
+    }
+    assert_eq!(unsound, 2);
+}
+
+#[test]
+fn every_key_has_a_meaning_and_every_number_a_unit() {
+    let mut count = 0;
+    all(|_, key, path| {
+        assert!(key.meaning.ends_with('.'), "{path}: {:?}", key.meaning);
+        assert!(!key.examples.is_empty(), "{path} has no example");
+        let is_real = key.kind.replace("whole number", "").contains("number");
+        if is_real {
+            assert!(key.unit.is_some(), "{path}, {}, has no unit", key.kind);
+        }
+    });
+    for block in blocks() {
+        assert!(!block.meaning.is_empty(), "{}", block.path);
+        count += block.keys.len();
+    }
+    assert!(count > 130, "{count} keys");
+}
+
+/// A key of the schema that the glossary does not have would be explained nowhere.
+#[test]
+fn the_glossary_has_every_key_of_the_schema() {
+    let schema = schema();
+    let definitions = schema["$defs"].as_object().expect("definitions");
+    let blocks = blocks();
+    for object in definitions.values().chain([&schema]) {
+        for (name, property) in object["properties"].as_object().into_iter().flatten() {
+            let key = (blocks.iter().flat_map(|block| &block.keys)).find(|key| &key.name == name);
+            assert!(key.is_some(), "{name}");
+            let description = property["description"].as_str().expect("a description");
+            let says_when_missing = ["Default: ", "Needed.", "Another spelling"]
+                .iter()
+                .any(|words| description.contains(words));
+            assert!(says_when_missing, "{name}: {description}");
+        }
+    }
+}
+
+/// Each default that is a value changes nothing where it is written down, and its example does.
+#[test]
+fn defaults_are_those_of_the_reader() {
+    let folder = folder();
+    all(|block, key, path| {
+        let Otherwise::Value(default) = &key.default else {
+            return;
+        };
+        let mut compared = 0;
+        for (base, scene, was_there) in put(block, key, default) {
+            if was_there {
+                continue;
+            }
+            if let (Ok(silent), Ok(said)) = (read(&base, &folder), read(&scene, &folder)) {
+                assert_eq!(silent, said, "{path} with {default} in {base}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 0, "{path} = {default} was compared nowhere");
+        let other = key.examples.iter().filter(|example| *example != default);
+        for example in other {
+            let changes = put(block, key, example).any(|(mut base, scene, _)| {
+                let object = object(&mut base, &block.path).expect("it was there");
+                object.as_object_mut().expect("keys").remove(&key.name);
+                let (silent, said) = (read(&base, &folder), read(&scene, &folder));
+                said.is_ok() && silent != said
+            });
+            assert!(changes, "{path} = {example} changes nothing");
+        }
+    });
+}
+
+#[test]
+fn every_example_is_read() {
+    let folder = folder();
+    all(|block, key, path| {
+        for example in &key.examples {
+            let mut refused = vec![];
+            let is_read =
+                put(block, key, example).any(|(_, scene, _)| match read(&scene, &folder) {
+                    Ok(_) => true,
+                    Err(error) => {
+                        refused.push(error);
+                        false
+                    }
+                });
+            assert!(is_read, "{path} = {example}: {refused:#?}");
+        }
+    });
+}
+
+/// A number beyond the range that is said is refused wherever one within it is read.
+#[test]
+fn ranges_are_those_of_the_reader() {
+    let folder = folder();
+    let tried = std::cell::Cell::new(0);
+    all(|block, key, path| {
+        let beyond = [
+            match key.range.low {
+                Bound::Included(low) => Some(low - 1.0),
+                Bound::Excluded(low) => Some(low),
+                Bound::Unbounded => None,
+            },
+            match key.range.high {
+                Bound::Included(high) => Some(high + 1.0),
+                Bound::Excluded(high) => Some(high),
+                Bound::Unbounded => None,
+            },
+        ];
+        for beyond in beyond.into_iter().flatten() {
+            // Whole numbers are written as such.
+            let beyond = if key.kind.contains("whole") {
+                json!(beyond as i64)
+            } else {
+                json!(beyond)
+            };
+            for example in &key.examples {
+                let mut value = beyond.clone();
+                if let Some(list) = example.as_array() {
+                    let mut list = list.clone();
+                    list[0] = beyond.clone();
+                    value = list.into();
+                }
+                for (base, scene, _) in put(block, key, example) {
+                    if read(&scene, &folder).is_err() {
+                        continue;
+                    }
+                    let mut wrong = base.clone();
+                    let object = object(&mut wrong, &block.path).expect("it was there");
+                    object[&key.name] = value.clone();
+                    let error = read(&wrong, &folder);
+                    assert!(error.is_err(), "{path} = {value} is read in {wrong}");
+                    tried.set(tried.get() + 1);
+                }
+            }
+        }
+    });
+    assert!(tried.get() > 50, "{}", tried.get());
+}
+
+#[test]
+fn words_for_people_are_read_everywhere_and_mean_nothing() {
+    let folder = folder();
+    for comment in [json!("a word"), json!(["two", "lines"])] {
+        for block in blocks() {
+            let key = (block.keys.iter()).find(|key| key.name == "comment");
+            let key = key.unwrap_or_else(|| panic!("{} has no comment", block.path));
+            let mut read_once = false;
+            for (base, scene, _) in put(&block, key, &comment) {
+                if let Ok(silent) = read(&base, &folder) {
+                    assert_eq!(read(&scene, &folder), Ok(silent), "{}", block.path);
+                    read_once = true;
+                }
+            }
+            assert!(read_once, "{}", block.path);
+        }
+    }
+    let mut scene = block(3);
+    scene["comment"] = json!(3);
+    let error = read(&scene, &folder).expect_err("a number is no text");
+    assert!(
+        error.contains("a text in quotes, or a list of them"),
+        "{error}"
+    );
+}
