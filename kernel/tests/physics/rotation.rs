@@ -31,7 +31,7 @@ fn spinning(weighting: Weighting, scheme: StressScheme, transfer: Transfer) -> S
         },
     )];
     scene.bodies[0].particles_per_cell = [3, 3, 1];
-    let simulation = simulation_from(
+    simulation_from(
         &scene,
         Arc::new(move |x| InitialState {
             velocity: [-OMEGA * (x[1] - center[1]), OMEGA * (x[0] - center[0]), 0.0],
@@ -39,8 +39,7 @@ fn spinning(weighting: Weighting, scheme: StressScheme, transfer: Transfer) -> S
             stress: [0.0; 6],
             deformation: crate::common::IDENTITY,
         }),
-    );
-    simulation
+    )
 }
 
 const CPGIMP: Weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
