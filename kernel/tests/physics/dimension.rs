@@ -1,14 +1,15 @@
 //! Two dimensions are three with one cell across and sliding sides.
 
 use crate::common::{
-    APIC, FLIP, NEO_HOOKEAN, body, cuboid, distance, elastic, empty, material, particles, run,
-    simulation_from, weightings_and_schemes,
+    APIC, DIMENSIONS, FLIP, NEO_HOOKEAN, block, body, cuboid, distance, elastic, empty, material,
+    particles, run, simulation_from, weightings_and_schemes,
 };
 use proctor_kernel::scene::{
     Damping, Dimension, DomainUpdate, PlaneCondition, PointLoad, Scene, TimeStep, Traction,
     Weighting,
 };
 use proctor_kernel::simulation::{InitialState, Simulation};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 const H: f64 = 0.1;
@@ -122,5 +123,49 @@ fn one_cell_across_is_plane_strain() {
         }
         // Something happened.
         assert!(flat.iter().any(|p| p.3[1].abs() > 1.0e3), "{name}");
+    }
+}
+
+/// By the determinant a domain grows as a cube or a square of its volume does.
+#[test]
+fn a_domain_grows_by_the_root_of_its_volume() {
+    for dimension in DIMENSIONS {
+        let mut scene = block(dimension);
+        scene.weighting = Weighting::ContiguousGimp(DomainUpdate::Determinant);
+        let axes = dimension.axes();
+        let mut simulation = simulation_from(
+            &scene,
+            Arc::new(move |x| InitialState {
+                velocity: std::array::from_fn(|axis| if axis < axes { 8.0 * x[axis] } else { 0.0 }),
+                velocity_gradient: [[0.0; 3]; 3],
+                stress: [0.0; 6],
+                deformation: crate::common::IDENTITY,
+            }),
+        );
+        let volumes = |simulation: &Simulation| -> Vec<(u64, f64)> {
+            let set = &simulation.sets()[0];
+            (0..set.len())
+                .map(|p| (set.id[p], simulation.mass_and_volume(0, p).1))
+                .collect()
+        };
+        let before: HashMap<u64, f64> = volumes(&simulation).into_iter().collect();
+        run(&mut simulation, 5);
+        let set = &simulation.sets()[0];
+        let (now, start) = (set.layout.half_length, set.layout.initial_half_length);
+        let (now, start) = (now.expect("kept"), start.expect("kept"));
+        let mut most = 0.0_f64;
+        for (p, (id, volume)) in volumes(&simulation).into_iter().enumerate() {
+            let grown = volume / before[&id];
+            most = most.max(grown);
+            for axis in 0..axes {
+                let length = set.columns[now + axis][p] / set.columns[start + axis][p];
+                let root = grown.powf(1.0 / axes as f64);
+                assert!(
+                    (length / root - 1.0).abs() < 1e-12,
+                    "{dimension:?}: {length} {root}"
+                );
+            }
+        }
+        assert!(most > 1.02, "{dimension:?}: {most}");
     }
 }

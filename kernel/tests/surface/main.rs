@@ -5,4 +5,5 @@ mod contact;
 mod search;
 mod slide;
 mod slope;
+mod symmetry;
 mod topology;

@@ -151,6 +151,21 @@ fn a_point_on_a_vertex_has_the_pseudo_normal() {
     }
 }
 
+/// Whatever way the faces are cut, at a corner of a cube each counts by its right angle.
+#[test]
+fn a_corner_of_a_cube_points_along_its_diagonal() {
+    let cube = cuboid([1.0; 3]);
+    for corner in 0..8 {
+        let x: Point = std::array::from_fn(|axis| f64::from(corner >> axis & 1));
+        let found = cube.nearest(&x, 1.0).expect("on it");
+        assert_eq!(found.distance, 0.0);
+        for (n, x) in found.normal.iter().zip(&x) {
+            let expected = (2.0 * x - 1.0) / 3.0_f64.sqrt();
+            assert!((n - expected).abs() < 1e-14, "{:?} at {x:?}", found.normal);
+        }
+    }
+}
+
 /// On an edge the normal is the mean of those of its two triangles, and close to it the sign is theirs, whichever edge of the
 /// triangle it is.
 #[test]
