@@ -29,11 +29,20 @@ pub(super) struct Around<const D: usize> {
     hosts: Vec<Host<D>>,
     particles: Vec<Near<D>>,
     shares: Vec<Share<D>>,
-    /// Nodes per axis of the stencil.
-    stencil: usize,
+    /// Nodes of the stencil.
+    stencil: Vec<StencilNode<D>>,
     /// Bases from which a particle reaches a host, and a list of them.
     is_near: Vec<bool>,
     near: Vec<usize>,
+}
+
+/// A node of the stencil of a particle.
+#[derive(Clone, Copy, Debug)]
+struct StencilNode<const D: usize> {
+    /// Place along each axis, counted from the base.
+    at: [usize; D],
+    /// Index in the grid less that of the base.
+    offset: usize,
 }
 
 /// A node that a vertex hangs on.
@@ -49,8 +58,10 @@ struct Host<const D: usize> {
 /// A particle near a boundary.
 #[derive(Clone, Debug)]
 struct Near<const D: usize> {
-    /// Storage indices of its base.
-    base: [usize; 3],
+    /// Index of its base in the grid.
+    base: usize,
+    /// Whether it reaches a ghost, so that it has an image.
+    mirrored: bool,
     /// Weights along each axis, and their slopes \[1/m\].
     axes: [([f64; 4], [f64; 4]); D],
     /// What it gives to hosts.
@@ -74,7 +85,7 @@ impl<const D: usize> Default for Around<D> {
             hosts: vec![],
             particles: vec![],
             shares: vec![],
-            stencil: 0,
+            stencil: vec![],
             is_near: vec![],
             near: vec![],
         }
@@ -98,24 +109,35 @@ impl<const D: usize> NodalGradients<'_, D> {
 }
 
 impl<const D: usize> Near<D> {
-    /// Storage indices of a node of the stencil, counted from the base along each axis.
-    fn node(&self, at: &[usize; D], shape: &GridShape) -> [usize; 3] {
-        let mut storage = self.base;
-        for axis in 0..D {
-            storage[shape.direction(axis)] += at[axis];
+    /// Index of a node of the stencil in the grid, ghost or not.
+    fn node(&self, node: &StencilNode<D>) -> usize {
+        self.base + node.offset
+    }
+
+    /// The node that has its velocity, with -1 for each axis along which it is its mirror image.
+    fn inside(
+        &self,
+        node: &StencilNode<D>,
+        shape: &GridShape,
+        mirrors: &Mirrors,
+    ) -> (usize, PointIn<D>) {
+        let node = self.node(node);
+        if !self.mirrored {
+            return (node, PointIn::repeat(1.0));
         }
-        storage
+        let (at, sides) = mirrors.inside(shape, shape.indices(node));
+        (shape.index(at), sides)
     }
 
     /// Weight on a node of the stencil.
-    fn weight(&self, at: &[usize; D]) -> f64 {
+    fn weight(&self, StencilNode { at, .. }: &StencilNode<D>) -> f64 {
         (1..D).fold(self.axes[0].0[at[0]], |w, axis| {
             w * self.axes[axis].0[at[axis]]
         })
     }
 
     /// Its gradient \[1/m\].
-    fn slope(&self, at: &[usize; D]) -> PointIn<D> {
+    fn slope(&self, StencilNode { at, .. }: &StencilNode<D>) -> PointIn<D> {
         PointIn::from_fn(|direction, _| {
             let of = |axis: usize| {
                 let (w, g) = &self.axes[axis];
@@ -130,10 +152,19 @@ impl<const D: usize> Near<D> {
     }
 }
 
-/// Nodes of a stencil, counted from the base along each axis, the last axis fastest.
-fn stencil_nodes<const D: usize>(stencil: usize) -> impl Iterator<Item = [usize; D]> {
-    (0..stencil.pow(D as u32))
-        .map(move |k| array::from_fn(|axis| k / stencil.pow((D - 1 - axis) as u32) % stencil))
+/// Nodes of a stencil with so many nodes per axis, the last axis fastest.
+fn stencil_nodes<const D: usize>(stencil: usize, shape: &GridShape) -> Vec<StencilNode<D>> {
+    let node = |k: usize| {
+        let at: [usize; D] =
+            array::from_fn(|axis| k / stencil.pow((D - 1 - axis) as u32) % stencil);
+        let mut storage = [0; 3];
+        for axis in 0..D {
+            storage[shape.direction(axis)] = at[axis];
+        }
+        let offset = shape.index(storage);
+        StencilNode { at, offset }
+    };
+    (0..stencil.pow(D as u32)).map(node).collect()
 }
 
 /// A gradient beyond planes of symmetry from that on this side, or the other way round.
@@ -155,8 +186,8 @@ impl<const D: usize> Around<D> {
         stencil: usize,
         team: &Team,
     ) {
-        self.stencil = stencil;
-        self.find_hosts(patches, shape, mirrors);
+        self.stencil = stencil_nodes(stencil, shape);
+        self.find_hosts(patches, shape, mirrors, stencil);
         let bases = shape.bases();
         let mapping = &body.mapping;
         let offset = base_offset(stencil);
@@ -181,8 +212,10 @@ impl<const D: usize> Around<D> {
         self.particles = team.search(0..found.len(), |i| {
             let p = found[i];
             let xi = scaled(p);
+            let base = base_of(&xi);
             Near {
-                base: base_of(&xi),
+                base: shape.index(base),
+                mirrored: mirrors.reached_from::<D>(shape, base, stencil),
                 axes: array::from_fn(|axis| {
                     let l = mapping
                         .half_length_column
@@ -208,6 +241,7 @@ impl<const D: usize> Around<D> {
         patches: &[Patch<D, N>],
         shape: &GridShape,
         mirrors: &Mirrors,
+        stencil: usize,
     ) {
         let bases = shape.bases();
         self.slots.resize(shape.nodes.iter().product(), 0);
@@ -227,7 +261,7 @@ impl<const D: usize> Around<D> {
                 let at = shape.indices(node);
                 let along: [Range<usize>; 3] = array::from_fn(|direction| {
                     // An image reaches a node from ghosts that its particle reaches, whose base is among these too.
-                    at[direction].saturating_sub(self.stencil - 1)
+                    at[direction].saturating_sub(stencil - 1)
                         ..(at[direction] + 1).min(bases[direction])
                 });
                 for i in along[0].clone() {
@@ -263,13 +297,13 @@ impl<const D: usize> Around<D> {
         for (&p, particle) in found.iter().zip(&mut self.particles) {
             let first = self.shares.len();
             let m_p = set.columns[Layout::MASS][p];
-            for at in stencil_nodes::<D>(self.stencil) {
-                let weight = particle.weight(&at);
+            for node in &self.stencil {
+                let weight = particle.weight(node);
                 if weight == 0.0 {
                     continue;
                 }
-                let (inside, sides) = mirrors.inside(shape, particle.node(&at, shape));
-                let slot = self.slots[shape.index(inside)];
+                let (inside, sides) = particle.inside(node, shape, mirrors);
+                let slot = self.slots[inside];
                 if slot > 0 {
                     let host = slot as usize - 1;
                     self.hosts[host].mass += weight * m_p;
@@ -288,15 +322,14 @@ impl<const D: usize> Around<D> {
     pub(super) fn gradients(
         &self,
         lines: &[Line],
-        shape: &GridShape,
         team: &Team,
     ) -> NodalGradients<'_, D> {
         let gradient_of = |i: usize| {
             let particle = &self.particles[i];
             let mut gradient = SMatrix::<f64, D, D>::zeros();
-            for at in stencil_nodes::<D>(self.stencil) {
-                let v = velocity_at(&lines[shape.index(particle.node(&at, shape))]);
-                gradient += v * particle.slope(&at).transpose();
+            for node in &self.stencil {
+                let v = velocity_at(&lines[particle.node(node)]);
+                gradient += v * particle.slope(node).transpose();
             }
             gradient
         };
@@ -332,6 +365,9 @@ impl<const D: usize> Around<D> {
         shape: &GridShape,
         mirrors: &Mirrors,
     ) {
+        if forces.iter().flatten().all(|f| *f == 0.0) {
+            return;
+        }
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         let mut moments = vec![SMatrix::<f64, D, D>::zeros(); self.hosts.len()];
         for (patch, force) in patches.iter().zip(forces) {
@@ -363,14 +399,15 @@ impl<const D: usize> Around<D> {
             let moment = shares.iter().fold(none, |sum, share| {
                 sum + reflected(&moments[share.host], &share.sides) * share.mass
             });
-            for at in stencil_nodes::<D>(self.stencil) {
-                let force = moment * particle.slope(&at);
-                let ghost = particle.node(&at, shape);
-                let (inside, _) = mirrors.inside::<D>(shape, ghost);
-                let prescribed = mirrors.prescribed::<D>(shape, ghost);
-                let line = &mut lines[shape.index(inside)];
+            for node in &self.stencil {
+                let mut force = moment * particle.slope(node);
+                if particle.mirrored {
+                    let at = shape.indices(particle.node(node));
+                    force.component_mul_assign(&mirrors.prescribed(shape, at));
+                }
+                let (inside, _) = particle.inside(node, shape, mirrors);
                 for axis in 0..D {
-                    line[4 + axis] += prescribed[axis] * force[axis];
+                    lines[inside][4 + axis] += force[axis];
                 }
             }
         }

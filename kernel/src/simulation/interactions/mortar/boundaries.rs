@@ -371,7 +371,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     let lines = field.nodes.lines();
                     let around = surface.around.as_ref();
                     let gradients = around
-                        .map(|around| around.gradients(lines, shape, &hosts.work.grid.team));
+                        .map(|around| around.gradients(lines, &hosts.work.grid.team));
                     let moved = |vertex: usize| {
                         let patch = &surface.patches[vertex];
                         let velocities = patch.nodes.map(|n| velocity_at(&lines[n]));

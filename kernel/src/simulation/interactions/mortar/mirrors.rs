@@ -97,6 +97,20 @@ impl Mirrors {
         }
     }
 
+    /// Whether a particle with that base reaches a ghost.
+    pub(super) fn reached_from<const D: usize>(
+        &self,
+        shape: &GridShape,
+        base: [usize; 3],
+        stencil: usize,
+    ) -> bool {
+        (0..D).any(|axis| {
+            let lower = base[shape.direction(axis)];
+            let ends = [lower, lower + stencil - 1];
+            ends.iter().any(|end| self.beyond(axis, *end).is_some())
+        })
+    }
+
     /// The node that a ghost repeats, by its storage indices, with -1 for each axis along which it is its mirror image;
     /// every other node is itself.
     pub(super) fn inside<const D: usize>(
