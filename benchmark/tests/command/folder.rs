@@ -47,7 +47,7 @@ impl Drop for AtWork {
 fn at_work(desk: &Desk, out: &str) -> AtWork {
     let mut scene = column(&json!({}));
     scene["time"] = json!(4000.0);
-    scene["results"]["print"] = json!(1_000_000);
+    scene["results"]["print"] = json!(999_999);
     let scene = desk.scene("endless.json", &scene);
     let child = command(&["run", &scene, "--out", &desk.name(out)])
         .stdout(Stdio::null())

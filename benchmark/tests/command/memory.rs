@@ -114,8 +114,7 @@ fn a_boundary_finer_than_the_grid_sees_is_refused_with_its_place() {
     let message = stderr(&output);
     assert_eq!(code(&output), 2, "{message}");
     assert!(
-        message.starts_with(&scene)
-            && message.contains("body[0].boundary_segment: found 0.000000001"),
+        message.starts_with(&scene) && message.contains("body[0].boundary_segment: found 1e-9"),
         "{message}"
     );
 }

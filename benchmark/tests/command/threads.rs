@@ -42,7 +42,7 @@ fn more_than_four_threads_for_each_processor_are_refused() {
         "{}",
         stderr(&output)
     );
-    let output = proctor(&["run", &greedy, "--threads", "1"]);
+    let output = proctor(&["run", &greedy, "--threads", "1", "--out", &desk.name("out")]);
     assert_eq!((code(&output), stderr(&output)), (0, String::new()));
 }
 
@@ -60,6 +60,13 @@ fn more_threads_than_processors_are_told() {
         )),
         "{message}"
     );
-    let output = proctor(&["run", &scene, "--threads", &processors().to_string()]);
+    let output = proctor(&[
+        "run",
+        &scene,
+        "--threads",
+        &processors().to_string(),
+        "--out",
+        &desk.name("out"),
+    ]);
     assert_eq!(stderr(&output), "");
 }
