@@ -5,7 +5,7 @@
 //! of them, and turns by what friction gives it.
 //!
 //! Exact: d(angular momentum) = arm x d(impulse of friction), whatever the friction was; the arm is R less the approach of
-//! the disk to the line (Johnson, eq. 5.57), 0.16 % here. The pressure on a disk that is elastic has no moment about its
+//! the disk to the line (Johnson, eq. 5.57), 0.17 to 0.22 % here. The pressure on a disk that is elastic has no moment about its
 //! centre. What is left is that of the method: forces that act elsewhere than at the vertices (by the weights of eq. 56 of
 //! Liang et al. 2024 alone they act a tenth of a cell inside), inertia of mass on nodes, and a pressure that is not even about
 //! the middle of the contact. `proctor verify slipping-disk`.
