@@ -7,7 +7,7 @@ use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::mortar::pair::{
-    PairForces, PairLaw, Slip, Surfaces, contact_forces, resultant,
+    Ahead, PairForces, PairLaw, Slip, Surfaces, contact_forces, resultant,
 };
 use proctor_kernel::mortar::points::{Detection, Search};
 use proctor_kernel::scene::Shape;
@@ -46,7 +46,7 @@ fn forces(
             master_moved: &at_rest(master),
             slave_velocity: &at_rest(slave),
             master_velocity: &at_rest(master),
-            ahead: 0.0,
+            ahead: None,
         },
         law,
         slip,
@@ -163,7 +163,7 @@ proptest! {
         let mut slip = Slip::default();
         let found = contact_forces(
             Surfaces { slave: &slave, master: &master, slave_moved: &slave_moved, master_moved: &master_moved,
-                slave_velocity: &at_rest(&slave), master_velocity: &at_rest(&master), ahead: 0.0 },
+                slave_velocity: &at_rest(&slave), master_velocity: &at_rest(&master), ahead: None },
             &law, &mut slip);
         let (on_slave, moment_slave) = resultant(&slave.points, &found.slave, &point(0.0, 0.0));
         let (on_master, moment_master) = resultant(&master.points, &found.master, &point(0.0, 0.0));
@@ -199,7 +199,7 @@ proptest! {
             let steps: Vec<PairForces<2, 1>> = (0..3).map(|_| contact_forces(
                 Surfaces { slave, master, slave_moved: &vec![slide; slave.points.len()],
                     master_moved: &at_rest(master), slave_velocity: &at_rest(slave),
-                    master_velocity: &at_rest(master), ahead: 0.0 }, &law, &mut slip)).collect();
+                    master_velocity: &at_rest(master), ahead: None }, &law, &mut slip)).collect();
             steps.into_iter().next_back().unwrap()
         };
         let here = run(&slave, &master, slide);
@@ -236,7 +236,7 @@ fn pulling_a_line_along_a_floor() {
                 master_moved: &at_rest(&master),
                 slave_velocity: &at_rest(&slave),
                 master_velocity: &at_rest(&master),
-                ahead: 0.0,
+                ahead: None,
             },
             &law,
             &mut slip,
@@ -297,7 +297,7 @@ fn the_approach_is_the_relative_motion_along_the_normal() {
             master_moved: &[point(0.1, 0.02); 2],
             slave_velocity: &[point(3.0, -1.0); 2],
             master_velocity: &[point(1.0, 2.0); 2],
-            ahead: 0.0,
+            ahead: None,
         },
         &law(Detection::Mortar, 0.0),
         &mut Slip::default(),
@@ -310,21 +310,28 @@ fn the_approach_is_the_relative_motion_along_the_normal() {
 }
 
 /// A gap that can close within the next step, be it that it turns, has its stiffness already; one that is too slow has none.
+/// So has one that the forces of now will close.
 #[test]
 fn the_stiffness_of_a_gap_that_will_close_counts() {
     let gap = 1.5 * GC;
     let slave = ceiling(&[0.0, 0.5], gap);
     let master = floor(&[-1.0, 1.0], 0.0);
-    let stiffness = |closing: f64, ahead: f64| {
+    let none = [point(0.0, 0.0); 2];
+    let stiffness = |closing: f64, kick: [f64; 2], time: f64| {
+        let [slave_kick, master_kick] = kick.map(|v| [point(0.0, v); 2]);
         let found = contact_forces(
             Surfaces {
                 slave: &slave,
                 master: &master,
-                slave_moved: &[point(0.0, 0.0); 2],
-                master_moved: &[point(0.0, 0.0); 2],
+                slave_moved: &none,
+                master_moved: &none,
                 slave_velocity: &[point(0.0, -closing); 2],
-                master_velocity: &[point(0.0, 0.0); 2],
-                ahead,
+                master_velocity: &none,
+                ahead: Some(Ahead {
+                    time,
+                    slave_kick: &slave_kick,
+                    master_kick: &master_kick,
+                }),
             },
             &law(Detection::Mortar, 0.0),
             &mut Slip::default(),
@@ -332,9 +339,20 @@ fn the_stiffness_of_a_gap_that_will_close_counts() {
         assert!(found.slave.iter().all(|f| f.norm() == 0.0));
         found.slave_stiffness.iter().sum::<f64>()
     };
-    assert_eq!(stiffness(1.0, 0.9 * (gap - GC)), 0.0);
-    assert_eq!(stiffness(0.0, 10.0 * gap), 0.0);
-    for closing in [1.0, -1.0] {
-        assert!(stiffness(closing, gap - 0.8 * GC) > 0.0);
+    let (late, soon) = (0.9 * (gap - GC), gap - 0.8 * GC);
+    assert_eq!(stiffness(1.0, [0.0; 2], late), 0.0);
+    assert_eq!(stiffness(0.0, [0.0; 2], 10.0 * gap), 0.0);
+    // Forces that open a gap keep nothing from turning.
+    for (closing, kick) in [
+        (1.0, [0.0; 2]),
+        (-1.0, [0.0; 2]),
+        (0.0, [-1.0, 0.0]),
+        (0.0, [0.0, 1.0]),
+        (0.0, [-0.5, 0.5]),
+        (1.0, [5.0, 0.0]),
+    ] {
+        assert!(stiffness(closing, kick, soon) > 0.0);
     }
+    assert_eq!(stiffness(0.0, [-1.0, 0.0], late), 0.0);
+    assert_eq!(stiffness(0.0, [1.0, 0.0], soon), 0.0);
 }

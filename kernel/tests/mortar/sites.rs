@@ -108,7 +108,7 @@ fn a_block_keeps_to_the_cone_of_the_line_below_it() {
                 master_moved,
                 slave_velocity: &at_rest(slave),
                 master_velocity: &at_rest(master),
-                ahead: 0.0,
+                ahead: None,
             };
             let found = contact_forces(surfaces, &law, &mut Slip::default());
             let on_block = if block_is_slave {

@@ -4,9 +4,6 @@
 //! omega² <= 2 max_I (sum_v S_Iv K_v)/m_I with the stiffness K_v of the contact at a vertex. The factor 2 is for the
 //! other body, which may be as light. The printed rule, dt times the smallest gap over the critical gap, shortens the
 //! step also where the contact is far from limiting (a resting disk forty times), and goes to zero with the gap.
-//!
-//! The couple of a force on a vertex about its nodes is not counted: contact that is far stiffer than the cells behind it, and
-//! that holds back a whole body, may need less than half of the step (`stability --extreme --row stiff-mortar-musl`).
 
 use super::pair::VertexContact;
 

@@ -105,9 +105,20 @@ pub struct Surfaces<'a, B, const D: usize> {
     pub slave_velocity: &'a [PointIn<D>],
     /// Velocity of the master's vertices.
     pub master_velocity: &'a [PointIn<D>],
-    /// Longest next step \[s\]. Where a gap would close in it, its stiffness counts already: a long free step would leave
-    /// surfaces deep in each other that no force has stopped, and one kick over half of it would throw them apart.
-    pub ahead: f64,
+    /// What may come until forces act again; `None` to look at what is there alone.
+    pub ahead: Option<Ahead<'a, D>>,
+}
+
+/// The longest next step. Where a gap would close in it, its stiffness counts already: a long free step would leave
+/// surfaces deep in each other that no force has stopped, and one kick over half of it would throw them apart.
+#[derive(Clone, Copy, Debug)]
+pub struct Ahead<'a, const D: usize> {
+    /// How long it is \[s\].
+    pub time: f64,
+    /// By how much the velocity of the slave's vertices changes at its beginning where nothing touches them \[m/s\].
+    pub slave_kick: &'a [PointIn<D>],
+    /// The same of the master's vertices.
+    pub master_kick: &'a [PointIn<D>],
 }
 
 // By hand, since a boundary need not be.
@@ -124,10 +135,11 @@ impl<B, const D: usize> Copy for Surfaces<'_, B, D> {}
 struct Row<const D: usize> {
     /// Row sum of D \[m, in space m²\].
     measure: f64,
-    /// Differences that the rows of D and M give: place, displacement and velocity.
+    /// Differences that the rows of D and M give: place, displacement, velocity and its change in the longest next step.
     apart: PointIn<D>,
     moved: PointIn<D>,
     speed: PointIn<D>,
+    kick: PointIn<D>,
     /// Traction on the slave with the sign turned \[Pa\], and slope of the law \[Pa/m\].
     lambda: PointIn<D>,
     slope: f64,
@@ -141,6 +153,7 @@ impl<const D: usize> Row<D> {
             apart: zero,
             moved: zero,
             speed: zero,
+            kick: zero,
             lambda: zero,
             slope: 0.0,
         }
@@ -207,12 +220,16 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         let moved = point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
         let speed =
             point.on_slave(surfaces.slave_velocity) - point.on_master(surfaces.master_velocity);
+        let kick = surfaces.ahead.map_or(PointIn::zeros(), |ahead| {
+            point.on_slave(ahead.slave_kick) - point.on_master(ahead.master_kick)
+        });
         for (k, (_, share)) in point.sites.into_iter().zip(point.slave) {
             let (row, w) = (&mut rows[k], share * point.weight);
             row.measure += w;
             row.apart += w * apart;
             row.moved += w * moved;
             row.speed += w * speed;
+            row.kick += w * kick;
         }
     }
 
@@ -229,8 +246,14 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         let relative = row.moved / measure;
         let pressure = law.normal.pressure(gap);
         let closing = n.dot(&row.speed) / measure;
-        // What opens may turn within the step.
-        let soon = gap - closing.abs() * surfaces.ahead;
+        // What opens may turn within the step. What is pressed is held by more than the forces without contact.
+        let pulled = if pressure > 0.0 {
+            0.0
+        } else {
+            (n.dot(&row.kick) / measure).max(0.0)
+        };
+        let time = surfaces.ahead.map_or(0.0, |ahead| ahead.time);
+        let soon = gap - (closing.abs() + pulled) * time;
         row.slope = law.normal.slope(gap).max(law.normal.slope(soon));
         let mut traction = [0.0; T];
         match &law.friction {

@@ -91,7 +91,7 @@ pub fn dragged(
             master_moved: &at_rest,
             slave_velocity: &moved,
             master_velocity: &at_rest,
-            ahead: 0.0,
+            ahead: None,
         },
         law,
         slip,

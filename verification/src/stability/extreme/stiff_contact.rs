@@ -39,7 +39,7 @@ pub static ROWS: &[Extreme] = &[
         name: "stiff-mortar-musl",
         what: "1e2 times as stiff with MUSL, whose free steps are three times as long",
         required: "the same",
-        cause: Some(COUPLE),
+        cause: None,
         judge: || stiff_mortar(StressScheme::Musl, 1e2),
     },
     Extreme {
@@ -64,10 +64,6 @@ pub static ROWS: &[Extreme] = &[
         judge: stiff_penalty,
     },
 ];
-
-/// Why a stiff penalty fails with MUSL and FLIP.
-const COUPLE: &str = "the step that contact allows counts the weights of a vertex on its nodes and not the couple that turns the body: a \
-             penalty that holds back a whole block is stable with 0.45 of it";
 
 /// Stiffness of contact over that of a cell.
 const RATIOS: [f64; 2] = [1e2, 1e4];

@@ -3,14 +3,14 @@
 use super::mirrors::Mirrors;
 use super::pair::MortarPair;
 use super::surface::{
-    Carrier, Patch, Surface, from_vector, in_scene, nodes_of_patch, velocity_at, velocity_of,
+    Carrier, Patch, Surface, force_at, from_vector, in_scene, nodes_of_patch, velocity_at, velocity_of,
 };
 use crate::mortar::PointIn;
 use crate::mortar::bound::{Closing, NodalStiffness, allowed_approach};
 use crate::mortar::broad::Bounds;
 use crate::mortar::elements::Elements;
 use crate::mortar::motion::{Follow, vertex_velocity};
-use crate::mortar::pair::{Surfaces, contact_forces_to};
+use crate::mortar::pair::{Ahead, Surfaces, contact_forces_to};
 use crate::weights::vertex_weights;
 use crate::scene::Vector;
 use crate::simulation::{Simulation, Way};
@@ -51,13 +51,14 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             boundary,
             moved: zeros.clone(),
             velocity: zeros.clone(),
+            kick: zeros.clone(),
             force: zeros,
             patches: vec![],
         });
     }
 
-    /// Gaps and forces of a pair.
-    pub(super) fn meet(&mut self, p: usize, ahead: f64, team: &Team) {
+    /// Gaps and forces of a pair; `ahead` is the longest next step, if there is to be one \[s\].
+    pub(super) fn meet(&mut self, p: usize, ahead: Option<f64>, team: &Team) {
         let pair = &mut self.pairs[p];
         let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
         let box_of = |s: &Surface<B, D, N>, margin| Bounds::around(s.boundary.points(), margin);
@@ -72,7 +73,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     master_moved: &master.moved,
                     slave_velocity: &slave.velocity,
                     master_velocity: &master.velocity,
-                    ahead,
+                    ahead: ahead.map(|time| Ahead {
+                        time,
+                        slave_kick: &slave.kick,
+                        master_kick: &master.kick,
+                    }),
                 },
                 &pair.law,
                 &mut pair.slip,
@@ -105,7 +110,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             surface.force.fill(PointIn::zeros());
         }
         for p in 0..self.pairs.len() {
-            self.meet(p, ahead, team);
+            self.meet(p, Some(ahead), team);
             self.judge(p, origin)?;
             let pair = &self.pairs[p];
             for (surface, forces) in [
@@ -121,19 +126,25 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         Ok(())
     }
 
-    /// Augmented weights of the vertices of all bodies; velocities of all vertices.
+    /// Augmented weights of the vertices of all bodies; velocities of all vertices, and by how much they change in a step of
+    /// `ahead` \[s\] where nothing touches them.
     ///
     /// # Errors
     /// The first vertex without a node with mass near it.
-    pub(super) fn weigh(&mut self, hosts: &Simulation) -> Result<(), StepErrorKind> {
+    pub(super) fn weigh(&mut self, hosts: &Simulation, ahead: f64) -> Result<(), StepErrorKind> {
         let (time, mirrors) = (hosts.state.clock.time, Mirrors::of(&hosts.decided.scene));
         let shape = &hosts.work.grid.shape;
+        // Velocities live at half-steps.
+        let kick = 0.5 * (hosts.state.clock.dt_before + ahead);
+        let gravity: PointIn<D> = from_vector(&hosts.decided.scene.gravity);
         for surface in &mut self.surfaces {
             let (index, follow) = match &surface.carrier {
                 Carrier::Body { index, follow } => (*index, *follow),
                 Carrier::Prescribed(motion) => {
                     let v = velocity_of(motion.as_ref(), time);
+                    let later: PointIn<D> = velocity_of(motion.as_ref(), time + ahead);
                     surface.velocity.fill(v);
+                    surface.kick.fill(later - v);
                     continue;
                 }
             };
@@ -160,19 +171,25 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     masses,
                     nodes,
                 };
-                let mut v = PointIn::zeros();
+                // Weights that are not augmented reach nodes of no mass, which nothing but forces moves.
+                let (mut v, mut a) = (PointIn::zeros(), gravity);
                 for k in 0..N {
                     let w = patch.weights.weights[k];
                     if w > 0.0 {
-                        v += w * velocity_at(&lines[patch.nodes[k]]);
+                        let line = &lines[patch.nodes[k]];
+                        v += w * velocity_at(line);
+                        if follow != Follow::Unaugmented {
+                            a += w / patch.masses[k] * force_at(line);
+                        }
                     }
                 }
-                Some((patch, surface.boundary.held(vertex, v)))
+                let [v, kick] = [v, a * kick].map(|v| surface.boundary.held(vertex, v));
+                Some((patch, v, kick))
             };
             let weighed = hosts.work.grid.team.search(0..points.len(), weigh);
             surface.patches.clear();
             for (vertex, one) in weighed.into_iter().enumerate() {
-                let Some((patch, v)) = one else {
+                let Some((patch, v, kick)) = one else {
                     return Err(StepErrorKind::VertexLost {
                         body: surface.id,
                         vertex,
@@ -180,6 +197,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     });
                 };
                 surface.velocity[vertex] = v;
+                surface.kick[vertex] = kick;
                 surface.patches.push(patch);
             }
             if let Some(around) = &mut surface.around {

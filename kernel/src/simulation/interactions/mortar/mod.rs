@@ -62,10 +62,10 @@ impl MortarState {
     /// Weights of the vertices, gaps and forces of the pairs, and the time steps that they allow.
     fn meet(&mut self, simulation: &Simulation) -> Result<(), StepErrorKind> {
         let origin = simulation.origin();
-        self.plane.weigh(simulation)?;
-        self.space.weigh(simulation)?;
-        let team = &simulation.work.grid.team;
         let ahead = simulation.free_step();
+        self.plane.weigh(simulation, ahead)?;
+        self.space.weigh(simulation, ahead)?;
+        let team = &simulation.work.grid.team;
         self.plane.meet_all(ahead, &origin, team)?;
         self.space.meet_all(ahead, &origin, team)?;
         let nodes = &mut self.stiffness;

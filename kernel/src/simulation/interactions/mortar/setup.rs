@@ -153,7 +153,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 
     /// Refuses a pair whose surfaces overlap, or whose edges meet, at the start.
     fn refuse_overlap(&mut self, p: usize, scene: &Scene) -> Result<(), SetupError> {
-        self.meet(p, 0.0, &Team::ALONE);
+        self.meet(p, None, &Team::ALONE);
         let pair = &self.pairs[p];
         let contact = scene.mortar.contacts.iter().find(|c| c.id == pair.id);
         let name = contact.map_or("", |c| &c.name);

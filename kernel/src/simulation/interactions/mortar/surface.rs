@@ -54,6 +54,8 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(crate) moved: Vec<PointIn<D>>,
     /// Velocity of the vertices at the beginning of this step \[m/s\].
     pub(super) velocity: Vec<PointIn<D>>,
+    /// By how much that changes in the longest next step where nothing touches the vertices \[m/s\].
+    pub(super) kick: Vec<PointIn<D>>,
     /// Contact force on the vertices in this step \[N\].
     pub(super) force: Vec<PointIn<D>>,
     /// Augmented weights and masses of the patches, for surfaces of bodies.
@@ -134,6 +136,11 @@ pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
 /// Velocity of a node \[m/s\].
 pub(super) fn velocity_at<const D: usize>(line: &Line) -> PointIn<D> {
     PointIn::from_fn(|axis, _| line[1 + axis])
+}
+
+/// Force on a node \[N\].
+pub(super) fn force_at<const D: usize>(line: &Line) -> PointIn<D> {
+    PointIn::from_fn(|axis, _| line[4 + axis])
 }
 
 /// Prescribed velocity at a time; zero without one \[m/s\].
