@@ -147,6 +147,35 @@ pub fn axis_weights_at<const N: usize>(
     (base, w, g)
 }
 
+/// Mean of the hat of a node over a piece of an axis with half-length `half`, in cells, whose middle is `distance` cells from
+/// the node; the hat itself where it has no length.
+///
+/// What [`axis_weights_at`] has for a particle holds for pieces of any place and length, next to which a particle reaches more
+/// nodes than a stencil has.
+#[must_use]
+pub fn mean_of_hat(distance: f64, half: f64) -> f64 {
+    let d = distance.abs();
+    if half > 0.5 {
+        // From the integral of the hat up to a point; half of what the piece is long is no small number.
+        let up_to = |x: f64| {
+            let x = x.clamp(-1.0, 1.0);
+            0.5 + x - 0.5 * x * x.abs()
+        };
+        (up_to(d + half) - up_to(d - half)) / (2.0 * half)
+    } else if d + half <= 1.0 && d >= half {
+        1.0 - d
+    } else if d < half {
+        1.0 - (d * d + half * half) / (2.0 * half)
+    } else {
+        let inside = (1.0 + half - d).max(0.0);
+        if inside > 0.0 {
+            inside * inside / (4.0 * half)
+        } else {
+            0.0
+        }
+    }
+}
+
 /// Weights of one point along `D` axes at once, each as [`axis_weights_at`] has them, in the lanes of one line (D <= 8).
 #[must_use]
 pub fn weights_at<const N: usize, const D: usize>(

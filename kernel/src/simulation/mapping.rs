@@ -7,10 +7,11 @@ use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
+use crate::scene::Vector;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
-use crate::weights::{axis_weights_at, base_offset};
+use crate::weights::{Family, axis_weights_at, base_offset, mean_of_hat};
 use std::ops::Range;
 
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
@@ -183,6 +184,62 @@ pub(super) fn node_weights(
     stencil: usize,
     p: usize,
 ) -> Vec<(usize, f64)> {
+    weights_of(set, body, shape, stencil, p, |_, xi, l| {
+        let family = body.mapping.family;
+        if stencil == 3 {
+            let (_, [u, v, w], _) = axis_weights_at::<3>(family, xi, l);
+            [u, v, w, 0.0]
+        } else {
+            axis_weights_at::<4>(family, xi, l).1
+        }
+    })
+}
+
+/// The same where the particle touches something, at the point that is off its centre by `offset` \[m\]; `half` is half of the
+/// length of the particle itself along each axis \[m\].
+///
+/// A traction on a body gives a node its weight there, as the stress behind it does: the sum of V grad `S_Ip` over a row of
+/// particles is the weight where the row ends. That weight is the mean over the part of the domain around the point that has
+/// the point in its middle: on a face nothing but the point. A domain that is longer than the particle, as that of the
+/// B-spline, is as many domains side by side. All nodes are nodes of the particle. Without a domain it is the particle.
+pub(super) fn node_weights_touching(
+    set: &ParticleSet,
+    body: &BodyRun,
+    shape: &GridShape,
+    stencil: usize,
+    p: usize,
+    [offset, half]: [&Vector; 2],
+) -> Vec<(usize, f64)> {
+    if body.mapping.family == Family::Hat {
+        return node_weights(set, body, shape, stencil, p);
+    }
+    weights_of(set, body, shape, stencil, p, |axis, xi, l| {
+        let cells = |length: &Vector| length[axis] * body.mapping.inverse_cell[axis];
+        let parts = (l / cells(half)).round().max(1.0);
+        let l_part = l / parts;
+        let off = cells(offset).clamp(-l_part, l_part);
+        let at = xi - (xi - base_offset(stencil)).floor() + off;
+        let middle = 0.5 * (parts - 1.0);
+        std::array::from_fn(|n| {
+            let weight = |part: usize| {
+                let place = at + 2.0 * l_part * (part as f64 - middle);
+                mean_of_hat(place - n as f64, l_part - off.abs())
+            };
+            (0..parts as usize).map(weight).sum::<f64>() / parts
+        })
+    })
+}
+
+/// Products of the weights along the axes, which `along` gives for an axis, the position of the particle and the half-length
+/// of its domain in cells.
+fn weights_of(
+    set: &ParticleSet,
+    body: &BodyRun,
+    shape: &GridShape,
+    stencil: usize,
+    p: usize,
+    along: impl Fn(usize, f64, f64) -> [f64; 4],
+) -> Vec<(usize, f64)> {
     let axes = shape.axes;
     let x = set.position(p);
     let mut touched: [Vec<(usize, f64)>; 3] = [vec![], vec![(0, 1.0)], vec![]];
@@ -194,18 +251,12 @@ pub(super) fn node_weights(
             .map_or(body.mapping.half_length[axis], |column| {
                 set.columns[column + axis][p]
             });
-        let family = body.mapping.family;
         let base = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
-        let weights = if stencil == 3 {
-            axis_weights_at::<3>(family, xi, l).1.to_vec()
-        } else {
-            axis_weights_at::<4>(family, xi, l).1.to_vec()
-        };
-        touched[shape.direction(axis)] = weights
-            .into_iter()
+        touched[shape.direction(axis)] = along(axis, xi, l)[..stencil]
+            .iter()
             .enumerate()
-            .filter(|(_, w)| *w > 0.0)
-            .map(|(n, w)| (base + n, w))
+            .filter(|(_, w)| **w > 0.0)
+            .map(|(n, w)| (base + n, *w))
             .collect();
     }
     let mut nodes = Vec::with_capacity(27);

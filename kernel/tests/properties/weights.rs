@@ -1,6 +1,6 @@
 //! Weighting functions: what makes them a basis, everywhere and on the seams between their pieces.
 
-use proctor_kernel::weights::{Family, axis_weights_at};
+use proctor_kernel::weights::{self, Family, axis_weights_at};
 use proptest::prelude::*;
 
 /// Weights and derivatives at the nodes around a point, with the index of the first node.
@@ -256,6 +256,22 @@ fn half_a_cell_is_the_quadratic_b_spline() {
                 0.5 * (1.5 - d).powi(2)
             };
             assert!((axis.w[n as usize] - exact).abs() <= 1.0e-15, "{axis:?}");
+        }
+    }
+}
+
+proptest! {
+    /// The mean of a hat over a piece of an axis, wherever the piece lies and however short it is, down to the hat itself.
+    #[test]
+    fn means_of_hats_of_any_piece(at in -3.0..3.0_f64, half in 0.0..1.0_f64) {
+        let whole = weights::mean_of_hat(at, half);
+        let parts = [-0.5, 0.5].map(|side| weights::mean_of_hat(at + side * half, 0.5 * half));
+        prop_assert!((whole - 0.5 * (parts[0] + parts[1])).abs() < 1e-14, "{whole} {parts:?}");
+        prop_assert!((weights::mean_of_hat(at, 0.0) - (1.0 - at.abs()).max(0.0)).abs() < 1e-15);
+        let sum: f64 = (-5..=5).map(|n| weights::mean_of_hat(at - f64::from(n), half)).sum();
+        prop_assert!((sum - 1.0).abs() < 1e-14);
+        if half > 1e-3 {
+            prop_assert!((whole - mean_of_hat(at, half)).abs() < 1e-12);
         }
     }
 }

@@ -56,13 +56,14 @@ fn a_block_slides_down_a_tilted_plane() {
     }
 }
 
-/// With mu above tan 30 the block comes to rest and stays.
+/// With mu above tan 30 the block comes to rest and stays: what it still creeps after a while is how it swings in shear on
+/// the particles that hold, which dies down.
 #[test]
 fn a_rough_plane_holds_the_block() {
     for scheme in SCHEMES {
         let slope = Slope {
             speed: 0.0,
-            end: 0.4,
+            end: 0.8,
             ..Slope::new(scheme, 0.7)
         };
         let mut scene = slope.scene();

@@ -2,6 +2,7 @@
 
 mod beside_contact;
 mod contact;
+mod pressed;
 mod search;
 mod slide;
 mod slope;

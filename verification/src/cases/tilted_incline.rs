@@ -76,6 +76,9 @@ const STUDIED: f64 = 0.5;
 /// Name of the deepest penetration.
 const DEPTH: &str = "deepest penetration over cell";
 
+/// Name of the way across the fall of the plane over the way down it.
+const SIDEWAYS: &str = "way sideways over way";
+
 /// Largest relative error of acceleration and displacement.
 const SLIDING_GATE: f64 = 1e-2;
 /// Largest mean velocity over the second half of the time, over the velocity of the free block.
@@ -270,7 +273,7 @@ impl TiltedIncline {
         Ok(())
     }
 
-    fn quantities(track: &Track, deepest: f64, problem: &Problem) -> Vec<Quantity> {
+    fn quantities(track: &Track, deepest: f64, sideways: f64, problem: &Problem) -> Vec<Quantity> {
         let exact = Self::exact(problem);
         let end = track.way.last().map_or(f64::NAN, |w| w[0]);
         let mut all = vec![Quantity::of_zero(DEPTH, deepest)];
@@ -285,6 +288,9 @@ impl TiltedIncline {
             };
             all.push(Quantity::compared(WAY, track.end(), way, "m"));
             all.push(acceleration(track, &exact));
+            if problem.turned {
+                all.push(Quantity::of_zero(SIDEWAYS, sideways / track.end()));
+            }
         }
         all
     }
@@ -451,13 +457,15 @@ impl Study for TiltedIncline {
         let weight = GRAVITY * libm::cos(TILT.to_radians());
         let mut deepest = 0.0_f64;
         let directions = [frame.down, frame.out];
+        let aside = |simulation: &Simulation| dot(&simulation.center(0).1, &frame.across);
+        let begin = aside(simulation);
         let tracks = follow_along(directions, &[0], weight, simulation, observer, |s| {
             if s.steps().is_multiple_of(50) {
                 let gaps = (0..s.particles()).filter_map(|p| s.surface_gap(0, 0, p, 0.0));
                 deepest = gaps.fold(deepest, |d, (gap, _)| d.max(-gap / rung.cell));
             }
         })?;
-        let quantities = Self::quantities(&tracks[0], deepest, &problem);
+        let quantities = Self::quantities(&tracks[0], deepest, aside(simulation) - begin, &problem);
         let curve = sliding_curve(&tracks[0], &Self::exact(&problem), &rung.label);
         Ok(Found::new(quantities, Some(curve)))
     }

@@ -93,11 +93,19 @@ fn gap(surface: &Surface, x: &Vector, half: &Vector, within: f64) -> Option<(f64
     if nearest.on_rim {
         return None;
     }
-    let reach = length(&std::array::from_fn(|axis| {
-        half[axis] * nearest.normal[axis]
-    }));
-    let gap = nearest.distance - reach;
+    let gap = nearest.distance - reach(half, &nearest.normal);
     (gap < within).then_some((gap, nearest))
+}
+
+/// How far the ellipsoid with these half-lengths reaches along a unit normal \[m\].
+fn reach(half: &Vector, normal: &Vector) -> f64 {
+    length(&std::array::from_fn(|axis| half[axis] * normal[axis]))
+}
+
+/// Where the ellipsoid with these half-lengths touches a surface with this unit normal, from its centre \[m\].
+pub(super) fn touching_point(half: &Vector, normal: &Vector) -> Vector {
+    let reach = reach(half, normal);
+    std::array::from_fn(|axis| -half[axis] * half[axis] * normal[axis] / reach)
 }
 
 /// Half-lengths of the domain of a particle \[m\]. Weighting functions without a domain leave its volume, a cube.

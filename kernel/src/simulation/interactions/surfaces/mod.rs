@@ -11,7 +11,7 @@ use crate::simulation::conditions::Acting;
 use crate::simulation::error::{SetupError, StepError, StepErrorKind};
 use crate::simulation::history::integral;
 use crate::simulation::interactions::{Again, Interaction, Made, Remembered};
-use crate::simulation::mapping::node_weights;
+use crate::simulation::mapping::node_weights_touching;
 use crate::simulation::motion::at_half_step_after;
 use crate::simulation::{BodyRun, Simulation};
 use crate::grid::GridShape;
@@ -22,7 +22,7 @@ use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
 use crate::surface::Nearest;
 use fields::Fields;
 pub(in crate::simulation) use gap::local;
-use gap::velocity;
+use gap::{half_lengths, touching_point, velocity};
 use near::{Near, Place};
 use std::collections::BTreeMap;
 
@@ -337,7 +337,11 @@ impl Simulation {
             }));
         }
         let shape = &self.work.grid.shape;
-        let weights = node_weights(&self.state.sets[set], &self.decided.bodies[set], shape, self.state.stencil, p);
+        let (particles, body) = (&self.state.sets[set], &self.decided.bodies[set]);
+        let normal = nearest.normal;
+        let half = half_lengths(particles, body, p);
+        let touching = [&touching_point(&half, &normal), &half];
+        let weights = node_weights_touching(particles, body, shape, self.state.stencil, p, touching);
         let field = fields.of(set);
         let lines = fields.lines(field);
         let v_s = velocity(rigid, self.state.clock.time, acting.drift);
@@ -347,7 +351,6 @@ impl Simulation {
                 relative[axis] += w * lines[node][lane + axis];
             }
         }
-        let normal = nearest.normal;
         let approach = -acting.drift
             * (0..3)
                 .map(|axis| normal[axis] * relative[axis])
