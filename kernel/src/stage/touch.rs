@@ -58,8 +58,11 @@ pub struct Touch {
     pub gap: f64,
     /// Smallest normal velocity that is let through \[m/s\], zero or negative.
     pub bound: f64,
-    /// Smallest normal impulse \[N s\]: that of the penalty force, else 0; minus infinity makes the bound an equation.
+    /// Smallest normal impulse \[N s\]: 0, or that of the penalty force; minus infinity makes the bound an equation.
     pub floor: f64,
+    /// Impulse of the penalty force \[N s\]: the floor of a particle that reaches through and that nothing presses. One that
+    /// is pressed is as near as its own strain lets it be.
+    pub penalty: f64,
     /// Coefficient of friction; infinite for a particle that sticks whatever the normal impulse.
     pub friction: f64,
     /// Normal impulse found \[N s\].
@@ -126,7 +129,8 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 }
 
 /// Finds the impulses of all touches; returns the number of sweeps. Sweeps end when none changes a velocity by more
-/// than `tolerance` times the largest change of the first one, or after `most`.
+/// than `tolerance` times the largest change of the first one, or after `most`. Where penalty forces act beside them, they
+/// go on from there, for as many again.
 pub fn resolve(
     touches: &mut [Touch],
     nodes: &mut [TouchedNode],
@@ -134,15 +138,38 @@ pub fn resolve(
     most: usize,
 ) -> usize {
     let responses: Vec<[f64; 3]> = touches.iter().map(|t| t.response(nodes)).collect();
-    for touch in touches.iter_mut().filter(|t| t.floor > 0.0) {
-        touch.normal_impulse = touch.floor;
-        let impulse = touch.impulse();
-        touch.give(nodes, &impulse);
+    for touch in touches.iter_mut().filter(|t| t.penalty > 0.0) {
+        touch.floor = 0.0;
     }
+    let sweeps = sweep(touches, &responses, nodes, tolerance, most);
+    let mut pushed = false;
+    for touch in touches.iter_mut() {
+        if touch.penalty > 0.0 && touch.normal_impulse <= 0.0 {
+            touch.floor = touch.penalty;
+            touch.normal_impulse = touch.penalty;
+            let impulse = touch.normal.map(|n| n * touch.penalty);
+            touch.give(nodes, &impulse);
+            pushed = true;
+        }
+    }
+    if pushed {
+        sweeps + sweep(touches, &responses, nodes, tolerance, most)
+    } else {
+        sweeps
+    }
+}
+
+fn sweep(
+    touches: &mut [Touch],
+    responses: &[[f64; 3]],
+    nodes: &mut [TouchedNode],
+    tolerance: f64,
+    most: usize,
+) -> usize {
     let mut first = 0.0;
     for sweep in 1..=most {
         let mut largest = 0.0_f64;
-        for (touch, response) in touches.iter_mut().zip(&responses) {
+        for (touch, response) in touches.iter_mut().zip(responses) {
             largest = largest.max(correct(touch, response, nodes));
         }
         if sweep == 1 {

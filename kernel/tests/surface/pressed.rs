@@ -26,7 +26,9 @@ fn surface(name: &str, height: f64, up: bool, motion: Option<History>) -> RigidS
         [at(-9.0, -8.0), at(9.0, 8.0), at(-9.0, 8.0)],
     ];
     if !up {
-        corners.iter_mut().for_each(|c| c.swap(1, 2));
+        for triangle in &mut corners {
+            triangle.swap(1, 2);
+        }
     }
     RigidSurface {
         name: name.to_owned(),

@@ -8,7 +8,7 @@ use proctor_kernel::scene::{ParticleSeed, Vector};
 use super::{HEIGHT, LENGTH, TILT};
 
 /// Angle between its fall and the x axis where it is turned \[degrees\].
-const TURN: f64 = 20.0;
+const TURN: f64 = 33.0;
 /// Width of the block where the plane is turned \[m\]; else one cell.
 const WIDTH: f64 = 1.0;
 /// Way that the mesh leaves \[m\]; without friction it is 10 m.

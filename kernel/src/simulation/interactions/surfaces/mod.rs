@@ -255,7 +255,7 @@ impl Simulation {
             let Some(&held) = held.next().flatten() else {
                 return false;
             };
-            touch.floor = f64::NEG_INFINITY;
+            (touch.floor, touch.penalty) = (f64::NEG_INFINITY, 0.0);
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
@@ -399,14 +399,15 @@ impl Simulation {
             })
             .collect();
         let (m_p, _) = self.mass_and_volume(set, p);
-        let floor = penalty_impulse(rigid.penalty_stiffness.unwrap_or(0.0), m_p, -gap, acting);
+        let penalty = penalty_impulse(rigid.penalty_stiffness.unwrap_or(0.0), m_p, -gap, acting);
         Ok(Some(Touch {
             weights,
             normal,
             relative,
             gap,
             bound: -gap.max(0.0) / acting.drift,
-            floor,
+            floor: 0.0,
+            penalty,
             friction: rigid.friction,
             normal_impulse: 0.0,
             tangential_impulse: [0.0; 3],
