@@ -5,7 +5,9 @@
 //! families: *equal transit times*, where both bars are free of stress at that moment and part with the velocities of
 //! an elastic impact of points, whatever their masses; and *equal impedances*, where the shorter bar has given its
 //! velocity to the part of the longer one that the wave has reached, and the longer one keeps a wave: restitution is
-//! the ratio of the lengths.
+//! the ratio of the lengths. Other bars are followed wave by wave, which is exact too: at the interface `v - sigma/Z` of what
+//! comes along the first bar and `v + sigma/Z` along the second are what left it two transits before, since a free end sends
+//! a wave back with its velocity. Bars part where they would pull, and meet again where their ends come together.
 
 /// An elastic bar in uniform motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,19 +85,85 @@ impl BarImpact {
         z_a * z_b / (z_a + z_b) * (a.velocity - b.velocity)
     }
 
-    /// Time for which the bars press on each other, s; `None` outside the two families.
+    /// How the bars press on each other; `None` where they do not come nearer.
     #[must_use]
-    pub fn duration(&self) -> Option<f64> {
+    pub fn press(&self) -> Option<Press> {
         let [a, b] = &self.bars;
         let same = |p: f64, q: f64| (p - q).abs() <= 1e-9 * p.max(q);
         let closed = same(a.transit(), b.transit()) || same(a.impedance(), b.impedance());
-        (closed && a.velocity > b.velocity).then(|| 2.0 * a.transit().min(b.transit()))
+        let duration = 2.0 * a.transit().min(b.transit());
+        (a.velocity > b.velocity).then(|| {
+            if closed {
+                Press {
+                    impulse: self.stress() * duration,
+                    duration,
+                    parted: duration,
+                }
+            } else {
+                self.follow()
+            }
+        })
+    }
+
+    /// Follows the waves of bars of any kind.
+    fn follow(&self) -> Press {
+        // Later contacts would need ends that come together after so many echoes.
+        const TRANSITS: f64 = 12.0;
+        let [a, b] = &self.bars;
+        let [z_a, z_b] = [a.impedance(), b.impedance()];
+        let end = TRANSITS * a.transit().max(b.transit());
+        let pull = 1e-12 * self.stress();
+        let mut ends = self.bars.map(|bar| Echo {
+            delay: 2.0 * bar.transit(),
+            before: bar.velocity,
+            sent: vec![],
+        });
+        let (mut time, mut touching, mut gap) = (0.0, true, 0.0_f64);
+        let (mut impulse, mut moment, mut parted) = (0.0, 0.0, 0.0);
+        while time < end {
+            let [from_a, from_b] = [ends[0].back(time), ends[1].back(time)];
+            let stress = (from_b - from_a) / (1.0 / z_a + 1.0 / z_b);
+            touching = if touching {
+                stress < -pull
+            } else {
+                gap <= 0.0 && from_b < from_a
+            };
+            let (stress, apart) = if touching {
+                (stress, 0.0)
+            } else {
+                (0.0, from_b - from_a)
+            };
+            // v is from_a + stress/Z_a = from_b - stress/Z_b.
+            ends[0].sent.push((time, from_a + 2.0 * stress / z_a));
+            ends[1].sent.push((time, from_b - 2.0 * stress / z_b));
+            let mut next = end.min(ends[0].next(time)).min(ends[1].next(time));
+            if !touching && apart < 0.0 {
+                next = next.min(time - gap / apart);
+            }
+            if touching {
+                impulse -= stress * (next - time);
+                moment -= stress * 0.5 * (next * next - time * time);
+                parted = next;
+            } else {
+                gap = if next < end && time - gap / apart == next {
+                    0.0
+                } else {
+                    gap + apart * (next - time)
+                };
+            }
+            time = next;
+        }
+        Press {
+            impulse,
+            duration: 2.0 * moment / impulse,
+            parted,
+        }
     }
 
     /// Mean velocities of the bars after the impact, m/s: each changes by the impulse over its mass.
     #[must_use]
     pub fn velocities(&self) -> Option<[f64; 2]> {
-        let impulse = self.stress() * self.duration()?;
+        let impulse = self.press()?.impulse;
         let [a, b] = &self.bars;
         Some([
             a.velocity - impulse / a.mass(),
@@ -109,5 +177,43 @@ impl BarImpact {
         let [after_a, after_b] = self.velocities()?;
         let [a, b] = &self.bars;
         Some((after_b - after_a) / (a.velocity - b.velocity))
+    }
+}
+
+/// How two bars press on each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Press {
+    /// Impulse per cross-section, Pa s.
+    pub impulse: f64,
+    /// Twice the centroid of the pressure in time, s: how long a pressure that does not change acts.
+    pub duration: f64,
+    /// When they have parted for good, s.
+    pub parted: f64,
+}
+
+/// What leaves the end of a bar comes back from its other one.
+struct Echo {
+    /// Two transits, s.
+    delay: f64,
+    /// Velocity before anything has come back, m/s.
+    before: f64,
+    /// What was sent since which times, m/s.
+    sent: Vec<(f64, f64)>,
+}
+
+impl Echo {
+    /// What comes back from a time on.
+    fn back(&self, time: f64) -> f64 {
+        let sent = self.sent.iter().rev();
+        let due = sent
+            .into_iter()
+            .find(|(since, _)| since + self.delay <= time);
+        due.map_or(self.before, |(_, velocity)| *velocity)
+    }
+
+    /// When it changes next, s.
+    fn next(&self, time: f64) -> f64 {
+        let due = self.sent.iter().map(|(since, _)| since + self.delay);
+        due.filter(|due| *due > time).fold(f64::INFINITY, f64::min)
     }
 }

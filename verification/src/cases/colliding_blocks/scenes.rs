@@ -44,8 +44,10 @@ pub struct Variant {
     pub name: &'static str,
     /// What collides.
     pub kind: Kind,
-    /// Density and stiffness of the second body over those of the first.
-    pub ratio: f64,
+    /// Density of the second body over that of the first.
+    pub density: f64,
+    /// Its stiffness over that of the first.
+    pub stiffness: f64,
     /// Number of dimensions.
     pub dimension: Dimension,
     /// Stress scheme.
@@ -58,7 +60,8 @@ const fn bars(name: &'static str, longer: f64, ratio: f64) -> Variant {
     Variant {
         name,
         kind: Kind::Bars(longer),
-        ratio,
+        density: ratio,
+        stiffness: ratio,
         dimension: Dimension::Two,
         scheme: StressScheme::Usl,
         transfer: TransferKind::Flip,
@@ -74,7 +77,7 @@ const fn blocks(name: &'static str, ratio: f64, scheme: StressScheme) -> Variant
 }
 
 /// All collisions.
-pub const VARIANTS: [Variant; 13] = [
+pub const VARIANTS: [Variant; 14] = [
     bars("bars 1:1", 1.0, 1.0),
     Variant {
         scheme: StressScheme::Usf,
@@ -87,6 +90,11 @@ pub const VARIANTS: [Variant; 13] = [
     bars("bars 1:1e3", 1.0, 1e3),
     bars("bars 1:1e6", 1.0, 1e6),
     bars("bars 1:2 long", 2.0, 1.0),
+    // Neither transits nor impedances are the same.
+    Variant {
+        stiffness: 3.0,
+        ..bars("bars 1:7, three times as stiff", 1.0, 7.0)
+    },
     Variant {
         dimension: Dimension::Three,
         ..bars("bars 1:1 3D", 1.0, 1.0)
@@ -137,14 +145,17 @@ impl Variant {
     pub fn impact(&self) -> Option<BarImpact> {
         let [v_1, v_2] = self.velocities();
         let [l_1, l_2] = self.lengths();
-        let bar = |length, velocity, ratio: f64| MovingBar {
+        let bar = |length, velocity, stiffness: f64, density: f64| MovingBar {
             length,
-            modulus: YOUNG * ratio,
-            density: DENSITY * ratio,
+            modulus: YOUNG * stiffness,
+            density: DENSITY * density,
             velocity,
         };
         matches!(self.kind, Kind::Bars(_)).then(|| BarImpact {
-            bars: [bar(l_1, v_1, 1.0), bar(l_2, v_2, self.ratio)],
+            bars: [
+                bar(l_1, v_1, 1.0, 1.0),
+                bar(l_2, v_2, self.stiffness, self.density),
+            ],
         })
     }
 
@@ -153,8 +164,8 @@ impl Variant {
         scene.mesh.cell[1] * scene.mesh.cell[2]
     }
 
-    /// The scene but for what settings say. Bars touch at the start; so do blocks. It lasts for four transits along the longer body and, for
-    /// bars, half as long again.
+    /// The scene but for what settings say. Bars touch at the start; so do blocks. It lasts for three transits along the longer
+    /// body, and half as long again as bars press on each other.
     pub fn scene(&self, h: f64) -> Scene {
         let [l_1, l_2] = self.lengths();
         let air = AIR as f64 * h;
@@ -171,21 +182,23 @@ impl Variant {
             mesh.planes[..self.dimension.axes()].fill([PlaneCondition::Free; 2]);
         }
         let transit = l_1.max(l_2) / (YOUNG / DENSITY).sqrt();
-        let mut scene = Scene::new(self.dimension, mesh, 3.0 * transit);
+        let pressed = self.impact().and_then(|impact| impact.press());
+        let time = pressed.map_or(0.0, |press| 1.5 * press.parted);
+        let mut scene = Scene::new(self.dimension, mesh, time.max(3.0 * transit));
         scene.name = String::from("colliding_blocks");
         scene.results = NO_RESULTS;
         let (poisson, friction) = match self.kind {
             Kind::Bars(_) => (0.0, 0.0),
             Kind::Blocks => (POISSON, FRICTION),
         };
-        scene.materials = [1.0, self.ratio]
+        scene.materials = [(1.0, 1.0), (self.stiffness, self.density)]
             .into_iter()
             .enumerate()
-            .map(|(i, ratio)| Material {
+            .map(|(i, (stiffness, density))| Material {
                 name: format!("elastic {}", i + 1),
                 id: i as i64 + 1,
-                density: DENSITY * ratio,
-                law: elastic_law(YOUNG * ratio, poisson),
+                density: DENSITY * density,
+                law: elastic_law(YOUNG * stiffness, poisson),
             })
             .collect();
         let flat = self.dimension == Dimension::Two;
