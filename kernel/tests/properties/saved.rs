@@ -26,6 +26,10 @@ fn a_state_taken_up_goes_on_with_the_same_bits() {
         let mut resumed = Simulation::new(&touching.scene, &threads).expect("the scene is sound");
         resumed.restore(saved.clone()).expect("the same scene");
         assert_eq!(resumed.save(), saved, "{}", touching.name);
+        for surface in 0..touching.scene.surfaces.len() {
+            let force = |s: &Simulation| s.surface_force(surface);
+            assert_eq!(force(&resumed), force(&whole), "{}", touching.name);
+        }
         run(&mut whole, STEPS);
         run(&mut resumed, STEPS);
         assert_eq!(resumed.save(), whole.save(), "{}", touching.name);

@@ -7,7 +7,7 @@ use std::path::Path;
 use proctor_files::json::read;
 use proctor_files::run::{Go, Run};
 use proctor_kernel::scene::{
-    BaseMotion, Damping, DomainUpdate, Field, History, Motion, Probe, Scene, Transfer,
+    BaseMotion, Damping, DomainUpdate, Field, History, Motion, Probe, Scene, TimeStep, Transfer,
     TransferKind, Weighting,
 };
 use proctor_kernel::simulation::Options;
@@ -105,6 +105,32 @@ fn the_summary_has_the_smallest_and_the_largest_step() {
     assert_eq!(summary.dt_min, Some(least));
     assert_eq!(summary.dt_max, Some(most));
     assert_eq!(summary.dt_critical, Some(critical));
+}
+
+/// A constant step passes the time of an output by less than half of its length, and stops before it by no more.
+#[test]
+fn a_constant_step_writes_at_the_nearest_time() {
+    let mut scene = relaxed();
+    scene.damping = Damping::None;
+    scene.results.print = 5;
+    let dt = 1e-4;
+    // No output falls on a step: 167.3 steps lie between them.
+    scene.time = 5.0 * 167.3 * dt;
+    scene.time_step = TimeStep::Fixed {
+        dt,
+        allow_unstable: false,
+    };
+    let mut run = Run::start(&scene, &Options::default(), None, None).unwrap();
+    for output in 1..=5 {
+        let nominal = f64::from(output) / 5.0 * scene.time;
+        go(&mut run, 1, |_, _| ());
+        let late = (run.simulation().time() - nominal) / dt;
+        assert!(
+            late.abs() <= 0.5 + 1e-9,
+            "output {output} is {late} steps late"
+        );
+    }
+    assert!(run.next_stop().is_none());
 }
 
 /// Numbers of an array of a frame.
