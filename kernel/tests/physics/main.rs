@@ -7,6 +7,7 @@ mod bar;
 mod beside;
 mod books;
 mod contact;
+mod contact_symmetry;
 mod crowd;
 mod damping;
 mod dilation;
