@@ -102,10 +102,14 @@ fn reach(half: &Vector, normal: &Vector) -> f64 {
     length(&std::array::from_fn(|axis| half[axis] * normal[axis]))
 }
 
-/// Where the ellipsoid with these half-lengths touches a surface with this unit normal, from its centre \[m\].
-pub(super) fn touching_point(half: &Vector, normal: &Vector) -> Vector {
+/// Where the ellipsoid with these half-lengths touches a surface, from its centre \[m\]. Of a particle that is pressed together
+/// to less than half of it the point comes nearer to the centre, and ends there: so no strain brings a centre through a
+/// surface. For less strain it stays where a row of particles ends that a wall presses on.
+pub(super) fn touching_point(half: &Vector, nearest: &Nearest) -> Vector {
+    let normal = &nearest.normal;
     let reach = reach(half, normal);
-    std::array::from_fn(|axis| -half[axis] * half[axis] * normal[axis] / reach)
+    let pressed = (2.0 * nearest.distance / reach).clamp(0.0, 1.0);
+    std::array::from_fn(|axis| -pressed * half[axis] * half[axis] * normal[axis] / reach)
 }
 
 /// Half-lengths of the domain of a particle \[m\]. Weighting functions without a domain leave its volume, a cube.

@@ -340,7 +340,7 @@ impl Simulation {
         let (particles, body) = (&self.state.sets[set], &self.decided.bodies[set]);
         let normal = nearest.normal;
         let half = half_lengths(particles, body, p);
-        let touching = [&touching_point(&half, &normal), &half];
+        let touching = [&touching_point(&half, &nearest), &half];
         let weights = node_weights_touching(particles, body, shape, self.state.stencil, p, touching);
         let field = fields.of(set);
         let lines = fields.lines(field);
