@@ -1,0 +1,99 @@
+//! The first screen: the answers in a line each, and the panels behind them.
+
+use super::cheapest::{self, Costs};
+use super::html::escape;
+use super::since::{self, Since};
+use super::speed::{self, Speed};
+use super::{gates, stability, verdict};
+use crate::record::Record;
+use std::fmt::Write as _;
+
+/// An answer: what it is about, a number or a word, a sentence, and the panel that has more.
+struct Answer {
+    about: &'static str,
+    anchor: &'static str,
+    answer: [String; 2],
+    /// Whether it is one to worry about.
+    bad: bool,
+}
+
+/// The first screen below the verdict.
+#[must_use]
+pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
+    let (costs, speeds) = (Costs::all(record), Speed::all(record));
+    let mut answers: Vec<Answer> = vec![];
+    let mut answer = |about, anchor, found: Option<[String; 2]>, bad| {
+        answers.extend(found.map(|answer| Answer {
+            about,
+            anchor,
+            answer,
+            bad,
+        }));
+    };
+    let failing = gates::ranked(record).iter().any(|(_, gate)| !gate.passed);
+    answer(
+        "Nearest gate",
+        "nearest",
+        verdict::headline(record),
+        failing,
+    );
+    answer(
+        "Cheapest method",
+        "cheapest",
+        cheapest::headline(&costs),
+        false,
+    );
+    answer(
+        "Stability",
+        "stable",
+        stability::headline(record),
+        stability::failing(record),
+    );
+    answer("Speed", "fast", speed::headline(&speeds), false);
+    let (what, bad) = since::headline(since);
+    answer("Changes", "since", Some(what), bad);
+    let mut html = String::from("<dl class=\"answers\">\n");
+    for Answer {
+        about,
+        anchor,
+        answer: [big, text],
+        bad,
+    } in &answers
+    {
+        let class = if *bad { " class=\"bad\"" } else { "" };
+        let _ = writeln!(
+            html,
+            "<div{class}><dt><a href=\"#{anchor}\">{about}</a></dt><dd><strong>{}</strong> {}</dd></div>",
+            escape(big),
+            escape(text)
+        );
+    }
+    html.push_str("</dl>\n<div class=\"panels\">\n");
+    let mut panel = |id: &str, heading: &str, body: Option<String>| {
+        if let Some(body) = body {
+            let _ = write!(
+                html,
+                "<section class=\"panel\" aria-labelledby=\"{id}\">\n<h2 id=\"{id}\">{heading}</h2>\n{body}</section>\n"
+            );
+        }
+    };
+    panel(
+        "cheapest",
+        "Cheapest method for 1 % and 0.1 %",
+        cheapest::panel(&costs),
+    );
+    panel(
+        "nearest",
+        "Gates nearest to their bounds",
+        gates::nearest(record).map(|table| table.html()),
+    );
+    panel("since", "What changed", Some(since::panel(since)));
+    panel("stable", "Stability at a glance", stability::panel(record));
+    panel(
+        "fast",
+        "Speed against the machine's limits",
+        speed::panel(&speeds),
+    );
+    html.push_str("</div>\n");
+    html
+}
