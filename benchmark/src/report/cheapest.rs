@@ -174,7 +174,7 @@ pub fn panel(all: &[Costs]) -> Option<String> {
     if first.is_empty() {
         return None;
     }
-    let (mut reached, missed): (Vec<&Costs>, Vec<&Costs>) =
+    let (mut reached, mut missed): (Vec<&Costs>, Vec<&Costs>) =
         first.into_iter().partition(|c| c.cheapest(0).is_some());
     reached.sort_by(|a, b| {
         let key = |costs: &Costs| costs.factor(0).unwrap_or(0.0);
@@ -197,7 +197,6 @@ pub fn panel(all: &[Costs]) -> Option<String> {
             "Cases that no method brought below 1 % here, the smallest error first",
             &["case", "smallest error, and the method that gave it"],
         );
-        let mut missed = missed;
         missed.sort_by(|a, b| {
             let key = |costs: &Costs| costs.smallest().map_or(f64::INFINITY, |(_, error)| error);
             key(a).total_cmp(&key(b))

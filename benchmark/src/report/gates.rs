@@ -49,6 +49,11 @@ fn found_and_bound(gate: &GateDetail, unit: Unit) -> [String; 2] {
     ]
 }
 
+/// A value of a gate of that name of a case.
+pub fn value_of_case(name: &str, value: f64) -> String {
+    Unit::of_case(name).written(value)
+}
+
 /// What a gate of a case found, and its bound.
 pub fn of_case(gate: &GateDetail) -> [String; 2] {
     found_and_bound(gate, Unit::of_case(&gate.name))
@@ -114,14 +119,14 @@ pub fn ranked(record: &Record) -> Vec<(&str, &GateDetail)> {
 /// The gates of cases that are nearest to their bounds.
 pub fn nearest(record: &Record) -> Option<Table> {
     let ranked = ranked(record);
-    let head = ["case and gate", "of its bound", "found", "bound"];
+    let head = ["case and gate", "of its bound", "found, bound"];
     let caption = "The nearest first; what fails comes before all else";
     let mut table = Table::new(caption, &head);
     let failing = ranked.iter().filter(|(_, gate)| !gate.passed).count();
     for (case, gate) in ranked.iter().take(NEAREST.max(failing)) {
         let [found, bound] = of_case(gate);
         let name = Cell::linked(format!("{case}: {}", gate.name), format!("case-{case}"));
-        let cells: [Cell; 4] = [name, used(gate), found.into(), bound.into()];
+        let cells: [Cell; 3] = [name, used(gate), format!("{found}, {bound}").into()];
         table.push_as(if gate.passed { "passed" } else { "failed" }, cells);
     }
     (!table.is_empty()).then_some(table)

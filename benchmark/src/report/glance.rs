@@ -69,31 +69,40 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
         );
     }
     html.push_str("</dl>\n<div class=\"panels\">\n");
-    let mut panel = |id: &str, heading: &str, body: Option<String>| {
-        if let Some(body) = body {
+    let columns = [
+        vec![(
+            "cheapest",
+            "Cheapest method for 1 % and 0.1 %",
+            cheapest::panel(&costs),
+        )],
+        vec![
+            (
+                "nearest",
+                "Gates nearest to their bounds",
+                gates::nearest(record).map(|table| table.html()),
+            ),
+            ("since", "What changed", Some(since::panel(since))),
+        ],
+        vec![
+            ("stable", "Stability at a glance", stability::panel(record)),
+            (
+                "fast",
+                "Speed against the machine's limits",
+                speed::panel(&speeds),
+            ),
+        ],
+    ];
+    for panels in columns {
+        html.push_str("<div>\n");
+        for (id, heading, body) in panels {
+            let Some(body) = body else { continue };
             let _ = write!(
                 html,
                 "<section class=\"panel\" aria-labelledby=\"{id}\">\n<h2 id=\"{id}\">{heading}</h2>\n{body}</section>\n"
             );
         }
-    };
-    panel(
-        "cheapest",
-        "Cheapest method for 1 % and 0.1 %",
-        cheapest::panel(&costs),
-    );
-    panel(
-        "nearest",
-        "Gates nearest to their bounds",
-        gates::nearest(record).map(|table| table.html()),
-    );
-    panel("since", "What changed", Some(since::panel(since)));
-    panel("stable", "Stability at a glance", stability::panel(record));
-    panel(
-        "fast",
-        "Speed against the machine's limits",
-        speed::panel(&speeds),
-    );
+        html.push_str("</div>\n");
+    }
     html.push_str("</div>\n");
     html
 }

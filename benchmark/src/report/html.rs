@@ -248,10 +248,11 @@ impl Pictures {
             chart.title = format!("{}, {}", chart.title, run.trim_end_matches('.'));
         }
         let title = chart.title.clone();
-        let again = (2..).map(|n| format!("{title} ({n})"));
-        let free = std::iter::once(title.clone()).chain(again);
-        let free = free.into_iter().find(|t| !self.titles.contains(t));
-        chart.title = free.unwrap_or(title);
+        let mut number = 1;
+        while self.titles.contains(&chart.title) {
+            number += 1;
+            chart.title = format!("{title} ({number})");
+        }
         self.titles.insert(chart.title.clone());
         html_of(&chart, &shown.caption)
     }

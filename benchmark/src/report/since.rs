@@ -1,6 +1,7 @@
 //! What changed since a base record: regressions and gains as tables and pictures, by the judge of `proctor compare`.
 
-use super::html::{Cell, Pictures, Section, Table, folded, paragraph};
+use super::gates;
+use super::html::{Pictures, Section, Table, folded, paragraph};
 use crate::judge::change::{CASE, Change, FAILURE, Found, Moved};
 use crate::judge::{self, CaseVerdict, Comparison, Finding, Rules, Verdict};
 use crate::record::details::Figure;
@@ -17,7 +18,7 @@ const FIRST: usize = 4;
 /// Bars of a picture.
 const BARS: usize = 12;
 /// Characters of the name of a bar.
-const NAME: usize = 32;
+const NAME: usize = 40;
 
 /// A base record and what the judge says of the record beside it.
 pub struct Since<'a> {
@@ -27,12 +28,53 @@ pub struct Since<'a> {
     names: BTreeMap<String, String>,
 }
 
-/// A number that moved.
+/// A number or a word that moved.
 struct Line<'a> {
     finding: &'a Finding,
     change: &'a Change,
-    /// How much worse, over what it was; negative where it is better.
-    loss: f64,
+    /// How much worse, over what it was, for an order by how much; negative where it is better. None of what has no size,
+    /// such as a failure.
+    loss: Option<f64>,
+}
+
+impl<'a> Line<'a> {
+    fn new(finding: &'a Finding, change: &'a Change) -> Self {
+        let numbers = change.base.number().zip(change.head.number());
+        Self {
+            finding,
+            change,
+            loss: numbers.map(|(base, head)| match change.meaning {
+                Meaning::Order => base - head,
+                _ => change.better.loss(base, head),
+            }),
+        }
+    }
+
+    /// What was found, relative errors in per cent.
+    fn written(&self, found: &Found) -> String {
+        let name = self.finding.case.name.as_str();
+        match (self.change.meaning, found) {
+            (_, Found::Nothing) => "none".to_owned(),
+            (_, Found::Word(word)) => word.clone(),
+            (Meaning::Error, Found::Number(value)) => percent(*value),
+            (Meaning::GateValue | Meaning::GateBound, Found::Number(value))
+                if !name.starts_with("stability") =>
+            {
+                gates::value_of_case(name, *value)
+            }
+            (_, Found::Number(value)) => number(*value),
+        }
+    }
+
+    fn size(&self) -> f64 {
+        self.loss.map_or(f64::INFINITY, f64::abs)
+    }
+
+    /// The name of the case, without what all studies have in common.
+    fn case(&self) -> &str {
+        let name = self.finding.case.name.as_str();
+        name.strip_prefix("precision/").unwrap_or(name)
+    }
 }
 
 impl<'a> Since<'a> {
@@ -59,22 +101,16 @@ impl<'a> Since<'a> {
         findings.filter(|f| f.verdict == verdict).count()
     }
 
-    /// Numbers that moved that way, the largest change first.
+    /// What moved that way, the largest change first; what has no size comes before all else.
     fn moved(&self, way: Moved) -> Vec<Line<'_>> {
-        let mut lines: Vec<Line<'_>> = vec![];
-        for finding in &self.comparison.findings {
-            for change in finding.changes.iter().filter(|c| c.moved == way) {
-                let numbers = change.base.number().zip(change.head.number());
-                let loss =
-                    numbers.map_or(f64::INFINITY, |(base, head)| change.better.loss(base, head));
-                lines.push(Line {
-                    finding,
-                    change,
-                    loss,
-                });
-            }
-        }
-        lines.sort_by(|a, b| b.loss.abs().total_cmp(&a.loss.abs()));
+        let findings = self.comparison.findings.iter();
+        let mut lines: Vec<Line<'_>> = findings
+            .flat_map(|finding| {
+                let changes = finding.changes.iter().filter(|c| c.moved == way);
+                changes.map(|change| Line::new(finding, change))
+            })
+            .collect();
+        lines.sort_by(|a, b| b.size().total_cmp(&a.size()));
         lines
     }
 
@@ -103,64 +139,59 @@ impl<'a> Since<'a> {
     }
 
     /// Case, number, before, after and change.
-    fn cells(&self, line: &Line<'_>) -> [Cell; 5] {
-        let Line {
-            finding,
-            change,
-            loss,
-        } = line;
+    fn texts(&self, line: &Line<'_>) -> [String; 5] {
+        let change = line.change;
         let moved = match (change.base.number(), change.head.number()) {
-            _ if change.meaning == Meaning::Order => {
-                let by = change.head.number().zip(change.base.number());
-                by.map_or_else(String::new, |(head, base)| format!("{:+.2}", head - base))
+            (Some(base), Some(head)) if change.meaning == Meaning::Order => {
+                format!("{:+.2}", head - base)
             }
             (Some(base), Some(head)) if base != 0.0 => ratio(head / base),
-            _ if loss.is_infinite() => "new".to_owned(),
             _ => String::new(),
         };
         [
-            finding.case.name.clone().into(),
-            self.name(change).into(),
-            written(change.meaning, &change.base).into(),
-            written(change.meaning, &change.head).into(),
-            moved.into(),
+            line.case().to_owned(),
+            self.name(change),
+            line.written(&change.base),
+            line.written(&change.head),
+            moved,
         ]
     }
 
-    fn table(&self, caption: &str, lines: &[Line<'_>], most: usize) -> Table {
+    /// Numbers with their change.
+    fn table<'b>(&self, caption: &str, lines: impl Iterator<Item = &'b Line<'b>>) -> Table {
         let head = ["case", "what", "before", "now", "change"];
         let mut table = Table::new(caption, &head);
-        for line in lines.iter().take(most) {
-            table.push(self.cells(line));
+        for line in lines {
+            table.push(self.texts(line));
         }
         table
     }
 
-    /// The largest changes as bars, each over what it was; what has no such ratio is in the table alone.
+    /// What has no size: failures, words.
+    fn words<'b>(&self, caption: &str, lines: impl Iterator<Item = &'b Line<'b>>) -> Table {
+        let mut table = Table::new(caption, &["case", "what", "before", "now"]);
+        for line in lines {
+            let [case, what, before, now, _] = self.texts(line);
+            table.push([case, what, before, now]);
+        }
+        table
+    }
+
+    /// The largest changes as bars, each over what it was; orders, and what was zero, are in the table alone.
     fn picture(&self, title: &str, quantity: &str, lines: &[Line<'_>]) -> Option<Figure> {
         let bars: Vec<(String, f64)> = lines
             .iter()
-            .filter(|line| line.loss.is_finite())
+            .filter(|line| line.size().is_finite() && line.change.meaning != Meaning::Order)
             .take(BARS)
             .map(|line| {
-                let name = format!("{}: {}", line.finding.case.name, self.name(line.change));
-                (shortened(&name, NAME), line.loss.abs())
+                let name = format!("{}: {}", line.case(), self.name(line.change));
+                (shortened(&name, NAME), line.size())
             })
             .collect();
         (!bars.is_empty()).then(|| Figure {
             caption: format!("{title}: change of each number over what it was, the largest first."),
             chart: figures::bars_of(title, quantity, Format::Percent, &bars),
         })
-    }
-}
-
-/// A number of that meaning.
-fn written(meaning: Meaning, found: &Found) -> String {
-    match (meaning, found) {
-        (_, Found::Nothing) => "none".to_owned(),
-        (Meaning::Error, Found::Number(value)) => percent(*value),
-        (_, Found::Number(value)) => number(*value),
-        (_, Found::Word(word)) => word.clone(),
     }
 }
 
@@ -238,8 +269,23 @@ pub fn panel(since: Option<&Since<'_>>) -> String {
         ("Largest gains", Moved::Better),
     ] {
         let lines = since.moved(way);
-        if !lines.is_empty() {
-            html.push_str(&since.table(caption, &lines, FIRST).html());
+        let mut table = Table::new(caption, &["case and number", "before, now", "change"]);
+        for line in lines.iter().filter(|line| line.loss.is_some()).take(FIRST) {
+            let [case, what, before, now, change] = since.texts(line);
+            table.push([
+                format!("{case}: {what}"),
+                format!("{before}, {now}"),
+                change,
+            ]);
+        }
+        if !table.is_empty() {
+            html.push_str(&table.html());
+        }
+        let others = lines.iter().filter(|line| line.loss.is_none()).count();
+        if others > 0 {
+            html.push_str(&paragraph(&format!(
+                "{caption}: {others} without a size, such as failures."
+            )));
         }
     }
     html.push_str("<p><a href=\"#changes\">All changes</a></p>\n");
@@ -280,11 +326,20 @@ pub fn section(since: &Since<'_>, pictures: &mut Pictures) -> Section {
         if let Some(picture) = since.picture(title, quantity, &lines) {
             body.push_str(&pictures.one("", &picture));
         }
-        body.push_str(&since.table(caption, &lines, LISTED).html());
-        if lines.len() > LISTED {
+        let (sized, others): (Vec<_>, Vec<_>) = lines.iter().partition(|line| line.loss.is_some());
+        if !sized.is_empty() {
+            let listed = sized.iter().copied().take(LISTED);
+            body.push_str(&since.table(caption, listed).html());
+        }
+        if !others.is_empty() {
+            let listed = others.iter().copied().take(LISTED);
+            let caption = format!("{title}, and has no size");
+            body.push_str(&since.words(&caption, listed).html());
+        }
+        let more = sized.len().saturating_sub(LISTED) + others.len().saturating_sub(LISTED);
+        if more > 0 {
             body.push_str(&paragraph(&format!(
-                "And {} more: `proctor compare BASE HEAD` lists all of them.",
-                lines.len() - LISTED
+                "And {more} more: `proctor compare BASE HEAD` lists all of them."
             )));
         }
     }

@@ -6,6 +6,7 @@ use crate::record::{Record, Row};
 use crate::show::{figures, grouped, number};
 use crate::statistics::median;
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
 /// Whole steps of one scene on one number of threads: medians of the samples.
 pub struct Speed {
@@ -116,20 +117,25 @@ pub fn panel(all: &[Speed]) -> Option<String> {
     if longest <= 0.0 {
         return None;
     }
-    let head = ["a step takes", "ns per particle", ""];
-    let caption = "Time by the clock, and what it would be at the peaks of this machine";
+    let head = ["", "ns", ""];
+    let caption = "Time by the clock per particle and step";
     let mut table = Table::new(caption, &head);
+    let first = &all[0];
+    let one_scene = all.iter().all(|speed| speed.scene == first.scene);
     for speed in all {
-        let name = format!("{}, {}: measured", speed.scene, speed.threads());
+        let mut name = speed.threads();
+        if !one_scene {
+            name = format!("{}, {name}", speed.scene);
+        }
         let cells: [Cell; 3] = [
             name.into(),
             Cell::with_share(number(speed.wall), speed.wall / longest),
-            format!("{:.1} million particles/s", 1e-6 * speed.rate).into(),
+            format!("{:.1} million particle steps/s", 1e-6 * speed.rate).into(),
         ];
         table.push(cells);
         for (floor, of, ns) in speed.floors() {
             let cells: [Cell; 3] = [
-                format!("{}: {floor} alone", speed.threads()).into(),
+                format!("{floor} alone").into(),
                 Cell::with_share(number(ns), ns / longest),
                 format!("{} of the time", share(of)).into(),
             ];
@@ -137,9 +143,19 @@ pub fn panel(all: &[Speed]) -> Option<String> {
         }
     }
     let mut html = table.html();
-    html.push_str(&paragraph(
-        "Alone: the least operations, or bytes, that a step needs, at the peaks that were measured in the same run.",
-    ));
+    let mut note = String::from(
+        "Alone: what the least operations, or bytes, of a step would take at the machine's peaks, measured in the same run.",
+    );
+    if one_scene {
+        let _ = write!(
+            note,
+            " The scene is {}, {} particles, with {}.",
+            first.scene,
+            grouped(first.particles as u64),
+            first.method
+        );
+    }
+    html.push_str(&paragraph(&note));
     Some(html)
 }
 
@@ -157,7 +173,7 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
         "particles",
         "ns by the clock",
         "ns of processor time",
-        "million particles/s",
+        "million particle steps/s",
         "of the machine's memory",
         "of its arithmetic",
     ];

@@ -79,7 +79,7 @@ pub fn whence(record: &Record) -> String {
     let mut whence = vec![];
     if let Some(commit) = said("commit") {
         let dirty = if record.context["dirty"] == true {
-            ", with changes"
+            ", with uncommitted changes"
         } else {
             ""
         };
@@ -92,8 +92,8 @@ pub fn whence(record: &Record) -> String {
 
 /// Whether all gates of a case hold and all its runs were solved.
 pub fn holds(case: &CaseDetail, record: &Record) -> bool {
-    let solved = |row: &&crate::record::Row| row.error.is_some() && is_run_of(&row.name, case);
-    case.gates.iter().all(|gate| gate.passed) && !record.rows.iter().any(|row| solved(&row))
+    let mut runs = record.rows.iter().filter(|row| is_run_of(&row.name, case));
+    case.gates.iter().all(|gate| gate.passed) && runs.all(|row| row.error.is_none())
 }
 
 /// The gate of a case that is nearest to its bound, as a share of it.

@@ -51,6 +51,10 @@ fn a_regression_and_a_gain_are_told_as_tables_and_pictures() {
         !worse.contains("beam") && !worse.contains("pile"),
         "{worse}"
     );
+    assert!(
+        worse.contains("found by the gate") && !worse.contains("0.002"),
+        "{worse}"
+    );
     let better = table(&page, "Gains");
     assert!(
         better.contains("beam/h=1") && better.contains("×0.3333"),
@@ -96,6 +100,20 @@ fn a_case_that_is_gone_cannot_be_compared_and_is_said_to_be() {
     assert_eq!(verdict, Verdict::CannotCompare);
     assert!(page.contains("<strong>CANNOT COMPARE</strong>"));
     assert!(page.contains("missing in HEAD"));
+}
+
+#[test]
+fn a_new_failure_stands_in_a_table_of_its_own_with_its_reason() {
+    let mut head = with([0.002; 3]);
+    head.rows[0]["error_occurred"] = true.into();
+    head.rows[0]["error_message"] = "the beam broke".into();
+    let (verdict, page) = changed(&with([0.002; 3]), &head);
+    assert_ne!(verdict, Verdict::Fine);
+    let failures = table(&page, "What got worse, and has no size");
+    assert!(
+        failures.contains("bar/h=1") && failures.contains("the beam broke"),
+        "{failures}"
+    );
 }
 
 #[test]
