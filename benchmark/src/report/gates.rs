@@ -120,7 +120,8 @@ pub fn ranked(record: &Record) -> Vec<(&str, &GateDetail)> {
 pub fn nearest(record: &Record) -> Option<Table> {
     let ranked = ranked(record);
     let head = ["case and gate", "of its bound", "found, bound"];
-    let caption = "The nearest first; what fails comes before all else";
+    let caption =
+        "How much of its bound each uses up, the most first; what fails comes before all else";
     let mut table = Table::new(caption, &head);
     let failing = ranked.iter().filter(|(_, gate)| !gate.passed).count();
     for (case, gate) in ranked.iter().take(NEAREST.max(failing)) {
