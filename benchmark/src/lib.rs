@@ -46,7 +46,7 @@ Units are SI everywhere. `proctor VERB -h` explains a verb with an example.";
 #[must_use]
 pub fn verbs() -> Vec<String> {
     let command = Cli::command();
-    let names = command.get_subcommands().map(|verb| verb.get_name());
+    let names = command.get_subcommands().map(clap::Command::get_name);
     names.map(str::to_owned).collect()
 }
 

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 struct Answer {
     about: &'static str,
     anchor: &'static str,
-    answer: [String; 2],
+    said: [String; 2],
     /// Whether it is one to worry about.
     bad: bool,
 }
@@ -23,10 +23,10 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
     let (costs, speeds) = (Costs::all(record), Speed::all(record));
     let mut answers: Vec<Answer> = vec![];
     let mut answer = |about, anchor, found: Option<[String; 2]>, bad| {
-        answers.extend(found.map(|answer| Answer {
+        answers.extend(found.map(|said| Answer {
             about,
             anchor,
-            answer,
+            said,
             bad,
         }));
     };
@@ -56,7 +56,7 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
     for Answer {
         about,
         anchor,
-        answer: [big, text],
+        said: [big, text],
         bad,
     } in &answers
     {
