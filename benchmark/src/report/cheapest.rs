@@ -47,8 +47,13 @@ impl Costs {
                 continue;
             };
             let word = |key: &str| row.labels.get(key).map_or("", String::as_str);
+            let mark = if word("has_safe_step") == "no" {
+                " !"
+            } else {
+                ""
+            };
             let line = Line {
-                method: ["weighting", "scheme", "transfer"].map(word).join(" "),
+                method: ["weighting", "scheme", "transfer"].map(word).join(" ") + mark,
                 seconds: LEVELS.map(|level| {
                     let key = format!("seconds_for_error_{level}");
                     row.counters.get(&key).copied()
@@ -190,7 +195,8 @@ pub fn panel(all: &[Costs]) -> Option<String> {
     let mut html = table.html();
     html.push_str(&paragraph(
         "2.7×: 2.7 times as fast as the default method (uGIMP USL FLIP) in processor time, each refined until its error is so \
-         small. The error is that of the displacement where nothing else is said, relative to the exact solution.",
+         small. The error is that of the displacement where nothing else is said, relative to the exact solution. !: with this \
+         method no time step is safe for every body.",
     ));
     if !missed.is_empty() {
         let mut table = Table::new(

@@ -44,8 +44,7 @@ fn how(arguments: &[&str]) -> How {
             How::Instead(&["precision", "step-bar", "--quick", "--svg", "charts"])
         }
         ["precision", "boussinesq", ..] => How::Instead(&["precision", "self-weight", "--quick"]),
-        ["precision", ..] if !arguments.contains(&"--quick") => How::With(&["--quick"]),
-        ["bench", ..] if !arguments.contains(&"--quick") => How::With(&["--quick"]),
+        ["precision" | "bench", ..] if !arguments.contains(&"--quick") => How::With(&["--quick"]),
         ["run", "fixtures/scenes/speed/block_1m.json", ..] => {
             How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
         }

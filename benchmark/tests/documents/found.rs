@@ -13,7 +13,7 @@ impl Printed {
     pub fn is_synopsis(&self) -> bool {
         let stands_for_others = |word: &str| {
             let word = word.trim_matches(|c| "[]….".contains(c));
-            let letters = word.chars().filter(|c| c.is_ascii_alphabetic());
+            let letters = word.chars().filter(char::is_ascii_alphabetic);
             let first = word.split([',', '.']).next().unwrap_or_default();
             letters.count() > 0 && first.chars().all(|c| c.is_ascii_uppercase())
         };

@@ -17,6 +17,8 @@ fn whole() -> MadeUp {
         .with_cost("pile", DEFAULT, None, Some(0.056))
         .with_cost("wall", OTHER, Some(0.1), Some(0.001))
         .with_cost("wall", DEFAULT, None, Some(0.02))
+        .with_cost("weir", DEFAULT, Some(1.0), Some(0.002))
+        .with_cost("weir", ["linear", "USL", "FLIP"], Some(0.5), Some(0.002))
         .with_cost("well", DEFAULT, None, None)
         .with_step(200.0, 0.25, 0.125)
 }
@@ -52,7 +54,7 @@ fn every_question_has_its_answer_and_its_panel() {
     let answers = text(between(first, "<dl class=\"answers\">", "</dl>")[0]);
     for answer in [
         "Nearest gate 90 % of its bound",
-        "Cheapest method 6.0×",
+        "Cheapest method 4.0×",
         "Speed 200.0 ns",
         "Changes –",
     ] {
@@ -83,6 +85,7 @@ fn the_cheapest_method_is_told_by_case_with_its_gain_the_largest_first() {
     let lines = [
         "beam cpGIMP MUSL APIC, 8.0×",
         "bar cpGIMP MUSL APIC, 4.0×",
+        "weir linear USL FLIP !, 2.0×",
         "wall cpGIMP MUSL APIC, default misses it",
         "2 cases stay above 1 %",
         "pile 3.40 %, cpGIMP MUSL APIC",

@@ -51,16 +51,16 @@ impl MadeUp {
             "name": format!("{name}_cost_displacement"), "run_name": name, "run_type": "aggregate",
             "aggregate_name": "cost_displacement", "threads": 1, "iterations": 1, "case": case,
             "weighting": method[0], "scheme": method[1], "transfer": method[2],
+            "has_safe_step": if method[0] == "linear" { "no" } else { "yes" },
         });
         if let Some(cost) = cost {
             row["seconds_for_error_0.01"] = json!(cost);
         }
-        match smallest {
-            Some(error) => row["smallest_error"] = json!(error),
-            None => {
-                row["error_occurred"] = json!(true);
-                row["error_message"] = json!("no run of this line gave an error below 1");
-            }
+        if let Some(error) = smallest {
+            row["smallest_error"] = json!(error);
+        } else {
+            row["error_occurred"] = json!(true);
+            row["error_message"] = json!("no run of this line gave an error below 1");
         }
         self.rows.push(row);
         self
