@@ -4,8 +4,10 @@
     scripts/check-report.py target/proctor/report.html [--png FOLDER]
 
 Fails if the browser writes anything to its console, if the page asks for the network, if a figure is empty or has no
-title, if the page is wider than its window, or if the points of a chart cannot be reached by keyboard. With --png the
-screenshots are kept, to be looked at. Needs Python 3 and a Chromium or Chrome; exit code 3 if there is none.
+title or that of another, if the answers of the first screen are not on it, if the page with all of it unfolded is wider than
+its window or a number of a table is cut, if a case that holds is open or a link does not open it, if something stays folded
+on paper, or if the points of a chart cannot be reached by keyboard. With --png screenshots and the printed page are kept, to
+be looked at. Needs Python 3 and a Chromium or Chrome; exit code 3 if there is none.
 """
 
 import argparse
@@ -19,6 +21,8 @@ import sys
 import tempfile
 
 WIDTHS = [400, 1400]
+# Height of a first screen, a phone's and a desk's: all answers end above it.
+SCREENS = {400: 850, 1400: 1000}
 NAMES = ["chromium", "chromium-browser", "google-chrome", "chrome"]
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--hide-scrollbars",
@@ -38,6 +42,25 @@ frame.onload = () => {
   seen.width = root.scrollWidth;
   seen.title = page.title;
   seen.verdict = page.querySelector(".verdict strong")?.textContent ?? "";
+  const bottom = (selector) => page.querySelector(selector)?.getBoundingClientRect().bottom ?? 0;
+  seen.answers_end = bottom(".answers");
+  seen.answers = page.querySelectorAll(".answers > div").length;
+  seen.open = [...page.querySelectorAll("details.case[open]:not(.failed)")].map((part) => part.id);
+  const first = page.querySelector("details.case:not([open])");
+  if (first) {
+    page.querySelector(`a[href='#${first.id}']`)?.click();
+    frame.contentWindow.location.hash = first.id;
+    frame.contentWindow.dispatchEvent(new Event("hashchange"));
+    seen.opens = first.open;
+  }
+  frame.contentWindow.dispatchEvent(new Event("beforeprint"));
+  seen.folded = page.querySelectorAll("details:not(.numbers):not([open])").length;
+  page.querySelectorAll("details").forEach((part) => { part.open = true; });
+  seen.unfolded = root.scrollWidth;
+  seen.cut = [...page.querySelectorAll(".scroll td, .scroll th, .map td")]
+    .filter((cell) => cell.getBoundingClientRect().right > root.clientWidth + 1 && cell.getBoundingClientRect().width > 0
+      && getComputedStyle(cell.closest("thead") ?? cell).position !== "absolute")
+    .map((cell) => cell.textContent).slice(0, 5);
   seen.sections = [...page.querySelectorAll("section h2")].map((h) => h.id);
   seen.requests = frame.contentWindow.performance.getEntriesByType("resource").map((r) => r.name);
   seen.links = [...page.querySelectorAll("a[href^='#']")].map((a) => a.getAttribute("href").slice(1))
@@ -104,6 +127,18 @@ def look(path, report, width, folder):
         faults.append("no verdict")
     if not seen["figures"]:
         faults.append("no figures")
+    if seen["answers"] < 2 or not 0 < seen["answers_end"] <= SCREENS[width]:
+        faults.append(f"{seen['answers']} answers that end at {seen['answers_end']:.0f}, not on the first screen")
+    faults += [f"{name} holds and is open" for name in seen["open"]]
+    if seen.get("opens") is False:
+        faults.append("a link to a case does not open it")
+    if seen["folded"]:
+        faults.append(f"{seen['folded']} parts stay folded on paper")
+    if seen["unfolded"] > width:
+        faults.append(f"unfolded, the page is {seen['unfolded']} wide in a window of {width}")
+    faults += [f"cut: {text}" for text in seen["cut"]]
+    titles = [figure["title"] for figure in seen["figures"]]
+    faults += [f"two figures are called {title}" for title in sorted(set(titles)) if titles.count(title) > 1]
     for figure in seen["figures"]:
         name = figure["title"] or figure["caption"] or "a figure without a name"
         if not figure["title"] or not figure["caption"]:
@@ -156,6 +191,9 @@ def main():
                     chromium(path, folder, *extra, f"--window-size={width},{12000 if width < 800 else 6000}",
                              f"--screenshot={picture.resolve()}", report.as_uri())
                     print(f"      {picture}")
+            paper = given.png / "report.pdf"
+            chromium(path, folder, "--no-pdf-header-footer", f"--print-to-pdf={paper.resolve()}", report.as_uri())
+            print(f"      {paper}")
     return 1 if bad else 0
 
 

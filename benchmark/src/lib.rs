@@ -18,7 +18,7 @@ pub mod statistics;
 pub mod suite;
 mod verbs;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use exit::{Failure, Outcome};
 use say::say;
 use std::io::{BufWriter, Write};
@@ -41,6 +41,25 @@ const EXIT_CODES: &str = "\
 Exit codes: 0 fine, 1 a check or a run failed or something got worse, 2 bad input or nothing that
 can be compared, 130 interrupted by Ctrl-C, 143 by SIGTERM.
 Units are SI everywhere. `proctor VERB -h` explains a verb with an example.";
+
+/// Names of the verbs, for whoever checks what documents say of them.
+#[must_use]
+pub fn verbs() -> Vec<String> {
+    let command = Cli::command();
+    let names = command.get_subcommands().map(clap::Command::get_name);
+    names.map(str::to_owned).collect()
+}
+
+/// Whether the command takes these arguments. Nothing is run and no file is looked for.
+///
+/// # Errors
+/// What is wrong with them, as a user is told.
+pub fn takes(arguments: &[&str]) -> Result<(), String> {
+    let all = std::iter::once("proctor").chain(arguments.iter().copied());
+    Cli::try_parse_from(all)
+        .map(|_| ())
+        .map_err(|error| error.to_string())
+}
 
 /// Runs the command on the arguments of this process.
 #[must_use]

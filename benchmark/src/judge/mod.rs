@@ -152,6 +152,25 @@ pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
     }
 }
 
+/// What is said where there are no pairs of runs.
+const ONCE: &str = "note: times were measured once and are not judged; scripts/compare-commits BASE measures two commits in \
+                    pairs, and a folder with one record per pass is such a measurement, too";
+
+/// Compares HEAD with BASE as they were measured: times of a single pass are left out, which a note says.
+#[must_use]
+pub fn compare_as_measured(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
+    let once = !rules.ignore_time && measured_once(base, head);
+    let rules = Rules {
+        ignore_time: rules.ignore_time || once,
+        ..*rules
+    };
+    let mut comparison = compare(base, head, &rules);
+    if once {
+        comparison.notes.push(ONCE.to_owned());
+    }
+    comparison
+}
+
 /// Whether all times of both records come from a single pass, so that there are no pairs to judge them by. Asked of records
 /// that somebody made without a thought of times, such as those of the main job; where one of them has passes, times are
 /// meant to be judged.

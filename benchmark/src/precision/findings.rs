@@ -32,6 +32,15 @@ pub struct LineFindings {
 }
 
 impl LineFindings {
+    /// Error of the finest run of the path, infinite where it failed.
+    #[must_use]
+    pub fn finest(&self) -> f64 {
+        let error = self.table.rows().last().map(|row| row.errors[0]);
+        error
+            .filter(|error| error.is_finite())
+            .unwrap_or(f64::INFINITY)
+    }
+
     /// Order of the error between the two finest runs of the path.
     #[must_use]
     pub fn order(&self) -> Option<f64> {
@@ -94,14 +103,14 @@ impl Findings {
         Some(default / self.cheapest(level)?.costs[level].seconds()?)
     }
 
-    /// Lines by what they cost, the best first: by the finest level, then the coarser one, then by error.
+    /// Lines by what they cost, the best first: by the finest level, then the coarser one, then by the error of the finest
+    /// run; what failed there comes last.
     #[must_use]
     pub fn ranked(&self) -> Vec<&LineFindings> {
         let mut lines: Vec<&LineFindings> = self.lines.iter().collect();
         let key = |line: &LineFindings| {
             let seconds = |level: usize| line.costs[level].seconds().unwrap_or(f64::INFINITY);
-            let error = line.best.map_or(f64::INFINITY, |at| at.error);
-            [seconds(1), seconds(0), error]
+            [seconds(1), seconds(0), line.finest()]
         };
         lines.sort_by(|a, b| {
             let (a, b) = (key(a), key(b));

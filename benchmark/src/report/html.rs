@@ -1,8 +1,8 @@
 //! Pieces of HTML. Text from outside is escaped here and nowhere else.
 
 use crate::record::details::Figure;
-use crate::show::chart::{Scale, Series, Strength};
-use crate::show::number;
+use crate::show::chart::{Chart, Scale, Series, Strength};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Text with the characters of markup escaped.
@@ -24,11 +24,26 @@ pub fn escape(text: &str) -> String {
 
 /// Characters from which on a cell may be broken into lines.
 const SHORT: usize = 24;
+/// The same of a heading.
+const SHORT_HEAD: usize = 12;
 
-/// A paragraph of text.
+/// A paragraph of text; what stands between two backticks is code.
 #[must_use]
 pub fn paragraph(text: &str) -> String {
-    format!("<p>{}</p>\n", escape(text))
+    let parts: Vec<String> = text.split('`').map(escape).collect();
+    if parts.len().is_multiple_of(2) {
+        return format!("<p>{}</p>\n", escape(text));
+    }
+    let mut html = String::from("<p>");
+    for (number, part) in parts.iter().enumerate() {
+        if number.is_multiple_of(2) {
+            html.push_str(part);
+        } else {
+            let _ = write!(html, "<code>{part}</code>");
+        }
+    }
+    html.push_str("</p>\n");
+    html
 }
 
 /// A part of the page that can be linked to.
@@ -42,11 +57,68 @@ pub struct Section {
     pub body: String,
 }
 
-/// A table; the first column holds the names of the rows.
+/// A cell of a table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cell {
+    text: String,
+    link: Option<String>,
+    share: Option<f64>,
+}
+
+impl Cell {
+    /// Text that leads to an anchor of the page.
+    pub fn linked(text: impl Into<String>, anchor: impl Into<String>) -> Self {
+        Self {
+            link: Some(anchor.into()),
+            ..text.into().into()
+        }
+    }
+
+    /// Text with a bar behind it, so long a share of the cell.
+    pub fn with_share(text: impl Into<String>, share: f64) -> Self {
+        Self {
+            share: share.is_finite().then_some(share.clamp(0.0, 1.0)),
+            ..text.into().into()
+        }
+    }
+
+    fn inner(&self) -> String {
+        let text = escape(&self.text);
+        let text = match &self.link {
+            Some(anchor) => format!("<a href=\"#{}\">{text}</a>", escape(anchor)),
+            None => text,
+        };
+        match self.share {
+            Some(share) => format!(
+                "<span class=\"bar\"><i style=\"width:{:.1}%\"></i></span>{text}",
+                100.0 * share
+            ),
+            None => text,
+        }
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self {
+            text,
+            ..Self::default()
+        }
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+/// A table; the first column holds the names of the rows. Where the page is narrow each row becomes a list of its cells with
+/// the headings beside them, so that nothing is cut.
 pub struct Table {
     caption: String,
     head: Vec<String>,
-    rows: Vec<(Option<&'static str>, Vec<String>)>,
+    rows: Vec<(Option<&'static str>, Vec<Cell>)>,
 }
 
 impl Table {
@@ -60,17 +132,28 @@ impl Table {
         }
     }
 
-    /// Adds a row of text.
-    pub fn push(&mut self, cells: impl IntoIterator<Item = String>) {
-        self.rows.push((None, cells.into_iter().collect()));
+    /// Whether it has no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Adds a row.
+    pub fn push<C: Into<Cell>>(&mut self, cells: impl IntoIterator<Item = C>) {
+        self.rows
+            .push((None, cells.into_iter().map(Into::into).collect()));
     }
 
     /// Adds a row of a class of its own, such as `failed`.
-    pub fn push_as(&mut self, class: &'static str, cells: impl IntoIterator<Item = String>) {
-        self.rows.push((Some(class), cells.into_iter().collect()));
+    pub fn push_as<C: Into<Cell>>(
+        &mut self,
+        class: &'static str,
+        cells: impl IntoIterator<Item = C>,
+    ) {
+        self.rows
+            .push((Some(class), cells.into_iter().map(Into::into).collect()));
     }
 
-    /// The table, in a frame that scrolls sideways by keyboard, touch or mouse where the page is narrow.
+    /// The table, in a frame that scrolls sideways by keyboard, touch or mouse should the page be narrower than it.
     #[must_use]
     pub fn html(&self) -> String {
         let caption = escape(&self.caption);
@@ -79,7 +162,12 @@ impl Table {
              <caption>{caption}</caption>\n<thead><tr>"
         );
         for cell in &self.head {
-            let _ = write!(html, "<th scope=\"col\">{}</th>", escape(cell));
+            let class = if cell.chars().count() < SHORT_HEAD {
+                " class=\"short\""
+            } else {
+                ""
+            };
+            let _ = write!(html, "<th scope=\"col\"{class}>{}</th>", escape(cell));
         }
         html.push_str("</tr></thead>\n<tbody>\n");
         for (class, cells) in &self.rows {
@@ -90,17 +178,19 @@ impl Table {
                 None => html.push_str("<tr>"),
             }
             for (column, cell) in cells.iter().enumerate() {
-                let cell = escape(cell);
+                let inner = cell.inner();
                 if column == 0 {
-                    let _ = write!(html, "<th scope=\"row\">{cell}</th>");
-                } else {
-                    let class = match cell.chars().count() {
-                        _ if is_number(&cell) => " class=\"number\"",
-                        0..SHORT => " class=\"short\"",
-                        _ => "",
-                    };
-                    let _ = write!(html, "<td{class}>{cell}</td>");
+                    let _ = write!(html, "<th scope=\"row\">{inner}</th>");
+                    continue;
                 }
+                let class = match cell.text.chars().count() {
+                    _ if is_number(&cell.text) => " class=\"number\"",
+                    0..SHORT => " class=\"short\"",
+                    _ => "",
+                };
+                let head = self.head.get(column).map_or("", String::as_str);
+                let label = escape(head);
+                let _ = write!(html, "<td{class} data-label=\"{label}\">{inner}</td>");
             }
             html.push_str("</tr>\n");
         }
@@ -109,42 +199,82 @@ impl Table {
     }
 }
 
-/// Whether a cell begins like a number, and is to be aligned as one.
+/// Whether a cell begins with a number, and is to be aligned as one.
 fn is_number(cell: &str) -> bool {
-    cell.trim_start_matches('-')
-        .starts_with(|c: char| c.is_ascii_digit())
-        && cell.len() < 24
+    let first = cell.split_whitespace().next().unwrap_or_default();
+    let of_number = |c: char| c.is_ascii_digit() || ".,+-e×%".contains(c);
+    first.contains(|c: char| c.is_ascii_digit())
+        && first.chars().all(of_number)
+        && cell.len() < SHORT
 }
 
-/// Pictures, side by side where the page is wide enough.
+/// What stands behind a line that unfolds it.
 #[must_use]
-pub fn figures(all: &[Figure]) -> String {
-    if all.is_empty() {
-        return String::new();
+pub fn folded(summary: &str, body: &str) -> String {
+    format!(
+        "<details><summary>{}</summary>\n{body}</details>\n",
+        escape(summary)
+    )
+}
+
+/// The pictures of a page, each with a title of its own.
+#[derive(Debug, Default)]
+pub struct Pictures {
+    titles: BTreeSet<String>,
+}
+
+impl Pictures {
+    /// Pictures that belong to something of that name, side by side where the page is wide enough.
+    #[must_use]
+    pub fn several(&mut self, of: &str, all: &[Figure]) -> String {
+        if all.is_empty() {
+            return String::new();
+        }
+        let inner: String = all.iter().map(|figure| self.one(of, figure)).collect();
+        format!("<div class=\"pair\">\n{inner}</div>\n")
     }
-    let inner: String = all.iter().map(figure).collect();
-    format!("<div class=\"pair\">\n{inner}</div>\n")
+
+    /// A picture with its caption, and the numbers behind it to be unfolded. Its title says what it belongs to, and is not
+    /// that of another picture.
+    #[must_use]
+    pub fn one(&mut self, of: &str, shown: &Figure) -> String {
+        let mut chart = shown.chart.clone();
+        if !chart.title.contains(of) {
+            chart.title = format!("{of}: {}", chart.title);
+        }
+        if self.titles.contains(&chart.title) {
+            // What tells two runs apart stands in the caption.
+            let (_, run) = shown.caption.rsplit_once(", ").unwrap_or_default();
+            chart.title = format!("{}, {}", chart.title, run.trim_end_matches('.'));
+        }
+        let title = chart.title.clone();
+        let mut number = 1;
+        while self.titles.contains(&chart.title) {
+            number += 1;
+            chart.title = format!("{title} ({number})");
+        }
+        self.titles.insert(chart.title.clone());
+        html_of(&chart, &shown.caption)
+    }
 }
 
-/// A picture with its caption, and the numbers behind it to be unfolded.
-#[must_use]
-pub fn figure(shown: &Figure) -> String {
-    let chart = &shown.chart;
+fn html_of(chart: &Chart, caption: &str) -> String {
     let mut table = Table::new(&chart.title, &["point", &chart.x.label, &chart.y.label]);
     let bands = |series: &&Series| series.strength != Strength::Band;
     for point in chart.series.iter().filter(bands).flat_map(|s| &s.points) {
         let y = match (&chart.y.scale, point.y) {
             (Scale::Names(names), Some(y)) => names.get(y as usize).cloned().unwrap_or_default(),
-            (_, Some(y)) => number(y),
+            (_, Some(y)) => chart.y.format.written(y),
             (_, None) => "failed".to_owned(),
         };
-        table.push([point.title.replace('\n', ", "), number(point.x), y]);
+        let x = chart.x.format.written(point.x);
+        table.push([point.title.replace('\n', ", "), x, y]);
     }
     format!(
-        "<figure>\n{}\n<figcaption>{}</figcaption>\n<details><summary>the numbers</summary>\n{}</details>\n\
-         </figure>\n",
+        "<figure>\n{}\n<figcaption>{}</figcaption>\n<details class=\"numbers\"><summary>the numbers</summary>\n{}\
+         </details>\n</figure>\n",
         chart.to_svg(),
-        escape(&shown.caption),
+        escape(caption),
         table.html()
     )
 }
@@ -159,12 +289,23 @@ mod tests {
             escape("<script>\"a\" & 'b'</script>"),
             "&lt;script&gt;&quot;a&quot; &amp; &#39;b&#39;&lt;/script&gt;"
         );
-        let mut table = Table::new("<b>", &["<i>"]);
-        table.push_as("failed", ["<u>".to_owned(), "-1.5".to_owned()]);
+        let mut table = Table::new("<b>", &["<em>"]);
+        table.push_as("failed", ["<u>", "-1.5"]);
+        table.push([Cell::linked("<s>", "<q>")]);
         let html = table.html();
-        for tag in ["<b>", "<i>", "<u>"] {
+        for tag in ["<b>", "<em>", "<u>", "<s>", "<q>"] {
             assert!(!html.contains(tag), "{html}");
         }
-        assert!(html.contains("<td class=\"number\">-1.5</td>"));
+        assert!(html.contains("<td class=\"number\" data-label=\"\">-1.5</td>"));
+    }
+
+    #[test]
+    fn what_begins_with_a_number_is_aligned_as_one() {
+        for cell in ["3", "-1.5", "6 of 6", "1.2e-9 %", "2.7×", "+50.0 %"] {
+            assert!(is_number(cell), "{cell}");
+        }
+        for cell in ["3D", "2D, plane strain", "", "-", "e", "at most 2"] {
+            assert!(!is_number(cell), "{cell}");
+        }
     }
 }

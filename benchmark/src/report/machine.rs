@@ -7,7 +7,7 @@ use serde_json::Value;
 /// The section, where the record says anything of its context.
 pub fn section(record: &Record) -> Option<Section> {
     let context = record.context.as_object()?;
-    let mut table = Table::new("context of the record", &["key", "value"]);
+    let mut table = Table::new("Where and how the record was measured", &["key", "value"]);
     for (key, value) in context {
         table.push([key.replace('_', " "), said(value)]);
     }

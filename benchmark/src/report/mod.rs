@@ -1,33 +1,40 @@
 //! A record as one page: HTML that needs no network and no script to be read.
 //!
-//! [`page`] is a function of the record alone, so that a page can be made again, by `proctor report`, from any
-//! record that was kept.
+//! [`page`] is a function of the record alone, or of two records, so that a page can be made again, by `proctor report`,
+//! from any record that was kept. The first screen answers: verdict, gates nearest to their bounds, cheapest method,
+//! stability, speed, what changed. An index of the cases and each case, folded, follow.
 
 mod cases;
+mod cheapest;
+mod gates;
+mod glance;
 mod html;
 mod machine;
 mod plans;
+mod since;
 mod speed;
 mod stability;
 mod studies;
 mod verdict;
 
 use crate::record::Record;
-use html::Section;
 pub(crate) use html::escape;
+use html::{Pictures, Section};
+pub use since::Since;
 use std::fmt::Write as _;
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
 
-/// The page of a record.
+/// The page of a record, with what changed since a base.
 #[must_use]
-pub fn page(record: &Record) -> String {
+pub fn page(record: &Record, since: Option<&Since<'_>>) -> String {
+    let mut pictures = Pictures::default();
     let sections: Vec<Section> = [
-        cases::section(record),
-        studies::section(record),
+        since.map(|since| since::section(since, &mut pictures)),
+        cases::section(record, &mut pictures),
         stability::section(record),
-        speed::section(record),
+        speed::section(record, &mut pictures),
         plans::section(record),
         machine::section(record),
     ]
@@ -38,10 +45,14 @@ pub fn page(record: &Record) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>Proctor: {}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <a class=\"skip\" href=\"#content\">to the results</a>\n<header>\n<h1>Proctor</h1>\n{}\
+         <a class=\"skip\" href=\"#content\">to the results</a>\n<header>\n\
+         <h1>Proctor <small>accuracy, stability and speed of a material point method (MPM) program</small></h1>\n\
+         <p class=\"whence soft\">{}</p>\n{}{}\
          <nav aria-label=\"sections\"><ul>\n",
         escape(verdict::word(record)),
+        verdict::whence(record),
         verdict::html(record),
+        glance::html(record, since),
     );
     for section in &sections {
         let _ = writeln!(

@@ -1,43 +1,56 @@
 //! The plan of each scene: what was kept, what was left out, and why.
 
-use super::html::{Section, Table, escape};
+use super::html::{Section, Table, folded, paragraph};
 use crate::record::Record;
 use crate::record::details::PlanDetail;
-use std::fmt::Write as _;
 
-/// The section, where the record holds plans.
+/// What stands above plans.
+const WHAT: &str = "A scene pays for what it uses: what is left out is never called, and its fields are never allocated.";
+
+/// The plans of the scenes of a case, folded.
+pub fn of_case(record: &Record, case: &str) -> String {
+    let plans = record.details.plans.iter();
+    plans.filter(|plan| is_of(plan, case)).map(one).collect()
+}
+
+/// The section of the plans that belong to no case of the record.
 pub fn section(record: &Record) -> Option<Section> {
-    let plans = &record.details.plans;
-    if plans.is_empty() {
-        return None;
-    }
-    let mut body = String::from(
-        "<p>A scene pays for what it uses: what is left out is never called, and its fields are never \
-         allocated.</p>\n",
-    );
-    for plan in plans {
-        push(&mut body, plan);
-    }
-    Some(Section {
+    let of_a_case = |plan: &&PlanDetail| {
+        let cases = record.details.cases.iter();
+        cases.clone().any(|case| is_of(plan, &case.name))
+    };
+    let plans: Vec<&PlanDetail> = record
+        .details
+        .plans
+        .iter()
+        .filter(|plan| !of_a_case(plan))
+        .collect();
+    (!plans.is_empty()).then(|| Section {
         id: "plans",
         title: "What each scene needs".to_owned(),
-        body,
+        body: plans.into_iter().map(one).collect(),
     })
 }
 
-fn push(body: &mut String, detail: &PlanDetail) {
+/// A plan is called by its case and run.
+fn is_of(plan: &PlanDetail, case: &str) -> bool {
+    let rest = plan.scene.strip_prefix(case);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", "))
+}
+
+fn one(detail: &PlanDetail) -> String {
     let plan = &detail.plan;
     let count = |key: &str| plan[key].as_array().map_or(0, Vec::len);
-    let _ = writeln!(
-        body,
-        "<details><summary>{}: {} kept, {} left out, {} bytes per particle, {} per node</summary>",
-        escape(&detail.scene),
+    let summary = format!(
+        "what the scene needs ({}): {} parts kept, {} left out, {} bytes per particle, {} per node",
+        detail.scene,
         count("kept"),
         count("left_out"),
         plan["bytes_per_particle"],
         plan["bytes_per_node"],
     );
-    let mut table = Table::new(&detail.scene, &["stage or field", "", "because"]);
+    let caption = format!("Plan of {}", detail.scene);
+    let mut table = Table::new(&caption, &["stage or field", "", "because"]);
     for (key, class, word) in [("kept", "passed", "kept"), ("left_out", "", "left out")] {
         for entry in plan[key].as_array().into_iter().flatten() {
             let said = |key: &str| entry[key].as_str().unwrap_or_default().to_owned();
@@ -53,6 +66,5 @@ fn push(body: &mut String, detail: &PlanDetail) {
             }
         }
     }
-    body.push_str(&table.html());
-    body.push_str("</details>\n");
+    folded(&summary, &(paragraph(WHAT) + &table.html()))
 }

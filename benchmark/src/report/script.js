@@ -1,5 +1,5 @@
-// Values of points by mouse, touch and keyboard. Without it the page loses nothing but this: every figure has a
-// table, and every point a title.
+// Values of points by mouse, touch and keyboard; links that open what is folded; everything open on paper. Without it the
+// page loses nothing but this: every figure has a table, every point a title, and what is folded opens by a click.
 (() => {
   const tip = document.createElement("div");
   tip.id = "tip";
@@ -36,6 +36,25 @@
     }
   }
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") hide(); });
-  // What is folded would be missing on paper.
-  addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
+  // A link to what is folded opens it.
+  const unfold = () => {
+    const at = location.hash && document.getElementById(location.hash.slice(1));
+    if (!at) return;
+    for (let part = at; part; part = part.parentElement) if (part.tagName === "DETAILS") part.open = true;
+    at.scrollIntoView();
+  };
+  addEventListener("hashchange", unfold);
+  unfold();
+  // The same link clicked again changes nothing that could be heard of.
+  document.addEventListener("click", (event) => {
+    const link = event.target.closest?.("a[href^='#']");
+    if (link && link.getAttribute("href") === location.hash) unfold();
+  });
+  // What is folded would be missing on paper; the numbers behind pictures, hundreds of pages, stay in the record.
+  let opened = [];
+  addEventListener("beforeprint", () => {
+    opened = [...document.querySelectorAll("details:not(.numbers):not([open])")];
+    opened.forEach((part) => { part.open = true; });
+  });
+  addEventListener("afterprint", () => opened.forEach((part) => { part.open = false; }));
 })();

@@ -1,90 +1,215 @@
-//! Speed of whole steps, beside the floor of the method and the peaks of the machine.
+//! Speed of whole steps, beside what the machine's arithmetic and memory would take alone.
 
-use super::html::{Section, Table, figure, paragraph};
+use super::html::{Cell, Pictures, Section, Table, paragraph};
 use crate::record::details::Figure;
 use crate::record::{Record, Row};
 use crate::show::{figures, grouped, number};
 use crate::statistics::median;
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
-/// Floors of the method on paper \[ns of CPU per particle and step\]: 3D, 27 nodes, one core of 75 GFLOP/s with AVX-512
-/// or of 42 GFLOP/s with AVX2, and two passes over the particles at 11.9 GB/s.
-const FLOORS: [(&str, f64); 3] = [
-    ("floor: arithmetic, AVX-512", 27.0),
-    ("floor: arithmetic, AVX2", 47.0),
-    ("floor: memory, two passes", 23.0),
-];
+/// Whole steps of one scene on one number of threads: medians of the samples.
+pub struct Speed {
+    scene: String,
+    method: String,
+    threads: u64,
+    particles: f64,
+    /// Time by the clock \[ns per particle and step\].
+    wall: f64,
+    /// Time on the processors \[ns per particle and step\].
+    cpu: f64,
+    /// Particles times steps per second.
+    rate: f64,
+    /// The least operations and the least bytes of a step, each over what the machine did at most in the same run.
+    shares: [Option<f64>; 2],
+}
 
-/// The section, where the record holds whole steps.
-pub fn section(record: &Record) -> Option<Section> {
-    let mut steps: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
-    for row in &record.rows {
-        if row.error.is_none() && row.labels.get("stage").is_some_and(|stage| stage == "step") {
-            steps.entry(&row.name).or_default().push(row);
+/// What the shares are of.
+const FLOORS: [&str; 2] = ["arithmetic", "memory"];
+
+impl Speed {
+    /// All whole steps of a record, by name.
+    #[must_use]
+    pub fn all(record: &Record) -> Vec<Self> {
+        let mut steps: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
+        for row in &record.rows {
+            if row.error.is_none() && row.labels.get("stage").is_some_and(|s| s == "step") {
+                steps.entry(&row.name).or_default().push(row);
+            }
+        }
+        steps.values().map(|rows| Self::of(rows)).collect()
+    }
+
+    fn of(rows: &[&Row]) -> Self {
+        let middle = |key: &str| {
+            let values: Vec<f64> = rows
+                .iter()
+                .filter_map(|row| row.counters.get(key).copied())
+                .collect();
+            median(&values)
+        };
+        let or_nothing = |key: &str| middle(key).unwrap_or(f64::NAN);
+        let said = |key: &str| rows[0].labels.get(key).map_or("", String::as_str);
+        Self {
+            scene: said("scene").to_owned(),
+            method: ["shape_function", "stress_scheme_update", "transfer"]
+                .map(said)
+                .join(" "),
+            threads: rows[0].threads,
+            particles: or_nothing("particles"),
+            wall: or_nothing("wall_ns_per_particle_step"),
+            cpu: or_nothing("cpu_ns_per_particle_step"),
+            rate: or_nothing("particle_steps_per_second"),
+            shares: ["share_of_arithmetic", "share_of_bandwidth"].map(middle),
         }
     }
-    if steps.is_empty() {
+
+    fn threads(&self) -> String {
+        threads(self.threads)
+    }
+
+    /// What arithmetic and memory would take alone, each with its name, by the clock \[ns per particle and step\].
+    fn floors(&self) -> Vec<(&'static str, f64, f64)> {
+        let floor = |(name, share): (&'static str, &Option<f64>)| {
+            let share = (*share)?;
+            Some((name, share, share * self.wall))
+        };
+        FLOORS
+            .into_iter()
+            .zip(&self.shares)
+            .filter_map(floor)
+            .collect()
+    }
+}
+
+fn threads(number: u64) -> String {
+    match number {
+        1 => "1 thread".to_owned(),
+        n => format!("{n} threads"),
+    }
+}
+
+fn share(share: f64) -> String {
+    format!("{:.0} %", 100.0 * share)
+}
+
+/// The speed on the fewest threads in a number and a sentence.
+#[must_use]
+pub fn headline(all: &[Speed]) -> Option<[String; 2]> {
+    let one = all.iter().min_by_key(|speed| speed.threads)?;
+    let mut text = format!("per particle and step on {}", one.threads());
+    let floors: Vec<String> = one
+        .floors()
+        .into_iter()
+        .map(|(name, of, _)| format!("{} in {name}", share(of)))
+        .collect();
+    if !floors.is_empty() {
+        text.push_str("; of this machine's peaks it uses ");
+        text.push_str(&floors.join(" and "));
+    }
+    Some([format!("{:.1} ns", one.wall), text])
+}
+
+/// The panel of the first screen: each measured time with the two floors below it.
+#[must_use]
+pub fn panel(all: &[Speed]) -> Option<String> {
+    let longest = all.iter().map(|speed| speed.wall).fold(0.0, f64::max);
+    if longest <= 0.0 {
         return None;
     }
-    let middle = |rows: &[&Row], key: &str| {
-        let values: Vec<f64> = rows
-            .iter()
-            .filter_map(|row| row.counters.get(key).copied())
-            .collect();
-        median(&values).unwrap_or(f64::NAN)
-    };
-    let mut bars: Vec<(String, f64)> = FLOORS
-        .iter()
-        .map(|&(name, floor)| (name.to_owned(), floor))
-        .collect();
+    let head = ["", "ns", ""];
+    let caption = "Time by the clock per particle and step";
+    let mut table = Table::new(caption, &head);
+    let first = &all[0];
+    let one_scene = all.iter().all(|speed| speed.scene == first.scene);
+    for speed in all {
+        let mut name = speed.threads();
+        if !one_scene {
+            name = format!("{}, {name}", speed.scene);
+        }
+        let cells: [Cell; 3] = [
+            name.into(),
+            Cell::with_share(number(speed.wall), speed.wall / longest),
+            format!("{:.1} million particle steps/s", 1e-6 * speed.rate).into(),
+        ];
+        table.push(cells);
+        for (floor, of, ns) in speed.floors() {
+            let cells: [Cell; 3] = [
+                format!("{floor} alone").into(),
+                Cell::with_share(number(ns), ns / longest),
+                format!("{} of the time", share(of)).into(),
+            ];
+            table.push_as("soft", cells);
+        }
+    }
+    let mut html = table.html();
+    let mut note = String::from(
+        "Alone: what the least operations, or bytes, of a step would take at the machine's peaks, measured in the same run.",
+    );
+    if one_scene {
+        let _ = write!(
+            note,
+            " The scene is {}, {} particles, with {}.",
+            first.scene,
+            grouped(first.particles as u64),
+            first.method
+        );
+    }
+    html.push_str(&paragraph(&note));
+    Some(html)
+}
+
+/// The section, where the record holds whole steps.
+pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
+    let all = Speed::all(record);
+    if all.is_empty() {
+        return None;
+    }
+    let mut bars: Vec<(String, f64)> = vec![];
     let head = [
         "scene",
         "method",
         "threads",
         "particles",
-        "wall ns",
-        "CPU ns",
-        "million/s",
-        "of bandwidth",
-        "of arithmetic",
+        "ns by the clock",
+        "ns of processor time",
+        "million particle steps/s",
+        "of the machine's memory",
+        "of its arithmetic",
     ];
-    let mut table = Table::new("ns per particle and step, median of the samples", &head);
-    for rows in steps.values() {
-        let said = |key: &str| rows[0].labels.get(key).map_or("", String::as_str);
-        let (threads, scene) = (rows[0].threads, said("scene"));
-        let cpu = middle(rows, "cpu_ns_per_particle_step");
-        let plural = if threads == 1 { "" } else { "s" };
-        bars.push((format!("{scene}, {threads} thread{plural}: CPU"), cpu));
-        let share = |key: &str| {
-            let share = middle(rows, key);
-            if share.is_finite() {
-                format!("{:.0} %", 100.0 * share)
-            } else {
-                String::new()
-            }
-        };
+    let mut table = Table::new(
+        "Time per particle and step, median of the samples, by scene and threads",
+        &head,
+    );
+    for speed in &all {
+        bars.push((format!("{}, {}", speed.scene, speed.threads()), speed.wall));
+        let floors = speed.floors();
+        bars.extend(
+            floors
+                .iter()
+                .map(|(name, _, ns)| (format!("{name} alone, {}", speed.threads()), *ns)),
+        );
+        let [arithmetic, memory] = speed.shares.map(|of| of.map_or_else(String::new, share));
         table.push([
-            scene.to_owned(),
-            ["shape_function", "stress_scheme_update", "transfer"]
-                .map(said)
-                .join(" "),
-            threads.to_string(),
-            grouped(middle(rows, "particles") as u64),
-            number(middle(rows, "wall_ns_per_particle_step")),
-            number(cpu),
-            format!("{:.2}", 1e-6 * middle(rows, "particle_steps_per_second")),
-            share("share_of_bandwidth"),
-            share("share_of_arithmetic"),
+            speed.scene.clone(),
+            speed.method.clone(),
+            speed.threads.to_string(),
+            grouped(speed.particles as u64),
+            number(speed.wall),
+            number(speed.cpu),
+            format!("{:.2}", 1e-6 * speed.rate),
+            memory,
+            arithmetic,
         ]);
     }
-    let bars: Vec<(String, f64)> = bars.into_iter().filter(|(_, ns)| ns.is_finite()).collect();
+    bars.retain(|(_, ns)| ns.is_finite());
     let picture = Figure {
-        caption: "CPU time per particle and step, beside the least that a step of 27 nodes in 3D can take: arithmetic \
-                  on a core of 75 GFLOP/s with AVX-512 or 42 GFLOP/s with AVX2, memory at 11.9 GB/s."
+        caption: "Time by the clock per particle and step, beside what its least operations and its least bytes would take \
+                  alone at the peaks of this machine, measured in the same run on as many threads."
             .to_owned(),
-        chart: figures::bars("Cost of a step", "ns of CPU per particle and step", &bars),
+        chart: figures::bars("Cost of a step", "ns per particle and step", &bars),
     };
-    let mut body = figure(&picture);
+    let mut body = pictures.one("", &picture);
     body.push_str(&table.html());
     body.push_str(&peaks(record));
     Some(Section {
@@ -105,12 +230,10 @@ fn peaks(record: &Record) -> String {
         ) else {
             continue;
         };
-        let threads = match row.threads {
-            1 => "1 thread".to_owned(),
-            n => format!("{n} threads"),
-        };
         text.push_str(&paragraph(&format!(
-            "This machine with {threads}: triad {:.1} GB/s, multiply-adds {:.1} GFLOP/s, measured in the same run.",
+            "This machine on {}, at most: {:.1} GB/s (a triad, a = b + s c, on arrays beyond the caches) and {:.1} GFLOP/s \
+             (multiply-adds in the widest lanes), measured in the same run.",
+            threads(row.threads),
             1e-9 * bandwidth,
             1e-9 * arithmetic
         )));

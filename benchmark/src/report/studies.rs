@@ -1,53 +1,102 @@
-//! Error against run time: which settings to choose for which accuracy.
+//! Error against run time of a case: which settings to choose for which accuracy.
 
-use super::html::{Section, Table, escape, figures, paragraph};
-use crate::record::Record;
+use super::html::{Pictures, Table, escape, paragraph};
 use crate::record::details::StudyDetail;
+use crate::record::{Kind, Record};
 use std::fmt::Write as _;
 
-/// The section, where the record holds studies.
-pub fn section(record: &Record) -> Option<Section> {
-    let studies = &record.details.studies;
-    if studies.is_empty() {
-        return None;
+/// What the columns of the table are.
+const COLUMNS: &str = "Combination: weighting function, time of the stress update, transfer. C: the time step as c dt/h (wave \
+    speed, time step, cell size). Finest: relative error of the finest run, whose particles, steps, clock (wall) and processor \
+    time (CPU) follow. Order: by which power of the cell size the error fell between the two finest runs. For 1 %, for \
+    0.1 %: time to that error, interpolated between two runs and never beyond them; ≤: the first run had it; a dash: no run had.";
+
+/// What a mark behind a method says.
+const MARKED: &str = "!: with this method no time step is safe for every body.";
+
+/// Error against run time of a case, where the record holds it.
+pub fn of_case(record: &Record, case: &str, pictures: &mut Pictures) -> String {
+    let mut html = String::new();
+    let studies = record.details.studies.iter();
+    let studies: Vec<&StudyDetail> = studies.filter(|study| study.case == case).collect();
+    for study in &studies {
+        html.push_str(&one(record, study, pictures));
     }
-    let mut body = paragraph(
-        "Down and to the left is better: a smaller error for less time. The table beside each picture says what an \
-         error of 1 % and of 0.1 % costs, interpolated along a line and never beyond its ends; a dash means that no \
-         run of the line was so good.",
-    );
-    for study in studies {
-        push(&mut body, study);
+    if !studies.is_empty() {
+        html.push_str(&paragraph(COLUMNS));
+        let marked = |line: &Vec<String>| line.first().is_some_and(|name| name.ends_with('!'));
+        if studies.iter().any(|study| study.table.iter().any(marked)) {
+            html.push_str(&paragraph(MARKED));
+        }
     }
-    Some(Section {
-        id: "precision",
-        title: "Error against run time".to_owned(),
-        body,
-    })
+    html
 }
 
-fn push(body: &mut String, study: &StudyDetail) {
-    let _ = writeln!(
-        body,
-        "<h3>{}: {}</h3>",
-        escape(&study.case),
-        escape(&study.measure)
+fn one(record: &Record, study: &StudyDetail, pictures: &mut Pictures) -> String {
+    let name = format!(
+        "{}: error of the {} against run time",
+        study.case, study.measure
     );
+    let mut html = format!("<h3>{}</h3>\n", escape(&name));
     if !study.findings.is_empty() {
-        body.push_str("<ul>\n");
+        html.push_str("<ul>\n");
         for finding in &study.findings {
-            let _ = writeln!(body, "<li>{}</li>", escape(finding));
+            let _ = writeln!(html, "<li>{}</li>", escape(finding));
         }
-        body.push_str("</ul>\n");
+        html.push_str("</ul>\n");
     }
-    body.push_str(&figures(&study.figures));
+    html.push_str(&pictures.several(&study.case, &study.figures));
     let mut lines = study.table.iter();
-    if let Some(head) = lines.next() {
-        let head: Vec<&str> = head.iter().map(String::as_str).collect();
-        let mut table = Table::new("combinations, the cheapest first", &head);
-        for line in lines {
-            table.push(line.iter().cloned());
-        }
-        body.push_str(&table.html());
+    let Some(head) = lines.next() else {
+        return html;
+    };
+    let reasons: Vec<Option<String>> = study.table[1..]
+        .iter()
+        .map(|line| line.first().and_then(|name| failure(record, study, name)))
+        .collect();
+    let mut head: Vec<&str> = head.iter().map(String::as_str).collect();
+    if reasons.iter().any(Option::is_some) {
+        head.push("why runs failed");
     }
+    let caption =
+        format!("{name}: by the time for 0.1 %, then for 1 %, then by the error of the finest run");
+    let mut table = Table::new(&caption, &head);
+    for (line, reason) in lines.zip(reasons) {
+        let mut cells: Vec<String> = line.iter().map(|cell| cell.replace("<=", "≤")).collect();
+        if cells.len() < head.len() {
+            cells.resize(head.len() - 1, String::new());
+            cells.push(reason.unwrap_or_default());
+        }
+        table.push(cells);
+    }
+    html.push_str(&table.html());
+    html
+}
+
+/// Why runs of a method failed, the finest of them, where one did.
+fn failure(record: &Record, study: &StudyDetail, name: &str) -> Option<String> {
+    let method = name.trim_end_matches(" !");
+    let mut failed: Vec<(f64, &str)> = vec![];
+    for row in &record.rows {
+        let word = |key: &str| row.labels.get(key).map_or("", String::as_str);
+        let is_run = matches!(row.kind, Kind::Sample { .. }) && row.name.starts_with("precision/");
+        if is_run
+            && word("case") == study.case
+            && ["weighting", "scheme", "transfer"].map(word).join(" ") == method
+            && let Some(reason) = &row.error
+        {
+            let cell = row.counters.get("cell_size").copied();
+            failed.push((cell.unwrap_or(f64::INFINITY), reason));
+        }
+    }
+    failed.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    let (cell, reason) = failed.first()?;
+    let more = match failed.len() {
+        1 => String::new(),
+        n => format!(" ({n} runs; this is the finest)"),
+    };
+    Some(format!(
+        "h = {} m: {reason}{more}",
+        crate::show::number(*cell)
+    ))
 }

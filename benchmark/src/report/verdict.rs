@@ -1,9 +1,11 @@
 //! The verdict, first thing on the page.
 
+use super::gates;
 use super::html::escape;
 use crate::record::Record;
-use crate::record::details::GateDetail;
+use crate::record::details::{CaseDetail, GateDetail};
 use crate::stability::extreme::ROWS as EXTREME;
+use std::fmt::Write as _;
 
 /// One word for the whole record.
 pub fn word(record: &Record) -> &'static str {
@@ -19,7 +21,7 @@ pub fn word(record: &Record) -> &'static str {
     }
 }
 
-/// The verdict with what it rests on.
+/// The verdict with what it rests on, and what failed.
 pub fn html(record: &Record) -> String {
     let word = word(record);
     let class = if word == "PASS" {
@@ -27,17 +29,22 @@ pub fn html(record: &Record) -> String {
     } else {
         "verdict fail"
     };
-    let gates = gates(record);
-    let passed = gates.iter().filter(|gate| gate.passed).count();
-    let mut text = format!(
-        "{passed} of {} gates in {} cases.",
-        gates.len(),
-        record.details.cases.len()
-    );
-    if record.details.stability.is_some() {
-        text.truncate(text.len() - 1);
-        text.push_str(" and of stability.");
+    let all = gates(record);
+    let passed = all.iter().filter(|gate| gate.passed).count();
+    let mut of = vec![];
+    match record.details.cases.len() {
+        0 => {}
+        1 => of.push("of 1 case with a known answer".to_owned()),
+        n => of.push(format!("of {n} cases with a known answer")),
     }
+    if record.details.stability.is_some() {
+        of.push("of stability".to_owned());
+    }
+    let mut text = format!("{passed} of {} gates hold", all.len());
+    if !of.is_empty() {
+        let _ = write!(text, ", {}", of.join(" and "));
+    }
+    text.push('.');
     let failed = match failed_rows(record) {
         0 => String::new(),
         1 => " One run failed.".to_owned(),
@@ -47,25 +54,70 @@ pub fn html(record: &Record) -> String {
     if record.incomplete() {
         text.push_str(" The record is incomplete: it was interrupted.");
     }
+    let cases = &record.details.cases;
+    let failing: Vec<String> = cases
+        .iter()
+        .filter(|case| !holds(case, record))
+        .map(|case| {
+            let name = escape(&case.name);
+            format!("<a href=\"#case-{name}\">{name}</a>")
+        })
+        .collect();
+    if !failing.is_empty() {
+        let _ = write!(text, " Failed: {}.", failing.join(", "));
+    }
+    format!(
+        "<div class=\"{class}\" role=\"status\"><strong>{}</strong> {text} <span class=\"soft\">A gate is a bound that a \
+         result must keep, such as 1 % for the error against an exact solution.</span></div>\n",
+        escape(word),
+    )
+}
+
+/// Where and when it was measured, in a line.
+pub fn whence(record: &Record) -> String {
     let said = |key: &str| record.context[key].as_str().map(escape);
     let mut whence = vec![];
     if let Some(commit) = said("commit") {
         let dirty = if record.context["dirty"] == true {
-            ", with changes"
+            ", with uncommitted changes"
         } else {
             ""
         };
-        whence.push(format!("commit {}{dirty}", &commit[..commit.len().min(12)]));
+        whence.push(format!("commit {}{dirty}", &commit[..commit.len().min(10)]));
     }
-    whence.extend(said("date"));
+    whence.extend(said("date").map(|date| date.replace('T', " ").replace("+00:00", " UTC")));
     whence.extend(said("cpu_model"));
-    whence.extend(said("lanes").map(|lanes| format!("{lanes} lanes")));
-    format!(
-        "<div class=\"{class}\" role=\"status\"><strong>{}</strong> {text}<br>\
-         <span class=\"soft\">{}</span></div>\n",
-        escape(word),
-        whence.join(" · ")
-    )
+    whence.join(" · ")
+}
+
+/// Whether all gates of a case hold and all its runs were solved.
+pub fn holds(case: &CaseDetail, record: &Record) -> bool {
+    let mut runs = record.rows.iter().filter(|row| is_run_of(&row.name, case));
+    case.gates.iter().all(|gate| gate.passed) && runs.all(|row| row.error.is_none())
+}
+
+/// The gate of a case that is nearest to its bound, as a share of it.
+pub fn nearest(case: &CaseDetail) -> Option<&GateDetail> {
+    let gates = case.gates.iter();
+    gates.max_by(|a, b| a.used().total_cmp(&b.used()))
+}
+
+/// The nearest gate of all cases in a number and a sentence.
+pub fn headline(record: &Record) -> Option<[String; 2]> {
+    let ranked = gates::ranked(record);
+    let (case, gate) = ranked.first()?;
+    let [found, bound] = gates::of_case(gate);
+    Some([
+        crate::show::summary::share(gate.used()),
+        format!(
+            "of its bound is used up by the nearest gate, of {case}: {found} found, {bound} accepted"
+        ),
+    ])
+}
+
+fn is_run_of(name: &str, case: &CaseDetail) -> bool {
+    name.strip_prefix(&case.name)
+        .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
 fn gates(record: &Record) -> Vec<&GateDetail> {
@@ -82,10 +134,11 @@ fn gates(record: &Record) -> Vec<&GateDetail> {
 fn failed_rows(record: &Record) -> usize {
     let judged = |name: &str| {
         name.starts_with(EXTREME)
-            || record.details.cases.iter().any(|case| {
-                name.strip_prefix(&case.name)
-                    .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
-            })
+            || record
+                .details
+                .cases
+                .iter()
+                .any(|case| is_run_of(name, case))
     };
     record
         .rows

@@ -175,7 +175,7 @@ fn word(finding: &Finding) -> &'static str {
 }
 
 /// What is said of which case; cases of which the same is said share a line.
-fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
+pub(crate) fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
     let mut lines: Vec<(&str, &str, Vec<String>)> = vec![];
     for finding in &comparison.findings {
         for reason in &finding.reasons {
@@ -209,7 +209,7 @@ fn told(comparison: &Comparison) -> Vec<String> {
 }
 
 /// What was compared, and what could not be.
-fn compared(comparison: &Comparison) -> String {
+pub(crate) fn compared(comparison: &Comparison) -> String {
     let tallies = comparison.tallies();
     let part = |tally: &Tally| {
         let word = tally.meaning.plural();
@@ -268,7 +268,17 @@ pub fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<(
     writeln!(out, "{:indent$}{line}", "")
 }
 
-fn verdict_line(comparison: &Comparison) -> String {
+/// The verdict in a word.
+pub(crate) fn verdict_word(comparison: &Comparison) -> &'static str {
+    match comparison.verdict() {
+        Verdict::Fine => "FINE",
+        Verdict::Worse => "WORSE",
+        Verdict::CannotCompare => "CANNOT COMPARE",
+    }
+}
+
+/// The verdict, and how many cases it rests on.
+pub(crate) fn verdict_line(comparison: &Comparison) -> String {
     let count = |verdict| {
         let of_it = comparison.findings.iter().filter(|f| f.verdict == verdict);
         of_it.count()
@@ -290,11 +300,7 @@ fn verdict_line(comparison: &Comparison) -> String {
     } else {
         parts.join(", ")
     };
-    let verdict = match comparison.verdict() {
-        Verdict::Fine => "FINE",
-        Verdict::Worse => "WORSE",
-        Verdict::CannotCompare => "CANNOT COMPARE",
-    };
+    let verdict = verdict_word(comparison);
     let times = if comparison.times_left_out {
         "; times left out"
     } else {

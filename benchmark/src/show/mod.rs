@@ -55,7 +55,7 @@ pub fn seconds(s: f64) -> String {
     let (value, unit) = match s {
         _ if s >= 1.0 => (s, "s"),
         _ if s >= 1e-3 => (s * 1e3, "ms"),
-        _ => (s * 1e6, "us"),
+        _ => (s * 1e6, "µs"),
     };
     let decimals = match value {
         _ if value >= 100.0 => 0,
@@ -72,13 +72,14 @@ pub fn percent(error: f64) -> String {
         return "-".to_owned();
     }
     let value = 100.0 * error;
-    if value != 0.0 && value < 1e-3 {
+    let size = value.abs();
+    if value != 0.0 && size < 1e-3 {
         format!("{value:.1e} %")
     } else {
         let decimals = if value == 0.0 {
             0
         } else {
-            (2 - value.log10().floor() as i32).max(0) as usize
+            (2 - size.log10().floor() as i32).max(0) as usize
         };
         format!("{value:.decimals$} %")
     }
@@ -185,6 +186,8 @@ mod tests {
         assert_eq!(percent(2.5), "250 %");
         assert_eq!(percent(1e-9), "1.0e-7 %");
         assert_eq!(percent(0.0), "0 %");
+        assert_eq!(percent(-0.123_4), "-12.3 %");
+        assert_eq!(percent(-1e-9), "-1.0e-7 %");
         assert_eq!(percent(f64::NAN), "-");
     }
 

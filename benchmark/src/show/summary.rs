@@ -91,7 +91,7 @@ impl Lines {
 }
 
 /// A share of a bound. What holds is never told as all of it or more.
-fn share(used: f64) -> String {
+pub(crate) fn share(used: f64) -> String {
     let percent = 100.0 * used;
     match percent {
         _ if percent <= 99.0 => format!("{percent:.0} %"),

@@ -58,10 +58,6 @@ pub struct Compare {
     strict: bool,
 }
 
-/// What is said where there are no pairs of runs.
-const ONCE: &str = "note: times were measured once and are not judged; scripts/compare-commits BASE measures two commits in \
-                    pairs, and a folder with one record per pass is such a measurement, too";
-
 impl Compare {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let base = Record::read_joined(&self.base).map_err(Failure::bad_input)?;
@@ -70,22 +66,18 @@ impl Compare {
         let noise = noise.map_err(Failure::bad_input)?;
         let read = |path: &PathBuf| Ledger::read(path).map_err(Failure::bad_input);
         let ledger = self.ledger.as_ref().map(read).transpose()?;
-        let once = !self.ignore_time && judge::measured_once(&base, &head);
         let rules = Rules {
-            ignore_time: self.ignore_time || once,
+            ignore_time: self.ignore_time,
             noise: noise.as_ref(),
             ledger: ledger.as_ref(),
             strict: self.strict,
         };
-        let mut comparison = judge::compare(&base, &head, &rules);
+        let mut comparison = judge::compare_as_measured(&base, &head, &rules);
         if let (Some(ledger), Some(before)) = (&ledger, &self.continues)
             && !ledger.continues(&read(before)?)
         {
             let what = "lines of the ledger were changed or removed: it may only grow at its end";
             comparison.obstacles.push(what.to_owned());
-        }
-        if once {
-            comparison.notes.push(ONCE.to_owned());
         }
         show::terminal(&comparison, out)?;
         if let Some(path) = &self.markdown {

@@ -335,6 +335,6 @@ fn files(folder: &Path) -> [PathBuf; 2] {
 fn write(record: &Record, folder: &Path) -> Result<(), Failure> {
     let [data, page] = files(folder);
     record.write(&data).map_err(Failure::bad_input)?;
-    let html = report::page(record);
+    let html = report::page(record, None);
     atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)
 }

@@ -2,23 +2,30 @@
 
 use crate::exit::{Failure, Outcome};
 use crate::record::Record;
-use crate::report;
+use crate::report::{self, Since};
+use crate::show::comparison;
 use clap::Args;
 use proctor_files::output::atomic;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Make the page of a record: verdict, cases, error against run time, speed, plans, machine.
+/// Make the page of a record: verdict, what is nearest to its bound, cheapest method, stability, speed, every case.
 ///
 /// The page is one file that needs no network. It shows what the record holds: `proctor` without a verb writes one
-/// with everything, `verify`, `precision` and `bench` write their own parts with --json.
+/// with everything, `verify`, `precision`, `stability` and `bench` write their own parts with --json. With --base it shows
+/// what got worse and what got better since another record, by the judge of `compare`; whether that is fine is for `compare`
+/// to say with its exit code.
 #[derive(Args)]
 #[command(
-    after_help = "Example: proctor verify --quick --json record.json; proctor report record.json"
+    after_help = "Example: proctor verify --quick --json record.json; proctor report record.json\n\
+    What changed: proctor report head.json --base base.json"
 )]
 pub struct Report {
     /// Record (JSON)
     record: PathBuf,
+    /// Earlier record: what changed since, as tables and pictures
+    #[arg(long, value_name = "RECORD")]
+    base: Option<PathBuf>,
     /// The page [default: the name of the record with .html]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -27,16 +34,22 @@ pub struct Report {
 impl Report {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let record = Record::read(&self.record).map_err(Failure::bad_input)?;
+        let base = self.base.as_deref().map(Record::read).transpose();
+        let base = base.map_err(Failure::bad_input)?;
         let page = self.out.clone();
         let page = page.unwrap_or_else(|| self.record.with_extension("html"));
-        if page == self.record {
+        if page == self.record || Some(&page) == self.base.as_ref() {
             return Err(Failure::BadInput(format!(
-                "{}: the page would replace the record; accepted: another name with --out",
+                "{}: the page would replace a record; accepted: another name with --out",
                 page.display()
             )));
         }
-        let html = report::page(&record);
+        let since = base.as_ref().map(|base| Since::new(base, &record));
+        let html = report::page(&record, since.as_ref());
         atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)?;
+        if let Some(since) = &since {
+            writeln!(out, "{}", comparison::verdict_line(since.comparison()))?;
+        }
         writeln!(out, "page in {}", page.display())?;
         Ok(Outcome::Fine)
     }

@@ -16,6 +16,7 @@ mod new;
 mod pipe;
 mod plan;
 mod precision;
+mod report;
 mod restart;
 mod run;
 #[cfg(unix)]

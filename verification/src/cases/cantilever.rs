@@ -291,8 +291,8 @@ impl Case for Cantilever {
 impl Study for Cantilever {
     fn path(&self, size: Size) -> Vec<Rung> {
         let cells = match size {
-            Size::Quick => &CELLS[..2],
-            Size::Full => &CELLS[..3],
+            Size::Quick => &CELLS[..3],
+            Size::Full => &CELLS,
         };
         Rung::ladders(&[(BARE, cells)])
     }

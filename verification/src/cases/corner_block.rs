@@ -155,7 +155,7 @@ impl Case for CornerBlock {
 impl Study for CornerBlock {
     fn path(&self, size: Size) -> Vec<Rung> {
         let cells: &[f64] = match size {
-            Size::Quick => &[0.25, 0.125],
+            Size::Quick => &[0.5, 0.25],
             Size::Full => &[0.25, 0.125, 0.0625],
         };
         Rung::ladders(&[(VARIANTS[0], cells)])

@@ -9,9 +9,9 @@ use crate::study::{Failure, Observer, Phase};
 /// Steps after which the relaxation of a case's own settings that has not come to rest is given up: twenty times what
 /// the finest rung of any case takes.
 const MOST_STEPS: u64 = 100_000;
-/// Steps per cell along a body after which the relaxation of other settings is given up, at `c dt/h = 0.35`: USL takes
-/// about 35.
-const MOST_STEPS_PER_CELL: f64 = 200.0;
+/// Steps per cell along a body after which the relaxation of other settings is given up, at `c dt/h = 0.35`: until the
+/// unbalanced force is 1e-8 of the load USL takes about 35.
+const MOST_STEPS_PER_CELL: f64 = 100.0;
 
 /// Steps that a relaxation with settings is given on a body of so many cells: a combination that never comes to rest
 /// must not hold up a study.

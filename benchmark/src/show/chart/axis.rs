@@ -49,6 +49,8 @@ pub struct Tick {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranged {
     scale: Scale,
+    /// How values are written.
+    pub format: Format,
     low: f64,
     high: f64,
     /// Ticks with text.
@@ -88,6 +90,7 @@ impl Axis {
         });
         Ranged {
             scale: self.scale.clone(),
+            format: self.format,
             low: -0.5,
             high: names.len().max(1) as f64 - 0.5,
             ticks: ticks.collect(),
@@ -134,6 +137,7 @@ impl Axis {
         };
         Ranged {
             scale: Scale::Log,
+            format: self.format,
             low,
             high,
             ticks,
@@ -173,6 +177,7 @@ impl Axis {
             .collect();
         Ranged {
             scale: Scale::Linear,
+            format: self.format,
             low: first * step,
             high: last * step,
             ticks,
@@ -195,6 +200,16 @@ impl Axis {
 }
 
 impl Format {
+    /// A value as tables write it.
+    #[must_use]
+    pub fn written(self, value: f64) -> String {
+        match self {
+            Self::Number => crate::show::number(value),
+            Self::Percent => crate::show::percent(value),
+            Self::Seconds => crate::show::seconds(value),
+        }
+    }
+
     /// A value on its own, as on a logarithmic axis.
     fn alone(self, value: f64) -> String {
         match self {

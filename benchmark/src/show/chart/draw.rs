@@ -347,7 +347,7 @@ fn bar(out: &mut String, layout: &Layout, series: &Series, point: &Point, at: [f
         look_of_point(series.colour, false),
         escaped(&point.title)
     );
-    let text = crate::show::number(point.x);
+    let text = layout.x.format.written(point.x);
     let halo = format!(
         " class=\"halo\" stroke=\"{PAPER_LIGHT}\" stroke-width=\"3\" paint-order=\"stroke\" stroke-linejoin=\"round\""
     );

@@ -282,23 +282,29 @@ pub fn drawing(drawing: &Drawing) -> Chart {
 /// Bars of one value per name, such as the speed of each number of threads.
 #[must_use]
 pub fn bars(title: &str, quantity: &str, values: &[(String, f64)]) -> Chart {
+    bars_of(title, quantity, Format::Number, values)
+}
+
+/// Bars of values that are written in a format.
+#[must_use]
+pub fn bars_of(title: &str, quantity: &str, format: Format, values: &[(String, f64)]) -> Chart {
     let points = values.iter().enumerate().map(|(i, (name, value))| Point {
         x: *value,
         y: Some(i as f64),
-        title: format!("{name}: {}", number(*value)),
+        title: format!("{name}: {}", format.written(*value)),
     });
     Chart {
         equal: false,
         title: title.to_owned(),
         description: values
             .iter()
-            .map(|(name, value)| format!("{name}: {} {quantity}.", number(*value)))
+            .map(|(name, value)| format!("{name}: {} {quantity}.", format.written(*value)))
             .collect::<Vec<_>>()
             .join(" "),
         x: Axis {
             label: quantity.to_owned(),
             scale: Scale::Linear,
-            format: Format::Number,
+            format,
         },
         y: Axis {
             label: String::new(),

@@ -2,16 +2,12 @@
 //!
 //! A table with the headings `case`, `gate`, `found`, `bound` names gates as `proctor verify` does. What it prints must be
 //! what the record holds, to the digits it prints.
-#![allow(missing_docs)]
 
 use proctor_benchmark::record::export::{Format, text};
 use proctor_benchmark::record::{Kind, Record, Row};
 use std::fs;
-use std::path::PathBuf;
 
-fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
-}
+use super::{DOCUMENTS, root};
 
 fn kept() -> Record {
     Record::read(&root().join("fixtures/expected/full.json")).expect("the kept record")
@@ -51,7 +47,7 @@ fn gate<'a>(record: &'a Record, case: &str, name: &str) -> Option<&'a Row> {
 fn tables_print_what_the_kept_record_holds() {
     let record = kept();
     let mut checked = 0;
-    for document in ["README.md", "verification/README.md"] {
+    for document in DOCUMENTS {
         let text = fs::read_to_string(root().join(document)).expect("a document");
         let mut inside = false;
         for line in text.lines() {

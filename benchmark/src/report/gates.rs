@@ -1,0 +1,156 @@
+//! Gates: what was found of each, its bound, and which are nearest to theirs.
+
+use super::html::{Cell, Table};
+use crate::record::Record;
+use crate::record::details::GateDetail;
+use crate::show::{number, percent, summary};
+
+/// Gates that are shown as the nearest to their bounds.
+const NEAREST: usize = 5;
+
+/// How the numbers of a gate are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unit {
+    /// A relative error, or one thing over another.
+    Percent,
+    /// An observed order, a count, or a ratio that is not an error.
+    Plain,
+    /// Newton.
+    Force,
+}
+
+impl Unit {
+    /// That of a gate of a case, which its name tells: what is no order, no force and no count is relative.
+    fn of_case(name: &str) -> Self {
+        if name.contains("observed order") || name.ends_with("most of any step") {
+            Self::Plain
+        } else if name.ends_with(" N") {
+            Self::Force
+        } else {
+            Self::Percent
+        }
+    }
+
+    fn written(self, value: f64) -> String {
+        match self {
+            Self::Percent => percent(value),
+            Self::Plain => number(value),
+            Self::Force => format!("{} N", number(value)),
+        }
+    }
+}
+
+/// What a gate found, and its bound.
+fn found_and_bound(gate: &GateDetail, unit: Unit) -> [String; 2] {
+    [
+        gate.value
+            .map_or_else(|| "nothing".to_owned(), |value| unit.written(value)),
+        format!("{} {}", gate.relation, unit.written(gate.bound)),
+    ]
+}
+
+/// A value of a gate of that name of a case.
+pub fn value_of_case(name: &str, value: f64) -> String {
+    Unit::of_case(name).written(value)
+}
+
+/// What a gate of a case found, and its bound.
+pub fn of_case(gate: &GateDetail) -> [String; 2] {
+    found_and_bound(gate, Unit::of_case(&gate.name))
+}
+
+/// What a gate found of which nothing is relative, and its bound.
+pub fn plain(gate: &GateDetail) -> [String; 2] {
+    found_and_bound(gate, Unit::Plain)
+}
+
+/// Gates with their reasons; `written` says what was found and the bound.
+pub fn table(
+    caption: &str,
+    gates: &[GateDetail],
+    written: fn(&GateDetail) -> [String; 2],
+) -> Table {
+    let head = [
+        "what is bounded",
+        "",
+        "found",
+        "bound",
+        "of its bound",
+        "why this bound",
+    ];
+    let mut table = Table::new(caption, &head);
+    for gate in gates {
+        let (class, word) = if gate.passed {
+            ("passed", "PASS")
+        } else {
+            ("failed", "FAIL")
+        };
+        let [found, bound] = written(gate);
+        let cells: [Cell; 6] = [
+            gate.name.clone().into(),
+            word.into(),
+            found.into(),
+            bound.into(),
+            used(gate),
+            gate.reason.clone().into(),
+        ];
+        table.push_as(class, cells);
+    }
+    table
+}
+
+/// The share of its bound that a gate uses up, as a bar.
+pub fn used(gate: &GateDetail) -> Cell {
+    let used = gate.used();
+    Cell::with_share(summary::share(used), used.min(1.0))
+}
+
+/// The gates of a record with the case that each belongs to, the nearest to its bound first; what does not hold comes
+/// before all else.
+pub fn ranked(record: &Record) -> Vec<(&str, &GateDetail)> {
+    let mut gates: Vec<(&str, &GateDetail)> = vec![];
+    for case in &record.details.cases {
+        gates.extend(case.gates.iter().map(|gate| (case.name.as_str(), gate)));
+    }
+    gates.sort_by(|(_, a), (_, b)| b.used().total_cmp(&a.used()));
+    gates
+}
+
+/// The gates of cases that are nearest to their bounds.
+pub fn nearest(record: &Record) -> Option<Table> {
+    let ranked = ranked(record);
+    let head = ["case and gate", "of its bound", "found, bound"];
+    let caption =
+        "How much of its bound each uses up, the most first; what fails comes before all else";
+    let mut table = Table::new(caption, &head);
+    let failing = ranked.iter().filter(|(_, gate)| !gate.passed).count();
+    for (case, gate) in ranked.iter().take(NEAREST.max(failing)) {
+        let [found, bound] = of_case(gate);
+        let name = Cell::linked(format!("{case}: {}", gate.name), format!("case-{case}"));
+        let cells: [Cell; 3] = [name, used(gate), format!("{found}, {bound}").into()];
+        table.push_as(if gate.passed { "passed" } else { "failed" }, cells);
+    }
+    (!table.is_empty()).then_some(table)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_a_gate_are_in_per_cent_unless_its_name_says_otherwise() {
+        for (name, value, written) in [
+            ("error of L2(u), H/h=64", 0.0125, "1.25 %"),
+            ("sum of momenta over that of one ring", 2e-17, "2.0e-15 %"),
+            ("node: observed order of L2(u)", 1.96, "1.96"),
+            (
+                "what friction adds to the force at 60 s, less 5.4 N",
+                0.5,
+                "0.5 N",
+            ),
+            ("vertices inside another grain, most of any step", 0.0, "0"),
+        ] {
+            assert_eq!(Unit::of_case(name).written(value), written, "{name}");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The first screen: the answers in a line each, and the panels behind them.
+
+use super::cheapest::{self, Costs};
+use super::html::escape;
+use super::since::{self, Since};
+use super::speed::{self, Speed};
+use super::{gates, stability, verdict};
+use crate::record::Record;
+use std::fmt::Write as _;
+
+/// An answer: what it is about, a number or a word, a sentence, and the panel that has more.
+struct Answer {
+    about: &'static str,
+    anchor: &'static str,
+    said: [String; 2],
+    /// Whether it is one to worry about.
+    bad: bool,
+}
+
+/// The first screen below the verdict.
+#[must_use]
+pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
+    let (costs, speeds) = (Costs::all(record), Speed::all(record));
+    let mut answers: Vec<Answer> = vec![];
+    let mut answer = |about, anchor, found: Option<[String; 2]>, bad| {
+        answers.extend(found.map(|said| Answer {
+            about,
+            anchor,
+            said,
+            bad,
+        }));
+    };
+    let failing = gates::ranked(record).iter().any(|(_, gate)| !gate.passed);
+    answer(
+        "Nearest gate",
+        "nearest",
+        verdict::headline(record),
+        failing,
+    );
+    answer(
+        "Cheapest method",
+        "cheapest",
+        cheapest::headline(&costs),
+        false,
+    );
+    answer(
+        "Stability",
+        "stable",
+        stability::headline(record),
+        stability::failing(record),
+    );
+    answer("Speed", "fast", speed::headline(&speeds), false);
+    let (what, bad) = since::headline(since);
+    answer("Changes", "since", Some(what), bad);
+    let mut html = String::from("<dl class=\"answers\">\n");
+    for Answer {
+        about,
+        anchor,
+        said: [big, text],
+        bad,
+    } in &answers
+    {
+        let class = if *bad { " class=\"bad\"" } else { "" };
+        let _ = writeln!(
+            html,
+            "<div{class}><dt><a href=\"#{anchor}\">{about}</a></dt><dd><strong>{}</strong> {}</dd></div>",
+            escape(big),
+            escape(text)
+        );
+    }
+    html.push_str("</dl>\n<div class=\"panels\">\n");
+    let columns = [
+        vec![(
+            "cheapest",
+            "Cheapest method for 1 % and 0.1 %",
+            cheapest::panel(&costs),
+        )],
+        vec![
+            (
+                "nearest",
+                "Gates nearest to their bounds",
+                gates::nearest(record).map(|table| table.html()),
+            ),
+            ("since", "What changed", Some(since::panel(since))),
+        ],
+        vec![
+            ("stable", "Stability at a glance", stability::panel(record)),
+            (
+                "fast",
+                "Speed against the machine's limits",
+                speed::panel(&speeds),
+            ),
+        ],
+    ];
+    for panels in columns {
+        html.push_str("<div>\n");
+        for (id, heading, body) in panels {
+            let Some(body) = body else { continue };
+            let _ = write!(
+                html,
+                "<section class=\"panel\" aria-labelledby=\"{id}\">\n<h2 id=\"{id}\">{heading}</h2>\n{body}</section>\n"
+            );
+        }
+        html.push_str("</div>\n");
+    }
+    html.push_str("</div>\n");
+    html
+}

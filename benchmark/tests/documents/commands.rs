@@ -1,0 +1,284 @@
+//! The commands that the documents print are run, in their order, in one folder per document.
+//!
+//! The arguments of each must be such as the command takes. What is no synopsis is run as it stands, but for what takes
+//! minutes or needs other programs: that is run on less, or not at all, and [`how`] says why.
+
+use super::found::{Printed, commands, readings, words};
+use super::{DOCUMENTS, root};
+use proctor_benchmark::takes;
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use tempfile::TempDir;
+
+/// How a command is run.
+#[derive(Debug, PartialEq, Eq)]
+enum How {
+    /// As it stands.
+    AsItStands,
+    /// With these arguments after its own: the same on less.
+    With(&'static [&'static str]),
+    /// With these arguments in their place, which say the same on less.
+    Instead(&'static [&'static str]),
+    /// Its arguments are checked, and it is not run, for that reason.
+    NotRun(&'static str),
+}
+
+/// How a command of this program is run.
+fn how(arguments: &[&str]) -> How {
+    match arguments {
+        [] => How::NotRun("the main job takes minutes; CI runs it and looks at what it writes"),
+        ["stability", "--extreme"] => How::With(&["--row", "denormals"]),
+        ["stability", ..] => {
+            How::NotRun("all methods take minutes; tests/command/stability.rs runs some of them")
+        }
+        ["verify"] | ["verify", "--quick"] => {
+            How::NotRun("all cases take a minute; tests/cases.rs of the verification runs them")
+        }
+        // Names and options are looked at; the runs are those of tests/cases.rs.
+        ["verify", ..] => How::With(&["--quick", "--list"]),
+        ["precision"] => How::NotRun("all studies take minutes"),
+        ["precision", "boussinesq", rest @ ..] if rest.contains(&"--executables") => {
+            // The solver stays out: the one that is here can do nothing but fall; tests/command/guests.rs hands it cases.
+            How::Instead(&["precision", "step-bar", "--quick", "--svg", "charts"])
+        }
+        ["precision", "boussinesq", ..] => How::Instead(&["precision", "self-weight", "--quick"]),
+        ["precision" | "bench", ..] if !arguments.contains(&"--quick") => How::With(&["--quick"]),
+        ["run", "fixtures/scenes/speed/block_1m.json", ..] => {
+            How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
+        }
+        _ => How::AsItStands,
+    }
+}
+
+/// Arguments of this program in a command of a document: after `proctor` or `cargo run --release --`, or those that begin
+/// with a verb; none for other programs.
+fn own(words: &[String]) -> Option<Vec<&str>> {
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words[..] {
+        ["proctor", ref arguments @ ..]
+        | [_, "|", "proctor", ref arguments @ ..]
+        | ["cargo", "run", "--release", "--", ref arguments @ ..] => Some(arguments.to_vec()),
+        ["cargo", "run", "--release"] => Some(vec![]),
+        ["cargo", ..] => None,
+        [script, ..] if script.starts_with("scripts/") => None,
+        ref arguments => Some(arguments.to_vec()),
+    }
+}
+
+/// A folder in which the commands of a document find what they name.
+fn desk() -> TempDir {
+    let desk = TempDir::new().expect("a folder");
+    let at = |name: &str| desk.path().join(name);
+    // What a checkout has; files that are written go into the folder.
+    copy(&root().join("fixtures/scenes"), &at("fixtures/scenes"));
+    copy(&root().join("fixtures/bench"), &at("fixtures/bench"));
+    copy(&root().join("fixtures/bench"), desk.path());
+    // A hundredth of the work.
+    let rings = at("fixtures/bench/rings.json");
+    let text = fs::read_to_string(&rings).expect("a configuration");
+    let less = text.replace("30000000", "300000");
+    assert_ne!(text, less);
+    fs::write(&rings, less).expect("a configuration");
+    copy(&root().join("fixtures/scenes"), &at("scenes"));
+    fs::copy(at("fixtures/bench/peers.json"), at("peer.json")).expect("a configuration");
+    let record = ["verify", "bar", "--quick", "--json", "record.json"];
+    run(desk.path(), &record).expect("a record");
+    for name in ["base.json", "head.json"] {
+        fs::copy(at("record.json"), at(name)).expect("a record");
+    }
+    desk
+}
+
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).expect("a folder");
+    for entry in fs::read_dir(from).expect("a folder").flatten() {
+        let (path, to) = (entry.path(), to.join(entry.file_name()));
+        if path.is_dir() {
+            copy(&path, &to);
+        } else {
+            fs::copy(&path, &to).expect("a file");
+        }
+    }
+}
+
+/// Runs this program in a folder, with a scene on standard input.
+fn run(folder: &Path, arguments: &[&str]) -> Result<(), String> {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_proctor"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(|error| error.to_string())?;
+    if let Some(mut input) = child.stdin.take() {
+        let scene = fs::read(folder.join("column.json")).unwrap_or_default();
+        // Who does not read it closes it.
+        let _ = input.write_all(&scene);
+    }
+    let output = child
+        .wait_with_output()
+        .map_err(|error| error.to_string())?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let said = [output.stdout, output.stderr].concat();
+    Err(format!(
+        "{}: {}",
+        output.status,
+        String::from_utf8_lossy(&said)
+    ))
+}
+
+/// What is wrong with a command of a document.
+fn fault(printed: &Printed, desk: &Path) -> Result<(), String> {
+    let all = words(&printed.line);
+    if own(&all).is_none() {
+        return other(&all);
+    }
+    if printed.is_synopsis() {
+        for reading in readings(&printed.line) {
+            let arguments = own(&reading).ok_or("no command of this program")?;
+            takes(&arguments)?;
+        }
+        return Ok(());
+    }
+    let mut arguments = own(&all).ok_or("no command of this program")?;
+    takes(&arguments)?;
+    match how(&arguments) {
+        How::NotRun(_) => return Ok(()),
+        How::AsItStands => {}
+        How::With(more) => arguments.extend(more),
+        How::Instead(others) => arguments = others.to_vec(),
+    }
+    run(desk, &arguments)
+}
+
+/// Commands of other programs: scripts of the repository and cargo.
+fn other(words: &[String]) -> Result<(), String> {
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words[..] {
+        ["cargo", "test", ref options @ ..] => targets(options),
+        ["cargo", "bench"] => ["step", "stage", "instructions"]
+            .into_iter()
+            .try_for_each(|name| exists(&format!("benchmark/benches/{name}.rs"))),
+        ["cargo", ..] => Err("nothing is known of this command".to_owned()),
+        [script, ref arguments @ ..] => {
+            exists(script)?;
+            let text = fs::read_to_string(root().join(script)).map_err(|e| e.to_string())?;
+            for option in arguments {
+                let option = option.trim_matches(|c| "[]".contains(c));
+                if option.starts_with("--") && !text.contains(option) {
+                    return Err(format!("{script} does not know {option}"));
+                }
+            }
+            // The one that needs nothing and takes no time; the others need builds, browsers or half an hour, and CI runs
+            // those that it can.
+            if script == "scripts/check-imports" && python() {
+                let done = Command::new(root().join(script))
+                    .current_dir(root())
+                    .status();
+                return match done {
+                    Ok(status) if status.success() => Ok(()),
+                    found => Err(format!("{script}: {found:?}")),
+                };
+            }
+            Ok(())
+        }
+        [] => Err("nothing".to_owned()),
+    }
+}
+
+/// Options of `cargo test` name a package and test binaries that there are.
+fn targets(options: &[&str]) -> Result<(), String> {
+    let mut package = None;
+    for pair in options.windows(2) {
+        match pair {
+            ["-p" | "--package", name] => package = name.strip_prefix("proctor-"),
+            ["--test", name] => {
+                let package = package.ok_or("a test binary without its package")?;
+                let one = format!("{package}/tests/{name}.rs");
+                let folder = format!("{package}/tests/{name}/main.rs");
+                exists(&one).or_else(|_| exists(&folder))?;
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn exists(path: &str) -> Result<(), String> {
+    let found = root().join(path).is_file();
+    found.then_some(()).ok_or(format!("there is no {path}"))
+}
+
+fn python() -> bool {
+    let version = Command::new("python3").arg("--version").output();
+    version.is_ok_and(|output| output.status.success())
+}
+
+#[test]
+fn every_command_of_the_documents_runs() {
+    let mut faults = vec![];
+    let mut checked = 0;
+    for document in DOCUMENTS {
+        let text = fs::read_to_string(root().join(document)).expect("a document");
+        let desk = desk();
+        for printed in commands(&text) {
+            checked += 1;
+            if let Err(fault) = fault(&printed, desk.path()) {
+                faults.push(format!("{document}: {}\n  {fault}", printed.line));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(checked > 50, "only {checked} commands were found");
+}
+
+#[test]
+fn commands_that_there_are_not_are_found() {
+    let desk = desk();
+    for line in [
+        "proctor frobnicate x",
+        "proctor keys youngs_modulus",
+        "proctor run column.json --speed 2",
+        "proctor verify barr",
+        "cargo run --release -- verify --fast",
+        "cargo test -p proctor-benchmark --test judges",
+        "cargo frobnicate",
+        "scripts/frobnicate",
+        "scripts/full-ladders --frobnicate",
+        "stability [SCENE] [--rows NAME]",
+    ] {
+        let printed = Printed {
+            line: line.to_owned(),
+        };
+        assert!(fault(&printed, desk.path()).is_err(), "{line}");
+    }
+}
+
+#[test]
+fn the_first_scene_leaves_what_paraview_is_told_to_open() {
+    let text = fs::read_to_string(root().join("README.md")).expect("a document");
+    let (_, scene) = text.split_once("## A first scene").expect("a first scene");
+    let (scene, _) = scene.split_once("\n## ").expect("more sections");
+    let desk = desk();
+    for printed in commands(scene) {
+        fault(&printed, desk.path()).expect("it runs");
+    }
+    let list = fs::read_to_string(desk.path().join("results/particles.pvd")).expect("a list");
+    let (_, file) = list.split_once("file=\"").expect("a frame");
+    let (file, _) = file.split_once('"').expect("a name");
+    let frame = fs::read(desk.path().join("results").join(file)).expect("a frame");
+    let frame = String::from_utf8_lossy(&frame);
+    let shown = scene.split('`').skip(1).step_by(2);
+    let columns: Vec<&str> = shown
+        .filter(|word| word.starts_with(char::is_uppercase))
+        .collect();
+    assert!(columns.len() >= 2, "{columns:?}");
+    for column in columns {
+        assert!(frame.contains(&format!("Name=\"{column}\"")), "{column}");
+    }
+}

@@ -1,0 +1,161 @@
+//! Commands in the text of a document.
+
+use proctor_benchmark::verbs;
+
+/// A command as a document prints it, on one line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Printed {
+    pub line: String,
+}
+
+impl Printed {
+    /// Whether it has words that stand for others, or parts that may be left out.
+    pub fn is_synopsis(&self) -> bool {
+        let stands_for_others = |word: &str| {
+            let word = word.trim_matches(|c| "[]….".contains(c));
+            let letters = word.chars().filter(char::is_ascii_alphabetic);
+            let first = word.split([',', '.']).next().unwrap_or_default();
+            letters.count() > 0 && first.chars().all(|c| c.is_ascii_uppercase())
+        };
+        self.line.contains(['[', '|', '…']) && !self.line.contains("| proctor")
+            || self.line.split_whitespace().any(stands_for_others)
+    }
+}
+
+/// All commands of a text, in their order: lines of indented blocks and words between backticks that begin with `proctor`,
+/// `cargo`, a script, or a verb that is followed by something.
+pub fn commands(text: &str) -> Vec<Printed> {
+    let mut all: Vec<Printed> = vec![];
+    let mut prose = String::new();
+    for line in text.lines() {
+        if let Some(block) = line.strip_prefix("    ") {
+            let prose = std::mem::take(&mut prose);
+            all.extend(between_backticks(&prose));
+            let command = block.split(" #").next().unwrap_or_default();
+            all.extend(command_of(command));
+        } else {
+            prose.push_str(line);
+            prose.push('\n');
+        }
+    }
+    all.extend(between_backticks(&prose));
+    all
+}
+
+fn between_backticks(prose: &str) -> Vec<Printed> {
+    let parts = prose.split('`').skip(1).step_by(2);
+    parts.filter_map(command_of).collect()
+}
+
+fn command_of(text: &str) -> Option<Printed> {
+    let words: Vec<String> = text
+        .split_whitespace()
+        .map(|word| word.replace("\\|", "|"))
+        .collect();
+    let first = words.first()?;
+    let known = match first.as_str() {
+        "proctor" | "cargo" => words.len() > 1,
+        script if script.starts_with("scripts/") => true,
+        verb => words.len() > 1 && verbs().iter().any(|known| known == verb),
+    };
+    let piped = words.windows(2).any(|pair| pair == ["|", "proctor"]);
+    (known || piped).then(|| Printed {
+        line: words.join(" "),
+    })
+}
+
+/// The words of a command line; what stands between quotes is one.
+pub fn words(line: &str) -> Vec<String> {
+    let mut all: Vec<String> = vec![];
+    for (number, part) in line.split('"').enumerate() {
+        if number % 2 == 1 {
+            all.push(part.to_owned());
+        } else {
+            all.extend(part.split_whitespace().map(str::to_owned));
+        }
+    }
+    all
+}
+
+/// What a synopsis stands for: what is needed alone, and with each part in brackets. Words that stand for others are put in.
+pub fn readings(synopsis: &str) -> Vec<Vec<String>> {
+    let (mut needed, mut parts, mut part) = (String::new(), vec![], None::<String>);
+    for c in synopsis.replace("...", "…").chars() {
+        match (c, &mut part) {
+            ('[', _) => part = Some(String::new()),
+            (']', _) => parts.extend(part.take()),
+            ('…', _) => {}
+            (c, Some(part)) => part.push(c),
+            (c, None) => needed.push(c),
+        }
+    }
+    let read = |text: &str| {
+        words(text)
+            .iter()
+            .map(|word| put_in(word))
+            .collect::<Vec<_>>()
+    };
+    let mut all = vec![read(&needed)];
+    all.extend(parts.iter().map(|part| {
+        let mut one = read(&needed);
+        one.extend(read(part));
+        one
+    }));
+    all
+}
+
+/// An example of what a word stands for.
+fn put_in(word: &str) -> String {
+    match word {
+        "N" => "2".to_owned(),
+        "N,N" => "1,2".to_owned(),
+        "L" => "auto".to_owned(),
+        word => word.split('|').next().unwrap_or_default().to_owned(),
+    }
+}
+
+#[test]
+fn commands_are_found_in_blocks_and_between_backticks() {
+    let text = "Say `proctor\nrun a.json` or `keys`.\n\n    proctor plan a.json   # why\n    make | proctor run -\n    no command\n\n\
+                | `export --format a\\|b RECORD` | `scripts/x` | `verify --quick` | `u + v` |\n";
+    let found: Vec<String> = commands(text).into_iter().map(|c| c.line).collect();
+    assert_eq!(
+        found,
+        [
+            "proctor run a.json",
+            "proctor plan a.json",
+            "make | proctor run -",
+            "export --format a|b RECORD",
+            "scripts/x",
+            "verify --quick"
+        ]
+    );
+}
+
+#[test]
+fn a_synopsis_is_read_with_each_of_its_parts() {
+    let printed = |line: &str| Printed {
+        line: line.to_owned(),
+    };
+    for (line, synopsis) in [
+        ("run SCENE [--out DIR]", true),
+        ("compare BASE HEAD", true),
+        ("proctor run column.json --out results", false),
+        ("proctor keys cpGIMP", false),
+        ("make | proctor run -", false),
+    ] {
+        assert_eq!(printed(line).is_synopsis(), synopsis, "{line}");
+    }
+    assert_eq!(
+        readings("bench [CONFIG.json] [--threads N,N]"),
+        [
+            vec!["bench"],
+            vec!["bench", "CONFIG.json"],
+            vec!["bench", "--threads", "1,2"]
+        ]
+    );
+    assert_eq!(
+        readings("export --format bmf|csv RECORD"),
+        [["export", "--format", "bmf", "RECORD"]]
+    );
+}

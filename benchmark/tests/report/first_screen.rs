@@ -1,0 +1,137 @@
+//! The first screen answers in a line each, from the numbers of the record.
+
+use super::made_up::{MadeUp, between};
+
+const DEFAULT: [&str; 3] = ["uGIMP", "USL", "FLIP"];
+const OTHER: [&str; 3] = ["cpGIMP", "MUSL", "APIC"];
+
+fn whole() -> MadeUp {
+    MadeUp::new()
+        .with_case("bar", 0.004, 0.01)
+        .with_case("beam", 0.009, 0.01)
+        .with_cost("bar", DEFAULT, Some(2.0), Some(0.004))
+        .with_cost("bar", OTHER, Some(0.5), Some(0.003))
+        .with_cost("beam", DEFAULT, Some(2.0), Some(0.009))
+        .with_cost("beam", OTHER, Some(0.25), Some(0.008))
+        .with_cost("pile", OTHER, None, Some(0.034))
+        .with_cost("pile", DEFAULT, None, Some(0.056))
+        .with_cost("wall", OTHER, Some(0.1), Some(0.001))
+        .with_cost("wall", DEFAULT, None, Some(0.02))
+        .with_cost("weir", DEFAULT, Some(1.0), Some(0.002))
+        .with_cost("weir", ["linear", "USL", "FLIP"], Some(0.5), Some(0.002))
+        .with_cost("well", DEFAULT, None, None)
+        .with_step(200.0, 0.25, 0.125)
+}
+
+/// All that stands before the parts that are folded.
+fn first(page: &str) -> &str {
+    page.split("<main").next().unwrap_or_default()
+}
+
+/// Text without markup.
+fn text(html: &str) -> String {
+    let mut text = String::new();
+    for part in html.split('<') {
+        text.push_str(part.split_once('>').map_or(part, |(_, after)| after));
+        text.push(' ');
+    }
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The panel with that anchor.
+fn panel(page: &str, id: &str) -> String {
+    let open = format!("<h2 id=\"{id}\">");
+    let panels = between(first(page), &open, "</section>");
+    assert_eq!(panels.len(), 1, "{id}");
+    text(panels[0])
+}
+
+#[test]
+fn every_question_has_its_answer_and_its_panel() {
+    let page = whole().page();
+    let first = first(&page);
+    assert!(first.contains("<strong>PASS</strong> 2 of 2 gates hold"));
+    let answers = text(between(first, "<dl class=\"answers\">", "</dl>")[0]);
+    for answer in [
+        "Nearest gate 90 % of its bound",
+        "Cheapest method 4.0×",
+        "Speed 200.0 ns",
+        "Changes –",
+    ] {
+        assert!(answers.contains(answer), "{answer} is not in {answers}");
+    }
+    for id in ["nearest", "cheapest", "fast", "since"] {
+        panel(&page, id);
+        assert!(first.contains(&format!("href=\"#{id}\"")), "{id}");
+    }
+}
+
+#[test]
+fn the_nearest_gate_comes_first_and_in_per_cent() {
+    let panel = panel(&whole().page(), "nearest");
+    let beam = "beam: error of L2(u) 90 % 0.900 %, at most 1.00 %";
+    let bar = "bar: error of L2(u) 40 % 0.400 %, at most 1.00 %";
+    let places = [beam, bar].map(|line| {
+        panel
+            .find(line)
+            .unwrap_or_else(|| panic!("{line}: {panel}"))
+    });
+    assert!(places[0] < places[1]);
+}
+
+#[test]
+fn the_cheapest_method_is_told_by_case_with_its_gain_the_largest_first() {
+    let panel = panel(&whole().page(), "cheapest");
+    let lines = [
+        "beam cpGIMP MUSL APIC, 8.0×",
+        "bar cpGIMP MUSL APIC, 4.0×",
+        "weir linear USL FLIP !, 2.0×",
+        "wall cpGIMP MUSL APIC, default misses it",
+        "2 cases stay above 1 %",
+        "pile 3.40 %, cpGIMP MUSL APIC",
+        "well no run succeeded",
+    ];
+    let places = lines.map(|line| {
+        panel
+            .find(line)
+            .unwrap_or_else(|| panic!("{line}: {panel}"))
+    });
+    assert!(places.is_sorted(), "{panel}");
+    // Whoever sees the words of a method for the first time finds what they mean.
+    for word in [
+        "linear", "uGIMP", "cpGIMP", "B-spline", "USL", "MUSL", "USF", "FLIP", "APIC", "TPIC",
+    ] {
+        let (_, meaning) = panel
+            .split_once("A method is three choices")
+            .expect("what they mean");
+        assert!(meaning.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn floors_of_the_speed_come_from_the_peaks_of_the_same_run() {
+    let panel = panel(&whole().page(), "fast");
+    for line in [
+        "1 thread 200 5.0 million particle steps/s arithmetic alone 50 25 % of the time",
+        "memory alone 25 12 % of the time",
+    ] {
+        assert!(panel.contains(line), "{panel}");
+    }
+    // Twice the speed at the same peaks: twice the shares, and the same floors.
+    let mut faster = whole();
+    faster.rows.pop();
+    let faster = faster.with_step(100.0, 0.5, 0.25).page();
+    let charts = |page: &str| text(between(page, "<h2 id=\"speed\">", "</svg>")[0]);
+    for (page, measured) in [(whole().page(), "200 ns"), (faster, "100 ns")] {
+        let chart = charts(&page);
+        assert!(
+            chart.contains(&format!("block, 1 thread: {measured}")),
+            "{chart}"
+        );
+        assert!(
+            chart.contains("arithmetic alone, 1 thread: 50 ns"),
+            "{chart}"
+        );
+        assert!(chart.contains("memory alone, 1 thread: 25 ns"), "{chart}");
+    }
+}
