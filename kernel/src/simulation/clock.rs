@@ -6,7 +6,7 @@ use super::interactions::Interaction;
 use super::phase::Phase;
 use super::step::Watcher;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
-use crate::scene::TimeStep;
+use crate::scene::{TimeStep, Vector};
 
 /// Share of the step in which a gap of mortar contact closes as far as it may: surfaces speed up within a step, most of
 /// all where light nodes carry them.
@@ -47,6 +47,8 @@ pub enum Bound {
     Contact,
     /// No gap of mortar contact closes by more than half the critical gap.
     Closing,
+    /// The rate of viscous damping, beside the stability bound of the scheme.
+    Damping,
     /// The scene's constant step.
     Fixed,
     /// Equal steps up to a time at which something is written.
@@ -70,6 +72,32 @@ pub struct StepInfo {
     pub measured: Option<(f64, f64)>,
     /// Number of nodes at which a contact force acts.
     pub contact_nodes: usize,
+}
+
+/// The largest stable step where `stable` is that without viscous damping of rate c \[s\]. The force is that of the velocity
+/// half a step before, so that v' = (1 - c dt) v - w² dt x, x' = x + dt v', with both roots in the unit circle for
+/// w² dt² + 2 c dt <= 4; w is the frequency for which `stable` is 2/w.
+fn damped_step(stable: f64, rate: f64) -> f64 {
+    if rate > 0.0 {
+        4.0 / (rate + rate.hypot(4.0 / stable))
+    } else {
+        stable
+    }
+}
+
+/// The largest step in which nothing moves by more than `way` \[m\] that has this speed and acceleration: v dt + a dt² is
+/// the way.
+fn travel_step(way: f64, speed: f64, acceleration: f64) -> f64 {
+    if acceleration > 0.0 {
+        2.0 * way / (speed + (speed * speed + 4.0 * acceleration * way).sqrt())
+    } else {
+        way / speed
+    }
+}
+
+/// Length of a vector.
+pub(super) fn length(v: &Vector) -> f64 {
+    v.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 
 impl Simulation {
@@ -114,13 +142,28 @@ impl Simulation {
         let particle_speed = square.sqrt();
         let h = self.smallest_cell();
         let stable = self.stability_number() * h / (wave_speed + particle_speed);
-        let travel = MOST_CELLS_PER_STEP * h / particle_speed;
-        let (critical, bound) = if travel < stable {
+        let rate = self.viscous_rate();
+        let damped = damped_step(stable, rate);
+        let travel = travel_step(MOST_CELLS_PER_STEP * h, particle_speed, self.acceleration());
+        let (critical, bound) = if travel < damped {
             (travel, Bound::Travel)
+        } else if rate > 0.0 && damped < stable {
+            (damped, Bound::Damping)
         } else {
             (stable, Bound::Stability)
         };
         (critical, bound, wave_speed, particle_speed)
+    }
+
+    /// Largest rate of viscous damping of a body that moves freely \[1/s\].
+    fn viscous_rate(&self) -> f64 {
+        let free = self.decided.bodies.iter().filter(|b| b.motion.is_none());
+        free.map(|body| body.viscous_rate).fold(0.0, f64::max)
+    }
+
+    /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
+    fn acceleration(&self) -> f64 {
+        length(&self.decided.scene.gravity) + self.decided.load_acceleration
     }
 
     /// [`stability_number`] of the scene.
@@ -184,6 +227,8 @@ impl Simulation {
                 critical,
                 wave_speed,
                 particle_speed,
+                acceleration: self.acceleration(),
+                viscous_rate: self.viscous_rate(),
             });
         }
         Ok((dt, critical, bound))
@@ -195,6 +240,9 @@ impl Simulation {
         stop: f64,
         ended: Watcher<'_>,
     ) -> Result<StepInfo, StepError> {
+        if self.particles() == 0 && !self.decided.bodies.is_empty() {
+            return Err(self.error(StepErrorKind::NothingLeft));
+        }
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;

@@ -1,6 +1,6 @@
 //! What can go wrong at set-up and in a step.
 
-use super::trust::Doubt;
+use super::trust::{Doubt, LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO};
 use crate::memory::OutOfMemory;
 use crate::number::Number;
 use std::fmt;
@@ -82,6 +82,10 @@ pub struct Unstable {
     pub wave_speed: f64,
     /// Largest particle speed \[m/s\].
     pub particle_speed: f64,
+    /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
+    pub acceleration: f64,
+    /// Largest rate of viscous damping \[1/s\].
+    pub viscous_rate: f64,
 }
 
 impl fmt::Display for Unstable {
@@ -89,11 +93,27 @@ impl fmt::Display for Unstable {
         write!(
             f,
             "time step {:e} s is above the critical time step {:e} s of this scheme (wave speed {} m/s, \
-             particle speed {} m/s); accepted: a smaller step, or \"allow_unstable\": true",
+             particle speed {} m/s",
             self.dt,
             self.critical,
             Number(self.wave_speed),
             Number(self.particle_speed)
+        )?;
+        if self.acceleration > 0.0 {
+            write!(f, ", acceleration {} m/s2", Number(self.acceleration))?;
+        }
+        if self.viscous_rate > 0.0 {
+            let rate = Number(self.viscous_rate);
+            write!(f, ", viscous damping at a rate of {rate} 1/s")?;
+        }
+        let less = if self.viscous_rate > 0.0 {
+            " or less damping"
+        } else {
+            ""
+        };
+        write!(
+            f,
+            "); accepted: a smaller step{less}, or \"allow_unstable\": true"
         )
     }
 }
@@ -174,6 +194,8 @@ pub enum StepErrorKind {
         /// Time step \[s\].
         dt: f64,
     },
+    /// All particles have left the mesh.
+    NothingLeft,
     /// A nodal load acts where no particle reaches.
     LoadOnEmptyNode {
         /// Position of the node \[m\].
@@ -260,6 +282,20 @@ pub enum StepErrorKind {
     },
 }
 
+impl StepErrorKind {
+    /// Whether particles are left outside the mesh or with values that no step can go on with.
+    pub(super) fn breaks_particles(&self) -> bool {
+        matches!(
+            self,
+            Self::NotFinite(_)
+                | Self::Law { .. }
+                | Self::Inverted(_)
+                | Self::Outside(_)
+                | Self::DomainTooLarge { .. }
+        )
+    }
+}
+
 /// A particle and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleAt {
@@ -310,6 +346,10 @@ impl fmt::Display for StepError {
             StepErrorKind::TimeStands { dt } => write!(
                 f,
                 "a time step of {dt:e} s does not move the time on; accepted: longer steps or a shorter time"
+            ),
+            StepErrorKind::NothingLeft => write!(
+                f,
+                "all particles have left the mesh; accepted: a larger mesh, or a time that ends before"
             ),
             StepErrorKind::LoadOnEmptyNode {
                 position: [x, y, z],
@@ -422,6 +462,14 @@ pub enum EventKind {
     RecordEnded,
     /// Particle domains outgrew half a cell; from here on the stencil has four nodes per axis.
     WiderStencil,
+    /// The first particle whose volume is less than [`LEAST_VOLUME_RATIO`](super::trust::LEAST_VOLUME_RATIO) of that of
+    /// the start, or more than [`MOST_VOLUME_RATIO`](super::trust::MOST_VOLUME_RATIO) of it.
+    VolumeRatio {
+        /// The particle.
+        particle: ParticleAt,
+        /// Its volume over that of the start.
+        ratio: f64,
+    },
 }
 
 impl fmt::Display for Event {
@@ -442,6 +490,11 @@ impl fmt::Display for Event {
                     "a particle domain exceeded h/2; four nodes per axis from here"
                 )
             }
+            EventKind::VolumeRatio { particle, ratio } => write!(
+                f,
+                "{particle} has {ratio:.4e} of its volume at the start, the first one outside {LEAST_VOLUME_RATIO} to \
+                 {MOST_VOLUME_RATIO}"
+            ),
         }
     }
 }
