@@ -246,7 +246,7 @@ impl Simulation {
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
-        let clock = &mut self.state.clock;
+        let clock = self.state.clock;
         let step = clock.step + 1;
         let (dt, time, bound) = if bound == Bound::Fixed {
             (most, step as f64 * most, bound)
@@ -270,8 +270,10 @@ impl Simulation {
         // Not a number is no later time either.
         let moves_on = time > clock.time;
         if !moves_on {
-            return Err(self.error(StepErrorKind::TimeStands { dt }));
+            let kind = self.endless_speed();
+            return Err(self.error(kind.unwrap_or(StepErrorKind::TimeStands { dt })));
         }
+        let clock = &mut self.state.clock;
         clock.dt_min = if clock.step == 0 {
             dt
         } else {
@@ -296,6 +298,17 @@ impl Simulation {
             measured: None,
             contact_nodes: 0,
         })
+    }
+
+    /// The particle whose velocity is not finite, if that is why there is no step.
+    fn endless_speed(&self) -> Option<StepErrorKind> {
+        for (index, set) in self.state.sets.iter().enumerate() {
+            let endless = |p: &usize| set.velocity(*p).iter().any(|v| !v.is_finite());
+            if let Some(p) = (0..set.len()).find(endless) {
+                return Some(StepErrorKind::NotFinite(self.particle_at(index, p)));
+            }
+        }
+        None
     }
 
     /// Smallest, largest and smallest critical time step so far \[s\].

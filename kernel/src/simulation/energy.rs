@@ -7,8 +7,8 @@
 //!
 //! What takes energy is summed where it acts, as impulse times the mean of the velocities before and after it: damping at
 //! the nodes, contact at the nodes where bodies meet, and what particles took along that were removed. What no channel
-//! accounts for is the remainder: the transfer between particles and nodes, friction of mortar contact, velocities that
-//! boundary planes stop, and errors of the time integration.
+//! accounts for is the remainder: what laws dissipate, the transfer between particles and nodes, friction of mortar contact,
+//! velocities that boundary planes stop, and errors of the time integration.
 
 use super::conditions::Acting;
 use super::error::StepError;

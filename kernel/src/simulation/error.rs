@@ -5,6 +5,9 @@ use crate::memory::OutOfMemory;
 use crate::number::Number;
 use std::fmt;
 
+/// Where a scene says how many nodes there are.
+pub(super) const MESH: &str = "mesh.cells_number";
+
 /// A simulation cannot be set up from this scene. All are faults of the input.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SetupError {
@@ -128,6 +131,9 @@ impl fmt::Display for SetupError {
                 write!(f, "{path}: {reason}")
             }
             Self::TooLarge { what } => write!(f, "{what}"),
+            Self::Memory { path, error } if path == MESH => {
+                write!(f, "{path}: {error}: fewer cells, or larger ones")
+            }
             Self::Memory { path, error } => write!(f, "{path}: {error}"),
             Self::Threads(reason) => write!(f, "threads: {reason}"),
             Self::Overlap(all) => {

@@ -39,6 +39,7 @@ pub use history::{BaseVelocity, value as history_value};
 pub use interactions::mortar::{BoundaryVertex, VertexState};
 pub use interactions::{Again, Interaction, Now, OnSlab, Remembered, Visit};
 pub use measure::state_hash;
+pub use needs::{Foreseen, foresee};
 pub use nodes::NodeValues;
 pub use passes::Groups;
 pub use phase::Phase;

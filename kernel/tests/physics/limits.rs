@@ -1,11 +1,14 @@
 //! Steps that damping and acceleration bound, bodies that are crushed, and steps that cannot be.
 
-use crate::common::{SCHEMES, block, body, cuboid, elastic, empty, material, simulation};
+use crate::common::{
+    SCHEMES, block, body, cuboid, elastic, empty, material, simulation, simulation_from,
+};
 use proctor_kernel::scene::{Damping, Dimension, Outside, PlaneCondition, Scene, TimeStep};
 use proctor_kernel::simulation::{
-    Bound, EventKind, LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO, Options, SetupError, Simulation,
-    StepErrorKind,
+    Bound, EventKind, InitialState, LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO, Options, SetupError,
+    Simulation, StepErrorKind,
 };
+use std::sync::Arc;
 
 /// A free block of 0.5 m under strong viscous damping: rate 8 c/h = 2530 1/s, more than two in a step of wave speed alone.
 fn damped() -> Scene {
@@ -122,6 +125,18 @@ fn a_run_that_all_particles_have_left_ends_with_an_error() {
     };
     assert_eq!(simulation.particles(), 0);
     assert_eq!(error.kind, StepErrorKind::NothingLeft);
+}
+
+/// An endless speed is no step of no length, but a particle with a value that is not finite.
+#[test]
+fn an_infinite_velocity_is_called_by_its_name() {
+    let endless = |x: &[f64; 3]| InitialState {
+        velocity: [if x[0] < 0.3 { f64::INFINITY } else { 0.0 }, 0.0, 0.0],
+        ..InitialState::default()
+    };
+    let mut simulation = simulation_from(&block(Dimension::Two), Arc::new(endless));
+    let error = simulation.step(1.0e3).expect_err("there is no such step");
+    assert!(matches!(error.kind, StepErrorKind::NotFinite(_)), "{error}");
 }
 
 /// After a step that left a particle outside, each further one says so, and the balance can still be asked for.
