@@ -102,19 +102,18 @@ fn expected(scene: &Scene, plan: &Plan) -> Vec<(f64, f64)> {
 ///
 /// # Errors
 /// [`SetupError::Body`], with the body that needs most.
-pub(super) fn bodies(scene: &Scene, plan: &Plan, memory: &Memory) -> Result<(), SetupError> {
+pub(super) fn bodies(scene: &Scene, plan: &Plan, memory: Memory) -> Result<(), SetupError> {
     let each = expected(scene, plan);
     let (count, bytes) = (each.iter()).fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
     let most = (0..each.len()).max_by(|a, b| each[*a].1.total_cmp(&each[*b].1));
     let Some(most) = most else { return Ok(()) };
-    let mut what = format!("{count:.4e} particles");
-    if each.len() > 1 {
-        what += &format!(
-            " of {} bodies, {:.4e} of this one,",
-            each.len(),
-            each[most].0
-        );
-    }
+    let what = match each.len() {
+        1 => format!("{count:.4e} particles"),
+        bodies => {
+            let own = each[most].0;
+            format!("{count:.4e} particles of {bodies} bodies, {own:.4e} of this one,")
+        }
+    };
     memory
         .require(what, bytes)
         .map_err(|error| SetupError::Body {

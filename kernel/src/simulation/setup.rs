@@ -51,7 +51,7 @@ impl Simulation {
         needs::grid(scene, &shape, &mut memory)?;
         needs::frames(scene, &mut memory)?;
         needs::loads(scene, &shape, &mut memory)?;
-        needs::bodies(scene, &plan, &memory)?;
+        needs::bodies(scene, &plan, memory)?;
         let conditions = conditions::of(scene, &shape, &options.conditions)?;
         let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
         let mut next_id = 0;

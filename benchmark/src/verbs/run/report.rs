@@ -96,12 +96,13 @@ impl fmt::Display for Report<'_> {
             let text = format!("step {}, {time} s: {}", crushed.step, crushed.message);
             row(f, "attention", &text)?;
         }
-        for event in s.events.iter().take(SHOWN_EVENTS) {
+        let others = || s.events.iter().filter(|event| event.kind != VOLUME_RATIO);
+        for event in others().take(SHOWN_EVENTS) {
             let text = format!("step {}: {}", event.step, event.message);
             row(f, "event", &text)?;
         }
-        if s.events.len() > SHOWN_EVENTS {
-            let more = s.events.len() - SHOWN_EVENTS;
+        if others().count() > SHOWN_EVENTS {
+            let more = others().count() - SHOWN_EVENTS;
             row(f, "event", &format!("and {more} more"))?;
         }
         let Some(folder) = self.folder else {
@@ -173,7 +174,8 @@ fn dissipated(e: &Energy) -> Option<String> {
             .map(|rest| format!("remainder {}", number(rest))),
     );
     if !parts.is_empty() {
-        text += &format!(": {}", parts.join(", "));
+        text.push_str(": ");
+        text.push_str(&parts.join(", "));
     }
     Some(text)
 }
