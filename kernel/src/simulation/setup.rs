@@ -5,8 +5,8 @@ use super::error::SetupError;
 use super::fields::Grid;
 use super::work::Work;
 use super::{
-    BaseVelocity, BodyRun, Decided, InitialState, Options, Simulation, State, conditions,
-    interactions, needs,
+    BaseVelocity, BodyRun, Decided, InitialState, MOST_VOLUME_RATIO, Options, Simulation, State,
+    conditions, interactions, needs,
 };
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::grid::GridShape;
@@ -112,6 +112,10 @@ impl Simulation {
             one.start(&simulation)?;
         }
         simulation.open_ledger();
+        if options.initial.is_none() {
+            // No volume has changed yet.
+            simulation.state.trust.volume_left = libm::log(MOST_VOLUME_RATIO);
+        }
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         Ok(simulation)
     }

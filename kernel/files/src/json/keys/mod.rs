@@ -44,7 +44,7 @@ pub(super) struct RawScene {
         "x-unit" = "s", "x-needed" = true, "exclusiveMinimum" = 0, "examples" = [1.5]
     ))]
     pub time: Option<f64>,
-    /// Constant time step.
+    /// Constant time step, at most the time of the run.
     #[schemars(extend(
         "x-unit" = "s", "x-default" = "the largest safe one, chosen anew in each step", "exclusiveMinimum" = 0,
         "examples" = [1e-4]
@@ -111,7 +111,7 @@ pub(super) struct RawScene {
         "enum" = ["particle", "cell_average"], "default" = "particle", "examples" = ["cell_average"]
     ))]
     pub volumetric_strain: Option<String>,
-    /// Particles per cell and axis, one number or one per axis; a body may say otherwise. The default is that of the
+    /// Particles per cell and axis, at most 100, one number or one per axis; a body may say otherwise. The default is that of the
     /// manuals' program.
     #[schemars(extend("default" = 2, "examples" = [3]))]
     pub particles_per_cell: Option<Counts>,
