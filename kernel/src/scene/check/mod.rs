@@ -55,7 +55,7 @@ impl Scene {
                         ),
                         format!("a number greater than {least:e} [s]"),
                     );
-                } else if dt.is_finite() && dt > self.time {
+                } else if dt.is_finite() && self.time > 0.0 && dt > self.time {
                     problems.add(
                         "time_step",
                         format!(
