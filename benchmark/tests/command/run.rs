@@ -97,7 +97,8 @@ fn a_particle_that_may_leave_is_recorded_with_its_mass() {
         .sum();
     let left = summary["mass"].as_f64().expect("a mass");
     assert!((removed + left - 120.0).abs() < 1e-10, "{removed} + {left}");
-    assert!(stdout(&output).contains("was removed"));
+    let text = stdout(&output);
+    assert!(text.contains("was removed") && text.contains("all particles have left the mesh"));
 }
 
 #[test]

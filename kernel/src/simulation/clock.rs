@@ -286,9 +286,6 @@ impl Simulation {
         stop: f64,
         ended: Watcher<'_>,
     ) -> Result<StepInfo, StepError> {
-        if self.particles() == 0 && !self.decided.bodies.is_empty() {
-            return Err(self.error(StepErrorKind::NothingLeft));
-        }
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
@@ -313,6 +310,10 @@ impl Simulation {
             let last = steps == 1.0 && remaining > 0.0;
             (dt, if last { stop } else { clock.time + dt }, bound)
         };
+        // Nothing bounds a step without particles but the time that it is to reach.
+        if dt.is_infinite() && self.particles() == 0 {
+            return Err(self.error(StepErrorKind::NothingLeft));
+        }
         // Not a number is no later time either.
         let moves_on = time > clock.time;
         if !moves_on {

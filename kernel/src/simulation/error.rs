@@ -200,7 +200,7 @@ pub enum StepErrorKind {
         /// Time step \[s\].
         dt: f64,
     },
-    /// All particles have left the mesh.
+    /// All particles have left the mesh, and there is no time to step to.
     NothingLeft,
     /// A nodal load acts where no particle reaches.
     LoadOnEmptyNode {

@@ -96,6 +96,9 @@ impl fmt::Display for Report<'_> {
             let text = format!("step {}, {time} s: {}", crushed.step, crushed.message);
             row(f, "attention", &text)?;
         }
+        if s.particles == 0 {
+            row(f, "attention", "all particles have left the mesh")?;
+        }
         let others = || s.events.iter().filter(|event| event.kind != VOLUME_RATIO);
         for event in others().take(SHOWN_EVENTS) {
             let text = format!("step {}: {}", event.step, event.message);
