@@ -111,8 +111,8 @@ pub(super) struct RawScene {
         "enum" = ["particle", "cell_average"], "default" = "particle", "examples" = ["cell_average"]
     ))]
     pub volumetric_strain: Option<String>,
-    /// Particles per cell and axis, at most 100, one number or one per axis; a body may say otherwise. The default is that of the
-    /// manuals' program.
+    /// Particles per cell and axis, at most 100, one number or one per axis; a body may say otherwise. The default is that
+    /// of the manuals' program.
     #[schemars(extend("default" = 2, "examples" = [3]))]
     pub particles_per_cell: Option<Counts>,
     /// Numerical damping.
