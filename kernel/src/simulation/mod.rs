@@ -6,6 +6,7 @@ pub(crate) mod conditions;
 mod decided;
 mod energy;
 mod error;
+mod event;
 mod faults;
 pub(crate) mod fields;
 mod history;
@@ -31,9 +32,8 @@ pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
 pub use energy::Energy;
-pub use error::{
-    Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
-};
+pub use error::{Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
+pub use event::{Event, EventKind};
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, value as history_value};
 pub use interactions::mortar::{BoundaryVertex, VertexState};

@@ -6,7 +6,7 @@
 
 use super::Simulation;
 use super::clock::Clock;
-use super::error::Event;
+use super::event::Event;
 use super::interactions::{Interaction, Remembered};
 use super::passes::Groups;
 use super::trust::Trust;

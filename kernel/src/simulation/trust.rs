@@ -14,7 +14,8 @@
 
 use super::Simulation;
 use super::clock::StepInfo;
-use super::error::{Event, EventKind, StepError, StepErrorKind};
+use super::error::{StepError, StepErrorKind};
+use super::event::{Event, EventKind};
 use super::step::Way;
 use crate::layout::Layout;
 use crate::scene::{OnImbalance, Vector};
