@@ -2,9 +2,11 @@
 
 use super::scene;
 use crate::exit::{Failure, Outcome};
+use crate::say::say;
 use crate::show::{Table, bytes, grouped};
 use clap::Args;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::memory::{Memory, words};
+use proctor_kernel::simulation::{Options, Simulation, foresee};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -18,6 +20,9 @@ pub struct Plan {
     scene: PathBuf,
 }
 
+/// Memory that it takes some time to fill \[bytes\]: then what is to come is said first.
+const LARGE: f64 = 1e9;
+
 impl Plan {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let (scene, places) = scene(&self.scene)?;
@@ -25,6 +30,16 @@ impl Plan {
             threads: Some(1),
             ..Options::default()
         };
+        let asked = foresee(&scene);
+        if asked.bytes > LARGE {
+            say!(
+                "about {} particles and {} nodes, which need {} of the {} that are free",
+                grouped(asked.particles as u64),
+                grouped(asked.nodes as u64),
+                words(asked.bytes),
+                words(Memory::of_machine().bytes() as f64)
+            );
+        }
         let simulation = Simulation::new(&scene, &options)
             .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
         let plan = simulation.plan();

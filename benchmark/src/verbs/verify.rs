@@ -8,6 +8,7 @@ use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::progress::{self, Whole, ladders};
 use crate::record::{BY_SCENE, CaseState, Record};
+use crate::say::say;
 use crate::show::case as full;
 use crate::show::paint::Paint;
 use crate::show::summary::{Kept, Lines, Verdict};
@@ -88,6 +89,13 @@ impl Verify {
         if let (Some(path), true) = (&self.failed, task.cases.is_empty()) {
             writeln!(out, "no case failed in {}", path.display())?;
             return Ok(Outcome::Fine);
+        }
+        if let (Some(path), true) = (&self.resume, task.record.rows.is_empty()) {
+            let count = task.cases.len();
+            say!(
+                "{}: holds no case that held; all {count} are run",
+                path.display()
+            );
         }
         let interrupt = Interrupt::listen()?;
         if !self.amount.more_than_the_verdict() {

@@ -42,6 +42,15 @@ fn cut(desk: &Desk, case: &str) -> String {
     desk.scene("cut.json", &record)
 }
 
+/// The same as a run leaves it that was killed in its first case.
+fn empty(desk: &Desk) -> String {
+    let mut record = read(desk, "whole.json");
+    record["context"]["incomplete"] = json!(true);
+    record["benchmarks"] = json!([]);
+    record["details"] = json!({});
+    desk.scene("empty.json", &record)
+}
+
 /// The same with a gate of the case that failed.
 fn failed(desk: &Desk, case: &str) -> String {
     let mut record = read(desk, "whole.json");
@@ -66,6 +75,26 @@ fn run(output: &Output) -> Vec<String> {
             .to_owned()
     };
     lines.map(name).collect()
+}
+
+/// Of a record that holds nothing yet all cases that were asked for are missing, and nothing has failed.
+#[test]
+fn of_an_empty_record_everything_is_run() {
+    let desk = with_record();
+    let record = empty(&desk);
+    let failed = proctor(&["verify", "--failed", &record]);
+    assert_eq!(code(&failed), 2, "{}", stdout(&failed));
+    assert!(stderr(&failed).contains("found no case that was run to its end"));
+    let output = proctor(&["verify", "--resume", &record]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(
+        stderr(&output).contains("holds no case that held; all 3 are run"),
+        "{}",
+        stderr(&output)
+    );
+    assert!(stdout(&output).contains("PASS: 8 of 8 gates in 3 cases"));
+    let compared = proctor(&["compare", &desk.name("whole.json"), &record]);
+    assert_eq!(code(&compared), 0, "{}", stdout(&compared));
 }
 
 #[test]

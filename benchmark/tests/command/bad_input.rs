@@ -328,3 +328,48 @@ fn a_step_that_fails_is_told_at_the_value_that_would_have_to_be_another() {
     );
     assert_eq!(place(&message, &name).0, line_of(&text, "\"time_step\""));
 }
+
+/// What is so large or so small that its square is not a number any more is refused where it stands, with what is accepted.
+#[test]
+fn numbers_beyond_all_use_are_refused_with_their_place() {
+    let desk = Desk::new();
+    let cases = [
+        (
+            "/material/0/density",
+            json!(1.7e308),
+            "density: found 1.7e308",
+        ),
+        ("/material/0/young", json!(1e200), "young: found 1e200"),
+        (
+            "/body/0/initial_velocity/0",
+            json!(1e154),
+            "initial_velocity[0]: found 1e154",
+        ),
+        (
+            "/mesh/cells_dimension/0",
+            json!(1e-200),
+            "cells_dimension[0]: found 1e-200",
+        ),
+        (
+            "/time_step",
+            json!(0.5),
+            "time_step: found 0.5, which is longer than the time of 0.4 s",
+        ),
+    ];
+    for (place, value, found) in cases {
+        let mut scene = flying_block();
+        *scene.pointer_mut(place).expect("there") = value;
+        let scene = desk.scene("scene.json", &scene);
+        for arguments in [vec!["plan", &scene], vec!["run", &scene]] {
+            let output = proctor(&arguments);
+            let message = stderr(&output);
+            assert_eq!(code(&output), 2, "{place}: {message}");
+            assert!(
+                message.starts_with(&scene)
+                    && message.contains(found)
+                    && message.contains("accepted: a number"),
+                "{place}: {message}"
+            );
+        }
+    }
+}

@@ -35,20 +35,44 @@ fn greedy() -> Vec<(&'static str, Value, &'static str, &'static str)> {
         ),
         (
             "particles of a rectangle",
-            with(&|scene| scene["particles_per_cell"] = json!(100_000)),
-            "particles",
-            "TiB",
+            with(&|scene| {
+                scene["mesh"]["cells_dimension"] = json!([1e-3, 1e-3]);
+                scene["mesh"]["cells_number"] = json!([2000, 1000]);
+                scene["particles_per_cell"] = json!(100);
+            }),
+            "1.2000e9 particles",
+            "GiB",
         ),
         (
             "particles of a disc",
             with(&|scene| {
+                scene["mesh"]["cells_dimension"] = json!([1e-3, 1e-3]);
+                scene["mesh"]["cells_number"] = json!([2000, 1000]);
                 scene["body"][0] = json!({
                     "type": "disc", "id": 1, "material_id": 1, "center": [1, 0.5], "radius": 0.3,
-                    "particles_per_cell": 100_000
+                    "particles_per_cell": 100
                 });
             }),
-            "particles",
-            "TiB",
+            "2.8274e9 particles",
+            "iB",
+        ),
+        (
+            "particles of many bodies, each of which would fit",
+            with(&|scene| {
+                scene["particles_per_cell"] = json!(100);
+                let bodies = (0..30).map(|i| {
+                    let (x, y) = (0.1 * f64::from(i % 15), 0.3 * f64::from(i / 15));
+                    json!({
+                        "type": "rectangle", "id": i + 1, "material_id": 1,
+                        "point_p1": [x, y], "point_p2": [x + 0.1, y + 0.3]
+                    })
+                });
+                scene["body"] = bodies.collect();
+                scene["mesh"]["cells_dimension"] = json!([0.01, 0.01]);
+                scene["mesh"]["cells_number"] = json!([200, 100]);
+            }),
+            "particles of 30 bodies",
+            "GiB",
         ),
         (
             "vertices",
@@ -101,6 +125,28 @@ fn a_file_without_end_is_refused() {
         let message = stderr(&output);
         assert_eq!(code(&output), 2, "{arguments:?}: {message}");
         assert!(message.contains("MiB"), "{message}");
+    }
+}
+
+#[test]
+fn more_particles_in_a_cell_than_tell_anything_are_refused_with_their_place() {
+    let desk = Desk::new();
+    for count in [101, 1000, 100_000] {
+        let mut scene = flying_block();
+        scene["particles_per_cell"] = json!(count);
+        let scene = desk.scene("scene.json", &scene);
+        for verb in ["plan", "run"] {
+            let output = crate::support::proctor(&[verb, &scene]);
+            let message = stderr(&output);
+            assert_eq!(code(&output), 2, "{message}");
+            let found = format!(
+                "particles_per_cell[0]: found {count}; accepted: a whole number from 1 to 100"
+            );
+            assert!(
+                message.starts_with(&scene) && message.contains(&found),
+                "{message}"
+            );
+        }
     }
 }
 

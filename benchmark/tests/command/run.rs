@@ -97,7 +97,8 @@ fn a_particle_that_may_leave_is_recorded_with_its_mass() {
         .sum();
     let left = summary["mass"].as_f64().expect("a mass");
     assert!((removed + left - 120.0).abs() < 1e-10, "{removed} + {left}");
-    assert!(stdout(&output).contains("was removed"));
+    let text = stdout(&output);
+    assert!(text.contains("was removed") && text.contains("all particles have left the mesh"));
 }
 
 #[test]
@@ -238,4 +239,103 @@ fn the_manual_box_runs_as_printed() {
     let summary = desk.summary("out");
     assert_eq!(summary["particles"], 8000);
     assert_eq!(summary["time"], 0.025);
+}
+
+/// The balance closes in the summary, stands in the last row of the history too, and is told with its remainder.
+#[test]
+fn the_energy_balance_closes_and_is_told_by_channel() {
+    let desk = Desk::new();
+    let mut scene = flying_block();
+    scene["gravity"] = json!([0, -2]);
+    scene["damping"] = json!({ "type": "viscous", "value": 8 });
+    scene
+        .as_object_mut()
+        .expect("an object")
+        .remove("time_step");
+    let output = desk.run(&desk.scene("scene.json", &scene), "out", &[]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let energy = desk.summary("out")["energy"].clone();
+    let of = |key: &str| {
+        energy[key]
+            .as_f64()
+            .unwrap_or_else(|| panic!("{key}: {energy}"))
+    };
+    let start = 0.5 * 0.4 * 0.3 * 1000.0;
+    let present = of("kinetic") + of("strain") + of("contact");
+    let missing = start + of("external_work") - present;
+    assert!(
+        (missing - of("dissipated")).abs() < 1e-9 * start,
+        "{energy}"
+    );
+    let channels = ["damping", "friction", "impact", "removed", "remainder"].map(of);
+    let sum: f64 = channels.iter().sum();
+    assert!((sum - of("dissipated")).abs() < 1e-9 * start, "{energy}");
+    assert!(
+        of("damping") > 0.9 * start && of("remainder").abs() < 1e-3 * start,
+        "{energy}"
+    );
+    let history = fs::read_to_string(desk.path("out").join("history.csv")).expect("a history");
+    let cells = |line: Option<&str>| -> Vec<String> {
+        line.unwrap_or_default()
+            .split(',')
+            .map(str::to_owned)
+            .collect()
+    };
+    let (names, row) = (cells(history.lines().next()), cells(history.lines().last()));
+    for key in [
+        "kinetic",
+        "contact",
+        "external_work",
+        "damping",
+        "remainder",
+    ] {
+        let place = names
+            .iter()
+            .position(|name| *name == format!("energy_{key}"));
+        let value: f64 = row[place.expect("a column")].parse().expect("a number");
+        assert_eq!(value, of(key), "{key}");
+    }
+    let text = stdout(&output);
+    assert!(
+        text.contains(" J: damping ") && text.contains(", remainder "),
+        "{text}"
+    );
+}
+
+/// A body that is crushed under its own weight is told once, in the summary and on the terminal, with particle, step and
+/// time.
+#[test]
+fn a_crushed_body_is_told_once() {
+    let desk = Desk::new();
+    let mut scene = flying_block();
+    scene["gravity"] = json!([0, -9.81]);
+    scene["time"] = json!(2);
+    scene
+        .as_object_mut()
+        .expect("an object")
+        .remove("time_step");
+    scene["material"][0]["young"] = json!(1e3);
+    scene["body"][0] = json!({
+        "type": "rectangle", "id": 1, "material_id": 1, "point_p1": [0, 0], "point_p2": [2, 1]
+    });
+    scene["mesh"]["boundary_conditions"] = json!({});
+    let output = desk.run(&desk.scene("scene.json", &scene), "out", &[]);
+    let text = stdout(&output);
+    let summary = desk.summary("out");
+    let events = summary["events"].as_array().expect("a list");
+    let crushed: Vec<&Value> = events
+        .iter()
+        .filter(|event| event["kind"] == "volume_ratio")
+        .collect();
+    assert_eq!(crushed.len(), 1, "{summary}");
+    assert!(crushed[0]["particle"].is_u64() && crushed[0]["time"].as_f64() > Some(0.0));
+    let told: Vec<&str> = text
+        .lines()
+        .filter(|line| line.contains("of its volume at the start"))
+        .collect();
+    assert_eq!(told.len(), 1, "{text}");
+    assert!(
+        told[0].contains(&format!("step {}, ", crushed[0]["step"])),
+        "{text}"
+    );
 }

@@ -163,6 +163,22 @@ impl Memory {
     }
 }
 
+/// The largest of `bytes`, half of it, a quarter and so on that the system hands out in one piece now. Limits that no file
+/// tells show here, where an allocation that fails would end the process.
+#[must_use]
+pub fn in_one_piece(bytes: f64) -> f64 {
+    let mut piece = bytes;
+    while piece >= 1.0 {
+        let mut probe: Vec<u8> = Vec::new();
+        // Above the largest number of an address the conversion is to that.
+        if probe.try_reserve_exact(piece as usize).is_ok() {
+            return piece;
+        }
+        piece *= 0.5;
+    }
+    0.0
+}
+
 /// Number in a line such as `MemAvailable:    1234 kB`, in bytes.
 fn in_kib(text: &str, name: &str) -> Option<u64> {
     let line = text.lines().find_map(|line| line.strip_prefix(name))?;

@@ -20,3 +20,8 @@ pub struct Body {
     /// Prescribed velocity: the body moves so whatever acts on it.
     pub motion: Option<History>,
 }
+
+impl Body {
+    /// Most particles per cell and axis. More than a few tell nothing that smaller cells would not tell better.
+    pub const MOST_PARTICLES: usize = 100;
+}

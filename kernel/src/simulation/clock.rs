@@ -6,11 +6,13 @@ use super::interactions::Interaction;
 use super::phase::Phase;
 use super::step::Watcher;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
-use crate::scene::TimeStep;
+use crate::scene::{TimeStep, Vector};
 
 /// Share of the step in which a gap of mortar contact closes as far as it may: surfaces speed up within a step, most of
 /// all where light nodes carry them.
 const CLOSING_SHARE: f64 = 0.5;
+/// Share of the critical step under viscous damping that an automatic step takes at most.
+const DAMPED_SHARE: f64 = 0.9;
 /// Largest step over the one before where interactions bound steps: a contact that lets go for a moment is met again at
 /// speeds that it has changed.
 const GROWTH: f64 = 2.0;
@@ -47,6 +49,8 @@ pub enum Bound {
     Contact,
     /// No gap of mortar contact closes by more than half the critical gap.
     Closing,
+    /// The rate of viscous damping, beside the stability bound of the scheme.
+    Damping,
     /// The scene's constant step.
     Fixed,
     /// Equal steps up to a time at which something is written.
@@ -72,6 +76,73 @@ pub struct StepInfo {
     pub contact_nodes: usize,
 }
 
+/// The largest stable step where `stable` is that without viscous damping of rate c \[s\]. The force is that of the velocity
+/// half a step before, so that v' = (1 - c dt) v - w² dt x, x' = x + dt v', with both roots in the unit circle for
+/// w² dt² + 2 c dt <= 4; w is the frequency for which `stable` is 2/w.
+fn damped_step(stable: f64, rate: f64) -> f64 {
+    if rate > 0.0 {
+        4.0 / (rate + (rate * rate + 16.0 / (stable * stable)).sqrt())
+    } else {
+        stable
+    }
+}
+
+/// The largest step in which nothing moves by more than `way` \[m\] that has this speed and acceleration: v dt + a dt² is
+/// the way.
+fn travel_step(way: f64, speed: f64, acceleration: f64) -> f64 {
+    if acceleration > 0.0 {
+        2.0 * way / (speed + (speed * speed + 4.0 * acceleration * way).sqrt())
+    } else {
+        way / speed
+    }
+}
+
+/// Length of a vector.
+pub(super) fn length(v: &Vector) -> f64 {
+    v.iter().map(|c| c * c).sum::<f64>().sqrt()
+}
+
+/// What bounds a step, and the numbers behind it.
+#[derive(Clone, Copy, Debug)]
+struct Limits {
+    /// Critical step without viscous damping \[s\].
+    undamped: f64,
+    /// What it is by.
+    bound: Bound,
+    /// Critical step of the scheme with it \[s\].
+    damped: f64,
+    /// Largest wave speed \[m/s\].
+    wave_speed: f64,
+    /// Largest particle speed \[m/s\].
+    particle_speed: f64,
+}
+
+impl Limits {
+    /// Critical step \[s\].
+    fn critical(&self) -> f64 {
+        self.undamped.min(self.damped)
+    }
+
+    /// The automatic step \[s\]. Light damping leaves it as it would be without.
+    fn automatic(&self) -> f64 {
+        (AUTOMATIC_SHARE * self.undamped).min(DAMPED_SHARE * self.damped)
+    }
+
+    /// What the automatic step is by.
+    fn automatic_bound(&self) -> Bound {
+        if self.automatic() < AUTOMATIC_SHARE * self.undamped {
+            Bound::Damping
+        } else {
+            self.bound
+        }
+    }
+
+    /// The step of a multiplier \[s\].
+    fn multiple(&self, multiplier: f64, simulation: &Simulation) -> f64 {
+        multiplier * simulation.smallest_cell() / (self.wave_speed + self.particle_speed)
+    }
+}
+
 impl Simulation {
     /// The shortest side of a cell \[m\].
     pub(super) fn smallest_cell(&self) -> f64 {
@@ -81,30 +152,32 @@ impl Simulation {
 
     /// The step that would be taken now if nothing interacted \[s\].
     pub(super) fn free_step(&self) -> f64 {
-        let (critical, _, wave_speed, particle_speed) = self.free_critical();
+        let limits = self.free_limits();
         match self.decided.scene.time_step {
-            TimeStep::Automatic => AUTOMATIC_SHARE * critical,
-            TimeStep::Multiplier { multiplier, .. } => {
-                multiplier * self.smallest_cell() / (wave_speed + particle_speed)
-            }
+            TimeStep::Automatic => limits.automatic(),
+            TimeStep::Multiplier { multiplier, .. } => limits.multiple(multiplier, self),
             TimeStep::Fixed { dt, .. } => dt,
         }
     }
 
-    /// Critical time step \[s\] of all that is there, its bound, and the numbers behind it.
-    fn critical(&self) -> (f64, Bound, f64, f64) {
-        let (critical, bound, wave_speed, particle_speed) = self.free_critical();
+    /// What bounds a step, all that is there.
+    fn limits(&self) -> Limits {
+        let limits = self.free_limits();
         let steps = self.interactions().map(Interaction::time_step);
         let contact = steps.fold(f64::INFINITY, f64::min);
-        if contact < critical {
-            (contact, Bound::Contact, wave_speed, particle_speed)
+        if contact < limits.undamped {
+            Limits {
+                undamped: contact,
+                bound: Bound::Contact,
+                ..limits
+            }
         } else {
-            (critical, bound, wave_speed, particle_speed)
+            limits
         }
     }
 
     /// The same without interactions.
-    fn free_critical(&self) -> (f64, Bound, f64, f64) {
+    fn free_limits(&self) -> Limits {
         let mut wave_speed = 0.0_f64;
         let mut square = 0.0_f64;
         for found in &self.state.found {
@@ -114,13 +187,30 @@ impl Simulation {
         let particle_speed = square.sqrt();
         let h = self.smallest_cell();
         let stable = self.stability_number() * h / (wave_speed + particle_speed);
-        let travel = MOST_CELLS_PER_STEP * h / particle_speed;
-        let (critical, bound) = if travel < stable {
+        let travel = travel_step(MOST_CELLS_PER_STEP * h, particle_speed, self.acceleration());
+        let (undamped, bound) = if travel < stable {
             (travel, Bound::Travel)
         } else {
             (stable, Bound::Stability)
         };
-        (critical, bound, wave_speed, particle_speed)
+        Limits {
+            undamped,
+            bound,
+            damped: damped_step(stable, self.viscous_rate()),
+            wave_speed,
+            particle_speed,
+        }
+    }
+
+    /// Largest rate of viscous damping of a body that moves freely \[1/s\].
+    fn viscous_rate(&self) -> f64 {
+        let free = self.decided.bodies.iter().filter(|b| b.motion.is_none());
+        free.map(|body| body.viscous_rate).fold(0.0, f64::max)
+    }
+
+    /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
+    fn acceleration(&self) -> f64 {
+        length(&self.decided.scene.gravity) + self.decided.load_acceleration
     }
 
     /// [`stability_number`] of the scene.
@@ -153,22 +243,21 @@ impl Simulation {
 
     /// The step that would be taken now without regard to output times, or why it is refused.
     pub(super) fn propose(&self) -> Result<(f64, f64, Bound), Unstable> {
-        let (critical, bound, wave_speed, particle_speed) = self.critical();
+        let limits = self.limits();
+        let (critical, automatic) = (limits.critical(), limits.automatic());
         let steps = self.interactions().map(Interaction::closing_step);
         let closing = CLOSING_SHARE * steps.fold(f64::INFINITY, f64::min);
         let (dt, bound, allow) = match self.decided.scene.time_step {
-            TimeStep::Automatic if closing < AUTOMATIC_SHARE * critical => {
-                (closing, Bound::Closing, false)
-            }
-            TimeStep::Automatic if self.grown(closing) < AUTOMATIC_SHARE * critical => {
+            TimeStep::Automatic if closing < automatic => (closing, Bound::Closing, false),
+            TimeStep::Automatic if self.grown(closing) < automatic => {
                 (self.grown(closing), Bound::Contact, false)
             }
-            TimeStep::Automatic => (AUTOMATIC_SHARE * critical, bound, false),
+            TimeStep::Automatic => (automatic, limits.automatic_bound(), false),
             TimeStep::Multiplier {
                 multiplier,
                 allow_unstable,
             } => {
-                let dt = multiplier * self.smallest_cell() / (wave_speed + particle_speed);
+                let dt = limits.multiple(multiplier, self);
                 if closing < dt {
                     (closing, Bound::Closing, allow_unstable)
                 } else {
@@ -182,8 +271,10 @@ impl Simulation {
             return Err(Unstable {
                 dt,
                 critical,
-                wave_speed,
-                particle_speed,
+                wave_speed: limits.wave_speed,
+                particle_speed: limits.particle_speed,
+                acceleration: self.acceleration(),
+                viscous_rate: self.viscous_rate(),
             });
         }
         Ok((dt, critical, bound))
@@ -198,7 +289,7 @@ impl Simulation {
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
-        let clock = &mut self.state.clock;
+        let clock = self.state.clock;
         let step = clock.step + 1;
         let (dt, time, bound) = if bound == Bound::Fixed {
             (most, step as f64 * most, bound)
@@ -219,11 +310,17 @@ impl Simulation {
             let last = steps == 1.0 && remaining > 0.0;
             (dt, if last { stop } else { clock.time + dt }, bound)
         };
+        // Nothing bounds a step without particles but the time that it is to reach.
+        if dt.is_infinite() && self.particles() == 0 {
+            return Err(self.error(StepErrorKind::NothingLeft));
+        }
         // Not a number is no later time either.
         let moves_on = time > clock.time;
         if !moves_on {
-            return Err(self.error(StepErrorKind::TimeStands { dt }));
+            let kind = self.endless_speed();
+            return Err(self.error(kind.unwrap_or(StepErrorKind::TimeStands { dt })));
         }
+        let clock = &mut self.state.clock;
         clock.dt_min = if clock.step == 0 {
             dt
         } else {
@@ -248,6 +345,17 @@ impl Simulation {
             measured: None,
             contact_nodes: 0,
         })
+    }
+
+    /// The particle whose velocity is not finite, if that is why there is no step.
+    fn endless_speed(&self) -> Option<StepErrorKind> {
+        for (index, set) in self.state.sets.iter().enumerate() {
+            let endless = |p: &usize| set.velocity(*p).iter().any(|v| !v.is_finite());
+            if let Some(p) = (0..set.len()).find(endless) {
+                return Some(StepErrorKind::NotFinite(self.particle_at(index, p)));
+            }
+        }
+        None
     }
 
     /// Smallest, largest and smallest critical time step so far \[s\].

@@ -24,6 +24,8 @@ pub(crate) struct Decided {
     pub(crate) has_own: bool,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
+    /// What box loads accelerate a particle by, at most \[m/s²\].
+    pub(crate) load_acceleration: f64,
     /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
     /// 1e-10 m only.
     pub(crate) local_surfaces: Vec<Arc<Surface>>,

@@ -5,6 +5,9 @@ use crate::memory::OutOfMemory;
 use crate::number::Number;
 use std::fmt;
 
+/// Where a scene says how many nodes there are.
+pub(super) const MESH: &str = "mesh.cells_number";
+
 /// A simulation cannot be set up from this scene. All are faults of the input.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SetupError {
@@ -82,6 +85,10 @@ pub struct Unstable {
     pub wave_speed: f64,
     /// Largest particle speed \[m/s\].
     pub particle_speed: f64,
+    /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
+    pub acceleration: f64,
+    /// Largest rate of viscous damping \[1/s\].
+    pub viscous_rate: f64,
 }
 
 impl fmt::Display for Unstable {
@@ -89,11 +96,27 @@ impl fmt::Display for Unstable {
         write!(
             f,
             "time step {:e} s is above the critical time step {:e} s of this scheme (wave speed {} m/s, \
-             particle speed {} m/s); accepted: a smaller step, or \"allow_unstable\": true",
+             particle speed {} m/s",
             self.dt,
             self.critical,
             Number(self.wave_speed),
             Number(self.particle_speed)
+        )?;
+        if self.acceleration > 0.0 {
+            write!(f, ", acceleration {} m/s2", Number(self.acceleration))?;
+        }
+        if self.viscous_rate > 0.0 {
+            let rate = Number(self.viscous_rate);
+            write!(f, ", viscous damping at a rate of {rate} 1/s")?;
+        }
+        let less = if self.viscous_rate > 0.0 {
+            " or less damping"
+        } else {
+            ""
+        };
+        write!(
+            f,
+            "); accepted: a smaller step{less}, or \"allow_unstable\": true"
         )
     }
 }
@@ -108,6 +131,9 @@ impl fmt::Display for SetupError {
                 write!(f, "{path}: {reason}")
             }
             Self::TooLarge { what } => write!(f, "{what}"),
+            Self::Memory { path, error } if path == MESH => {
+                write!(f, "{path}: {error}: fewer cells, or larger ones")
+            }
             Self::Memory { path, error } => write!(f, "{path}: {error}"),
             Self::Threads(reason) => write!(f, "threads: {reason}"),
             Self::Overlap(all) => {
@@ -174,6 +200,8 @@ pub enum StepErrorKind {
         /// Time step \[s\].
         dt: f64,
     },
+    /// All particles have left the mesh, and there is no time to step to.
+    NothingLeft,
     /// A nodal load acts where no particle reaches.
     LoadOnEmptyNode {
         /// Position of the node \[m\].
@@ -260,6 +288,20 @@ pub enum StepErrorKind {
     },
 }
 
+impl StepErrorKind {
+    /// Whether particles are left outside the mesh or with values that no step can go on with.
+    pub(super) fn breaks_particles(&self) -> bool {
+        matches!(
+            self,
+            Self::NotFinite(_)
+                | Self::Law { .. }
+                | Self::Inverted(_)
+                | Self::Outside(_)
+                | Self::DomainTooLarge { .. }
+        )
+    }
+}
+
 /// A particle and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleAt {
@@ -310,6 +352,10 @@ impl fmt::Display for StepError {
             StepErrorKind::TimeStands { dt } => write!(
                 f,
                 "a time step of {dt:e} s does not move the time on; accepted: longer steps or a shorter time"
+            ),
+            StepErrorKind::NothingLeft => write!(
+                f,
+                "all particles have left the mesh; accepted: a larger mesh, or a time that ends before"
             ),
             StepErrorKind::LoadOnEmptyNode {
                 position: [x, y, z],
@@ -401,47 +447,3 @@ impl fmt::Display for StepError {
 }
 
 impl std::error::Error for StepError {}
-
-/// Something that happened in a run that went on.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Event {
-    /// Number of the step.
-    pub step: u64,
-    /// Time \[s\].
-    pub time: f64,
-    /// What happened.
-    pub kind: EventKind,
-}
-
-/// Kinds of events.
-#[derive(Clone, Debug, PartialEq)]
-pub enum EventKind {
-    /// A particle left the mesh and was removed.
-    Removed(ParticleAt),
-    /// The base record ended; the plane keeps its velocity.
-    RecordEnded,
-    /// Particle domains outgrew half a cell; from here on the stencil has four nodes per axis.
-    WiderStencil,
-}
-
-impl fmt::Display for Event {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.kind {
-            EventKind::Removed(p) => {
-                write!(f, "{p} left the mesh and was removed, mass {} kg", p.mass)
-            }
-            EventKind::RecordEnded => {
-                write!(
-                    f,
-                    "the base record ended; zero acceleration from here, velocity kept"
-                )
-            }
-            EventKind::WiderStencil => {
-                write!(
-                    f,
-                    "a particle domain exceeded h/2; four nodes per axis from here"
-                )
-            }
-        }
-    }
-}

@@ -186,6 +186,21 @@ impl Grid {
         }
     }
 
+    /// Indices of the nodes in use of a field, by its number, row by row.
+    #[must_use]
+    pub fn rows_in_use(&self, number: usize) -> Vec<Range<usize>> {
+        let field = &self.fields[number];
+        let mut rows = vec![];
+        for plane in 0..self.shape.nodes[0] {
+            for row in 0..self.shape.nodes[1] {
+                let first = self.shape.index([plane, row, 0]);
+                let span = field.rows.span(plane, row);
+                rows.push(first + span.start..first + span.end);
+            }
+        }
+        rows
+    }
+
     /// Number of the field in which a body moves.
     #[must_use]
     pub fn number_of(&self, body: usize) -> usize {

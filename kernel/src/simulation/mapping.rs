@@ -84,6 +84,19 @@ impl BodiesOnto<'_> {
         groups
     }
 
+    /// Rate of viscous damping of all bodies of a field \[1/s\]; `None` where they differ or momentum has an affine part:
+    /// what it takes is not known at the nodes then.
+    pub(super) fn viscous_rate(&self, owner: Owner) -> Option<f64> {
+        let own = self.own_field.iter().enumerate();
+        let bodies = own.filter(|&(index, own)| match owner {
+            Owner::Body(body) => body == index,
+            Owner::Phase => !own && self.bodies[index].motion.is_none(),
+        });
+        let mut rates = bodies.map(|(index, _)| self.bodies[index].viscous_rate);
+        let first = rates.next()?;
+        (!self.affine && rates.all(|rate| rate == first)).then_some(first)
+    }
+
     /// Maps the bodies of one field.
     pub(super) fn run_field(&self, field: &mut SlabField<'_>) -> usize {
         let planes = &mut field.planes;

@@ -2,34 +2,12 @@
 //! they do not depend on how particles are stored.
 
 use super::Simulation;
-use super::interactions::Interaction;
 use crate::laws::{Particle, UNDEFORMED};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 
-/// Energies of a simulation \[J\].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Energy {
-    /// Kinetic energy of the particles.
-    pub kinetic: f64,
-    /// Strain energy.
-    pub strain: f64,
-    /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
-    pub external_work: f64,
-    /// What is missing: initial energy plus external work less the present energy, in which what interactions store is
-    /// counted, such as the normal laws of mortar contact ([`Simulation::mortar_energy`]). Damping, friction, the dissipation of the scheme, and
-    /// what removed particles took with them.
-    pub dissipated: f64,
-}
-
 impl Simulation {
-    /// Begins the energy balance.
-    pub(super) fn open_ledger(&mut self) {
-        self.state.books.dead_load_origin = self.dead_load_potential();
-        self.state.books.initial_energy = self.kinetic_energy() + self.strain_energy();
-    }
-
     /// Total mass \[kg\].
     #[must_use]
     pub fn mass(&self) -> f64 {
@@ -79,37 +57,25 @@ impl Simulation {
     #[must_use]
     pub fn strain_energy(&self) -> f64 {
         let mut total = 0.0;
-        for (index, (set, body)) in self.state.sets.iter().zip(&self.decided.bodies).enumerate() {
+        for (index, set) in self.state.sets.iter().enumerate() {
             for p in in_order(set) {
-                let (mass, volume) = self.mass_and_volume(index, p);
-                total += body.law.energy(&Particle {
-                    mass,
-                    volume,
-                    density: body.density,
-                    stress: set.stress(p),
-                    deformation: self.deformation(index, p).unwrap_or(UNDEFORMED),
-                    variables: &set.variables(p),
-                });
+                total += self.strain_energy_of(index, p);
             }
         }
         total
     }
 
-    /// Energies.
-    #[must_use]
-    pub fn energy(&self) -> Energy {
-        let (kinetic, strain) = (self.kinetic_energy(), self.strain_energy());
-        let external_work = self.state.books.external_work + self.dead_load_potential()
-            - self.state.books.dead_load_origin;
-        let stored: f64 = self.interactions().map(Interaction::energy).sum();
-        let present = kinetic + strain + stored;
-        let dissipated = self.state.books.initial_energy + external_work - present;
-        Energy {
-            kinetic,
-            strain,
-            external_work,
-            dissipated,
-        }
+    fn strain_energy_of(&self, index: usize, p: usize) -> f64 {
+        let (set, body) = (&self.state.sets[index], &self.decided.bodies[index]);
+        let (mass, volume) = self.mass_and_volume(index, p);
+        body.law.energy(&Particle {
+            mass,
+            volume,
+            density: body.density,
+            stress: set.stress(p),
+            deformation: self.deformation(index, p).unwrap_or(UNDEFORMED),
+            variables: &set.variables(p),
+        })
     }
 
     /// Hash of the particle state in order of the identifier; see [`state_hash`].
@@ -154,9 +120,15 @@ impl Simulation {
         (0..3).map(|axis| (m * g[axis] + own[axis]) * x[axis]).sum()
     }
 
-    /// Takes a particle that is removed out of the balance of dead loads.
-    pub(super) fn close_account(&mut self, set: usize, p: usize) {
-        self.state.books.dead_load_origin -= self.dead_load(&self.state.sets[set], p);
+    /// Takes a particle that is removed out of the balance, and notes the energy that goes with it.
+    pub(super) fn close_account(&mut self, index: usize, p: usize) {
+        let set = &self.state.sets[index];
+        let square: f64 = set.velocity(p).iter().map(|c| c * c).sum();
+        let kinetic = 0.5 * set.columns[Layout::MASS][p] * square;
+        let energy = kinetic + self.strain_energy_of(index, p);
+        let load = self.dead_load(set, p);
+        self.state.books.removed += energy;
+        self.state.books.dead_load_origin -= load;
     }
 }
 

@@ -4,7 +4,9 @@ mod change;
 mod clock;
 pub(crate) mod conditions;
 mod decided;
+mod energy;
 mod error;
+mod event;
 mod faults;
 pub(crate) mod fields;
 mod history;
@@ -29,14 +31,15 @@ pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
-pub use error::{
-    Event, EventKind, Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable,
-};
+pub use energy::Energy;
+pub use error::{Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
+pub use event::{Event, EventKind};
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, value as history_value};
 pub use interactions::mortar::{BoundaryVertex, VertexState};
 pub use interactions::{Again, Interaction, Now, OnSlab, Remembered, Visit};
-pub use measure::{Energy, state_hash};
+pub use measure::state_hash;
+pub use needs::{Foreseen, foresee};
 pub use nodes::NodeValues;
 pub use passes::Groups;
 pub use phase::Phase;
@@ -44,7 +47,10 @@ pub use rehearsal::{Part, Rehearsal};
 pub use start::{StartError, plan};
 pub use state::{Books, RestoreError, Saved, State};
 pub use step::Way;
-pub use trust::{Doubt, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, Reason, Trust};
+pub use trust::{
+    Doubt, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_VOLUME_RATIO,
+    Reason, Trust,
+};
 
 pub(crate) use decided::{BodyRun, Decided};
 use work::Work;

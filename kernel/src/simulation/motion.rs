@@ -49,7 +49,14 @@ fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
     for condition in now.conditions {
         condition.before(field)?;
     }
-    field.parts().0.accelerate(&now.acceleration());
+    let by = now.acceleration();
+    let driven = match field.owner() {
+        Owner::Phase => &now.acting.driven[..],
+        Owner::Body(_) => &[],
+    };
+    let (planes, _, sums) = field.parts();
+    planes.leave_out_prescribed(&by, &now.walls, [&now.acting.held, driven], sums);
+    planes.accelerate(&by, sums);
     for condition in now.conditions {
         condition.after(field);
     }
@@ -86,9 +93,7 @@ fn add_sums(slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
             });
         }
         for (sums, own) in sums.iter_mut().zip(&own) {
-            sums.power += own.power;
-            sums.kinetic += own.kinetic;
-            sums.unbalanced_squared += own.unbalanced_squared;
+            *sums += own;
         }
     }
 }
@@ -193,9 +198,7 @@ pub(super) fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
 pub(super) fn total<'a>(planes: impl IntoIterator<Item = &'a PlaneSums>) -> PlaneSums {
     let mut total = PlaneSums::default();
     for plane in planes {
-        total.power += plane.power;
-        total.kinetic += plane.kinetic;
-        total.unbalanced_squared += plane.unbalanced_squared;
+        total += plane;
     }
     total
 }

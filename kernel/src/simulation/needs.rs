@@ -3,12 +3,13 @@
 //! Estimates, on the high side: what an array holds, and a copy where a sort or a checkpoint makes one. What bodies with
 //! velocity fields of their own touch of the grid later, as they travel, is not foreseen.
 
-use super::error::SetupError;
-use crate::bodies::{FILLED, FillError, Room};
+use super::error::{MESH, SetupError};
+use crate::bodies::{self, FILLED, FillError, Room};
 use crate::grid::{GridShape, Line};
 use crate::layout::Layout;
-use crate::memory::Memory;
+use crate::memory::{Memory, OutOfMemory, in_one_piece};
 use crate::particles::ParticleSet;
+use crate::plan::{Demands, Plan};
 use crate::scene::{Field, Scene};
 use crate::stage::solve::{DrivenNode, NodeForce};
 
@@ -40,12 +41,85 @@ pub(super) fn grid(
     // Which fields move together, and forces of pairs in each plane.
     let pairs = scene.contacts.len() as f64 * shape.nodes[0] as f64 * size_of::<[f64; 4]>() as f64;
     let needed = nodes * size_of::<Line>() as f64 + fields * rows * ROW + fields * fields + pairs;
+    let what = format!("a grid of {nodes} nodes, those around the mesh included,");
+    let piece = nodes * size_of::<Line>() as f64;
     memory
-        .take(
-            format!("a grid of {nodes} nodes, those around the mesh included,"),
+        .take(&what, needed)
+        .and_then(|()| handed_out(what, piece))
+        .map_err(|error| at(MESH, error))
+}
+
+/// Whether the system hands out so many bytes in one piece.
+fn handed_out(what: String, needed: f64) -> Result<(), OutOfMemory> {
+    let piece = in_one_piece(needed);
+    if piece < needed {
+        return Err(OutOfMemory {
+            what,
             needed,
-        )
-        .map_err(|error| at("mesh.cells_number", error))
+            there_is: piece as u64,
+        });
+    }
+    Ok(())
+}
+
+/// What a scene asks for, as it is seen before anything is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Foreseen {
+    /// Particles of all bodies, from their volumes.
+    pub particles: f64,
+    /// Nodes, those around the mesh included.
+    pub nodes: f64,
+    /// Bytes that these need.
+    pub bytes: f64,
+}
+
+/// Counts what a scene that was checked asks for.
+#[must_use]
+pub fn foresee(scene: &Scene) -> Foreseen {
+    let plan = super::start::plan(scene, Demands::default());
+    let nodes = nodes(&GridShape::new(&scene.mesh, scene.dimension));
+    let bodies = expected(scene, &plan);
+    Foreseen {
+        particles: bodies.iter().map(|(count, _)| count).sum(),
+        nodes,
+        bytes: nodes * size_of::<Line>() as f64
+            + bodies.iter().map(|(_, bytes)| bytes).sum::<f64>(),
+    }
+}
+
+/// About how many particles each body gets, and the bytes that they need.
+fn expected(scene: &Scene, plan: &Plan) -> Vec<(f64, f64)> {
+    let axes = scene.dimension.axes();
+    let bodies = scene.bodies.iter().zip(&plan.layouts);
+    let of_body = bodies.map(|(body, layout)| {
+        let count = bodies::expected(&body.shape, body.particles_per_cell, &scene.mesh, axes);
+        (count, count * per_particle(scene, layout))
+    });
+    of_body.collect()
+}
+
+/// Asks for the memory of the particles of all bodies together, before the first is filled.
+///
+/// # Errors
+/// [`SetupError::Body`], with the body that needs most.
+pub(super) fn bodies(scene: &Scene, plan: &Plan, memory: Memory) -> Result<(), SetupError> {
+    let each = expected(scene, plan);
+    let (count, bytes) = (each.iter()).fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+    let most = (0..each.len()).max_by(|a, b| each[*a].1.total_cmp(&each[*b].1));
+    let Some(most) = most else { return Ok(()) };
+    let what = match each.len() {
+        1 => format!("{count:.4e} particles"),
+        bodies => {
+            let own = each[most].0;
+            format!("{count:.4e} particles of {bodies} bodies, {own:.4e} of this one,")
+        }
+    };
+    memory
+        .require(what, bytes)
+        .map_err(|error| SetupError::Body {
+            body: scene.bodies[most].name.clone(),
+            reason: FillError::Memory(error).to_string(),
+        })
 }
 
 /// Takes the memory of the velocity fields of bodies in contact: those parts of the grid that they touch.
@@ -79,7 +153,7 @@ pub(super) fn layers(
         memory
             .require(format!("a velocity field of \"{name}\""), whole)
             .and_then(|()| memory.take(format!("the velocity field of \"{name}\""), 2.0 * touched))
-            .map_err(|error| at("mesh.cells_number", error))?;
+            .map_err(|error| at(MESH, error))?;
     }
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! From a scene to a simulation at time zero.
 
+use super::clock::length;
 use super::error::SetupError;
 use super::fields::Grid;
 use super::work::Work;
 use super::{
-    BaseVelocity, BodyRun, Decided, InitialState, Options, Simulation, State, conditions,
-    interactions, needs,
+    BaseVelocity, BodyRun, Decided, InitialState, MOST_VOLUME_RATIO, Options, Simulation, State,
+    conditions, interactions, needs,
 };
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::grid::GridShape;
@@ -50,6 +51,7 @@ impl Simulation {
         needs::grid(scene, &shape, &mut memory)?;
         needs::frames(scene, &mut memory)?;
         needs::loads(scene, &shape, &mut memory)?;
+        needs::bodies(scene, &plan, memory)?;
         let conditions = conditions::of(scene, &shape, &options.conditions)?;
         let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
         let mut next_id = 0;
@@ -81,6 +83,7 @@ impl Simulation {
                 reason,
             })?;
         }
+        let load_acceleration = sets.iter().map(largest_acceleration).fold(0.0, f64::max);
         needs::layers(scene, &shape, &sets, &mut memory)?;
         let team = team(scene, options, next_id as usize)?;
         let interactions = interactions::of(scene, &bodies, &options.interactions, &mut memory)?;
@@ -97,6 +100,7 @@ impl Simulation {
                 has_own: !(options.conditions.is_empty() && options.interactions.is_empty()),
                 base: (scene.base_motion.as_ref()).map(|base| BaseVelocity::new(&base.motion)),
                 body_force: options.body_force.clone(),
+                load_acceleration,
                 local_surfaces: interactions::surfaces::local(scene),
             },
         };
@@ -108,6 +112,10 @@ impl Simulation {
             one.start(&simulation)?;
         }
         simulation.open_ledger();
+        if options.initial.is_none() {
+            // No volume has changed yet.
+            simulation.state.trust.volume_left = libm::log(MOST_VOLUME_RATIO);
+        }
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         Ok(simulation)
     }
@@ -390,6 +398,16 @@ fn root_diagonal(square: nalgebra::Matrix3<f64>) -> nalgebra::Vector3<f64> {
     let mut square = square.symmetric_eigen();
     square.eigenvalues.apply(|x| *x = x.sqrt());
     square.recompose().diagonal()
+}
+
+/// What its own force accelerates a particle of a set by, at most \[m/s²\].
+fn largest_acceleration(set: &ParticleSet) -> f64 {
+    let Some(first) = set.layout.force else {
+        return 0.0;
+    };
+    let mass = set.columns[Layout::MASS].iter().enumerate();
+    mass.map(|(p, m)| length(&set.vector(first, p)) / m)
+        .fold(0.0, f64::max)
 }
 
 /// Spreads a box load by volume over the particles in the box.

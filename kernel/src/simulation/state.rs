@@ -6,7 +6,7 @@
 
 use super::Simulation;
 use super::clock::Clock;
-use super::error::Event;
+use super::event::Event;
 use super::interactions::{Interaction, Remembered};
 use super::passes::Groups;
 use super::trust::Trust;
@@ -47,12 +47,20 @@ pub struct State {
 /// Running sums of the energy balance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Books {
-    /// Work of nodal loads and of what has a prescribed velocity so far \[J\].
+    /// Work of nodal loads and of what has a prescribed velocity so far, less that of dead loads on it \[J\].
     pub external_work: f64,
     /// Sum of force times position over particles with dead loads at the start, less those removed \[J\].
     pub dead_load_origin: f64,
     /// Kinetic and strain energy at the start, and from the first step on that of mortar contact \[J\].
     pub initial_energy: f64,
+    /// What damping took so far \[J\].
+    pub damping: f64,
+    /// What friction of contact took so far \[J\].
+    pub friction: f64,
+    /// What contact took along its normal so far \[J\].
+    pub impact: f64,
+    /// What removed particles took along so far \[J\].
+    pub removed: f64,
 }
 
 /// The whole state of a simulation: see [`Simulation::save`].
@@ -151,6 +159,7 @@ impl Simulation {
         self.fits(&saved)?;
         let layouts: Vec<Layout> = self.state.sets.iter().map(|set| set.layout).collect();
         self.state = saved.state;
+        self.work.failed = None;
         for (set, layout) in self.state.sets.iter_mut().zip(layouts) {
             set.layout = layout;
         }

@@ -48,7 +48,8 @@ impl Simulation {
     /// steps that they join, which is second order also where the step changes.
     ///
     /// # Errors
-    /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error.
+    /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error; where particles are such
+    /// that no step can go on, each further one gives the same error.
     pub fn step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
         self.step_watched(stop, &mut |_| ())
     }
@@ -58,7 +59,16 @@ impl Simulation {
     /// # Errors
     /// As [`Simulation::step`].
     pub fn step_watched(&mut self, stop: f64, ended: Watcher<'_>) -> Result<StepInfo, StepError> {
-        self.led(|simulation| simulation.cycle(stop, ended))
+        if let Some(error) = &self.work.failed {
+            return Err(error.clone());
+        }
+        let result = self.led(|simulation| simulation.cycle(stop, ended));
+        if let Err(error) = &result
+            && error.kind.breaks_particles()
+        {
+            self.work.failed = Some(error.clone());
+        }
+        result
     }
 
     /// Has a thread of the team do `work`; the caller does it where there is one slab, and so nothing to share.
@@ -212,7 +222,7 @@ impl Simulation {
         self.move_driven_bodies(info, &way.mesh_shift)?;
         self.state.mesh_shift =
             std::array::from_fn(|axis| self.state.mesh_shift[axis] + way.mesh_shift[axis]);
-        self.state.books.external_work += self.work.sums.power * info.dt;
+        self.keep_books(way);
         if self.state.clock.step == 0 {
             // Gaps are first measured in the first step, at the positions of the start.
             let stored: f64 = self.interactions().map(Interaction::energy).sum();
@@ -223,6 +233,7 @@ impl Simulation {
         self.state.clock.time = info.time;
         self.state.clock.dt_before = info.dt;
         if way.reset {
+            self.state.books.damping += self.kinetic_energy();
             self.stop_motion();
         }
         self.watch(info, way)?;

@@ -1,6 +1,7 @@
 //! A run that knows when it went wrong: balances that hold whatever a scene does, watched on the way.
 //!
-//! The largest strain of a particle within a step is known after each step. Energy and momentum are summed in one step
+//! The largest strain of a particle within a step is known after each step, and from it by how much volumes can have
+//! changed; the first particle that is crushed or blown up is an event. Energy and momentum are summed in one step
 //! of 256 and in the powers of two before, so that the watch costs next to nothing:
 //!
 //! - what moves and what is strained hold no more energy than the start and the work done have given them; what is
@@ -14,6 +15,7 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::{StepError, StepErrorKind};
+use super::event::{Event, EventKind};
 use super::step::Way;
 use crate::layout::Layout;
 use crate::scene::{OnImbalance, Vector};
@@ -31,6 +33,10 @@ pub const MOST_GAIN: f64 = 1.0;
 pub const MOST_INCREMENT: f64 = 0.5;
 /// Largest change of momentum that no force accounts for, over the momentum that there is in all directions.
 pub const MOST_LOST_MOMENTUM: f64 = 1e-9;
+/// Least volume of a particle over that of the start at which nothing is said.
+pub const LEAST_VOLUME_RATIO: f64 = 0.1;
+/// Largest volume of a particle over that of the start at which nothing is said.
+pub const MOST_VOLUME_RATIO: f64 = 10.0;
 /// Energy that is no more than round-off, over that of the mass at the speed of its waves.
 const ROUND_OFF: f64 = 1e-20;
 
@@ -45,6 +51,9 @@ pub struct Trust {
     pub increment: f64,
     /// Largest change of momentum that no force accounts for, over the momentum in all directions.
     pub lost_momentum: f64,
+    /// By which factor volumes may still change before one of them can be outside [`LEAST_VOLUME_RATIO`] to
+    /// [`MOST_VOLUME_RATIO`], as a logarithm: then they are looked at. Infinite once one was seen.
+    pub volume_left: f64,
     /// Since when the run is not to be trusted, and why.
     pub doubt: Option<Doubt>,
 }
@@ -144,6 +153,7 @@ impl Simulation {
         let increment = squares.fold(0.0, f64::max).sqrt();
         self.state.trust.increment = self.state.trust.increment.max(increment);
         self.doubt(info, Reason::Increment, increment, MOST_INCREMENT);
+        self.watch_volumes(info, increment);
         if Self::looks_after(info.step) {
             if self.knows_all_work() {
                 self.watch_energy(info);
@@ -167,8 +177,54 @@ impl Simulation {
         self.decided.body_force.is_none() && !self.decided.has_own
     }
 
+    /// Notes the first particle that was crushed or blown up. A strain increment G changes a volume by a factor of at least
+    /// 1 - D |G|, so that volumes need not be looked at in every step.
+    fn watch_volumes(&mut self, info: &StepInfo, increment: f64) {
+        let least = 1.0 - self.decided.plan.axes as f64 * increment;
+        let left = if least > 0.0 {
+            self.state.trust.volume_left + libm::log(least)
+        } else {
+            f64::NEG_INFINITY
+        };
+        self.state.trust.volume_left = left;
+        if left > 0.0 {
+            return;
+        }
+        let mut farthest = (1.0, None);
+        for (index, (set, body)) in self.state.sets.iter().zip(&self.decided.bodies).enumerate() {
+            let columns = (&set.columns[Layout::VOLUME], &set.columns[Layout::MASS]);
+            for (p, (volume, mass)) in columns.0.iter().zip(columns.1).enumerate() {
+                let ratio = volume * body.density / mass;
+                let factor = ratio.max(1.0 / ratio);
+                let first =
+                    |(_, other): (usize, usize)| set.id[p] < self.state.sets[index].id[other];
+                let farther = match farthest {
+                    (most, _) if factor > most => true,
+                    (most, Some((i, other))) if factor == most && i == index => first((i, other)),
+                    _ => false,
+                };
+                if farther {
+                    farthest = (factor, Some((index, p)));
+                }
+            }
+        }
+        let (factor, at) = farthest;
+        self.state.trust.volume_left = libm::log(MOST_VOLUME_RATIO / factor);
+        let Some((set, p)) = at.filter(|_| factor > MOST_VOLUME_RATIO) else {
+            return;
+        };
+        self.state.trust.volume_left = f64::INFINITY;
+        let particle = self.particle_at(set, p);
+        let ratio = particle.volume * self.decided.bodies[set].density / particle.mass;
+        self.state.events.push(Event {
+            step: info.step,
+            time: info.time,
+            kind: EventKind::VolumeRatio { particle, ratio },
+        });
+    }
+
     fn watch_energy(&mut self, info: &StepInfo) {
-        let energy = self.energy();
+        let energy = self.energy_behind();
         let given = self.state.books.initial_energy + energy.external_work;
         if self.state.trust.given == 0.0 {
             let found = self.state.found.iter();

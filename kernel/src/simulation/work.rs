@@ -1,5 +1,6 @@
 //! What a step works with.
 
+use super::error::StepError;
 use super::fields::Grid;
 use super::interactions::Interactions;
 use super::trust::Momentum;
@@ -16,6 +17,8 @@ pub(crate) struct Work {
     pub(crate) mapped: Option<usize>,
     /// Sums over the nodes of the last step.
     pub(crate) sums: PlaneSums,
+    /// Why a step left particles where no step can go on.
+    pub(crate) failed: Option<StepError>,
     /// Momentum in the middle of a step, where it is looked at.
     pub(crate) momentum: Option<Momentum>,
 }
@@ -29,6 +32,7 @@ impl Work {
             interactions,
             mapped: None,
             sums: PlaneSums::default(),
+            failed: None,
             momentum: None,
         }
     }

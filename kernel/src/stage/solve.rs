@@ -5,10 +5,11 @@
 //! beyond a fixed plane all components are odd about the velocity of the plane; what particles gave to a ghost
 //! node is folded onto its mirror node before the solve, and the ghost gets the mirrored velocity after it.
 
+mod damped;
 mod remapped;
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
-use std::ops::Range;
+use std::ops::{AddAssign, Range};
 
 /// A boundary plane with a condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,6 +94,23 @@ pub struct PlaneSums {
     pub unbalanced_squared: f64,
     /// Power of the nodal loads and of the moving planes \[W\].
     pub power: f64,
+    /// What local and viscous damping took over the kick \[J\].
+    pub damping: f64,
+    /// What friction of contact took \[J\].
+    pub friction: f64,
+    /// What contact took along its normal, where bodies met \[J\].
+    pub impact: f64,
+}
+
+impl AddAssign<&Self> for PlaneSums {
+    fn add_assign(&mut self, other: &Self) {
+        self.kinetic += other.kinetic;
+        self.unbalanced_squared += other.unbalanced_squared;
+        self.power += other.power;
+        self.damping += other.damping;
+        self.friction += other.friction;
+        self.impact += other.impact;
+    }
 }
 
 /// A load on a node that no particle reaches.
@@ -215,8 +233,9 @@ impl Planes<'_> {
         Ok(())
     }
 
-    /// v_I += dv_I with dv_I = (f_I/m_I + g) dt, damped (technical manual, algorithm 2, lines 7-11).
-    pub fn accelerate(&mut self, by: &Acceleration) {
+    /// v_I += dv_I with dv_I = (f_I/m_I + g) dt, damped (technical manual, algorithm 2, lines 7-11). Adds what local
+    /// damping takes to the sums of the owned planes.
+    pub fn accelerate(&mut self, by: &Acceleration, sums: &mut [PlaneSums]) {
         let (g, dt) = (by.gravity, by.kick);
         match by.local_damping {
             None => self.for_rows(|row| {
@@ -230,24 +249,7 @@ impl Planes<'_> {
                     }
                 }
             }),
-            Some(alpha) => self.for_rows(|row| {
-                for node in row {
-                    if node[0] > 0.0 {
-                        let r = 1.0 / node[0];
-                        for axis in 0..3 {
-                            let a = node[4 + axis] * r + g[axis];
-                            let v = node[1 + axis];
-                            let resisted = if v == 0.0 {
-                                a
-                            } else {
-                                a - alpha * a.abs() * v.signum()
-                            };
-                            node[4 + axis] = resisted * dt;
-                            node[1 + axis] += node[4 + axis];
-                        }
-                    }
-                }
-            }),
+            Some(alpha) => self.accelerate_damped(by, alpha, sums),
         }
     }
 

@@ -92,6 +92,29 @@ impl Touch {
         )
     }
 
+    /// What the impulse takes from the kinetic energy of the nodes \[J\], by friction and along the normal: the impulse
+    /// times the mean of the velocities over the surface before and after the step, with the sign turned. `line` gives a
+    /// node after the solve, before the changes are applied.
+    #[must_use]
+    pub fn taken<'a>(
+        &self,
+        nodes: &[TouchedNode],
+        line: impl Fn(&TouchedNode) -> &'a Line,
+    ) -> [f64; 2] {
+        let mut mean = self.velocity(nodes);
+        for axis in 0..3 {
+            let mut before = self.relative[axis];
+            for (n, w) in &self.weights {
+                before -= w[axis] * line(&nodes[*n])[4 + axis];
+            }
+            mean[axis] = 0.5 * (mean[axis] + before);
+        }
+        [
+            -dot(&self.tangential_impulse, &mean),
+            -self.normal_impulse * dot(&self.normal, &mean),
+        ]
+    }
+
     /// Response sum_I S_Ip² / m_I per axis \[1/kg\].
     fn response(&self, nodes: &[TouchedNode]) -> [f64; 3] {
         let mut sum = [0.0; 3];
@@ -186,7 +209,7 @@ fn sweep(
 /// balances: damped without it, a body at rest on a surface would be carried by its damping, by a share alpha of its
 /// weight. So the damping of the touched nodes is taken back, the contact found, and both done again together.
 ///
-/// `line` gives a node after the damped solve.
+/// `line` gives a node after the damped solve. Returns what damping takes by this beyond what it took before \[J\].
 pub fn resolve_damped<'a>(
     touches: &mut [Touch],
     nodes: &mut [TouchedNode],
@@ -194,7 +217,7 @@ pub fn resolve_damped<'a>(
     alpha: f64,
     tolerance: f64,
     most: usize,
-) {
+) -> f64 {
     // Increment and velocity before it along an axis, where the node is free and damping had a direction.
     let damped = |node: &TouchedNode, axis: usize| {
         let line = line(node);
@@ -214,6 +237,7 @@ pub fn resolve_damped<'a>(
         }
     }
     resolve(touches, nodes, tolerance, most);
+    let mut taken = 0.0;
     for node in nodes.iter_mut() {
         let mut change = [0.0; 3];
         for axis in 0..3 {
@@ -221,6 +245,8 @@ pub fn resolve_damped<'a>(
                 let unbalanced = dv + node.change[axis];
                 change[axis] =
                     undamped(dv, before) - dv - alpha * unbalanced.abs() * before.signum();
+                let mean = before + 0.5 * (dv + change[axis]);
+                taken -= change[axis] / node.mobility[axis] * mean;
             }
         }
         node.change = change;
@@ -230,6 +256,7 @@ pub fn resolve_damped<'a>(
         touch.tangential_impulse = [0.0; 3];
     }
     resolve(touches, nodes, tolerance, most);
+    taken
 }
 
 /// Corrects one touch with all others held; returns the change of its velocity.

@@ -1,5 +1,7 @@
 //! Sizes of shapes.
 
+use crate::support::Setting;
+use proctor_kernel::bodies::{expected, fill};
 use proctor_kernel::scene::{Dimension, ParticleSeed, Shape};
 use std::sync::Arc;
 
@@ -56,4 +58,55 @@ fn what_rolls_has_a_radius_and_all_have_a_size() {
         Shape::Particles(Arc::new(vec![])).half_size(two),
         f64::INFINITY
     );
+}
+
+/// What is asked for before a body is filled is about what it then gets: the volume over that of a sub-cell.
+#[test]
+fn the_particles_of_a_shape_are_known_before_it_is_filled() {
+    let (two, three) = (Setting::plane(0.1, 20, 3), Setting::space(0.1, 20, 2));
+    let corners = [[0.2, 0.2], [1.7, 0.3], [0.9, 1.6]];
+    let plane = [
+        Shape::rectangle([0.2, 0.3], [1.2, 1.6]),
+        Shape::disc([1.0, 1.0], 0.7),
+        Shape::Ring {
+            center: [1.0, 1.0, 0.0],
+            inner: 0.3,
+            outer: 0.8,
+        },
+        Shape::Polygon {
+            points: corners.map(|[x, y]| [x, y, 0.0]).to_vec(),
+        },
+    ];
+    let space = [
+        Shape::Cuboid {
+            p1: [0.2; 3],
+            p2: [1.2, 1.5, 0.7],
+        },
+        Shape::Sphere {
+            center: [1.0; 3],
+            radius: 0.7,
+        },
+        Shape::Cylinder {
+            p1: [0.4, 0.5, 0.6],
+            p2: [1.4, 1.5, 1.2],
+            radius: 0.3,
+        },
+        Shape::ExtrudedPolygon {
+            points: corners.to_vec(),
+            axis: 1,
+            range: [0.3, 1.1],
+        },
+    ];
+    let all = plane.map(|shape| (shape, &two)).into_iter();
+    for (shape, setting) in all.chain(space.map(|shape| (shape, &three))) {
+        let (mesh, axes) = (setting.mesh(), setting.axes());
+        let filled = fill(&shape, setting.ppc, &mesh, setting.dimension).expect("it is sound");
+        let found = expected(&shape, setting.ppc, &mesh, axes);
+        let ratio = found / filled.count() as f64;
+        assert!(
+            (0.97..1.03).contains(&ratio),
+            "{shape:?}: {found} {}",
+            filled.count()
+        );
+    }
 }

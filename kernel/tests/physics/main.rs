@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod balance;
 mod bar;
 mod beside;
 mod books;
@@ -14,6 +15,7 @@ mod dilation;
 mod dimension;
 mod driven;
 mod faults;
+mod limits;
 mod loads;
 mod mortar;
 mod mortar_limits;

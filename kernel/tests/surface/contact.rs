@@ -465,8 +465,8 @@ fn a_rehearsal_leaves_the_impulses_of_surfaces() {
                 rehearsal.play().expect("a sound step");
             }
             drop(rehearsal);
-            let of = |s: &Simulation| (s.surface_impulse(0, 0), s.contact_force(0), s.energy());
-            assert_eq!(of(&plain), of(&rehearsed), "{scheme:?} {part:?}");
+            let of = |s: &mut Simulation| (s.surface_impulse(0, 0), s.contact_force(0), s.energy());
+            assert_eq!(of(&mut plain), of(&mut rehearsed), "{scheme:?} {part:?}");
         }
         assert_ne!(plain.surface_impulse(0, 0), [0.0; 3], "no contact");
     }

@@ -185,10 +185,8 @@ impl Case for AngularMomentum {
         let (_, steps) = Self::settings(rung);
         solve_scene(self, rung, &options, |simulation| {
             let start = Self::of(simulation);
-            let energy = |simulation: &Simulation| {
-                let energy = simulation.energy();
-                energy.kinetic + energy.strain
-            };
+            let energy =
+                |simulation: &Simulation| simulation.kinetic_energy() + simulation.strain_energy();
             let (first, mut gain) = (energy(simulation), 0.0_f64);
             let every = (steps / 100).max(1);
             let (mut points, mut largest) = (vec![], 0.0_f64);

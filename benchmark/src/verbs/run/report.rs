@@ -4,7 +4,7 @@ use crate::measure::{self, Spent};
 use crate::show::{grouped, number, seconds};
 use proctor_files::output::Summary;
 use proctor_files::output::checkpoint::CHECKPOINT;
-use proctor_files::output::summary::Status;
+use proctor_files::output::summary::{Energy, Status, VOLUME_RATIO};
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -77,23 +77,35 @@ impl fmt::Display for Report<'_> {
         for (name, value) in [
             ("kinetic energy", e.kinetic),
             ("strain energy", e.strain),
+            ("contact energy", e.contact.filter(|stored| *stored != 0.0)),
             ("external work", e.external_work),
-            ("dissipated", e.dissipated),
         ] {
             if let Some(value) = value {
                 row(f, name, &format!("{} J", number(value)))?;
             }
         }
+        if let Some(text) = dissipated(e) {
+            row(f, "dissipated", &text)?;
+        }
         row(f, "state hash", &format!("{:016x}", s.state_hash))?;
         if let Some(doubt) = &s.not_to_be_trusted {
             row(f, "attention", doubt)?;
         }
-        for event in s.events.iter().take(SHOWN_EVENTS) {
+        for crushed in s.events.iter().filter(|event| event.kind == VOLUME_RATIO) {
+            let time = crushed.time.map_or_else(String::new, number);
+            let text = format!("step {}, {time} s: {}", crushed.step, crushed.message);
+            row(f, "attention", &text)?;
+        }
+        if s.particles == 0 {
+            row(f, "attention", "all particles have left the mesh")?;
+        }
+        let others = || s.events.iter().filter(|event| event.kind != VOLUME_RATIO);
+        for event in others().take(SHOWN_EVENTS) {
             let text = format!("step {}: {}", event.step, event.message);
             row(f, "event", &text)?;
         }
-        if s.events.len() > SHOWN_EVENTS {
-            let more = s.events.len() - SHOWN_EVENTS;
+        if others().count() > SHOWN_EVENTS {
+            let more = others().count() - SHOWN_EVENTS;
             row(f, "event", &format!("and {more} more"))?;
         }
         let Some(folder) = self.folder else {
@@ -144,6 +156,31 @@ impl Report<'_> {
             });
         Some(format!("{range}{ruled}{critical}"))
     }
+}
+
+/// What is missing, and where it went: the channels that took something, and what none of them accounts for.
+fn dissipated(e: &Energy) -> Option<String> {
+    let mut text = format!("{} J", number(e.dissipated?));
+    let channels = [
+        ("damping", e.damping),
+        ("friction", e.friction),
+        ("impact", e.impact),
+        ("with removed particles", e.removed),
+    ];
+    let took = |(name, value): (&str, Option<f64>)| {
+        let value = value.filter(|value| *value != 0.0)?;
+        Some(format!("{name} {}", number(value)))
+    };
+    let mut parts: Vec<String> = channels.into_iter().filter_map(took).collect();
+    parts.extend(
+        e.remainder
+            .map(|rest| format!("remainder {}", number(rest))),
+    );
+    if !parts.is_empty() {
+        text.push_str(": ");
+        text.push_str(&parts.join(", "));
+    }
+    Some(text)
 }
 
 fn row(f: &mut fmt::Formatter<'_>, name: &str, text: &str) -> fmt::Result {

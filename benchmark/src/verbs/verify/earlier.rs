@@ -22,7 +22,7 @@ impl Earlier {
     /// # Errors
     /// [`Failure::BadInput`] if it is no record, or does not say which ladders were run.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let record = Record::read(path).map_err(Failure::bad_input)?;
+        let record = Record::read_any(path).map_err(Failure::bad_input)?;
         let size = match record.ladder() {
             Some("quick") => Size::Quick,
             Some("full") => Size::Full,

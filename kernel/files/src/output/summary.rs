@@ -10,6 +10,9 @@ use serde_json::Value;
 
 use super::{OutputError, atomic};
 
+/// Kind of the event that a particle was crushed or blown up.
+pub const VOLUME_RATIO: &str = "volume_ratio";
+
 /// Name of the summary in the output folder.
 pub const SUMMARY: &str = "summary.json";
 
@@ -77,7 +80,8 @@ pub struct Summary {
     pub error: Option<String>,
 }
 
-/// Energy at the end of the run \[J\].
+/// Energy at the end of the run \[J\], all of it at the time of the positions. What was there at the start and was brought in
+/// is what is there now and what is missing: start + external work = kinetic + strain + contact + dissipated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energy {
     /// Of motion.
@@ -86,12 +90,31 @@ pub struct Energy {
     /// Stored in strain.
     #[serde(default, skip_serializing_if = "no_number")]
     pub strain: Option<f64>,
-    /// Brought in by gravity, loads and moving boundaries.
+    /// Stored in mortar contact.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub contact: Option<f64>,
+    /// Brought in by gravity, loads, moving boundaries and whoever moves bodies as prescribed.
     #[serde(default, skip_serializing_if = "no_number")]
     pub external_work: Option<f64>,
-    /// Taken out by damping.
+    /// What is missing: the sum of damping, friction, impact, removed and remainder.
     #[serde(default, skip_serializing_if = "no_number")]
     pub dissipated: Option<f64>,
+    /// Taken out by damping.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub damping: Option<f64>,
+    /// Taken out by friction of contact on the grid and of rigid surfaces.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub friction: Option<f64>,
+    /// Taken out where bodies meet in the same contacts, along the normal.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub impact: Option<f64>,
+    /// Of particles that left the mesh and were removed.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub removed: Option<f64>,
+    /// What none of these accounts for: the transfer between particles and nodes, friction of mortar contact, errors of the
+    /// method. Negative where energy came from nowhere.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub remainder: Option<f64>,
 }
 
 /// Something that the reader of the results has to know, such as a particle that left the mesh.

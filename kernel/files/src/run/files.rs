@@ -83,9 +83,13 @@ impl Files {
     }
 
     /// Writes frame, history row and checkpoint; what a resumed file already has is left as it is.
-    pub(super) fn write(&mut self, simulation: &Simulation) -> Result<(), RunError> {
+    pub(super) fn write(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
         let time = simulation.time();
-        let row = self.row(simulation);
+        let history = self.history.as_ref();
+        let wanted =
+            history.is_some_and(|history| history.last_time().is_none_or(|last| last < time));
+        let row = wanted.then(|| self.row(simulation));
+        let simulation = &*simulation;
         if let Some(series) = &mut self.series
             && series.last_time().is_none_or(|last| last < time)
         {
@@ -102,9 +106,7 @@ impl Files {
         {
             boundaries.write_frame(&boundaries::frame(simulation))?;
         }
-        if let Some(history) = &mut self.history
-            && history.last_time().is_none_or(|last| last < time)
-        {
+        if let (Some(history), Some(row)) = (&mut self.history, row) {
             history.append(time, simulation.steps(), &row)?;
         }
         if simulation.scene().results.checkpoint && self.series.is_some() {
@@ -148,11 +150,14 @@ impl Files {
             }));
         }
         names.push("velocity_time".into());
+        names.extend(BALANCE.map(str::to_owned));
         names
     }
 
     /// One row of the history; a probed particle that was removed leaves empty cells.
-    fn row(&self, simulation: &Simulation) -> Vec<f64> {
+    fn row(&self, simulation: &mut Simulation) -> Vec<f64> {
+        let energy = simulation.energy();
+        let simulation = &*simulation;
         let axes = simulation.plan().axes;
         let mut row = vec![simulation.kinetic_energy(), simulation.strain_energy()];
         row.extend_from_slice(&simulation.momentum()[..axes]);
@@ -184,9 +189,31 @@ impl Files {
             }
         }
         row.push(simulation.velocity_time());
+        row.extend([
+            energy.kinetic,
+            energy.contact,
+            energy.external_work,
+            energy.damping,
+            energy.friction,
+            energy.impact,
+            energy.removed,
+            energy.remainder,
+        ]);
         row
     }
 }
+
+/// The energy balance at the time of the row; `kinetic_energy` is that of the velocities, at `velocity_time`.
+const BALANCE: [&str; 8] = [
+    "energy_kinetic",
+    "energy_contact",
+    "energy_external_work",
+    "energy_damping",
+    "energy_friction",
+    "energy_impact",
+    "energy_removed",
+    "energy_remainder",
+];
 
 const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
 

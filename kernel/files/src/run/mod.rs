@@ -19,12 +19,14 @@ mod state;
 
 pub use error::RunError;
 
-use crate::output::summary::{Energy, Event as SummaryEvent, Status};
+use crate::output::summary::{Energy, Event as SummaryEvent, Status, VOLUME_RATIO};
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::scene::{Scene, TimeStep};
-use proctor_kernel::simulation::{Event, EventKind, Options, Simulation, StepError, StepInfo};
+use proctor_kernel::simulation::{
+    Energy as Balance, Event, EventKind, Options, Simulation, StepError, StepInfo,
+};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -69,7 +71,7 @@ impl Run {
             Some(folder) => {
                 let folder = OutputFolder::claim(folder)?;
                 let mut files = Files::open(&simulation, folder, restart.is_some())?;
-                files.write(&simulation)?;
+                files.write(&mut simulation)?;
                 Some(files)
             }
         };
@@ -151,17 +153,23 @@ impl Run {
     /// See [`RunError`].
     pub fn write(&mut self) -> Result<(), RunError> {
         match &mut self.files {
-            Some(files) if self.failure.is_none() => files.write(&self.simulation),
+            Some(files) if self.failure.is_none() => files.write(&mut self.simulation),
             _ => Ok(()),
         }
     }
 
+    /// The energy balance.
+    #[must_use]
+    pub fn energy(&mut self) -> Balance {
+        self.simulation.energy()
+    }
+
     /// What the run was and how it ended; the times of the clock are for the caller to add.
     #[must_use]
-    pub fn summary(&self) -> Summary {
+    pub fn summary(&mut self) -> Summary {
+        let energy = self.energy();
         let simulation = &self.simulation;
         let (dt_min, dt_max, dt_critical) = simulation.time_steps();
-        let energy = simulation.energy();
         let stepped = simulation.steps() > 0;
         let axes = simulation.plan().axes;
         Summary {
@@ -181,8 +189,14 @@ impl Run {
             energy: Energy {
                 kinetic: Some(energy.kinetic),
                 strain: Some(energy.strain),
+                contact: Some(energy.contact),
                 external_work: Some(energy.external_work),
                 dissipated: Some(energy.dissipated),
+                damping: Some(energy.damping),
+                friction: Some(energy.friction),
+                impact: Some(energy.impact),
+                removed: Some(energy.removed),
+                remainder: Some(energy.remainder),
             },
             not_to_be_trusted: simulation.trust().doubt.map(|doubt| doubt.to_string()),
             events: simulation.events().iter().map(event).collect(),
@@ -247,6 +261,13 @@ fn event(event: &Event) -> SummaryEvent {
         },
         EventKind::WiderStencil => SummaryEvent {
             kind: "wider_stencil".into(),
+            ..base
+        },
+        EventKind::VolumeRatio { particle, .. } => SummaryEvent {
+            kind: VOLUME_RATIO.into(),
+            particle: Some(particle.id),
+            position: particle.position.to_vec(),
+            mass: Some(particle.mass),
             ..base
         },
     }

@@ -111,7 +111,7 @@ fn counters(state: &State) -> [u64; 4] {
     ]
 }
 
-fn numbers(state: &State) -> [f64; 14] {
+fn numbers(state: &State) -> [f64; 18] {
     let (clock, books) = (&state.clock, &state.books);
     let [x, y, z] = state.mesh_shift;
     [
@@ -129,13 +129,17 @@ fn numbers(state: &State) -> [f64; 14] {
         x,
         y,
         z,
+        books.damping,
+        books.friction,
+        books.impact,
+        books.removed,
     ]
 }
 
 /// The state in a checkpoint; `like` is one of the same scene.
 fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> {
     let counters = checkpoint.array::<u64>("counters", 4)?;
-    let numbers = checkpoint.array::<f64>("numbers", 14)?;
+    let numbers = checkpoint.array::<f64>("numbers", 18)?;
     let mut state = State {
         clock: Clock {
             step: counters[0],
@@ -156,6 +160,10 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
             external_work: numbers[8],
             dead_load_origin: numbers[9],
             initial_energy: numbers[10],
+            damping: numbers[14],
+            friction: numbers[15],
+            impact: numbers[16],
+            removed: numbers[17],
         },
         mesh_shift: [numbers[11], numbers[12], numbers[13]],
         ..like.state
@@ -202,6 +210,7 @@ fn save_trust(trust: &Trust, checkpoint: &mut Checkpoint) {
         trust.gain,
         trust.increment,
         trust.lost_momentum,
+        trust.volume_left,
     ];
     checkpoint.push::<f64>("trust/numbers", numbers);
     let place = |doubt: &Doubt| Reason::ALL.iter().position(|r| *r == doubt.reason);
@@ -215,7 +224,7 @@ fn save_trust(trust: &Trust, checkpoint: &mut Checkpoint) {
 }
 
 fn read_trust(checkpoint: &Checkpoint) -> Result<Trust, CheckpointError> {
-    let numbers = checkpoint.array::<f64>("trust/numbers", 4)?;
+    let numbers = checkpoint.array::<f64>("trust/numbers", 5)?;
     let whole = checkpoint.values::<u64>("trust/doubt/whole")?;
     let real = checkpoint.array::<f64>("trust/doubt/real", whole.len())?;
     let doubt = match (whole, real) {
@@ -232,6 +241,7 @@ fn read_trust(checkpoint: &Checkpoint) -> Result<Trust, CheckpointError> {
         gain: numbers[1],
         increment: numbers[2],
         lost_momentum: numbers[3],
+        volume_left: numbers[4],
         doubt,
     })
 }
@@ -243,6 +253,11 @@ fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {
             EventKind::Removed(at) => (0, Some(*at)),
             EventKind::RecordEnded => (1, None),
             EventKind::WiderStencil => (2, None),
+            EventKind::VolumeRatio { particle, .. } => (3, Some(*particle)),
+        };
+        let ratio = match &event.kind {
+            EventKind::VolumeRatio { ratio, .. } => *ratio,
+            _ => 0.0,
         };
         let at = at.unwrap_or(ParticleAt {
             id: 0,
@@ -259,6 +274,7 @@ fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {
             at.position[2],
             at.volume,
             at.mass,
+            ratio,
         ]);
     }
     checkpoint.push::<i64>("events/whole", whole);
@@ -267,24 +283,34 @@ fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {
 
 fn read_events(checkpoint: &Checkpoint) -> Result<Vec<Event>, CheckpointError> {
     let whole = checkpoint.values::<i64>("events/whole")?;
-    let real = checkpoint.array::<f64>("events/real", whole.len() / 4 * 6)?;
+    let real = checkpoint.array::<f64>("events/real", whole.len() / 4 * 7)?;
     Ok(whole
         .chunks_exact(4)
-        .zip(real.chunks_exact(6))
+        .zip(real.chunks_exact(7))
         .map(|(w, r)| Event {
             step: w[1] as u64,
             time: r[0],
-            kind: match w[0] {
-                0 => EventKind::Removed(ParticleAt {
-                    id: w[2] as u64,
-                    body: w[3],
-                    position: [r[1], r[2], r[3]],
-                    volume: r[4],
-                    mass: r[5],
-                }),
-                1 => EventKind::RecordEnded,
-                _ => EventKind::WiderStencil,
-            },
+            kind: event_kind(w, r),
         })
         .collect())
+}
+
+/// The kind of an event from its whole and its real numbers.
+fn event_kind(whole: &[i64], real: &[f64]) -> EventKind {
+    let particle = ParticleAt {
+        id: whole[2] as u64,
+        body: whole[3],
+        position: [real[1], real[2], real[3]],
+        volume: real[4],
+        mass: real[5],
+    };
+    match whole[0] {
+        0 => EventKind::Removed(particle),
+        1 => EventKind::RecordEnded,
+        2 => EventKind::WiderStencil,
+        _ => EventKind::VolumeRatio {
+            particle,
+            ratio: real[6],
+        },
+    }
 }

@@ -27,8 +27,14 @@ fn complete() -> Summary {
         energy: Energy {
             kinetic: Some(1.0),
             strain: Some(2.0),
+            contact: Some(0.5),
             external_work: Some(3.0),
-            dissipated: Some(0.0),
+            dissipated: Some(-0.5),
+            damping: Some(0.25),
+            friction: Some(0.125),
+            impact: Some(0.0625),
+            removed: Some(0.0),
+            remainder: Some(-0.9375),
         },
         not_to_be_trusted: Some("not to be trusted since step 7".into()),
         events: vec![Event {
@@ -128,8 +134,14 @@ fn what_is_not_finite_is_left_out() {
         summary.energy = Energy {
             kinetic: bad,
             strain: bad,
+            contact: bad,
             external_work: bad,
             dissipated: bad,
+            damping: bad,
+            friction: bad,
+            impact: bad,
+            removed: bad,
+            remainder: bad,
         };
         summary.events[0] = Event {
             time: bad,

@@ -79,14 +79,14 @@ fn a_restart_has_the_whole_state() {
         assert_eq!((x, y != 0.0, z), (0.0, moves, 0.0));
         assert!(moves || state.kinetic[0] != state.kinetic[1]);
 
-        let energy = run.simulation().energy();
+        let energy = run.energy();
         // A folder belongs to one run at a time.
         drop(run);
         let checkpoint = folder.path().join("checkpoint.bin");
         let (own, from) = (Some(folder.path()), Some(checkpoint.as_path()));
-        let resumed = Run::start(&scene, &Options::default(), own, from).unwrap();
+        let mut resumed = Run::start(&scene, &Options::default(), own, from).unwrap();
         assert!(resumed.simulation().save() == saved, "{}", scene.name);
-        assert_eq!(resumed.simulation().energy(), energy);
+        assert_eq!(resumed.energy(), energy);
     }
 }
 

@@ -30,12 +30,7 @@ pub(super) fn fill(
     }
     let c = lattice.relative(center);
     let last = lattice.last();
-    let volume = if lattice.axes == 2 {
-        // (R - r)(R + r), because R² - r² loses the digits of a thin ring.
-        PI * (outer - inner) * (outer + inner)
-    } else {
-        4.0 / 3.0 * PI * outer.powi(3)
-    };
+    let volume = volume(lattice.axes, inner, outer);
 
     // Strictly inside, by the tolerance: a centre on the surface is outside whatever its round-off.
     let tolerance = lattice.distance_tolerance();
@@ -71,6 +66,16 @@ pub(super) fn fill(
             runs_where(chord, inside, runs);
         }
     })
+}
+
+/// Volume of a sphere, or area of a disc or ring \[m³\].
+pub(super) fn volume(axes: usize, inner: f64, outer: f64) -> f64 {
+    if axes == 2 {
+        // (R - r)(R + r), because R² - r² loses the digits of a thin ring.
+        PI * (outer - inner) * (outer + inner)
+    } else {
+        4.0 / 3.0 * PI * outer.powi(3)
+    }
 }
 
 /// Half the length of the chord at a squared distance from the centre \[m\].

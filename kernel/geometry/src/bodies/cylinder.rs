@@ -47,6 +47,12 @@ fn chord(w: Vector, u: Vector, length: f64, radius: f64) -> Option<[f64; 2]> {
     (t[0] < t[1]).then_some(t)
 }
 
+/// Volume of the cylinder \[m³\].
+pub(super) fn volume(p1: &Vector, p2: &Vector, radius: f64) -> f64 {
+    let along = add(*p2, -1.0, *p1);
+    PI * radius * radius * dot(along, along).sqrt()
+}
+
 /// Particles of the cylinder between the centres `p1` and `p2` of its end faces, in the coordinates of the
 /// scene \[m\].
 ///
@@ -65,7 +71,7 @@ pub(super) fn fill(
     let length = dot(axis_vector, axis_vector).sqrt();
     FillError::require_positive("length of the cylinder", None, length)?;
     let u = axis_vector.map(|a| a / length);
-    let volume = PI * radius * radius * length;
+    let volume = volume(&p1, &p2, radius);
     let bounds = std::array::from_fn(|axis| {
         // A disc with the normal u reaches r sqrt(1 - u_i²) along axis i.
         let reach = radius * (1.0 - u[axis] * u[axis]).max(0.0).sqrt();

@@ -193,7 +193,9 @@ impl fmt::Display for FillError {
             Self::TooMany { particles } => {
                 write!(f, "{particles:e} particles do not fit into memory")
             }
-            Self::Memory(error) => error.fmt(f),
+            Self::Memory(error) => {
+                write!(f, "{error}: fewer particles per cell, or larger cells")
+            }
         }
     }
 }

@@ -94,6 +94,29 @@ pub struct Room {
     pub per_particle: f64,
 }
 
+/// About how many particles a shape gets: its volume over that of a sub-cell. Not a number where the shape has none.
+#[must_use]
+pub fn expected(shape: &Shape, particles_per_cell: [usize; 3], mesh: &Mesh, axes: usize) -> f64 {
+    let sub_cell: f64 = (0..axes)
+        .map(|axis| mesh.cell[axis] / particles_per_cell[axis] as f64)
+        .product();
+    let volume = match shape {
+        Shape::Particles(seeds) => return seeds.len() as f64,
+        Shape::Cuboid { p1, p2 } => (0..axes).map(|axis| p2[axis] - p1[axis]).product(),
+        Shape::Sphere { radius, .. } => ball::volume(axes, 0.0, *radius),
+        Shape::Ring { inner, outer, .. } => ball::volume(axes, *inner, *outer),
+        Shape::Cylinder { p1, p2, radius } => cylinder::volume(p1, p2, *radius),
+        Shape::Polygon { points } => {
+            let plane: Vec<_> = points.iter().map(|p| [p[0], p[1]]).collect();
+            polygon::area(&plane)
+        }
+        Shape::ExtrudedPolygon { points, range, .. } => {
+            polygon::area(points) * (range[1] - range[0])
+        }
+    };
+    volume / sub_cell
+}
+
 /// Fills a shape with particles, so many per cell and axis. Deterministic: the same arguments give the same bits.
 ///
 /// # Errors

@@ -10,7 +10,7 @@ use std::ops::Range;
 type Point = [f64; 2];
 
 /// Area between the corners \[m²\], either orientation.
-fn area(points: &[Point]) -> f64 {
+pub(super) fn area(points: &[Point]) -> f64 {
     let Some(base) = points.first() else {
         return 0.0;
     };

@@ -15,14 +15,14 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
         check_references(scene, i, body, &path, problems);
         for (axis, &n) in body.particles_per_cell.iter().enumerate() {
             let is_flat = axis >= scene.dimension.axes();
-            if n == 0 || (is_flat && n != 1) {
+            if n == 0 || n > Body::MOST_PARTICLES || (is_flat && n != 1) {
                 problems.add(
                     format!("{path}.particles_per_cell[{axis}]"),
                     n.to_string(),
                     if is_flat {
-                        "1: there are two dimensions"
+                        "1: there are two dimensions".to_owned()
                     } else {
-                        "a whole number, 1 or more"
+                        format!("a whole number from 1 to {}", Body::MOST_PARTICLES)
                     },
                 );
             }

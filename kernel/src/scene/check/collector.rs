@@ -3,6 +3,11 @@
 use crate::number::Number;
 use crate::scene::{Dimension, Problem, Vector};
 
+/// Largest magnitude of a number: squares, and products of five of them, are finite.
+const LARGEST: f64 = 1e30;
+/// Smallest number that has to be greater than zero: what is divided by a product of three of them is finite.
+const SMALLEST: f64 = 1e-30;
+
 /// Problems found so far.
 pub(super) struct Collector {
     dimension: Dimension,
@@ -29,18 +34,19 @@ impl Collector {
 
     /// Finite and greater than zero.
     pub(super) fn positive(&mut self, path: impl Into<String>, value: f64, unit: &str) {
-        if !(value.is_finite() && value > 0.0) {
-            let unit = if unit.is_empty() {
-                String::new()
-            } else {
-                format!(" [{unit}]")
-            };
-            self.add(
-                path,
-                Number(value).to_string(),
-                format!("a finite number greater than 0{unit}"),
-            );
-        }
+        let accepted = if !(value.is_finite() && value > 0.0) {
+            "a finite number greater than 0".to_owned()
+        } else if (SMALLEST..=LARGEST).contains(&value) {
+            return;
+        } else {
+            format!("a number from {SMALLEST:e} to {LARGEST:e}")
+        };
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" [{unit}]")
+        };
+        self.add(path, Number(value).to_string(), accepted + &unit);
     }
 
     /// Finite and zero or greater.
@@ -51,6 +57,9 @@ impl Collector {
                 Number(value).to_string(),
                 "a finite number, 0 or greater",
             );
+        } else if value > LARGEST {
+            let accepted = format!("a number from 0 to {LARGEST:e}");
+            self.add(path, Number(value).to_string(), accepted);
         }
     }
 
@@ -76,6 +85,9 @@ impl Collector {
                     Number(*x).to_string(),
                     "a finite number",
                 );
+            } else if x.abs() > LARGEST {
+                let accepted = format!("a number from -{LARGEST:e} to {LARGEST:e}");
+                self.add(format!("{path}[{axis}]"), Number(*x).to_string(), accepted);
             } else if axis >= self.dimension.axes() && *x != 0.0 {
                 self.add(
                     format!("{path}[{axis}]"),

@@ -55,6 +55,16 @@ impl Scene {
                         ),
                         format!("a number greater than {least:e} [s]"),
                     );
+                } else if dt.is_finite() && self.time > 0.0 && dt > self.time {
+                    problems.add(
+                        "time_step",
+                        format!(
+                            "{}, which is longer than the time of {} s",
+                            Number(dt),
+                            Number(self.time)
+                        ),
+                        format!("a number, at most {} [s]", Number(self.time)),
+                    );
                 } else {
                     problems.positive("time_step", dt, "s");
                 }

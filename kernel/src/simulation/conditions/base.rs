@@ -5,7 +5,7 @@ use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
 use crate::simulation::Simulation;
 use crate::simulation::clock::StepInfo;
-use crate::simulation::error::{Event, EventKind};
+use crate::simulation::event::{Event, EventKind};
 use crate::stage::solve::Wall;
 use std::sync::Arc;
 

@@ -1,13 +1,15 @@
-//! Damping. Local damping is a number of the acceleration; the others are no conditions on nodes, and only the plan
-//! speaks of them here.
+//! Damping. Local damping is a number of the acceleration; viscous damping acts while forces are mapped (`stage/p2g`), and
+//! only what it takes is summed here; of kinetic damping only the plan speaks.
 
-use super::{Acting, Condition, Kind, Made};
+use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::{Damping, Scene};
 use crate::simulation::Simulation;
 use std::sync::Arc;
 
 struct LocalDamping(f64);
+
+struct ViscousDamping;
 
 const NOT_ZERO: &str = "its factor is not zero";
 const ZERO: &str = "not asked for, or its factor is zero";
@@ -29,7 +31,10 @@ pub(super) const VISCOUS_DAMPING: Kind = Kind {
         let acts = matches!(scene.damping, Damping::Viscous { alpha } if alpha != 0.0);
         list.choose("stage", "viscous damping", acts, NOT_ZERO, ZERO);
     },
-    make: None,
+    make: Some(|scene, _| {
+        let acts = matches!(scene.damping, Damping::Viscous { alpha } if alpha != 0.0);
+        acts.then(|| Ok(Arc::new(ViscousDamping) as _))
+    }),
     planes: false,
 };
 
@@ -47,6 +52,15 @@ fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
     match scene.damping {
         Damping::Local { alpha } if alpha != 0.0 => Some(Ok(Arc::new(LocalDamping(alpha)))),
         _ => None,
+    }
+}
+
+impl Condition for ViscousDamping {
+    fn settled(&self, field: &mut FieldNodes<'_, '_>) {
+        if let Some(rate) = field.now.mapping.viscous_rate(field.owner()) {
+            let (planes, now, sums) = field.parts();
+            planes.add_viscous(rate, now.acting.kick, &now.walls, sums);
+        }
     }
 }
 

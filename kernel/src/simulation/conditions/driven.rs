@@ -9,6 +9,7 @@ use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{Scene, Vector};
 use crate::simulation::clock::StepInfo;
+use crate::simulation::energy::kinetic_energy;
 use crate::simulation::error::StepError;
 use crate::simulation::fields::Owner;
 use crate::simulation::mapping::node_weights;
@@ -85,20 +86,23 @@ impl Condition for DrivenBodies {
 }
 
 impl Simulation {
-    /// Bodies with a prescribed velocity move by it.
+    /// Bodies with a prescribed velocity move by it. Who moves them does the work that speeds them up, and bears their
+    /// weight.
     pub(in crate::simulation) fn move_driven_bodies(
         &mut self,
         info: &StepInfo,
         mesh_shift: &[f64; 3],
     ) -> Result<(), StepError> {
         let half = self.state.clock.time + 0.5 * info.dt;
-        let mesh = &self.decided.scene.mesh;
-        let mut travel = 0.0_f64;
+        let (mesh, gravity) = (&self.decided.scene.mesh, &self.decided.scene.gravity);
+        let (mut travel, mut work) = (0.0_f64, 0.0);
         let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
         for (index, (set, body)) in self.state.sets.iter_mut().zip(&self.decided.bodies).enumerate() {
             let Some(motion) = &body.motion else { continue };
             let v = history_value(motion, half);
+            let before = kinetic_energy(set);
             for axis in 0..set.layout.axes {
+                work -= dead_load(set, gravity[axis], axis) * v[axis] * info.dt;
                 let shift = v[axis] * info.dt - mesh_shift[axis];
                 let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
                 for (p, x) in set.columns[Layout::POSITION + axis].iter_mut().enumerate() {
@@ -111,10 +115,19 @@ impl Simulation {
                 set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
                 travel = travel.max((shift / mesh.cell[axis]).abs());
             }
+            work += kinetic_energy(set) - before;
         }
+        self.state.books.external_work += work;
         self.state.travel += travel;
         self.judge(&faults)
     }
+}
+
+/// Dead load of all particles of a set along an axis \[N\].
+fn dead_load(set: &ParticleSet, gravity: f64, axis: usize) -> f64 {
+    let weight = gravity * set.columns[Layout::MASS].iter().sum::<f64>();
+    let force = set.layout.force;
+    weight + force.map_or(0.0, |first| set.columns[first + axis].iter().sum())
 }
 
 /// Velocity half a step before and after of each body whose motion is prescribed \[m/s\].

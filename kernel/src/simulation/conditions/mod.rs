@@ -146,10 +146,17 @@ impl Simulation {
 
     /// What acts in a step of length `dt` \[s\].
     pub(super) fn acting(&self, dt: f64) -> Acting {
+        let kick = 0.5 * (self.state.clock.dt_before + dt);
+        let half_steps = [self.velocity_time(), self.state.clock.time + 0.5 * dt];
+        self.acting_over(kick, half_steps, dt)
+    }
+
+    /// What acts over `kick` \[s\], between these times of the velocities \[s\], where positions move over `drift` \[s\].
+    pub(super) fn acting_over(&self, kick: f64, half_steps: [f64; 2], drift: f64) -> Acting {
         let mut acting = Acting {
-            kick: 0.5 * (self.state.clock.dt_before + dt),
-            half_steps: [self.velocity_time(), self.state.clock.time + 0.5 * dt],
-            drift: dt,
+            kick,
+            half_steps,
+            drift,
             ..Acting::default()
         };
         for condition in &self.decided.conditions {

@@ -113,7 +113,7 @@ pub(in crate::json) struct RawBody {
         "examples" = ["velocity"]
     ))]
     pub boundary_follows: Option<String>,
-    /// Particles per cell and axis.
+    /// Particles per cell and axis, at most 100.
     #[schemars(extend("x-default" = "that of the scene", "examples" = [3]))]
     pub particles_per_cell: Option<Counts>,
     /// Initial velocity.

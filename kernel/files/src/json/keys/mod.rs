@@ -44,7 +44,7 @@ pub(super) struct RawScene {
         "x-unit" = "s", "x-needed" = true, "exclusiveMinimum" = 0, "examples" = [1.5]
     ))]
     pub time: Option<f64>,
-    /// Constant time step.
+    /// Constant time step, at most the time of the run.
     #[schemars(extend(
         "x-unit" = "s", "x-default" = "the largest safe one, chosen anew in each step", "exclusiveMinimum" = 0,
         "examples" = [1e-4]
@@ -111,8 +111,8 @@ pub(super) struct RawScene {
         "enum" = ["particle", "cell_average"], "default" = "particle", "examples" = ["cell_average"]
     ))]
     pub volumetric_strain: Option<String>,
-    /// Particles per cell and axis, one number or one per axis; a body may say otherwise. The default is that of the
-    /// manuals' program.
+    /// Particles per cell and axis, at most 100, one number or one per axis; a body may say otherwise. The default is that
+    /// of the manuals' program.
     #[schemars(extend("default" = 2, "examples" = [3]))]
     pub particles_per_cell: Option<Counts>,
     /// Numerical damping.
@@ -231,15 +231,16 @@ pub(super) struct RawDamping {
         "enum" = ["none", "local", "kinetic", "viscous"], "x-needed" = true, "examples" = ["local"]
     ))]
     pub r#type: Option<String>,
-    /// Factor alpha, 0 to 1 for local damping; a rate for viscous damping.
+    /// Factor alpha, 0 to 1 for local damping; for viscous damping 0 or greater: forces are -c m v with the rate c = alpha
+    /// sqrt(E/rho)/h [1/s], E Young's modulus and rho the density of a body, h the shortest side of a cell.
     #[schemars(extend(
-        "x-unit" = "1, or 1/s", "x-needs" = "`type` \"local\" or \"viscous\"", "x-needed" = true, "minimum" = 0,
+        "x-unit" = "1", "x-needs" = "`type` \"local\" or \"viscous\"", "x-needed" = true, "minimum" = 0,
         "examples" = [0.05]
     ))]
     pub value: Option<f64>,
     /// Another spelling of `value`.
     #[schemars(extend(
-        "x-unit" = "1, or 1/s", "x-also" = "value", "minimum" = 0, "examples" = [0.05]
+        "x-unit" = "1", "x-also" = "value", "minimum" = 0, "examples" = [0.05]
     ))]
     pub alpha: Option<f64>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.

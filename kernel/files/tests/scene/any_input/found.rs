@@ -47,14 +47,30 @@ fn a_segment_of_a_nanometre_is_refused() {
 /// Each row of the lattice was visited before any memory was asked for: 10^9 of them, without a word.
 #[test]
 fn rows_of_particles_beyond_all_memory_are_not_visited() {
-    let text = r#"{"dimension": 2, "time": 1, "mesh": {"cells_dimension": [1, 1], "cells_number": [10, 10]},
-"material": [{"type": "elastic", "id": 1, "young": 1e5, "density": 1000, "poisson": 0.3}],
-"body": [{"type": "disc", "id": 1, "material_id": 1, "center": [5, 5], "radius": 2,
-"particles_per_cell": 100000000}]}"#;
-    let Ok(Outcome::NotSetUp(message)) = outcome(text) else {
-        panic!("{:?}", outcome(text));
+    let text = |count: u32| {
+        format!(
+            r#"{{"dimension": 2, "time": 1, "mesh": {{"cells_dimension": [1, 1], "cells_number": [10, 10]}},
+"material": [{{"type": "elastic", "id": 1, "young": 1e5, "density": 1000, "poisson": 0.3}}],
+"body": [{{"type": "disc", "id": 1, "material_id": 1, "center": [5, 5], "radius": 5,
+"particles_per_cell": {count}}}]}}"#
+        )
     };
-    assert!(message.contains("particles would need"), "{message}");
+    let found = outcome(&text(100));
+    let Ok(Outcome::NotSetUp(message)) = found else {
+        panic!("{found:?}");
+    };
+    assert!(
+        message.contains("7.8540e5 particles would need"),
+        "{message}"
+    );
+    let found = outcome(&text(100_000_000));
+    let Ok(Outcome::Refused(message)) = found else {
+        panic!("{found:?}");
+    };
+    assert!(
+        message.contains("a whole number from 1 to 100"),
+        "{message}"
+    );
 }
 
 /// The time plus such a step is the time, so a run would never end.

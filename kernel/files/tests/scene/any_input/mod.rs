@@ -8,13 +8,14 @@ mod found;
 mod outcome;
 mod tree;
 
-use bases::BASES;
-use outcome::{Outcome, outcome};
+use bases::{BASES, FOLDER};
+use outcome::{Outcome, outcome, outcome_in};
 use proctor_files::json::schema;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::Config;
 use serde_json::Value;
+use std::path::{Path, PathBuf};
 use tree::Tree;
 
 /// Numbers at the ends of what can be written, beyond them, and what looks like numbers.
@@ -339,6 +340,42 @@ fn the_scenes_to_begin_with_are_sound() {
     for base in BASES {
         assert_eq!(outcome(base), Ok(Outcome::Stepped), "{base}");
         assert_eq!(outcome(&Tree::parse(base).text()), Ok(Outcome::Stepped));
+    }
+}
+
+/// The scenes of the fixtures and the manuals, each with its folder.
+fn fixtures() -> Vec<(PathBuf, String)> {
+    let mut found = vec![];
+    for folder in [FOLDER.into(), Path::new(FOLDER).join("manual")] {
+        let folder: PathBuf = folder;
+        for entry in std::fs::read_dir(&folder).expect("the fixtures are there") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_some_and(|ending| ending == "json") {
+                let text = std::fs::read_to_string(&path).expect("a scene");
+                found.push((path, folder.clone(), text));
+            }
+        }
+    }
+    // Whatever the order in which the system gives them.
+    found.sort();
+    let whole = found.into_iter();
+    whole.map(|(_, folder, text)| (folder, text)).collect()
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    /// `scripts/fuzz-scenes` does the same to the command, ten thousand times.
+    #[test]
+    fn a_scene_of_the_fixtures_in_which_something_changed_is_planned_or_says_why_not(
+        which in any::<Index>(),
+        changes in prop::collection::vec(change(), 1..4),
+    ) {
+        let fixtures = fixtures();
+        let (folder, text) = &fixtures[which.index(fixtures.len())];
+        let text = changed(&Tree::parse(text), &changes);
+        let found = outcome_in(&text, folder, 0);
+        prop_assert!(found.is_ok(), "{found:?} for {text}");
     }
 }
 

@@ -41,13 +41,21 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// # Errors
 /// What must never happen: a panic, no message, no end.
 pub(crate) fn outcome(text: &str) -> Result<Outcome, String> {
+    outcome_in(text, Path::new(FOLDER), STEPS)
+}
+
+/// What becomes of a text whose files are in `folder`, which is stepped so many times.
+///
+/// # Errors
+/// As [`outcome`].
+pub(crate) fn outcome_in(text: &str, folder: &Path, steps: u64) -> Result<Outcome, String> {
     let (sender, receiver) = channel();
-    let own = text.to_owned();
+    let (own, folder) = (text.to_owned(), folder.to_owned());
     let thread = thread::Builder::new()
         // That of a main thread, which is where the command does its work.
         .stack_size(8 << 20)
         .spawn(move || {
-            let found = catch_unwind(AssertUnwindSafe(|| of(&own)));
+            let found = catch_unwind(AssertUnwindSafe(|| of(&own, &folder, steps)));
             let _ = sender.send(found.map_err(|panic| {
                 panic
                     .downcast_ref::<String>()
@@ -72,8 +80,8 @@ pub(crate) fn outcome(text: &str) -> Result<Outcome, String> {
     }
 }
 
-fn of(text: &str) -> Outcome {
-    let scene = match from_json(text, "any.json", Path::new(FOLDER)) {
+fn of(text: &str, folder: &Path, most: u64) -> Outcome {
+    let scene = match from_json(text, "any.json", folder) {
         Ok(scene) => scene,
         Err(error) => return Outcome::Refused(error.to_string()),
     };
@@ -93,10 +101,13 @@ fn of(text: &str) -> Outcome {
         return Outcome::Large;
     }
     let mut steps = 0;
+    if most == 0 {
+        return Outcome::Stepped;
+    }
     while let Some(stop) = run.next_stop() {
         let advanced = run.advance(stop, |_| {
             steps += 1;
-            if steps < STEPS { Go::On } else { Go::Stop }
+            if steps < most { Go::On } else { Go::Stop }
         });
         if let Err(error) = advanced {
             return Outcome::Failed(error.to_string());

@@ -9,7 +9,7 @@ use crate::contact::surface::{Side, normal};
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::fields::Owner;
-use crate::stage::solve::{Wall, is_ghost};
+use crate::stage::solve::{PlaneSums, Wall, is_ghost};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -119,8 +119,8 @@ pub(crate) enum On {
 pub(crate) struct Done {
     /// Force on the slave of each pair \[N\], plane by plane.
     pub forces: Vec<Vector>,
-    /// Power of driven bodies \[W\], plane by plane.
-    pub power: Vec<f64>,
+    /// Power of driven bodies, and what friction and contact along the normal took, plane by plane.
+    pub sums: Vec<PlaneSums>,
     /// Number of nodes where a contact force acts.
     pub nodes: usize,
     /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
@@ -261,7 +261,7 @@ impl Meetings {
         let planes = fields.range().len();
         let mut done = Done {
             forces: vec![[0.0; 3]; planes * bodies.pairs.len()],
-            power: vec![0.0; planes],
+            sums: vec![PlaneSums::default(); planes],
             ..Done::default()
         };
         let owners = fields.owners();
@@ -327,6 +327,13 @@ impl Meetings {
             {
                 for (&number, member) in numbers.iter().zip(&members) {
                     let line = &mut fields.nodes_mut(number)[node];
+                    if !driven[number] {
+                        for axis in 0..3 {
+                            let change = member.increment[axis] - line[4 + axis];
+                            let mean = member.velocity[axis] - 0.5 * member.increment[axis];
+                            done.sums[node / per_plane].damping -= line[0] * change * mean;
+                        }
+                    }
                     line[1..4].copy_from_slice(&member.velocity);
                     line[4..7].copy_from_slice(&member.increment);
                 }
@@ -345,6 +352,10 @@ impl Meetings {
                     for axis in 0..3 {
                         sum[axis] += touch.force[axis];
                     }
+                    let [friction, impact] =
+                        taken(impulse, &touch.normal, touch.sides.map(|side| &members[side]));
+                    done.sums[plane].friction += friction;
+                    done.sums[plane].impact += impact;
                 }
                 done.nodes += usize::from(acts);
             }
@@ -369,7 +380,7 @@ impl Meetings {
                         line[4 + axis] = member.increment[axis];
                         // What a driven body does to the others is its power.
                         if let Some(velocity) = by {
-                            done.power[plane] += line[0] * change / kick * velocity[axis];
+                            done.sums[plane].power += line[0] * change / kick * velocity[axis];
                         }
                     }
                 }
@@ -406,6 +417,16 @@ impl Done {
             });
         }
     }
+}
+
+/// What an impulse on the slave takes from the kinetic energy of both \[J\], by friction and along the normal: the impulse
+/// times the mean of their relative velocities before and after the step, with the sign turned.
+fn taken(impulse: &Vector, normal: &Vector, [master, slave]: [&Member; 2]) -> [f64; 2] {
+    let mean = |m: &Member, axis: usize| m.velocity[axis] - 0.5 * m.increment[axis];
+    let relative: Vector = std::array::from_fn(|k| mean(slave, k) - mean(master, k));
+    let dot = |a: &Vector, b: &Vector| -> f64 { (0..3).map(|k| a[k] * b[k]).sum() };
+    let along = dot(impulse, normal) * dot(normal, &relative);
+    [along - dot(impulse, &relative), -along]
 }
 
 /// What a pair does under an impulse.

@@ -124,8 +124,8 @@ impl OnSlab for SlabContact<'_> {
                 planes.constrain(&now.walls, true);
             }
         }
-        for (sums, power) in sums.iter_mut().zip(&done.power) {
-            sums.power += power;
+        for (sums, done) in sums.iter_mut().zip(&done.sums) {
+            *sums += done;
         }
         if let Known::Nothing(met) = &mut self.known {
             **met = Met { meetings, done };

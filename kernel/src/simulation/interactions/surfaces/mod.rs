@@ -178,18 +178,19 @@ impl Simulation {
     fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
         let trial = &mut surfaces.trial;
         self.touches(&mut surfaces.near, acting, 1, trial)?;
-        match acting.local_damping {
+        let damping = match acting.local_damping {
             None => {
                 resolve(&mut trial.list, &mut trial.nodes, TOLERANCE, SWEEPS);
+                0.0
             }
             Some(alpha) => {
                 let fields = self.all_fields();
                 // Fields that move together have one velocity and one increment.
                 let line = |t: &TouchedNode| &fields.lines(t.fields[0])[t.node];
                 let (list, nodes) = (&mut trial.list, &mut trial.nodes);
-                resolve_damped(list, nodes, line, alpha, TOLERANCE, SWEEPS);
+                resolve_damped(list, nodes, line, alpha, TOLERANCE, SWEEPS)
             }
-        }
+        };
         for bodies in &mut surfaces.last {
             bodies.fill([0.0; 3]);
         }
@@ -216,6 +217,17 @@ impl Simulation {
                 }
             }
         }
+        let fields = self.all_fields();
+        let line = |t: &TouchedNode| &fields.lines(t.fields[0])[t.node];
+        let (mut friction, mut impact) = (0.0, 0.0);
+        for touch in &trial.list {
+            let [across, along] = touch.taken(&trial.nodes, line);
+            friction += across;
+            impact += along;
+        }
+        self.work.sums.damping += damping;
+        self.work.sums.friction += friction;
+        self.work.sums.impact += impact;
         self.change_velocities(&trial.nodes, 1, true);
         self.sum_after_contact(acting, power);
         Ok(())
@@ -226,10 +238,8 @@ impl Simulation {
         let planes = self.sums_of_planes(acting);
         let sums = &mut self.work.sums;
         sums.power += power;
-        for plane in planes {
-            sums.power += plane.power;
-            sums.kinetic += plane.kinetic;
-            sums.unbalanced_squared += plane.unbalanced_squared;
+        for plane in &planes {
+            *sums += plane;
         }
     }
 

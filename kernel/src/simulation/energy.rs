@@ -1,0 +1,312 @@
+//! The energy balance: what was given, what is there, and where the rest went.
+//!
+//! Velocities are half a step behind positions (leapfrog), while work and strain energy are those of the positions. So the
+//! kinetic energy of the balance is brought to their time: the forces at the present positions are mapped once more, and
+//! what they change in the half step that is missing is added. Nodes hold what a step left there, and interactions are as
+//! they were, when that is done.
+//!
+//! What takes energy is summed where it acts, as impulse times the mean of the velocities before and after it: damping at
+//! the nodes, contact at the nodes where bodies meet, and what particles took along that were removed. What no channel
+//! accounts for is the remainder: what laws dissipate, the transfer between particles and nodes, friction of mortar contact,
+//! velocities that boundary planes stop, and errors of the time integration.
+
+use super::conditions::Acting;
+use super::error::StepError;
+use super::interactions::grid::{self, faces::Faces};
+use super::interactions::{Interaction, Interactions};
+use super::passes::Groups;
+use super::step::Way;
+use super::{Simulation, history_value};
+use crate::grid::Line;
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
+use crate::stage::solve::{PlaneSums, is_ghost};
+use std::ops::Range;
+
+/// Cells that particles may have travelled since the last sort for the nodes in use to hold what they map.
+const MAPPABLE: f64 = 1.0;
+
+/// Energies of a simulation \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energy {
+    /// Kinetic energy at the time of the positions.
+    pub kinetic: f64,
+    /// Strain energy.
+    pub strain: f64,
+    /// What interactions store, such as the normal laws of mortar contact.
+    pub contact: f64,
+    /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
+    pub external_work: f64,
+    /// What is missing: the energy of the start plus external work less what is there now. It is the sum of the five that
+    /// follow.
+    pub dissipated: f64,
+    /// What local, viscous and kinetic damping took.
+    pub damping: f64,
+    /// What friction took, of contact on the grid and of rigid surfaces.
+    pub friction: f64,
+    /// What the same contacts took along their normals, where bodies meet: at a node they meet without bouncing.
+    pub impact: f64,
+    /// What removed particles took along.
+    pub removed: f64,
+    /// What no channel accounts for; negative where energy came from nowhere.
+    pub remainder: f64,
+}
+
+/// What the forces at the present positions do in the half step that velocities are behind.
+#[derive(Clone, Copy, Debug, Default)]
+struct HalfStep {
+    /// Change of the kinetic energy of free bodies \[J\].
+    kinetic: f64,
+    /// What interactions store at the present positions \[J\].
+    stored: f64,
+    /// What damping and contact take.
+    sums: PlaneSums,
+}
+
+impl Simulation {
+    /// Begins the energy balance.
+    pub(super) fn open_ledger(&mut self) {
+        self.state.books.dead_load_origin = self.dead_load_potential();
+        self.state.books.initial_energy = self.kinetic_energy() + self.strain_energy();
+    }
+
+    /// Adds what this step did to the balance. Loads do work over the way that positions move.
+    pub(super) fn keep_books(&mut self, way: &Way) {
+        let (books, sums) = (&mut self.state.books, &self.work.sums);
+        books.external_work += sums.power * way.time;
+        books.damping += sums.damping;
+        books.friction += sums.friction;
+        books.impact += sums.impact;
+    }
+
+    /// The energy balance at the time of the positions. It costs about as much as a step, and changes nothing.
+    #[must_use]
+    pub fn energy(&mut self) -> Energy {
+        let missing = self.half_step().unwrap_or_else(|| self.no_half_step());
+        let driven = self.driven_ahead();
+        let mut energy = self.balance(&missing);
+        energy.kinetic += driven;
+        energy.external_work += driven;
+        energy
+    }
+
+    /// The balance with velocities as they are, half a step behind.
+    pub(super) fn energy_behind(&self) -> Energy {
+        self.balance(&self.no_half_step())
+    }
+
+    fn no_half_step(&self) -> HalfStep {
+        HalfStep {
+            stored: self.interactions().map(Interaction::energy).sum(),
+            ..HalfStep::default()
+        }
+    }
+
+    fn balance(&self, missing: &HalfStep) -> Energy {
+        let books = &self.state.books;
+        let kinetic = self.kinetic_energy() + missing.kinetic;
+        let strain = self.strain_energy();
+        let external_work =
+            books.external_work + self.dead_load_potential() - books.dead_load_origin;
+        // What is stored at the start is known from the first step on.
+        let at_start = if self.state.clock.step == 0 {
+            missing.stored
+        } else {
+            0.0
+        };
+        let present = kinetic + strain + missing.stored;
+        let dissipated = books.initial_energy + at_start + external_work - present;
+        let damping = books.damping + missing.sums.damping;
+        let friction = books.friction + missing.sums.friction;
+        let impact = books.impact + missing.sums.impact;
+        Energy {
+            kinetic,
+            strain,
+            contact: missing.stored,
+            external_work,
+            dissipated,
+            damping,
+            friction,
+            impact,
+            removed: books.removed,
+            remainder: dissipated - damping - friction - impact - books.removed,
+        }
+    }
+
+    /// Kinetic energy by which bodies whose motion is prescribed are ahead of their particles' velocities \[J\].
+    fn driven_ahead(&self) -> f64 {
+        let now = self.state.clock.time;
+        let bodies = self.state.sets.iter().zip(&self.decided.bodies);
+        bodies
+            .filter_map(|(set, body)| {
+                let v = history_value(body.motion.as_ref()?, now);
+                let square: f64 = v[..set.layout.axes].iter().map(|c| c * c).sum();
+                let mass: f64 = set.columns[Layout::MASS].iter().sum();
+                Some(0.5 * mass * square - kinetic_energy(set))
+            })
+            .sum()
+    }
+
+    /// Maps the present forces and lets them act for the half step that is missing; `None` where they cannot be had: where
+    /// particles are to be sorted before they are mapped, or the next step would stop.
+    fn half_step(&mut self) -> Option<HalfStep> {
+        let behind = self.state.clock.dt_before > 0.0;
+        if !behind && self.work.interactions.is_empty() {
+            return Some(HalfStep::default());
+        }
+        let mappable = self.state.travel <= MAPPABLE && self.work.failed.is_none();
+        if !mappable {
+            return None;
+        }
+        let kept = Kept::take(self);
+        let found = self.led(|simulation| simulation.act_for_half_step(behind));
+        kept.put_back(self);
+        found.ok()
+    }
+
+    fn act_for_half_step(&mut self, behind: bool) -> Result<HalfStep, StepError> {
+        self.map_to_nodes();
+        self.find(&mut |_| ())?;
+        let stored = self.interactions().map(Interaction::energy).sum();
+        if !behind {
+            return Ok(HalfStep {
+                stored,
+                ..HalfStep::default()
+            });
+        }
+        let clock = self.state.clock;
+        let times = [self.velocity_time(), clock.time];
+        let acting = self.acting_over(0.5 * clock.dt_before, times, clock.dt_before);
+        self.solve_nodes(&acting, &mut |_| ())?;
+        Ok(HalfStep {
+            kinetic: self.change_of_kinetic_energy(&acting),
+            stored,
+            sums: self.work.sums,
+        })
+    }
+
+    /// By how much the kinetic energy of all fields that move freely has changed in the last equation of motion \[J\].
+    fn change_of_kinetic_energy(&self, acting: &Acting) -> f64 {
+        let grid = &self.work.grid;
+        let mut sum = 0.0;
+        for field in &grid.fields {
+            let body = field.owner.body();
+            if body.is_some_and(|body| self.decided.bodies[body].motion.is_some()) {
+                continue;
+            }
+            let lines = field.nodes.lines();
+            for plane in 0..grid.shape.nodes[0] {
+                for row in 0..grid.shape.nodes[1] {
+                    let first = grid.shape.index([plane, row, 0]);
+                    for k in field.rows.span(plane, row) {
+                        let line = &lines[first + k];
+                        if line[0] > 0.0 && !is_ghost(&grid.shape, &acting.walls, [plane, row, k]) {
+                            for axis in 0..3 {
+                                let (v, dv) = (line[1 + axis], line[4 + axis]);
+                                sum += line[0] * dv * (v - 0.5 * dv);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// What acting for half a step changes and is put back.
+struct Kept {
+    interactions: Interactions,
+    groups: Groups,
+    sums: PlaneSums,
+    mapped: Option<usize>,
+    /// The nodes in use, field by field.
+    lines: Vec<Vec<Line>>,
+    /// Forces on particles, which may be functions of time, body by body.
+    forces: Vec<Vec<Vec<f64>>>,
+}
+
+impl Kept {
+    fn take(simulation: &mut Simulation) -> Self {
+        // Surfaces of bodies in contact are found anew in each visit, and a copy would be as large as the mesh.
+        let faces = simulation.take_faces();
+        let interactions = simulation.work.interactions.clone();
+        simulation.give_faces(faces);
+        let sets = simulation.state.sets.iter();
+        let forces = sets.map(|set| set.columns[force_columns(set)].to_vec());
+        let forces = forces.collect();
+        let grid = &simulation.work.grid;
+        let mut lines = vec![];
+        for (number, field) in grid.fields.iter().enumerate() {
+            let all = field.nodes.lines();
+            let mut own = Vec::with_capacity(field.rows.count());
+            for row in grid.rows_in_use(number) {
+                own.extend_from_slice(&all[row]);
+            }
+            lines.push(own);
+        }
+        Self {
+            interactions,
+            groups: simulation.state.groups,
+            sums: simulation.work.sums,
+            mapped: simulation.work.mapped,
+            lines,
+            forces,
+        }
+    }
+
+    fn put_back(self, simulation: &mut Simulation) {
+        let faces = simulation.take_faces();
+        simulation.work.interactions = self.interactions;
+        simulation.give_faces(faces);
+        for (set, was) in simulation.state.sets.iter_mut().zip(&self.forces) {
+            let columns = force_columns(set);
+            set.columns[columns].clone_from_slice(was);
+        }
+        simulation.state.groups = self.groups;
+        simulation.work.sums = self.sums;
+        simulation.work.mapped = self.mapped;
+        let grid = &mut simulation.work.grid;
+        for (number, lines) in self.lines.iter().enumerate() {
+            let rows = grid.rows_in_use(number);
+            let all = grid.fields[number].nodes.lines_mut();
+            let mut rest = &lines[..];
+            for row in rows {
+                let (own, tail) = rest.split_at(row.len());
+                all[row].copy_from_slice(own);
+                rest = tail;
+            }
+        }
+    }
+}
+
+/// Columns of the force on each particle; none where the plan keeps none.
+fn force_columns(set: &ParticleSet) -> Range<usize> {
+    let first = set.layout.force;
+    first.map_or(0..0, |first| first..first + set.layout.axes)
+}
+
+/// Kinetic energy of the particles of one body \[J\].
+pub(super) fn kinetic_energy(set: &ParticleSet) -> f64 {
+    let square = |p: usize| -> f64 { set.velocity(p).iter().map(|c| c * c).sum() };
+    let mass = &set.columns[Layout::MASS];
+    mass.iter()
+        .enumerate()
+        .map(|(p, m)| 0.5 * m * square(p))
+        .sum()
+}
+
+impl Simulation {
+    fn take_faces(&mut self) -> Faces {
+        let state = self.interaction_mut::<grid::State>();
+        state
+            .map(|state| std::mem::take(&mut state.faces))
+            .unwrap_or_default()
+    }
+
+    fn give_faces(&mut self, faces: Faces) {
+        if let Some(state) = self.interaction_mut::<grid::State>() {
+            state.faces = faces;
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! What happened in a run that went on.
+
+use super::error::ParticleAt;
+use super::trust::{LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO};
+use std::fmt;
+
+/// Something that happened in a run that went on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Number of the step.
+    pub step: u64,
+    /// Time \[s\].
+    pub time: f64,
+    /// What happened.
+    pub kind: EventKind,
+}
+
+/// Kinds of events.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EventKind {
+    /// A particle left the mesh and was removed.
+    Removed(ParticleAt),
+    /// The base record ended; the plane keeps its velocity.
+    RecordEnded,
+    /// Particle domains outgrew half a cell; from here on the stencil has four nodes per axis.
+    WiderStencil,
+    /// The first particle whose volume is less than [`LEAST_VOLUME_RATIO`](super::trust::LEAST_VOLUME_RATIO) of that of
+    /// the start, or more than [`MOST_VOLUME_RATIO`](super::trust::MOST_VOLUME_RATIO) of it.
+    VolumeRatio {
+        /// The particle.
+        particle: ParticleAt,
+        /// Its volume over that of the start.
+        ratio: f64,
+    },
+}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            EventKind::Removed(p) => {
+                write!(f, "{p} left the mesh and was removed, mass {} kg", p.mass)
+            }
+            EventKind::RecordEnded => {
+                write!(
+                    f,
+                    "the base record ended; zero acceleration from here, velocity kept"
+                )
+            }
+            EventKind::WiderStencil => {
+                write!(
+                    f,
+                    "a particle domain exceeded h/2; four nodes per axis from here"
+                )
+            }
+            EventKind::VolumeRatio { particle, ratio } => write!(
+                f,
+                "{particle} has {ratio:.4e} of its volume at the start, the first one outside {LEAST_VOLUME_RATIO} to \
+                 {MOST_VOLUME_RATIO}"
+            ),
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Steps that damping and acceleration bound, bodies that are crushed, and steps that cannot be.
+
+use crate::common::{
+    SCHEMES, block, body, cuboid, elastic, empty, material, simulation, simulation_from,
+};
+use proctor_kernel::scene::{Damping, Dimension, Outside, PlaneCondition, Scene, TimeStep};
+use proctor_kernel::simulation::{
+    Bound, EventKind, InitialState, LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO, Options, SetupError,
+    Simulation, StepErrorKind,
+};
+use std::sync::Arc;
+
+/// A free block of 0.5 m under strong viscous damping: rate 8 c/h = 2530 1/s, more than two in a step of wave speed alone.
+fn damped() -> Scene {
+    let mut scene = empty(Dimension::Two, [20, 20, 1], 0.1);
+    scene.materials = vec![material(elastic(1.0e6, 0.3))];
+    scene.bodies = vec![body(1, cuboid([0.7, 0.7, 0.0], [1.2, 1.2, 0.0]))];
+    scene.bodies[0].velocity = [0.01, 0.0, 0.0];
+    scene.damping = Damping::Viscous { alpha: 8.0 };
+    scene
+}
+
+const RATE: f64 = 8.0 / 0.1 * 31.622_776_601_683_793;
+
+#[test]
+fn viscous_damping_bounds_the_step() {
+    for scheme in SCHEMES {
+        let mut scene = damped();
+        scene.scheme = scheme;
+        let mut simulation = simulation(&scene);
+        let start = simulation.kinetic_energy();
+        for _ in 0..400 {
+            let info = simulation.step(1.0e3).expect("the step is sound");
+            assert_eq!(info.bound, Bound::Damping);
+            assert!(info.dt * RATE < 2.0 && info.dt <= info.dt_critical);
+        }
+        let energy = simulation.energy();
+        assert!(energy.kinetic < 1e-6 * start, "{scheme:?} {energy:?}");
+        assert!(
+            (energy.damping / start - 1.0).abs() < 1e-6,
+            "{scheme:?} {energy:?}"
+        );
+        assert_eq!(simulation.trust().doubt, None, "{scheme:?}");
+    }
+}
+
+#[test]
+fn a_step_too_long_for_the_damping_is_refused_with_its_rate() {
+    let mut scene = damped();
+    scene.time_step = TimeStep::Fixed {
+        dt: 8.0e-4,
+        allow_unstable: false,
+    };
+    let refused = Simulation::new(&scene, &Options::default()).err();
+    let Some(SetupError::UnstableTimeStep(unstable)) = refused else {
+        panic!("{refused:?}");
+    };
+    assert!((unstable.viscous_rate / RATE - 1.0).abs() < 1e-12);
+    let message = unstable.to_string();
+    assert!(
+        message.contains("viscous damping at a rate of 2529"),
+        "{message}"
+    );
+    assert!(message.contains("or less damping"), "{message}");
+    scene.damping = Damping::None;
+    assert!(Simulation::new(&scene, &Options::default()).is_ok());
+}
+
+/// A body at rest that is pulled hard does not cross more than half a cell in its first step.
+#[test]
+fn acceleration_bounds_the_step() {
+    let mut scene = block(Dimension::Two);
+    scene.gravity = [0.0, -1.0e6, 0.0];
+    let mut simulation = simulation(&scene);
+    let before = simulation.center(0).1[1];
+    let info = simulation.step(1.0e3).expect("the step is sound");
+    assert_eq!(info.bound, Bound::Travel);
+    let way = before - simulation.center(0).1[1];
+    assert!(way > 0.0 && way <= 0.05, "{way}");
+}
+
+/// A column too soft for its weight is crushed: said once, with particle, step and time.
+#[test]
+fn a_crushed_body_is_told_once() {
+    let mut scene = empty(Dimension::Two, [10, 15, 1], 0.1);
+    scene.materials = vec![material(elastic(1.0e3, 0.3))];
+    scene.mesh.planes = [[PlaneCondition::Sliding; 2]; 3];
+    scene.bodies = vec![body(1, cuboid([0.0; 3], [1.0, 1.0, 0.0]))];
+    scene.gravity = [0.0, -9.81, 0.0];
+    let mut simulation = simulation(&scene);
+    let ratio = |s: &Simulation, p: usize| {
+        let (mass, volume) = s.mass_and_volume(0, p);
+        volume * 1000.0 / mass
+    };
+    while simulation.time() < 1.0 && simulation.step(1.0).is_ok() {
+        let outside = (0..simulation.particles())
+            .map(|p| ratio(&simulation, p))
+            .any(|j| !(LEAST_VOLUME_RATIO..=MOST_VOLUME_RATIO).contains(&j));
+        let seen: Vec<_> = simulation.events().iter().collect();
+        if seen.is_empty() {
+            assert!(!outside, "step {}: nobody said so", simulation.steps());
+        } else {
+            assert_eq!(seen.len(), 1);
+            let EventKind::VolumeRatio { particle, ratio } = &seen[0].kind else {
+                panic!("{:?}", seen[0]);
+            };
+            assert!(*ratio < LEAST_VOLUME_RATIO && particle.mass > 0.0);
+            assert!(seen[0].time > 0.0 && seen[0].step > 1);
+        }
+    }
+    assert_eq!(simulation.events().len(), 1, "crushed");
+}
+
+/// Without particles a step goes to the time that is asked for, and from there nowhere.
+#[test]
+fn a_run_that_all_particles_have_left_takes_no_endless_step() {
+    let mut scene = block(Dimension::Two);
+    scene.outside = Outside::Remove;
+    scene.bodies[0].velocity = [4.0, 0.0, 0.0];
+    let mut simulation = simulation(&scene);
+    let error = loop {
+        match simulation.step(1.0e3) {
+            Ok(info) => assert!(info.dt.is_finite()),
+            Err(error) => break error,
+        }
+    };
+    assert_eq!(simulation.particles(), 0);
+    assert_eq!(error.kind, StepErrorKind::NothingLeft);
+}
+
+/// An endless speed is no step of no length, but a particle with a value that is not finite.
+#[test]
+fn an_infinite_velocity_is_called_by_its_name() {
+    let endless = |x: &[f64; 3]| InitialState {
+        velocity: [if x[0] < 0.3 { f64::INFINITY } else { 0.0 }, 0.0, 0.0],
+        ..InitialState::default()
+    };
+    let mut simulation = simulation_from(&block(Dimension::Two), Arc::new(endless));
+    let error = simulation.step(1.0e3).expect_err("there is no such step");
+    assert!(matches!(error.kind, StepErrorKind::NotFinite(_)), "{error}");
+}
+
+/// After a step that left a particle outside, each further one says so, and the balance can still be asked for.
+#[test]
+fn a_step_after_an_error_is_that_error() {
+    for scheme in SCHEMES {
+        let mut scene = block(Dimension::Two);
+        scene.scheme = scheme;
+        scene.bodies[0].velocity = [1.0e3, -1.0e3, 0.0];
+        scene.time_step = TimeStep::Fixed {
+            dt: 0.1,
+            allow_unstable: true,
+        };
+        let mut simulation = simulation(&scene);
+        let first = (0..5).find_map(|_| simulation.step(1.0e3).err());
+        let first = first.expect("it leaves the mesh");
+        for _ in 0..3 {
+            assert_eq!(simulation.step(1.0e3), Err(first.clone()));
+        }
+        assert!(simulation.energy().external_work.is_finite());
+    }
+}
