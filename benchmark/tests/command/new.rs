@@ -50,7 +50,12 @@ fn each_is_written_planned_and_run_without_a_warning() {
         assert_eq!(stderr(&output), "", "{kind}");
         let output = here(&desk, &["run", &file, "--out", &kind]);
         assert_eq!(code(&output), 0, "{kind}: {}", stderr(&output));
-        assert_eq!(stderr(&output), "", "{kind}");
+        // A busy machine is told, and is no fault of the scene.
+        let said_aside = stderr(&output);
+        let mut warnings = said_aside
+            .lines()
+            .filter(|line| !line.contains("the machine was busy"));
+        assert_eq!(warnings.next(), None, "{kind}");
         for doubt in ["attention", "event"] {
             let text = stdout(&output);
             let doubtful = text.lines().any(|line| line.starts_with(doubt));
