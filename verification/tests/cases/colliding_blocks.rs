@@ -19,7 +19,7 @@ fn a_wrong_reference_breaks_the_gates_on_the_duration() {
     };
     let verdict = wrong.judge(Size::Quick, &solve(&wrong));
     let durations = verdict.gates.iter().filter(|g| g.name.contains("duration"));
-    assert_eq!(durations.clone().count(), 13);
+    assert_eq!(durations.clone().count(), 15);
     for gate in durations {
         assert!(!gate.passed(), "{}: {}", gate.name, gate.value);
     }
@@ -71,6 +71,6 @@ fn an_impulse_off_by_twice_its_gate_breaks_it() {
             }
         }
     }
-    // Three schemes, two more ratios of masses, one of lengths, and three dimensions.
-    assert_eq!(found, 7);
+    // Three schemes, two more ratios of masses, one of lengths, one of impedances, and three dimensions.
+    assert_eq!(found, 8);
 }
