@@ -188,26 +188,15 @@ impl Simulation {
     /// By how much the kinetic energy of all fields that move freely has changed in the last equation of motion \[J\].
     fn change_of_kinetic_energy(&self, acting: &Acting) -> f64 {
         let grid = &self.work.grid;
+        let driven = |body: usize| self.decided.bodies[body].motion.is_some();
         let mut sum = 0.0;
-        for field in &grid.fields {
-            let body = field.owner.body();
-            if body.is_some_and(|body| self.decided.bodies[body].motion.is_some()) {
+        for (node, line) in grid.free_nodes(driven) {
+            if is_ghost(&grid.shape, &acting.walls, grid.shape.indices(node)) {
                 continue;
             }
-            let lines = field.nodes.lines();
-            for plane in 0..grid.shape.nodes[0] {
-                for row in 0..grid.shape.nodes[1] {
-                    let first = grid.shape.index([plane, row, 0]);
-                    for k in field.rows.span(plane, row) {
-                        let line = &lines[first + k];
-                        if line[0] > 0.0 && !is_ghost(&grid.shape, &acting.walls, [plane, row, k]) {
-                            for axis in 0..3 {
-                                let (v, dv) = (line[1 + axis], line[4 + axis]);
-                                sum += line[0] * dv * (v - 0.5 * dv);
-                            }
-                        }
-                    }
-                }
+            for axis in 0..3 {
+                let (v, dv) = (line[1 + axis], line[4 + axis]);
+                sum += line[0] * dv * (v - 0.5 * dv);
             }
         }
         sum

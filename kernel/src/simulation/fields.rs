@@ -201,6 +201,23 @@ impl Grid {
         rows
     }
 
+    /// Nodes with mass of the fields that move freely, with their index, field by field and row by row; `driven` says of a
+    /// body whether its motion is prescribed.
+    pub fn free_nodes(
+        &self,
+        driven: impl Fn(usize) -> bool,
+    ) -> impl Iterator<Item = (usize, &Line)> {
+        let free = move |field: &VelocityField| !field.owner.body().is_some_and(&driven);
+        let numbers = (0..self.fields.len()).filter(move |number| free(&self.fields[*number]));
+        numbers.flat_map(|number| {
+            let lines = self.fields[number].nodes.lines();
+            let nodes = self.rows_in_use(number).into_iter().flatten();
+            nodes
+                .map(|node| (node, &lines[node]))
+                .filter(|(_, line)| line[0] > 0.0)
+        })
+    }
+
     /// Number of the field in which a body moves.
     #[must_use]
     pub fn number_of(&self, body: usize) -> usize {

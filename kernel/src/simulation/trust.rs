@@ -287,31 +287,13 @@ impl Simulation {
     /// What the momentum of all fields that move freely changes by in this step, and the sum of the magnitudes of the
     /// changes \[kg m/s\].
     fn change_at_nodes(&self) -> (Vector, f64) {
-        let grid = &self.work.grid;
+        let driven = |body: usize| self.decided.bodies[body].motion.is_some();
         let (mut sum, mut scale) = ([0.0; 3], 0.0);
-        for field in &grid.fields {
-            let driven = field
-                .owner
-                .body()
-                .is_some_and(|body| self.decided.bodies[body].motion.is_some());
-            if driven {
-                continue;
-            }
-            let lines = field.nodes.lines();
-            for plane in 0..grid.shape.nodes[0] {
-                for row in 0..grid.shape.nodes[1] {
-                    let first = grid.shape.index([plane, row, 0]);
-                    for k in field.rows.span(plane, row) {
-                        let line = &lines[first + k];
-                        if line[0] > 0.0 {
-                            for axis in 0..3 {
-                                let change = line[0] * line[4 + axis];
-                                sum[axis] += change;
-                                scale += change.abs();
-                            }
-                        }
-                    }
-                }
+        for (_, line) in self.work.grid.free_nodes(driven) {
+            for axis in 0..3 {
+                let change = line[0] * line[4 + axis];
+                sum[axis] += change;
+                scale += change.abs();
             }
         }
         (sum, scale)

@@ -30,10 +30,6 @@ pub static ROWS: &[Extreme] = &[Extreme {
     judge: corner_fall,
 }];
 
-/// Young's modulus \[Pa\] and Poisson's ratio of what falls.
-pub(super) const YOUNG: f64 = 1.0;
-pub(super) const POISSON: f64 = 0.3;
-
 /// What was found of a fall with contact.
 #[derive(Default)]
 pub(super) struct Fall {
@@ -45,10 +41,8 @@ pub(super) struct Fall {
     pull: f64,
     /// Energy over that at the start, with the work of the weight.
     grown: f64,
-    /// Deepest penetration of a particle into a rigid surface, less what it is pressed together itself \[m\].
+    /// Deepest penetration of a particle into a rigid surface \[m\].
     pub depth: f64,
-    /// Longest step \[s\].
-    pub longest: f64,
     /// Impulse upwards over the momentum of the fall: whether anything was touched.
     pushed: f64,
 }
@@ -72,7 +66,6 @@ pub(super) fn watch_fall(
         let kick = 0.5 * (dt_before + info.dt);
         dt_before = info.dt;
         kicks += kick;
-        found.longest = found.longest.max(info.dt);
         let now = force(s);
         for axis in 0..3 {
             impulse[axis] += now[axis] * kick;
@@ -87,12 +80,7 @@ pub(super) fn watch_fall(
                 .first()
                 .and_then(|_| s.surface_gap(0, 0, p, 1.0))
             {
-                // The centre of a particle on a surface comes nearer by what the half of it between them is strained.
-                let set = &s.sets()[0];
-                let (_, volume) = s.mass_and_volume(0, p);
-                let strain = hooke(&set.stress(p), up);
-                let pressed = -0.5 * libm::cbrt(volume) * strain.min(0.0);
-                found.depth = worst(found.depth, -gap - pressed);
+                found.depth = worst(found.depth, -gap);
             }
         }
         let lost = apart(&s.momentum(), &exact) / momentum_scale(s);
@@ -108,12 +96,6 @@ pub(super) fn watch_fall(
     found.pull = pull / push;
     found.pushed = impulse[up] / before[up].abs();
     Ok(found)
-}
-
-/// Strain along an axis under a stress \[Pa\], by Hooke's law.
-fn hooke(stress: &[f64; 6], axis: usize) -> f64 {
-    let trace = stress[0] + stress[1] + stress[2];
-    ((1.0 + POISSON) * stress[axis] - POISSON * trace) / YOUNG
 }
 
 /// Gates that falls must keep, on the worst of several.
@@ -159,7 +141,7 @@ fn onto_ridge(scheme: StressScheme) -> Result<Fall, Unexpected> {
     const MIDDLE: f64 = 4.0;
     let mut scene = open_space([8, 8, 9]).with_gravity([0.0, 0.0, -1e-3]);
     scene.scheme = scheme;
-    let material = scene.add_material(elastic(YOUNG, POISSON), 1.0);
+    let material = scene.add_material(elastic(1.0, 0.3), 1.0);
     let cube = Shape::Cuboid {
         p1: [MIDDLE - 1.0, 3.0, 3.1],
         p2: [MIDDLE + 1.0, 5.0, 5.1],
@@ -195,7 +177,7 @@ fn onto_own_corner(scheme: StressScheme) -> Result<Fall, Unexpected> {
     const HALF: f64 = 2.0;
     let mut scene = open([12, 12]).with_gravity([0.0, -1e-3, 0.0]);
     scene.scheme = scheme;
-    let material = scene.add_material(elastic(YOUNG, POISSON), 1.0);
+    let material = scene.add_material(elastic(1.0, 0.3), 1.0);
     let points = [[0.0, -HALF], [HALF, 0.0], [0.0, HALF], [-HALF, 0.0]]
         .map(|[x, y]| [CENTER[0] + x, CENTER[1] + y, 0.0]);
     let square = Shape::Polygon {
