@@ -8,6 +8,7 @@ pub mod cases;
 pub mod convergence;
 pub mod exact;
 pub mod guest;
+pub mod random;
 pub mod sensitivity;
 pub mod settings;
 pub mod stability;

@@ -5,6 +5,7 @@
 
 use proctor_kernel::scene::Vector;
 use proctor_verification::exact::sudden_weight::SuddenWeight;
+use proctor_verification::random::Random;
 use serde_json::{Value, json};
 
 /// Cell size of every built-in scene \[m\].
@@ -52,6 +53,11 @@ pub const BUILT_IN: &[BuiltIn] = &[
         name: "moving",
         what: "a block that flies through four cells in 40 steps",
         make: moving,
+    },
+    BuiltIn {
+        name: "disordered",
+        what: "the moving block, its particles sheared and jittered by half of their distance",
+        make: disordered,
     },
     BuiltIn {
         name: "sheared",
@@ -188,6 +194,45 @@ fn moving(block: &Block) -> Made {
 fn sparse(block: &Block) -> Made {
     // 8² = 4³ = 64.
     flying(block, if block.axes == 2 { 8 } else { 4 })
+}
+
+/// Seed of the places of its particles.
+const SEED: u64 = 2026;
+/// How far the particles of the disordered block are displaced along the first axis, per height.
+const SHEAR: f64 = 0.5;
+
+fn disordered(block: &Block) -> Made {
+    let mut made = flying(block, 1);
+    let axes = block.axes;
+    let distance = H / 2.0;
+    let number: Vec<usize> = block.cells.iter().map(|cells| 2 * cells).collect();
+    let up = axes - 1;
+    let lean = SHEAR * block.cells[up] as f64 * H;
+    let mut random = Random::new(SEED);
+    let particles: Vec<Value> = (0..number.iter().product())
+        .map(|p| {
+            let mut rest = p;
+            let mut x: Vec<f64> = number
+                .iter()
+                .map(|&along| {
+                    let place = (rest % along) as f64 + 0.5 + (random.unit() - 0.5);
+                    rest /= along;
+                    MARGIN as f64 * H + place * distance
+                })
+                .collect();
+            x[0] += SHEAR * (x[up] - MARGIN as f64 * H);
+            x.push(distance.powi(axes as i32));
+            x.into()
+        })
+        .collect();
+    let body = &made.scene["body"][0];
+    made.scene["body"] = json!([{
+        "type": "particles", "id": 1, "material_id": 1, "particles": particles,
+        "initial_velocity": body["initial_velocity"],
+    }]);
+    let cells = &mut made.scene["mesh"]["cells_number"][0];
+    *cells = (cells.as_u64().unwrap_or(0) + (lean / H).ceil() as u64).into();
+    made
 }
 
 fn sheared(block: &Block) -> Made {

@@ -360,7 +360,7 @@ impl fmt::Display for Short<'_> {
 }
 
 /// What stands above whole steps.
-const STEPS: &str = "whole steps: ns per particle and step, median";
+const STEPS: &str = "whole steps: ns per particle and step, less is better; median";
 
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -53,10 +53,12 @@ impl Record {
     pub fn push_study(&mut self, studied: &Studied, threads: usize) {
         let case = studied.study.name();
         for (choice, run) in studied.plan.choices.iter().zip(&studied.runs) {
+            if run.samples.is_empty() {
+                self.push(blank_row(studied, choice, run, 0, threads));
+            }
             for (repetition, sample) in run.samples.iter().enumerate() {
-                self.push(sample_row(
-                    studied, choice, run, repetition, sample, threads,
-                ));
+                let blank = blank_row(studied, choice, run, repetition, threads);
+                self.push(sample_row(blank, run, sample));
             }
         }
         for (number, measure) in studied.study.measures().iter().enumerate() {
@@ -91,17 +93,28 @@ impl Record {
     }
 }
 
-fn sample_row(
+/// A repetition with its times.
+fn sample_row(blank: Row, run: &Run, sample: &Sample) -> Row {
+    let mut row = blank.timed(sample.stepping);
+    row.count("seconds_set_up", sample.set_up.wall.as_secs_f64());
+    row.count("seconds_comparing", sample.comparing.wall.as_secs_f64());
+    if let Ok(found) = &run.found {
+        let rate = found.particles as f64 * found.steps as f64 / sample.stepping.wall.as_secs_f64();
+        row.count("particle_steps_per_second", rate);
+    }
+    row
+}
+
+/// What is known of a repetition without its times.
+fn blank_row(
     studied: &Studied,
     choice: &Choice,
     run: &Run,
     repetition: usize,
-    sample: &Sample,
     threads: usize,
 ) -> Row {
     let case = studied.study.name();
-    let mut row =
-        Row::sample(name(case, choice), repetition as u64, threads).timed(sample.stepping);
+    let mut row = Row::sample(name(case, choice), repetition as u64, threads);
     describe(&mut row, case, choice.settings.method);
     row.label(LADDER, ladder(case, choice));
     row.count("cell_size", choice.rung.cell);
@@ -110,15 +123,11 @@ fn sample_row(
         "particles_per_cell",
         choice.settings.particles_per_cell as f64,
     );
-    row.count("seconds_set_up", sample.set_up.wall.as_secs_f64());
-    row.count("seconds_comparing", sample.comparing.wall.as_secs_f64());
     if let Ok(found) = &run.found {
         row.count("particles", found.particles as f64);
         row.count("steps", found.steps as f64);
         row.count("dt", found.dt);
         row.count("dt_over_critical", found.dt_over_critical);
-        let rate = found.particles as f64 * found.steps as f64 / sample.stepping.wall.as_secs_f64();
-        row.count("particle_steps_per_second", rate);
         for (measure, error) in studied.study.measures().iter().zip(&found.errors) {
             row.count(format!("error_{}", measure.word), *error);
         }

@@ -5,6 +5,7 @@ use super::peers::PeerLine;
 use crate::measure::Spent;
 use cpu_time::ProcessTime;
 use proctor_kernel::simulation::Options;
+use proctor_verification::case::Size;
 use proctor_verification::study::{Observer, Phase, Study};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -13,6 +14,9 @@ use std::time::{Duration, Instant};
 pub(super) const LONG: Duration = Duration::from_secs(2);
 /// Relative error above which a result says less than no answer at all would, so that the run counts as failed.
 pub const USELESS: f64 = 1.0;
+
+/// What is said of a run that did not take place.
+const NOT_RUN: &str = "not run";
 
 /// A case that was studied.
 pub struct Studied {
@@ -165,7 +169,8 @@ impl Observer for Watch<'_> {
     }
 }
 
-/// Runs a study. A run that fails does not end it; an interrupt does, and the run in progress is left out. `progress` hears
+/// Runs a study. A run that fails does not end it, but in a short one a method that failed is not run on finer cells; an
+/// interrupt does, and the run in progress is left out. `progress` hears
 /// the share that is done.
 pub fn run(
     study: &'static dyn Study,
@@ -179,6 +184,14 @@ pub fn run(
     let mut runs = vec![];
     for (i, choice) in plan.choices.iter().enumerate() {
         let share = [i as f64 / count, 1.0 / count];
+        let short = effort.size == Size::Quick;
+        if let Some(reason) = failed_before(&plan, &runs, i).filter(|_| short) {
+            runs.push(Run {
+                samples: vec![],
+                found: Err(reason),
+            });
+            continue;
+        }
         match point(study, choice, effort, options, interrupt, progress, share) {
             Some(run) => runs.push(run),
             None => break,
@@ -194,6 +207,20 @@ pub fn run(
     }
 }
 
+/// Why the run before on the path of refinement failed, where it did: on finer cells it would take longer to fail.
+fn failed_before(plan: &Plan, runs: &[Run], choice: usize) -> Option<String> {
+    let before = plan.lines.iter().find_map(|line| {
+        let at = line.path.iter().position(|&i| i == choice)?;
+        line.path.get(at.checked_sub(1)?)
+    })?;
+    let reason = runs.get(*before)?.found.as_ref().err()?;
+    if reason.starts_with(NOT_RUN) {
+        return Some(reason.clone());
+    }
+    let cell = plan.choices[*before].rung.cell;
+    Some(format!("{NOT_RUN}: with h = {cell} {reason}"))
+}
+
 /// The repetitions of one choice; `None` if they were interrupted.
 fn point(
     study: &dyn Study,
@@ -206,7 +233,7 @@ fn point(
 ) -> Option<Run> {
     let mut run = Run {
         samples: vec![],
-        found: Err("not run".to_owned()),
+        found: Err(NOT_RUN.to_owned()),
     };
     while run.samples.len() < effort.repetitions.max(1) {
         let mut watch = Watch {

@@ -86,7 +86,7 @@ impl fmt::Display for InFull<'_> {
             // Writing into a text does not fail.
             let _ = write!(value, ": {}", words.join(", "));
         }
-        if !key.range.is_everything() {
+        if key.words.is_empty() && !key.range.is_everything() {
             let each = if key.kind.starts_with("a list") {
                 "each "
             } else {

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use std::time::Duration;
 
 /// Characters of the name of the headline error.
-const HEADLINE: usize = 29;
+const HEADLINE: usize = 36;
 /// Cases that failed and are named in the verdict; all of them stand above it.
 const NAMED: usize = 6;
 
@@ -38,7 +38,11 @@ impl Lines {
     /// # Errors
     /// If `out` cannot be written.
     pub fn heading(&self, out: &mut dyn Write) -> io::Result<()> {
-        let line = self.line(" ", "case", ["gates", "tightest", "error of", "", "time"]);
+        let line = self.line(" ", "case", ["gates", "nearest", "error of", "", "time"]);
+        writeln!(
+            out,
+            "nearest: share of its bound that the gate next to failing uses; error: of one finest run (-v: all)"
+        )?;
         writeln!(out, "{line}")
     }
 
@@ -153,6 +157,8 @@ pub struct Verdict<'a> {
     pub also_failed: &'a [&'static str],
     /// Whether the user stopped it.
     pub interrupted: bool,
+    /// Gates of stability that hold, and all of them, where there are any.
+    pub of_stability: Option<[usize; 2]>,
     /// Time since the beginning.
     pub took: Duration,
 }
@@ -191,6 +197,9 @@ impl Verdict<'_> {
             };
         } else {
             text.push_str(&cases);
+        }
+        if let Some([passed, all]) = self.of_stability {
+            let _ = write!(text, " and {passed} of {all} of stability");
         }
         if self.kept.cases > 0 {
             let _ = write!(text, "; {} of them held before", self.kept.cases);
@@ -257,6 +266,7 @@ mod tests {
             asked,
             also_failed,
             interrupted,
+            of_stability: None,
             took: Duration::from_millis(1500),
         };
         let mut text = vec![];

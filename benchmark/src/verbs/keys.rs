@@ -11,6 +11,27 @@ const NEAREST: usize = 3;
 /// Least likeness of a name to an unknown word, 0 to 1, for it to be among them.
 const LIKENESS: f64 = 0.4;
 
+/// Other words for keys, short and usual ones.
+const USUAL: &[(&str, &str)] = &[
+    ("E", "young"),
+    ("stiffness", "young"),
+    ("modulus", "young"),
+    ("nu", "poisson"),
+    ("rho", "density"),
+    ("mu", "friction"),
+    ("g", "gravity"),
+    ("h", "cells_dimension"),
+    ("cells", "cells_number"),
+    ("dt", "time_step"),
+    ("ppc", "particles_per_cell"),
+    ("output", "print"),
+    ("outputs", "print"),
+    ("interval", "print"),
+    ("frames", "print"),
+];
+/// Fewest letters of a word that is looked for inside of names.
+const PART: usize = 3;
+
 /// Explain the keys of scene files: all in a table, or one by its name.
 ///
 /// Of each key: what it means, its unit, the values that it may have, what holds where it is missing, what else it needs,
@@ -64,7 +85,8 @@ fn all(blocks: &[Block], out: &mut dyn Write) -> Result<Outcome, Failure> {
     Ok(Outcome::Fine)
 }
 
-/// The keys of that name; else those that have the word as a value; else those with it in their name.
+/// The keys of that name, or of the one for which it is another word; else those that have the word as a value; else those
+/// with it in their name; else those with it in their meaning.
 fn matching<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
     let all = || {
         blocks
@@ -75,7 +97,15 @@ fn matching<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
     let named = |(block, key): &(&Block, &Key)| {
         is(word, &key.name) || is(word, &format!("{}.{}", block.path, key.name))
     };
-    let part = |(_, key): &(&Block, &Key)| key.name.to_lowercase().contains(&word.to_lowercase());
+    let part = |(_, key): &(&Block, &Key)| {
+        word.len() >= PART && key.name.to_lowercase().contains(&word.to_lowercase())
+    };
+    let meant = |(_, key): &(&Block, &Key)| {
+        let mut words = key.meaning.split(|c: char| !c.is_alphanumeric());
+        words.any(|known| is(word, known))
+    };
+    let usual = USUAL.iter().find(|(usual, _)| is(word, usual));
+    let usually = |(_, key): &(&Block, &Key)| usual.is_some_and(|(_, name)| is(name, &key.name));
     let valued = |(_, key): &(&Block, &Key)| {
         let mut words = key.words.iter().filter_map(|word| word.as_str());
         words.any(|known| is(word, known))
@@ -84,11 +114,13 @@ fn matching<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
     if !found.is_empty() {
         return found;
     }
-    let found: Vec<_> = all().filter(valued).collect();
-    if !found.is_empty() {
-        return found;
+    for search in [&usually as &dyn Fn(&(&Block, &Key)) -> bool, &valued, &part] {
+        let found: Vec<_> = all().filter(search).collect();
+        if !found.is_empty() {
+            return found;
+        }
     }
-    all().filter(part).collect()
+    all().filter(meant).collect()
 }
 
 /// Whether a word is a name; upper and lower case are the same.

@@ -21,7 +21,7 @@ use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
 use proctor_kernel::plan::Demands;
 use proctor_kernel::simulation::Options;
-use proctor_verification::case::{self, Size};
+use proctor_verification::case::{self, Gate, Size};
 use proctor_verification::stability::{map, nonlinear};
 use proctor_verification::study;
 use std::io::Write;
@@ -40,8 +40,8 @@ const STABILITY_SECONDS: f64 = 5.0;
 const STUDIES_SECONDS: f64 = 100.0;
 
 const WHERE_TO_GO: &str = "\
-Next (in a checkout, `cargo run --release --` stands for `proctor`): `proctor -v` tells all of it, `proctor verify` runs the
-full ladders, `proctor run fixtures/scenes/disc_bounce_2d.json --out out` a scene; `proctor -h` names everything else.";
+Next (in a checkout, `cargo run --release --` stands for `proctor`): `proctor new` begins a scene of your own, `proctor -v` runs
+this again and tells all of it, `proctor verify` runs the full ladders; `proctor -h` names everything else.";
 
 /// What the parts of the main job share.
 struct Job<'a> {
@@ -90,7 +90,7 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
     if !job.stop.raised() {
         keep_cases(&record, folder)?;
     }
-    let stable = job.stability(&mut record)?;
+    let (stable, of_stability) = job.stability(&mut record)?;
     job.precision(&mut record)?;
     let Job {
         stop,
@@ -117,6 +117,7 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
         asked: case::all().len(),
         also_failed: &also,
         interrupted,
+        of_stability: Some(of_stability),
         took: begun.elapsed(),
     };
     verdict.line(paint, out)?;
@@ -222,15 +223,16 @@ impl Job<'_> {
         Ok(all)
     }
 
-    /// The map of stability in short; whether all of it holds.
-    fn stability(&mut self, record: &mut Record) -> Result<bool, Failure> {
+    /// The map of stability in short; whether all of it holds, and how many gates do and are there.
+    fn stability(&mut self, record: &mut Record) -> Result<(bool, [usize; 2]), Failure> {
         let scenes: Vec<_> = nonlinear::ALL.iter().collect();
         let jobs = jobs(AskedOfStability::Short, true, &scenes, &map::SCHEMES);
         let whole = &self.whole;
         let mut at = |share| whole.at(case::all().len(), share);
-        let passed = solve_stability(&jobs, &self.stop, record, &mut at)
-            .iter()
-            .all(Done::passed);
+        let done = solve_stability(&jobs, &self.stop, record, &mut at);
+        let passed = done.iter().all(Done::passed);
+        let gates: Vec<Gate> = done.iter().flat_map(Done::gates).collect();
+        let held = gates.iter().filter(|gate| gate.passed()).count();
         let (amount, interrupted) = (self.amount, self.stop.raised());
         if let Some(detail) = record
             .details
@@ -251,7 +253,7 @@ impl Job<'_> {
                 }
             })?;
         }
-        Ok(passed)
+        Ok((passed, [held, gates.len()]))
     }
 
     /// Short studies of all cases that can be studied, on one thread.

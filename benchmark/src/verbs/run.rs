@@ -170,6 +170,6 @@ fn bound_words(bound: Bound) -> &'static str {
         Bound::Closing => "so that no gap closes by more than half the critical gap",
         Bound::Damping => "by viscous damping beside the stability bound",
         Bound::Fixed => "constant, by the scene",
-        Bound::OutputTime => "in equal steps to the outputs",
+        Bound::OutputTime => "shortened so that frames fall on their times",
     }
 }

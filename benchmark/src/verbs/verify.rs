@@ -197,6 +197,7 @@ impl Verify {
             asked: cases.len() + kept.cases,
             also_failed: &[],
             interrupted: interrupt.raised(),
+            of_stability: None,
             took: begun.elapsed(),
         };
         verdict.line(paint, out)?;

@@ -3,6 +3,7 @@
 use super::stability::has_safe_step;
 use super::{Demands, Entry, Feature, Plan};
 use crate::layout::Layout;
+use crate::number::Number;
 use crate::scene::{Body, Dimension, Scene, Shape, StressScheme};
 use crate::stage::g2p::Affine;
 
@@ -136,7 +137,11 @@ impl Plan {
             "output",
             "frames, history, checkpoints",
             scene.results.print > 0,
-            &format!("written {} times", scene.results.print),
+            &format!(
+                "{} frames: at the start and every {} s",
+                scene.results.print + 1,
+                Number(scene.time / scene.results.print.max(1) as f64)
+            ),
             "print is zero",
         );
         list.0

@@ -12,7 +12,7 @@ use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
 use crate::weights::{Family, axis_weights_at, base_offset, mean_of_hat};
-use std::ops::Range;
+use std::ops::{Deref, Range};
 
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
 pub(super) fn bodies_onto<'a>(
@@ -190,13 +190,27 @@ pub(super) fn fold(slab: &mut Slab<'_>, walls: &[Wall]) {
 }
 
 /// Nodes with a positive weight of one particle, increasing, with their weights.
+pub(super) struct NodeWeights {
+    entries: [(usize, f64); 64],
+    count: usize,
+}
+
+impl Deref for NodeWeights {
+    type Target = [(usize, f64)];
+
+    fn deref(&self) -> &[(usize, f64)] {
+        &self.entries[..self.count]
+    }
+}
+
+/// Those of the centre of a particle.
 pub(super) fn node_weights(
     set: &ParticleSet,
     body: &BodyRun,
     shape: &GridShape,
     stencil: usize,
     p: usize,
-) -> Vec<(usize, f64)> {
+) -> NodeWeights {
     weights_of(set, body, shape, stencil, p, |_, xi, l| {
         let family = body.mapping.family;
         if stencil == 3 {
@@ -222,7 +236,7 @@ pub(super) fn node_weights_touching(
     stencil: usize,
     p: usize,
     [offset, half]: [&Vector; 2],
-) -> Vec<(usize, f64)> {
+) -> NodeWeights {
     if body.mapping.family == Family::Hat {
         return node_weights(set, body, shape, stencil, p);
     }
@@ -252,10 +266,11 @@ fn weights_of(
     stencil: usize,
     p: usize,
     along: impl Fn(usize, f64, f64) -> [f64; 4],
-) -> Vec<(usize, f64)> {
+) -> NodeWeights {
     let axes = shape.axes;
     let x = set.position(p);
-    let mut touched: [Vec<(usize, f64)>; 3] = [vec![], vec![(0, 1.0)], vec![]];
+    let mut base = [0; 3];
+    let mut weights = [[0.0; 4], [1.0, 0.0, 0.0, 0.0], [0.0; 4]];
     for axis in 0..axes {
         let xi = x[axis] * body.mapping.inverse_cell[axis];
         let l = body
@@ -264,19 +279,24 @@ fn weights_of(
             .map_or(body.mapping.half_length[axis], |column| {
                 set.columns[column + axis][p]
             });
-        let base = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
-        touched[shape.direction(axis)] = along(axis, xi, l)[..stencil]
-            .iter()
-            .enumerate()
-            .filter(|(_, w)| **w > 0.0)
-            .map(|(n, w)| (base + n, *w))
-            .collect();
+        let direction = shape.direction(axis);
+        base[direction] = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+        weights[direction] = along(axis, xi, l);
     }
-    let mut nodes = Vec::with_capacity(27);
-    for &(i, u) in &touched[0] {
-        for &(j, v) in &touched[1] {
-            for &(k, w) in &touched[2] {
-                nodes.push((shape.index([i, j, k]), u * v * w));
+    let reached = |direction: usize| {
+        let of: &[f64; 4] = &weights[direction];
+        let reached = of[..stencil].iter().enumerate().filter(|(_, w)| **w > 0.0);
+        reached.map(move |(n, w)| (base[direction] + n, *w))
+    };
+    let mut nodes = NodeWeights {
+        entries: [(0, 0.0); 64],
+        count: 0,
+    };
+    for (i, u) in reached(0) {
+        for (j, v) in reached(1) {
+            for (k, w) in reached(2) {
+                nodes.entries[nodes.count] = (shape.index([i, j, k]), u * v * w);
+                nodes.count += 1;
             }
         }
     }

@@ -53,60 +53,92 @@ impl Mapping {
     }
 }
 
-/// Particles, as many as lanes at most, that follow each other and have the same base node.
-struct Group<L> {
-    /// Base node per axis, in cells of the mesh (ghosts not counted).
-    base: [f64; 3],
+/// Particles, as many as lanes at most, that follow each other, each with its base node.
+struct Block<L> {
     /// Number of particles.
     count: usize,
-    /// Coordinates from the base node in cells. Lanes beyond `count` hold other particles, or none.
+    /// Base node of each per axis, in cells of the mesh (ghosts not counted).
+    base: [L; 3],
+    /// Coordinates from the base node in cells. Lanes beyond `count` hold no particle.
     f: [L; 3],
 }
 
-/// The group that begins at particle `at` and ends before `end`.
+/// The block that begins at particle `at`, full unless `end` is near.
 #[inline(always)]
-fn group_at<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
+fn block_at<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     columns: &[C],
     mapping: &Mapping,
     at: usize,
     end: usize,
-) -> Group<L> {
-    let limit = (end - at).min(L::WIDTH);
-    let mut base = [0.0; 3];
-    let mut f = [L::splat(0.0); 3];
-    let mut same = u32::MAX;
+) -> Block<L> {
+    let zero = L::splat(0.0);
+    let mut block = Block {
+        count: (end - at).min(L::WIDTH),
+        base: [zero; 3],
+        f: [zero; 3],
+    };
     for axis in 0..D {
         let column = columns[Layout::POSITION + axis].as_ref();
-        base[axis] = (column[at] * mapping.inverse_cell[axis] - base_offset(N)).floor();
-        let xi: L = load::<L>(column, at, limit) * L::splat(mapping.inverse_cell[axis]);
-        let b = L::splat(base[axis]);
-        same &= L::bits((xi - L::splat(base_offset(N))).floor().eq(b));
-        f[axis] = xi - b;
+        let xi = load::<L>(column, at, block.count) * L::splat(mapping.inverse_cell[axis]);
+        block.base[axis] = (xi - L::splat(base_offset(N))).floor();
+        block.f[axis] = xi - block.base[axis];
     }
-    let count = (same.trailing_ones() as usize).min(limit);
-    // A non-finite position equals nothing, not even itself; it must still be passed over.
-    Group {
-        base,
-        count: count.max(1),
-        f,
+    block
+}
+
+/// Whether the next two blocks from particle `at` have one base node each. Then a block before them ends where they begin: they
+/// stay whole, and with them all that follows in a body in order, which costs a fifth less than blocks of two base nodes.
+#[inline(always)]
+fn whole_from<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
+    columns: &[C],
+    mapping: &Mapping,
+    at: usize,
+    end: usize,
+) -> bool {
+    let base = |p: usize, axis: usize| {
+        let xi = columns[Layout::POSITION + axis].as_ref()[p] * mapping.inverse_cell[axis];
+        (xi - base_offset(N)).floor()
+    };
+    let whole = |p: usize| (0..D).all(|axis| base(p, axis) == base(p + L::WIDTH - 1, axis));
+    at + 2 * L::WIDTH <= end && whole(at) && whole(at + L::WIDTH)
+}
+
+impl<L: Lanes> Block<L> {
+    /// Index of the base node of each particle among the nodes of the grid, a whole number; no number where a position is
+    /// none.
+    #[inline(always)]
+    fn index<const D: usize>(&self, mapping: &Mapping) -> L {
+        let below = L::splat(GHOSTS_BELOW as f64);
+        let [_, middle, fast] = mapping.nodes.map(|nodes| L::splat(nodes as f64));
+        let mut row = (self.base[0] + below) * middle;
+        if D == 3 {
+            row = row + (self.base[1] + below);
+        }
+        row.mul_add(fast, self.base[D - 1] + below)
     }
 }
 
 /// Index of a layer of nodes, ghosts counted, that lies `cell` cells from the lower boundary: 0 for what is not a number.
+#[inline(always)]
+fn layer_of(cell: f64) -> usize {
+    index_of(cell + GHOSTS_BELOW as f64)
+}
+
+/// A whole number below 2^32 as an index: 0 for what is not a number.
 ///
 /// Whole numbers below 2^52 stand in the last bits of their sum with 2^52; a cast tests for what cannot be here.
 #[inline(always)]
-fn layer_of(cell: f64) -> usize {
+fn index_of(whole: f64) -> usize {
     const SHIFT: f64 = 4_503_599_627_370_496.0;
-    ((cell + GHOSTS_BELOW as f64).max(0.0) + SHIFT).to_bits() as u32 as usize
+    (whole.max(0.0) + SHIFT).to_bits() as u32 as usize
 }
 
-/// Weights and derivatives of a group that begins at `at`, per axis and node, in lanes.
+/// Weights and derivatives of a block that begins at `at`, per axis and node, in lanes.
 #[inline(always)]
 fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     columns: &[C],
     mapping: &Mapping,
-    group: &Group<L>,
+    block: &Block<L>,
     at: usize,
 ) -> ([[L; N]; 3], [[L; N]; 3]) {
     let zero = L::splat(0.0);
@@ -114,23 +146,23 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     let mut g = [[zero; N]; 3];
     if mapping.family == Family::Hat && N == 3 {
         for axis in 0..D {
-            (w[axis], g[axis]) = hat_weights::<L, N>(group.f[axis]);
+            (w[axis], g[axis]) = hat_weights::<L, N>(block.f[axis]);
         }
         return (w, g);
     }
     if let Some(column) = mapping.half_length_column {
         for axis in 0..D {
-            let l: L = load::<L>(columns[column + axis].as_ref(), at, group.count);
-            // Lanes beyond the group hold zero, which must not divide.
+            let l: L = load::<L>(columns[column + axis].as_ref(), at, block.count);
+            // Lanes beyond the block hold zero, which must not divide.
             let l = L::select(zero.lt(l), l, L::splat(0.5));
             let quarter = L::splat(1.0) / (L::splat(4.0) * l);
-            (w[axis], g[axis]) = gimp_weights::<L, N>(group.f[axis], l, quarter);
+            (w[axis], g[axis]) = gimp_weights::<L, N>(block.f[axis], l, quarter);
         }
         return (w, g);
     }
     for axis in 0..D {
         let (l, quarter) = (mapping.half_length[axis], mapping.quarter[axis]);
-        (w[axis], g[axis]) = gimp_weights::<L, N>(group.f[axis], L::splat(l), L::splat(quarter));
+        (w[axis], g[axis]) = gimp_weights::<L, N>(block.f[axis], L::splat(l), L::splat(quarter));
     }
     (w, g)
 }

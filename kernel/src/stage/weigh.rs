@@ -2,7 +2,7 @@
 //!
 //! The cycle never calls it, since keeping weights costs more than computing them twice; it exists to be measured.
 
-use super::{Mapping, group_at, weights_of};
+use super::{Mapping, block_at, weights_of};
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::particles::ParticleSet;
 use std::ops::Range;
@@ -38,14 +38,14 @@ impl<const D: usize, const N: usize> Kernel for Weigh<'_, D, N> {
         let mut all = B::Line::splat(0.0);
         let mut at = range.start;
         while at < range.end {
-            let group = group_at::<B::Line, _, D, N>(columns, mapping, at, range.end);
-            let (w, g) = weights_of::<B::Line, _, D, N>(columns, mapping, &group, at);
+            let block = block_at::<B::Line, _, D, N>(columns, mapping, at, range.end);
+            let (w, g) = weights_of::<B::Line, _, D, N>(columns, mapping, &block, at);
             for axis in 0..D {
                 for n in 0..N {
                     all = w[axis][n].mul_add(g[axis][n], all);
                 }
             }
-            at += group.count;
+            at += block.count;
         }
         let mut lanes = [0.0; 8];
         all.store(&mut lanes);

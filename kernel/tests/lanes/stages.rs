@@ -11,7 +11,7 @@ use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task, dilation};
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
-use proctor_kernel::weights::Family;
+use proctor_kernel::weights::{Family, base_offset};
 
 const CELLS: usize = 4;
 const PARTICLES: usize = 150;
@@ -50,9 +50,35 @@ fn shape(axes: usize) -> GridShape {
     GridShape::new(&mesh, dimension)
 }
 
-/// Sorted particles with numbers of all sizes, some of them without velocity or stress, and with zeros of both signs;
-/// F is close to one.
-fn particles(shape: &GridShape, stencil: usize, wanted: Optional) -> ParticleSet {
+/// Where particles are.
+#[derive(Clone, Copy, Debug)]
+enum Order {
+    /// Anywhere, sorted.
+    Sorted,
+    /// Sorted, as many at a base node as [`RUNS`] says, node by node: whole blocks of one base node behind others.
+    Runs,
+    /// Anywhere, up to a quarter of a cell from where they were sorted.
+    Stale,
+}
+
+const ORDERS: [Order; 3] = [Order::Sorted, Order::Runs, Order::Stale];
+const RUNS: [usize; 10] = [5, 8, 8, 3, 16, 1, 2, 4, 7, 9];
+
+/// The base node along an axis of particle `p` of [`Order::Runs`], one of three.
+fn base_of_run(p: usize, axis: usize) -> usize {
+    let round: usize = RUNS.iter().sum();
+    let mut last = 0;
+    let run = RUNS.iter().position(|length| {
+        last += length;
+        p % round < last
+    });
+    let run = RUNS.len() * (p / round) + run.unwrap_or(0);
+    run / 3_usize.pow(axis as u32) % 3
+}
+
+/// Particles with numbers of all sizes, some of them without velocity or stress, and with zeros of both signs; F is close to
+/// one.
+fn particles(shape: &GridShape, stencil: usize, wanted: Optional, order: Order) -> ParticleSet {
     let layout = Layout::new(shape.axes, wanted, &[]);
     let mut set = ParticleSet::zeros(layout, 0, PARTICLES);
     let mut numbers = Numbers(0x2545_f491_4f6c_dd1d);
@@ -62,7 +88,13 @@ fn particles(shape: &GridShape, stencil: usize, wanted: Optional) -> ParticleSet
             *value = if i < Layout::POSITION {
                 0.1 + unit
             } else if i < Layout::POSITION + shape.axes {
-                CELLS as f64 * unit
+                match order {
+                    Order::Runs => {
+                        let base = base_of_run(p, i - Layout::POSITION) as f64;
+                        base + base_offset(stencil) + 0.4 * unit
+                    }
+                    _ => CELLS as f64 * unit,
+                }
             } else if let Some(first) = layout.deformation.filter(|first| i >= *first) {
                 let diagonal = i < first + shape.axes.pow(2) && (i - first) % (shape.axes + 1) == 0;
                 f64::from(diagonal) + 0.1 * unit
@@ -83,6 +115,13 @@ fn particles(shape: &GridShape, stencil: usize, wanted: Optional) -> ParticleSet
     }
     let mut occupied = vec![None; shape.bases()[0] * shape.bases()[1]];
     set.sort(shape, stencil, &mut occupied, &Team::ALONE);
+    if matches!(order, Order::Stale) {
+        for column in &mut set.columns[Layout::POSITION..Layout::POSITION + shape.axes] {
+            for x in column {
+                *x = (*x + 0.5 * (numbers.unit() - 0.5)).clamp(0.0, CELLS as f64);
+            }
+        }
+    }
     set
 }
 
@@ -96,13 +135,14 @@ fn mapping(shape: &GridShape, stencil: usize, set: &ParticleSet) -> Mapping {
     Mapping::new(shape, Family::Gimp, half_length, set.layout.half_length)
 }
 
-/// The nodes after one mapping.
+/// The nodes after one mapping, which says how many groups it met.
 fn nodes_after(
     lanes: Selected,
     axes: usize,
     stencil: usize,
     full: bool,
     carry: Carry,
+    order: Order,
 ) -> Vec<Line> {
     let shape = shape(axes);
     let wanted = Optional {
@@ -110,10 +150,10 @@ fn nodes_after(
         force: full,
         ..Optional::default()
     };
-    let set = particles(&shape, stencil, wanted);
+    let set = particles(&shape, stencil, wanted, order);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
     let map = p2g::instance(axes, stencil, full, carry);
-    map(
+    let groups = map(
         lanes,
         P2g {
             columns: &set.columns,
@@ -128,11 +168,40 @@ fn nodes_after(
             viscous_rate: if full { 0.5 } else { 0.0 },
         },
     );
+    assert_eq!(groups, groups_of(&set, stencil), "{} lanes", lanes.name());
     nodes.lines().to_vec()
 }
 
+/// How many groups of at most eight particles that follow each other have one base node.
+fn groups_of(set: &ParticleSet, stencil: usize) -> usize {
+    let base = |p: usize| -> Vec<f64> {
+        set.columns[Layout::POSITION..Layout::POSITION + set.layout.axes]
+            .iter()
+            .map(|x| (x[p] - base_offset(stencil)).floor())
+            .collect()
+    };
+    let mut groups = 0;
+    for layer in 0..set.layers.len() - 1 {
+        let (mut last, mut length) = (vec![], 0);
+        for p in set.in_layers(layer..layer + 1) {
+            if base(p) != last || length == 8 {
+                (last, length) = (base(p), 0);
+                groups += 1;
+            }
+            length += 1;
+        }
+    }
+    groups
+}
+
 fn check_sums(axes: usize, stencil: usize, full: bool, carry: Carry) {
-    let after = |lanes| nodes_after(lanes, axes, stencil, full, carry);
+    for order in ORDERS {
+        check_order(axes, stencil, full, carry, order);
+    }
+}
+
+fn check_order(axes: usize, stencil: usize, full: bool, carry: Carry, order: Order) {
+    let after = |lanes| nodes_after(lanes, axes, stencil, full, carry, order);
     let whole = after(Selected::plain());
     assert!(
         whole.iter().flatten().any(|value| *value != 0.0),
@@ -143,7 +212,7 @@ fn check_sums(axes: usize, stencil: usize, full: bool, carry: Carry) {
             assert_eq!(
                 found.map(f64::to_bits),
                 expected.map(f64::to_bits),
-                "{} lanes, {carry:?} in {axes}D with {stencil} nodes per axis, full {full}: {found:?} {expected:?} at {node}",
+                "{} lanes, {carry:?} {order:?} in {axes}D with {stencil} nodes per axis, full {full}: {found:?} {expected:?} at {node}",
                 lanes.name()
             );
         }
@@ -181,6 +250,7 @@ fn particles_after(
     law: &AnyLaw,
     task: Task,
     cell_average: bool,
+    order: Order,
 ) -> (Vec<Vec<u64>>, g2p::Found) {
     let finite = law.needs_deformation();
     let wanted = Optional {
@@ -191,7 +261,7 @@ fn particles_after(
         ..Optional::default()
     };
     let shape = shape(axes);
-    let mut set = particles(&shape, stencil, wanted);
+    let mut set = particles(&shape, stencil, wanted, order);
     let mapping = mapping(&shape, stencil, &set);
     let mut numbers = Numbers(0x9e37_79b9_7f4a_7c15);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
@@ -254,12 +324,21 @@ fn check_particles(
         affine,
     };
     for cell_average in [false, true] {
-        check_pass(axes, stencil, &law, task, cell_average);
+        for order in ORDERS {
+            check_pass(axes, stencil, &law, task, cell_average, order);
+        }
     }
 }
 
-fn check_pass(axes: usize, stencil: usize, law: &AnyLaw, task: Task, cell_average: bool) {
-    let after = |lanes| particles_after(lanes, axes, stencil, law, task, cell_average);
+fn check_pass(
+    axes: usize,
+    stencil: usize,
+    law: &AnyLaw,
+    task: Task,
+    cell_average: bool,
+    order: Order,
+) {
+    let after = |lanes| particles_after(lanes, axes, stencil, law, task, cell_average, order);
     let (expected, all) = after(Selected::plain());
     // Some particles lie close to the boundary and leave.
     assert!(matches!(all.fault, None | Some((_, FaultKind::Outside))));
@@ -270,7 +349,7 @@ fn check_pass(axes: usize, stencil: usize, law: &AnyLaw, task: Task, cell_averag
         for (column, (found, expected)) in found.iter().zip(&expected).enumerate() {
             assert_eq!(
                 found, expected,
-                "{name} lanes, {axes}D, {stencil}: column {column}"
+                "{name} lanes, {axes}D, {stencil}, {order:?}: column {column}"
             );
         }
     }

@@ -8,3 +8,4 @@ mod slide;
 mod slope;
 mod symmetry;
 mod topology;
+mod warm;

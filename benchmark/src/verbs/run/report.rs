@@ -4,7 +4,9 @@ use crate::measure::{self, Spent};
 use crate::show::{grouped, number, seconds};
 use proctor_files::output::Summary;
 use proctor_files::output::checkpoint::CHECKPOINT;
-use proctor_files::output::summary::{Energy, Status, VOLUME_RATIO};
+use proctor_files::output::history::HISTORY;
+use proctor_files::output::pvd::LIST;
+use proctor_files::output::summary::{Energy, SUMMARY, Status, VOLUME_RATIO};
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -111,7 +113,7 @@ impl fmt::Display for Report<'_> {
         let Some(folder) = self.folder else {
             return row(f, "results", "nothing was written, as there was no --out");
         };
-        row(f, "results", &folder.display().to_string())?;
+        row(f, "written", &written(folder))?;
         let checkpoint = folder.join(CHECKPOINT);
         if s.status == Status::Interrupted && checkpoint.is_file() {
             let text = format!(
@@ -152,7 +154,7 @@ impl Report<'_> {
             .summary
             .dt_critical
             .map_or_else(String::new, |critical| {
-                format!("; critical from {} s", number(critical))
+                format!("; bound of stability from {} s", number(critical))
             });
         Some(format!("{range}{ruled}{critical}"))
     }
@@ -181,6 +183,22 @@ fn dissipated(e: &Energy) -> Option<String> {
         text.push_str(&parts.join(", "));
     }
     Some(text)
+}
+
+/// The folder, and what to look at in it.
+fn written(folder: &Path) -> String {
+    let mut files = vec![];
+    if folder.join(LIST).is_file() {
+        files.push(format!("{LIST} (its frames, for ParaView)"));
+    }
+    let others = [HISTORY, CHECKPOINT].into_iter();
+    files.extend(
+        others
+            .filter(|name| folder.join(name).is_file())
+            .map(str::to_owned),
+    );
+    files.push(SUMMARY.to_owned());
+    format!("{}: {}", folder.display(), files.join(", "))
 }
 
 fn row(f: &mut fmt::Formatter<'_>, name: &str, text: &str) -> fmt::Result {

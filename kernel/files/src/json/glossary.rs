@@ -32,7 +32,7 @@ pub struct Key {
     pub unit: Option<String>,
     /// Where its number, or each number of its list, must lie.
     pub range: Range,
-    /// The values that it may have, where there are only these.
+    /// The values that it may have, or those of its list, where there are only these.
     pub words: Vec<Value>,
     /// What holds where the key is missing.
     pub default: Otherwise,
@@ -142,7 +142,7 @@ impl Key {
             } else {
                 own
             },
-            words: list("enum"),
+            words: [list("enum"), list("x-words")].concat(),
             default: match (property.get("default"), text("x-default"), text("x-also")) {
                 (Some(value), ..) => Otherwise::Value(value.clone()),
                 (None, Some(words), _) => Otherwise::Words(words),

@@ -92,6 +92,16 @@ fn syntax(file: &str, text: &str, path: String, said: &str, here: usize) -> Prob
         )
         .at(location(file, text, text.trim_end().len()));
     }
+    if said.starts_with("expected `,` or") {
+        let before = text[..here].trim_end();
+        let entry = before.lines().next_back().unwrap_or("").trim();
+        return Problem::new(
+            path,
+            format!("{} and no comma", piece(entry)),
+            "a comma before the next entry",
+        )
+        .at(location(file, text, before.len()));
+    }
     let rest = text[here..].lines().next().unwrap_or("").trim();
     let found = if rest.is_empty() {
         "the end of the line".to_owned()

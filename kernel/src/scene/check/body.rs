@@ -295,6 +295,11 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
     }
 }
 
+/// A number without what sums before it were rounded by: twelve digits of it.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.11e}").parse().unwrap_or(x)
+}
+
 /// Adds a problem if coordinate `x` lies outside the mesh; whether it does.
 pub(super) fn outside(
     mesh: &Mesh,
@@ -311,7 +316,11 @@ pub(super) fn outside(
         problems.add(
             path,
             format!("{name} = {x}, outside the mesh"),
-            format!("{name} from {low} to {high} [m]"),
+            format!(
+                "{name} from {} to {} [m]",
+                Number(rounded(low)),
+                Number(rounded(high))
+            ),
         );
     }
     is_outside

@@ -178,6 +178,10 @@ impl Scene {
         for (i, probe) in self.probes.iter().enumerate() {
             let path = format!("probes[{i}]");
             problems.vector(format!("{path}.point"), &probe.position);
+            for axis in 0..self.dimension.axes() {
+                let at = format!("{path}.point[{axis}]");
+                body::outside(&self.mesh, axis, probe.position[axis], &at, problems);
+            }
             // The name becomes the prefix of columns in history.csv.
             if probe.name.is_empty()
                 || !probe

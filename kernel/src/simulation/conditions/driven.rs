@@ -145,10 +145,10 @@ pub(in crate::simulation) fn prescribed(
 
 /// Nodes with a positive weight of any particle of a driven body, increasing.
 fn nodes_of(set: &ParticleSet, body: &BodyRun, shape: &GridShape, stencil: usize) -> Vec<usize> {
-    let mut nodes: Vec<usize> = (0..set.len())
-        .flat_map(|p| node_weights(set, body, shape, stencil, p))
-        .map(|(node, _)| node)
-        .collect();
+    let mut nodes = vec![];
+    for p in 0..set.len() {
+        nodes.extend(node_weights(set, body, shape, stencil, p).iter().map(|(node, _)| node));
+    }
     nodes.sort_unstable();
     nodes.dedup();
     nodes

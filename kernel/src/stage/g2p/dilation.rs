@@ -4,11 +4,12 @@
 //! the other factors of S_I replaced by their means over the cells in which the particle domain lies: selective reduced
 //! integration for particles (Hughes 1980; Nagtegaal, Parks and Rice 1974).
 
+use super::reach::{Bases, MOST, Reach};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::laws::{Gradients, MOST_LANES};
 use crate::layout::Layout;
-use crate::stage::{Mapping, group_at, layer_of, weights_of};
+use crate::stage::{Mapping, block_at, weights_of};
 use crate::weights::cell_mean_weights;
 
 /// By how much tr L of some particles exceeds its mean over cells, at their positions of now, shared among the axes \[1/s\].
@@ -55,28 +56,23 @@ impl<const D: usize, const N: usize> Kernel for Find<'_, '_, D, N> {
 
     #[inline(always)]
     fn run<B: Backend>(self) -> Vec<f64> {
-        let Self(columns, mapping, ..) = self;
+        let Self(columns, mapping, nodes, _) = self;
         let count = columns[0].len();
-        // A whole group may be written behind the last particle.
+        // A whole block may be written behind the last particle.
         let mut excess = vec![0.0; count + MOST_LANES];
         let mut at = 0;
         while at < count {
-            let group = group_at::<B::Native, _, D, N>(columns, mapping, at, count);
-            let (w, g) = weights_of::<B::Native, _, D, N>(columns, mapping, &group, at);
-            let mut mean = w;
-            let mut first = [0; 3];
-            for axis in 0..D {
-                mean[axis] = cell_mean_weights::<B::Native, N>(&g[axis]);
-                first[axis] = layer_of(group.base[axis]);
-            }
-            let mut sum = B::Native::splat(0.0);
-            for axis in 0..D {
-                let part = self.along::<B::Native>(axis, first, &w, &mean, &g);
-                sum = B::Native::splat(mapping.inverse_cell[axis]).mul_add(part, sum);
-            }
+            let block = block_at::<B::Native, _, D, N>(columns, mapping, at, count);
+            let bases = Bases::of::<D>(&block, mapping);
+            let (w, g) = weights_of::<B::Native, _, D, N>(columns, mapping, &block, at);
+            let sum = if bases.number < 2 || B::Native::WIDTH == 1 {
+                self.sum(&bases.reach::<1>(nodes), &w, &g)
+            } else {
+                self.sum(&bases.reach::<MOST>(nodes), &w, &g)
+            };
             let share = B::Native::splat(1.0 / D as f64) * sum;
             share.store(&mut excess[at..at + MOST_LANES]);
-            at += group.count;
+            at += bases.count;
         }
         excess.truncate(count);
         excess
@@ -84,18 +80,37 @@ impl<const D: usize, const N: usize> Kernel for Find<'_, '_, D, N> {
 }
 
 impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
-    /// h sum_I g_I (w_I - mean_I) v_I of one component of the velocity: `g` along its axis, the other two across it. `first`
-    /// is the base node.
+    /// By how much tr L exceeds its mean over cells.
     #[inline(always)]
-    fn along<L: Lanes>(
+    fn sum<L: Lanes, const R: usize>(
+        &self,
+        reach: &Reach<'_, L, R>,
+        w: &[[L; N]; 3],
+        g: &[[L; N]; 3],
+    ) -> L {
+        let mut mean = *w;
+        for axis in 0..D {
+            mean[axis] = cell_mean_weights::<L, N>(&g[axis]);
+        }
+        let mut sum = L::splat(0.0);
+        for axis in 0..D {
+            let part = self.along(axis, reach, w, &mean, g);
+            sum = L::splat(self.1.inverse_cell[axis]).mul_add(part, sum);
+        }
+        sum
+    }
+
+    /// h sum_I g_I (w_I - mean_I) v_I of one component of the velocity: `g` along its axis, the other two across it.
+    #[inline(always)]
+    fn along<L: Lanes, const R: usize>(
         &self,
         axis: usize,
-        first: [usize; 3],
+        reach: &Reach<'_, L, R>,
         w: &[[L; N]; 3],
         mean: &[[L; N]; 3],
         g: &[[L; N]; 3],
     ) -> L {
-        let Self(_, mapping, nodes, source) = *self;
+        let Self(_, mapping, _, source) = *self;
         let [_, middle, fast] = mapping.nodes;
         // Nodes from one to the next along each axis; the plane has no middle one.
         let step = if D == 3 {
@@ -103,7 +118,6 @@ impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
         } else {
             [middle * fast, 1, 0]
         };
-        let base: usize = (0..D).map(|axis| first[axis] * step[axis]).sum();
         let [a, b] = match (D, axis) {
             (2, _) => [1 - axis, 2],
             (_, 0) => [1, 2],
@@ -118,11 +132,12 @@ impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
                 } else {
                     w[a][i] - mean[a][i]
                 };
-                let row = base + i * step[a] + j * step[b];
+                let row = i * step[a] + j * step[b];
                 let mut along = L::splat(0.0);
                 for k in 0..N {
-                    let v_i = nodes[row + k * step[axis]][source + axis];
-                    along = g[axis][k].mul_add(L::splat(v_i), along);
+                    let node = reach.rows::<1>(row + k * step[axis]);
+                    let v_i = reach.value(&node, 0, source + axis);
+                    along = g[axis][k].mul_add(v_i, along);
                 }
                 sum = difference.mul_add(along, sum);
             }

@@ -1,12 +1,12 @@
-//! Sums over the nodes that a group of particles reaches, lanes = particles.
+//! Sums over the nodes that a block of particles reaches, lanes = particles.
 
-use crate::grid::Line;
+use super::reach::{Reach, Rows};
 use crate::lanes::Lanes;
 use crate::laws::tensor::Matrix;
-use crate::stage::{Group, Mapping, layer_of, weights_of};
+use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::Family;
 
-/// Interpolated values of one group.
+/// Interpolated values of one block.
 pub(super) struct Sums<L> {
     /// sum S v.
     pub velocity: [L; 3],
@@ -31,7 +31,7 @@ impl<L: Lanes> Sums<L> {
     }
 }
 
-/// Interpolates to one group. Writes the first D components of what is asked for, and leaves the rest of `sums`.
+/// Interpolates to one block. Writes the first D components of what is asked for, and leaves the rest of `sums`.
 #[inline(always)]
 pub(super) fn interpolate<
     L: Lanes,
@@ -41,16 +41,17 @@ pub(super) fn interpolate<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
+    const R: usize,
 >(
     columns: &[&mut [f64]],
     mapping: &Mapping,
-    nodes: &[Line],
-    group: &Group<L>,
+    reach: &Reach<'_, L, R>,
+    block: &Block<L>,
     at: usize,
     sums: &mut Sums<L>,
 ) {
     let zero = L::splat(0.0);
-    let (w, mut g) = weights_of::<L, _, D, N>(columns, mapping, group, at);
+    let (w, mut g) = weights_of::<L, _, D, N>(columns, mapping, block, at);
     let mut q = [[zero; N]; 3];
     for axis in 0..D {
         let scale = L::splat(mapping.inverse_cell[axis]);
@@ -58,10 +59,10 @@ pub(super) fn interpolate<
             g[axis][n] = g[axis][n] * scale;
         }
         if APIC {
-            q[axis] = affine_weights::<L, N>(mapping, axis, group.f[axis], &w[axis], &g[axis]);
+            q[axis] = affine_weights::<L, N>(mapping, axis, block.f[axis], &w[axis], &g[axis]);
         }
     }
-    let stencil = Stencil::<L, D, N>::new(mapping, nodes, group, &w, &g);
+    let stencil = Stencil::<L, D, N, R>::new(mapping, reach, &w, &g);
     let affine = if APIC {
         Some(AffineFactors::new::<D>(&w, &q))
     } else {
@@ -92,7 +93,7 @@ struct Component<L> {
 }
 
 /// What the components share: factors along a row, products over slow and middle axis for each row, and the rows.
-struct Stencil<'a, L, const D: usize, const N: usize> {
+struct Stencil<'a, L: Lanes, const D: usize, const N: usize, const R: usize> {
     /// Weight and derivative along the row.
     w: [L; N],
     g: [L; N],
@@ -102,7 +103,8 @@ struct Stencil<'a, L, const D: usize, const N: usize> {
     gw: [[L; N]; N],
     wg: [[L; N]; N],
     /// The nodes of each row.
-    rows: [[&'a [Line; N]; N]; N],
+    rows: [[Rows<'a, N, R>; N]; N],
+    reach: &'a Reach<'a, L, R>,
 }
 
 /// The same for the factors of APIC: along the row, and over slow and middle axis with that of one of them.
@@ -134,19 +136,15 @@ impl<L: Lanes, const N: usize> AffineFactors<L, N> {
     }
 }
 
-impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
+impl<'a, L: Lanes, const D: usize, const N: usize, const R: usize> Stencil<'a, L, D, N, R> {
     #[inline(always)]
     fn new(
         mapping: &Mapping,
-        nodes: &'a [Line],
-        group: &Group<L>,
+        reach: &'a Reach<'a, L, R>,
         w: &[[L; N]; 3],
         g: &[[L; N]; 3],
     ) -> Self {
         let fast = D - 1;
-        let middle = if D == 3 { layer_of(group.base[1]) } else { 0 };
-        let row = layer_of(group.base[0]) * mapping.nodes[1] + middle;
-        let first = row * mapping.nodes[2] + layer_of(group.base[fast]);
         let plane = mapping.nodes[1] * mapping.nodes[2];
         let mut stencil = Self {
             w: w[fast],
@@ -154,11 +152,12 @@ impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
             ww: [w[0]; N],
             gw: [g[0]; N],
             wg: [g[0]; N],
-            rows: [[row_at(nodes, first); N]; N],
+            rows: [[reach.rows(0); N]; N],
+            reach,
         };
         for i in 0..N {
             for j in 0..rows_of_plane(D, N) {
-                stencil.rows[i][j] = row_at(nodes, first + i * plane + j * mapping.nodes[2]);
+                stencil.rows[i][j] = reach.rows(i * plane + j * mapping.nodes[2]);
                 if D == 3 {
                     stencil.ww[i][j] = w[0][i] * w[1][j];
                     stencil.gw[i][j] = g[0][i] * w[1][j];
@@ -189,24 +188,24 @@ impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
         };
         for i in 0..N {
             for j in 0..rows_of_plane(D, N) {
-                let row = self.rows[i][j];
+                let row = &self.rows[i][j];
                 // Sums along the row. A first product may be -0 where a sum from 0 is not; neither changes what it
                 // is added to.
-                let v_0 = L::splat(row[0][1 + c]);
+                let v_0 = self.reach.value(row, 0, 1 + c);
                 let mut v = self.w[0] * v_0;
                 let mut dv = zero;
                 if KICK {
-                    dv = self.w[0] * L::splat(row[0][4 + c]);
+                    dv = self.w[0] * self.reach.value(row, 0, 4 + c);
                 }
-                let s_0 = L::splat(row[0][source + c]);
+                let s_0 = self.reach.value(row, 0, source + c);
                 let (mut s, mut vg) = (self.w[0] * s_0, self.g[0] * s_0);
                 for k in 1..N {
-                    v = self.w[k].mul_add(L::splat(row[k][1 + c]), v);
+                    v = self.w[k].mul_add(self.reach.value(row, k, 1 + c), v);
                     if KICK {
-                        dv = self.w[k].mul_add(L::splat(row[k][4 + c]), dv);
+                        dv = self.w[k].mul_add(self.reach.value(row, k, 4 + c), dv);
                     }
                     if GRADIENT {
-                        let s_i = L::splat(row[k][source + c]);
+                        let s_i = self.reach.value(row, k, source + c);
                         if UPPER {
                             s = self.w[k].mul_add(s_i, s);
                         }
@@ -231,7 +230,7 @@ impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
                 if let Some(affine) = affine {
                     let mut vq = affine.q[0] * v_0;
                     for k in 1..N {
-                        vq = affine.q[k].mul_add(L::splat(row[k][1 + c]), vq);
+                        vq = affine.q[k].mul_add(self.reach.value(row, k, 1 + c), vq);
                     }
                     sums.affine[0] = affine.qw[i][j].mul_add(v, sums.affine[0]);
                     sums.affine[fast] = ww.mul_add(vq, sums.affine[fast]);
@@ -249,14 +248,6 @@ impl<'a, L: Lanes, const D: usize, const N: usize> Stencil<'a, L, D, N> {
 #[inline(always)]
 const fn rows_of_plane(axes: usize, nodes: usize) -> usize {
     if axes == 3 { nodes } else { 1 }
-}
-
-/// The row of nodes of a stencil from a node on.
-#[inline(always)]
-fn row_at<const N: usize>(nodes: &[Line], first: usize) -> &[Line; N] {
-    nodes[first..]
-        .first_chunk()
-        .expect("the stencil of a particle lies in the grid")
 }
 
 /// Factors of APIC along an axis: S_I (x_I - x_p)/D_p with D_p = sum S_I (x_I - x_p)² of that axis. The cross

@@ -1,4 +1,4 @@
-//! Nodes to particles: velocity, position, velocity gradient, stress; lanes = particles of one cell.
+//! Nodes to particles: velocity, position, velocity gradient, stress; lanes = particles.
 //!
 //! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
 //! (technical manual, algorithm 2, lines 12, 15, 19, 20), then, block by block, the law with L_p.
@@ -6,9 +6,10 @@
 pub mod dilation;
 mod domain;
 mod interpolate;
+mod reach;
 mod update;
 
-use super::{Mapping, group_at};
+use super::{Mapping, block_at, whole_from};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::laws::tensor::Configuration;
@@ -16,6 +17,7 @@ use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::layout::Layout;
 use crate::scene::DomainUpdate;
 use interpolate::{Sums, interpolate};
+use reach::{Bases, MOST};
 use std::ops::Range;
 use update::{Maxima, fault, update};
 
@@ -200,20 +202,14 @@ impl<
             let block = at;
             let mut bad = None;
             while at < end && at - block < BLOCK {
-                let group = group_at::<B::Native, _, D, N>(call.columns, call.mapping, at, end);
-                interpolate::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
-                    call.columns,
-                    call.mapping,
-                    call.nodes,
-                    &group,
-                    at,
-                    &mut sums,
+                let count = gather::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
+                    &call, at, end, &mut sums,
                 );
-                // Written twice, so that nothing is masked in full groups.
-                let lanes = if group.count == B::Native::WIDTH {
+                // Written twice, so that nothing is masked in full blocks.
+                let lanes = if count == B::Native::WIDTH {
                     update::<B::Native, D>(&mut call, &sums, &mut maxima, at, B::Native::WIDTH)
                 } else {
-                    update::<B::Native, D>(&mut call, &sums, &mut maxima, at, group.count)
+                    update::<B::Native, D>(&mut call, &sums, &mut maxima, at, count)
                 };
                 if lanes != 0 && bad.is_none() {
                     bad = Some(at + lanes.trailing_zeros() as usize);
@@ -221,7 +217,7 @@ impl<
                 if GRADIENT {
                     gradients.store::<B::Native, D>(&sums.gradient, at - block);
                 }
-                at += group.count;
+                at += count;
             }
             if GRADIENT && call.task.strain.is_some() {
                 if !call.excess.is_empty() {
@@ -236,6 +232,61 @@ impl<
         }
         maxima.found(of_strain)
     }
+}
+
+/// Interpolates to the particles from `at`, before `end`, as many as lanes and base nodes allow: how many.
+#[inline(always)]
+fn gather<
+    L: Lanes,
+    const D: usize,
+    const N: usize,
+    const KICK: bool,
+    const GRADIENT: bool,
+    const APIC: bool,
+    const UPPER: bool,
+>(
+    call: &G2p<'_, '_>,
+    at: usize,
+    end: usize,
+    sums: &mut Sums<L>,
+) -> usize {
+    let (columns, mapping, nodes) = (&*call.columns, call.mapping, call.nodes);
+    let block = block_at::<L, _, D, N>(columns, mapping, at, end);
+    let mut bases = Bases::of::<D>(&block, mapping);
+    if bases.number > 1 {
+        let first = bases.of_first();
+        if first > 0 && whole_from::<L, _, D, N>(columns, mapping, at + first, end) {
+            (bases.count, bases.number) = (first, 1);
+        }
+    }
+    // Instances of their own: each further base node costs another load of every node. One lane has no second.
+    match bases.number {
+        n if n < 2 || L::WIDTH == 1 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 1>(
+            columns,
+            mapping,
+            &bases.reach(nodes),
+            &block,
+            at,
+            sums,
+        ),
+        2 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 2>(
+            columns,
+            mapping,
+            &bases.reach(nodes),
+            &block,
+            at,
+            sums,
+        ),
+        _ => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOST>(
+            columns,
+            mapping,
+            &bases.reach(nodes),
+            &block,
+            at,
+            sums,
+        ),
+    }
+    bases.count
 }
 
 /// Strains a block of particles; the first of them that went wrong.

@@ -1,4 +1,4 @@
-//! The new velocities and positions of a group of particles from its sums, and what was found on the way.
+//! The new velocities and positions of a block of particles from its sums, and what was found on the way.
 
 use super::interpolate::Sums;
 use super::{Affine, FaultKind, Found, G2p};
@@ -6,7 +6,7 @@ use crate::lanes::{Lanes, load, store};
 use crate::layout::Layout;
 use std::ops::Range;
 
-/// Writes the new velocity, affine velocity and position of one group; returns the lanes that went wrong.
+/// Writes the new velocity, affine velocity and position of one block; returns the lanes that went wrong.
 #[inline(always)]
 pub(super) fn update<L: Lanes, const D: usize>(
     call: &mut G2p<'_, '_>,

@@ -1,4 +1,4 @@
-//! Sums of a group over rows of nodes.
+//! Sums of a run of particles over rows of nodes.
 //!
 //! Where a line is two registers or more, its halves are summed apart: the lower one, mass and momentum, has no
 //! derivative unless velocity is affine, and a mapping that carries one half alone leaves the other out. Either way a
@@ -10,10 +10,12 @@ use crate::grid::Line;
 use crate::lanes::{Backend, Lanes};
 use std::ops::Range;
 
-/// Rows of nodes that a group reaches: those of one plane, in two dimensions those of all planes that are owned.
+/// Rows of nodes that a run reaches: those of one plane, in two dimensions those of all planes that are owned.
 pub(super) struct Below {
-    /// Number of particles of the group.
-    pub count: usize,
+    /// The particles, as numbered in the block.
+    pub run: Range<usize>,
+    /// Which plane of the stencil, in space.
+    pub plane: usize,
     /// Which rows of the stencil.
     pub rows: Range<usize>,
     /// First node of the first of them.
@@ -27,9 +29,9 @@ const LOWER: u8 = 0;
 const UPPER: u8 = 1;
 const BOTH: u8 = 2;
 
-/// Adds the group to the rows whose products `scratch` holds.
+/// Adds a run of the block in `scratch` to rows.
 #[inline(always)]
-pub(super) fn add_group<
+pub(super) fn add_run<
     B: Backend,
     const D: usize,
     const N: usize,
@@ -105,7 +107,7 @@ fn add_rows<
         UPPER => 4..8,
         _ => 0..8,
     };
-    let products = scratch.products::<D>();
+    let products = scratch.products::<D>(below.plane);
     let first = below.first + (j - below.rows.start) * below.row_length;
     let mut sums = [[L::splat(0.0); N]; ROWS];
     for r in 0..ROWS {
@@ -114,7 +116,7 @@ fn add_rows<
             sums[r][k] = L::load(&row[k][lanes.clone()]);
         }
     }
-    for p in 0..below.count {
+    for p in below.run.clone() {
         let lines = &scratch.lines[p];
         let by_weight = L::load(&lines[0][lanes.clone()]);
         for r in 0..ROWS {
@@ -130,9 +132,9 @@ fn add_rows<
             }
             if derivative && D == 3 {
                 let along = L::load(&lines[2][lanes.clone()]);
-                let wg = scratch.wg[j + r][p];
+                let wg = products.wg[j + r][p];
                 let factor = if FULL {
-                    halves::<L, PART>(scratch.wq[j + r][p], wg)
+                    halves::<L, PART>(products.wq[j + r][p], wg)
                 } else {
                     L::splat(wg)
                 };

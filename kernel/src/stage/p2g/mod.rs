@@ -7,13 +7,15 @@
 //! in the order of the particles whatever planes the caller owns, so the bits do not depend on the partition.
 
 mod add;
+mod runs;
 mod scratch;
 
-use super::{Mapping, group_at, layer_of};
+use super::{Mapping, block_at};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Selected};
 use crate::layout::Layout;
-use add::{Below, add_group};
+use add::{Below, add_run};
+use runs::{Counted, Runs};
 use scratch::{Scratch, Source};
 use std::ops::Range;
 
@@ -46,7 +48,7 @@ pub struct P2g<'a> {
     pub layout: &'a Layout,
     /// How the set sees the grid.
     pub mapping: &'a Mapping,
-    /// Particles of each layer, in order, and whether the caller owns the layer; groups do not cross layers.
+    /// Particles of each layer, in order, and whether the caller owns the layer; runs do not cross layers.
     pub layers: Vec<(Range<usize>, bool)>,
     /// Planes of nodes that are owned.
     pub planes: Range<usize>,
@@ -154,49 +156,63 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
         let mut scratch = Scratch::<N>::new();
         let mut groups = 0;
         for (layer, own_layer) in call.layers {
+            let mut counted = Counted::default();
             let mut at = layer.start;
             while at < layer.end {
-                let group = group_at::<B::Line, _, D, N>(columns, mapping, at, layer.end);
-                let first_plane = layer_of(group.base[0]);
-                let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
-                if own.start < own.end {
-                    scratch.fill_weights::<B::Line, D, FULL>(&from, &group, at);
+                let block = block_at::<B::Line, _, D, N>(columns, mapping, at, layer.end);
+                let runs = Runs::of::<B::Line, D>(&block, mapping);
+                if runs.reach::<D, N>(&planes) {
+                    scratch.fill_weights::<B::Line, D, FULL>(&from, &block, at);
                     if EXTRA == MEAN_STRESS && call.carry == (Carry::MeanStress { averaged: true })
                     {
                         scratch.take_cell_means::<B::Line, D>();
                     }
-                    scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(&from, at, group.count);
-                    let (row_length, along) = (mapping.nodes[2], layer_of(group.base[D - 1]));
+                    scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(&from, at, block.count);
+                    if D == 3 {
+                        scratch.multiply::<B::Line, FULL, GRADIENT>();
+                    }
+                }
+                let mut first = 0;
+                while first < block.count {
+                    let run = runs.from(first);
+                    first = run.end;
+                    counted.add(runs.index(run.start), run.len());
+                    let [first_plane, row, along] = runs.base::<D>(run.start);
+                    let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
+                    if own.start >= own.end {
+                        continue;
+                    }
+                    let row_length = mapping.nodes[2];
                     if D == 2 {
                         let below = Below {
-                            count: group.count,
+                            run,
+                            plane: 0,
                             first: (own.start - planes.start) * row_length + along,
                             rows: own.start - first_plane..own.end - first_plane,
                             row_length,
                         };
-                        add_group::<B, D, N, FULL, GRADIENT>(
+                        add_run::<B, D, N, FULL, GRADIENT>(
                             &scratch, call.carry, &below, call.nodes,
                         );
                     } else {
-                        let row = layer_of(group.base[1]);
                         for plane in own {
                             let row = (plane - planes.start) * mapping.nodes[1] + row;
                             let below = Below {
-                                count: group.count,
+                                run: run.clone(),
+                                plane: plane - first_plane,
                                 first: row * row_length + along,
                                 rows: 0..N,
                                 row_length,
                             };
-                            scratch.multiply::<B::Line, FULL, GRADIENT>(plane - first_plane);
-                            add_group::<B, D, N, FULL, GRADIENT>(
+                            add_run::<B, D, N, FULL, GRADIENT>(
                                 &scratch, call.carry, &below, call.nodes,
                             );
                         }
                     }
                 }
-                at += group.count;
-                groups += usize::from(own_layer);
+                at += block.count;
             }
+            groups += counted.groups() * usize::from(own_layer);
         }
         groups
     }

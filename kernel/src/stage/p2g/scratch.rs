@@ -1,9 +1,9 @@
-//! Weights and quantities of one group of particles, as the sums over nodes want them.
+//! Weights and quantities of a block of particles, as the sums over nodes want them.
 
 use super::{Carry, MASS_GRADIENT, MEAN_STRESS, voigt};
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
-use crate::stage::{Group, Mapping, weights_of};
+use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::cell_mean_weights;
 
 /// Where the quantities come from, and which are wanted.
@@ -20,7 +20,7 @@ pub(super) struct Source<'a> {
     pub viscous_rate: f64,
 }
 
-/// Weights and quantities of one group.
+/// Weights and quantities of a block.
 // Lines of eight numbers are lines of the cache: half of them lay across two wherever the stack began between, which took
 // 18 % longer for *rotation*, in every second process.
 #[repr(align(64))]
@@ -31,13 +31,13 @@ pub(super) struct Scratch<const N: usize> {
     pub g: [[[f64; 8]; N]; 3],
     /// Weights times distance in cells, for the affine term.
     pub q: [[[f64; 8]; N]; 3],
-    /// Products over slow and middle axis for the rows of one plane in space, `[row][particle]`: weight and weight,
-    /// derivative along the slow and along the middle axis, and the same with distances.
-    ww: [[f64; 8]; N],
-    gw: [[f64; 8]; N],
-    pub wg: [[f64; 8]; N],
-    qw: [[f64; 8]; N],
-    pub wq: [[f64; 8]; N],
+    /// Products over slow and middle axis in space, `[plane][row][particle]`: weight and weight, derivative along the slow and
+    /// along the middle axis, and the same with distances.
+    ww: [[[f64; 8]; N]; N],
+    gw: [[[f64; 8]; N]; N],
+    wg: [[[f64; 8]; N]; N],
+    qw: [[[f64; 8]; N]; N],
+    wq: [[[f64; 8]; N]; N],
     /// Per particle: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and
     /// distance (lower lanes) along each axis.
     pub lines: [[[f64; 8]; 4]; 8],
@@ -49,8 +49,11 @@ pub(super) struct Products<'a, const N: usize> {
     pub ww: &'a [[f64; 8]; N],
     /// The same with the derivative along the slow axis.
     pub gw: &'a [[f64; 8]; N],
-    /// The same with the distance along the slow axis.
+    /// The same with the derivative along the middle axis, in space alone.
+    pub wg: &'a [[f64; 8]; N],
+    /// The same with the distance along the slow axis, and along the middle one.
     pub qw: &'a [[f64; 8]; N],
+    pub wq: &'a [[f64; 8]; N],
 }
 
 impl<const N: usize> Scratch<N> {
@@ -60,30 +63,30 @@ impl<const N: usize> Scratch<N> {
             w: [[[0.0; 8]; N]; 3],
             g: [[[0.0; 8]; N]; 3],
             q: [[[0.0; 8]; N]; 3],
-            ww: [[0.0; 8]; N],
-            gw: [[0.0; 8]; N],
-            wg: [[0.0; 8]; N],
-            qw: [[0.0; 8]; N],
-            wq: [[0.0; 8]; N],
+            ww: [[[0.0; 8]; N]; N],
+            gw: [[[0.0; 8]; N]; N],
+            wg: [[[0.0; 8]; N]; N],
+            qw: [[[0.0; 8]; N]; N],
+            wq: [[[0.0; 8]; N]; N],
             lines: [[[0.0; 8]; 4]; 8],
         }
     }
 
-    /// Weights of a group that begins at particle `at`.
+    /// Weights of a block that begins at particle `at`.
     #[inline(always)]
     pub(super) fn fill_weights<L: Lanes, const D: usize, const FULL: bool>(
         &mut self,
         from: &Source<'_>,
-        group: &Group<L>,
+        block: &Block<L>,
         at: usize,
     ) {
-        let (w, g) = weights_of::<L, _, D, N>(from.columns, from.mapping, group, at);
+        let (w, g) = weights_of::<L, _, D, N>(from.columns, from.mapping, block, at);
         for axis in 0..D {
             for n in 0..N {
                 w[axis][n].store(&mut self.w[axis][n]);
                 g[axis][n].store(&mut self.g[axis][n]);
                 if FULL {
-                    let q = w[axis][n] * (L::splat(n as f64) - group.f[axis]);
+                    let q = w[axis][n] * (L::splat(n as f64) - block.f[axis]);
                     q.store(&mut self.q[axis][n]);
                     if from.carry == Carry::Remap {
                         // The remapped momentum lies in the upper lanes, with its affine part.
@@ -109,44 +112,40 @@ impl<const N: usize> Scratch<N> {
         }
     }
 
-    /// Products over slow and middle axis for one plane of nodes in space, `i` planes above the base.
+    /// Products over slow and middle axis, in space.
     #[inline(always)]
-    pub(super) fn multiply<L: Lanes, const FULL: bool, const GRADIENT: bool>(&mut self, i: usize) {
-        let (w_0, g_0, q_0) = (
-            L::load(&self.w[0][i]),
-            L::load(&self.g[0][i]),
-            L::load(&self.q[0][i]),
-        );
-        for j in 0..N {
-            let w_1 = L::load(&self.w[1][j]);
-            (w_0 * w_1).store(&mut self.ww[j]);
-            if GRADIENT {
-                (g_0 * w_1).store(&mut self.gw[j]);
-                (w_0 * L::load(&self.g[1][j])).store(&mut self.wg[j]);
-            }
-            if FULL {
-                (q_0 * w_1).store(&mut self.qw[j]);
-                (w_0 * L::load(&self.q[1][j])).store(&mut self.wq[j]);
+    pub(super) fn multiply<L: Lanes, const FULL: bool, const GRADIENT: bool>(&mut self) {
+        for i in 0..N {
+            let (w_0, g_0, q_0) = (
+                L::load(&self.w[0][i]),
+                L::load(&self.g[0][i]),
+                L::load(&self.q[0][i]),
+            );
+            for j in 0..N {
+                let w_1 = L::load(&self.w[1][j]);
+                (w_0 * w_1).store(&mut self.ww[i][j]);
+                if GRADIENT {
+                    (g_0 * w_1).store(&mut self.gw[i][j]);
+                    (w_0 * L::load(&self.g[1][j])).store(&mut self.wg[i][j]);
+                }
+                if FULL {
+                    (q_0 * w_1).store(&mut self.qw[i][j]);
+                    (w_0 * L::load(&self.q[1][j])).store(&mut self.wq[i][j]);
+                }
             }
         }
     }
 
-    /// The factors of rows: in space of the plane that was multiplied last, in the plane of all rows.
+    /// The factors of rows: in space of one plane of the stencil, in the plane of all rows.
     #[inline(always)]
-    pub(super) fn products<const D: usize>(&self) -> Products<'_, N> {
-        if D == 2 {
-            Products {
-                ww: &self.w[0],
-                gw: &self.g[0],
-                qw: &self.q[0],
-            }
+    pub(super) fn products<const D: usize>(&self, plane: usize) -> Products<'_, N> {
+        let (ww, gw, qw) = if D == 2 {
+            (&self.w[0], &self.g[0], &self.q[0])
         } else {
-            Products {
-                ww: &self.ww,
-                gw: &self.gw,
-                qw: &self.qw,
-            }
-        }
+            (&self.ww[plane], &self.gw[plane], &self.qw[plane])
+        };
+        let (wg, wq) = (&self.wg[plane], &self.wq[plane]);
+        Products { ww, gw, wg, qw, wq }
     }
 
     /// Quantities of `count` particles from `at`: formed with lanes = particles, four at a time, and turned to

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::PART;
+use crate::random::Random;
 
 /// Seed of the shapes.
 const SEED: u64 = 2024;
@@ -14,26 +15,13 @@ const POINTS: usize = 88;
 /// above 1/(k² + 1).
 const WAVES: [f64; 3] = [0.1, 0.15, 0.06];
 
-/// Uniform numbers on (0, 1) from a seed (splitmix64, Steele et al. 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// Outlines of the grains, counter-clockwise, row by row from the bottom; `side` grains per row and as many rows.
 #[must_use]
 pub fn outlines(side: usize) -> Vec<Vec<[f64; 2]>> {
-    let mut random = Random(SEED);
+    let mut random = Random::new(SEED);
     (0..side * side)
         .map(|grain| {
-            let waves = WAVES.map(|most| (most * random.next(), TAU * random.next()));
+            let waves = WAVES.map(|most| (most * random.unit(), TAU * random.unit()));
             let around = (0..POINTS).map(|k| {
                 let angle = TAU * k as f64 / POINTS as f64;
                 let wave = |(i, (a, phase)): (usize, &(f64, f64))| {

@@ -253,20 +253,27 @@ pub(super) struct RawDamping {
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with `print` and `fields`")]
 pub(super) struct RawResults {
-    /// Number of outputs after the initial one; 0 writes the summary alone. The default is that of the manuals'
-    /// program.
+    /// Number of frames after the first one, one every `time`/`print` seconds; 0 writes the summary alone. The default is
+    /// that of the manuals' program.
     #[schemars(extend("default" = 10, "minimum" = 0, "maximum" = 999_999, "examples" = [40]))]
     pub print: Option<usize>,
     /// Particle fields in the frames, `all` or `none`. The default is that of the manuals' program.
     #[schemars(extend(
-        "default" = ["id", "displacement"], "examples" = [["id", "velocity", "stress"]]
+        "default" = ["id", "displacement"], "examples" = [["id", "velocity", "stress"]],
+        "x-words" = [
+            "id", "material", "body", "active", "mass", "volume", "density", "displacement", "velocity", "stress", "pressure",
+            "deformation_gradient", "external_force", "internal_variables", "all", "none",
+        ]
     ))]
     pub fields: Option<Vec<String>>,
     /// Another spelling of `fields`.
     #[schemars(extend("x-also" = "fields", "examples" = [["id", "velocity", "stress"]]))]
     pub material_point_results: Option<Vec<String>>,
     /// Nodal fields in the grid frames, `all` or `none`; without any there are no grid frames.
-    #[schemars(extend("default" = ["none"], "examples" = [["mass", "velocity"]]))]
+    #[schemars(extend(
+        "default" = ["none"], "examples" = [["mass", "velocity"]],
+        "x-words" = ["mass", "velocity", "body", "contact_force", "contact_gap", "all", "none"]
+    ))]
     pub grid_nodal_results: Option<Vec<String>>,
     /// Write a checkpoint with each frame.
     #[schemars(extend("default" = true, "examples" = [false]))]

@@ -2,8 +2,10 @@
 
 mod fields;
 mod gap;
+mod last;
 mod near;
 mod nodes;
+mod reached;
 mod words;
 
 use super::Kind;
@@ -14,16 +16,17 @@ use crate::simulation::interactions::{Again, Interaction, Made, Remembered};
 use crate::simulation::mapping::node_weights_touching;
 use crate::simulation::motion::at_half_step_after;
 use crate::simulation::{BodyRun, Simulation};
-use crate::grid::GridShape;
 use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
-use crate::stage::solve::{Planes, Wall};
-use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
+use crate::stage::solve::Planes;
+use crate::stage::touch::{Sweeps, Touch, TouchedNode, resolve, resolve_damped};
 use crate::surface::Nearest;
 use fields::Fields;
 pub(in crate::simulation) use gap::local;
 use gap::{half_lengths, touching_point, velocity};
+use last::Last;
 use near::{Near, Place};
+use reached::{Known, Reached, fold};
 use std::collections::BTreeMap;
 
 /// Contact with rigid surfaces.
@@ -32,13 +35,21 @@ pub(super) const SURFACES: Kind = Kind {
     make: Surfaces::of,
 };
 
-/// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
-const TOLERANCE: f64 = 1e-6;
-/// Most sweeps of a step. What is left then is made good in the next step: see [`Touch::bound`].
-const SWEEPS: usize = 50;
+/// Ten sweeps from the impulses of the last step are as good as fifty from nothing, unless much has changed. What is left
+/// is made good in the next step: see [`Touch::bound`].
+const SWEEPS: Sweeps = Sweeps {
+    tolerance: 1e-6,
+    few: 10,
+    tolerance_of_few: 1e-3,
+    most: 50,
+};
 
-/// What the cycle keeps of the surfaces. Nothing of it decides a result: the list of particles near a surface only
-/// spares searches, and the impulses are records.
+/// Lists of what is remembered.
+const ON_PARTICLES: &str = "impulses on particles";
+const ON_MAPPED: &str = "impulses of the second mapping";
+
+/// What the cycle keeps of the surfaces. The impulses of the last step decide with which ones the sweeps of the next begin;
+/// the list of particles near a surface only spares searches, and the sums of impulses are records.
 #[derive(Clone, Debug)]
 pub(crate) struct Surfaces {
     near: Option<Near>,
@@ -47,6 +58,9 @@ pub(crate) struct Surfaces {
     mapped: Touches,
     /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier.
     pushed: BTreeMap<(usize, usize, u64), bool>,
+    /// Impulses on the particles in the last step, and those of the second mapping.
+    on_particles: Last,
+    on_mapped: Last,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
     pub(crate) last: Vec<Vec<Vector>>,
     pub(crate) last_kick: f64,
@@ -60,12 +74,7 @@ struct Touches {
     list: Vec<Touch>,
     places: Vec<Place>,
     nodes: Vec<TouchedNode>,
-}
-
-/// The nodes that touching particles reach, and their places in this list by field and node.
-struct Reached<'a> {
-    nodes: &'a mut Vec<TouchedNode>,
-    known: BTreeMap<(usize, usize), usize>,
+    known: Known,
 }
 
 impl Surfaces {
@@ -80,6 +89,8 @@ impl Surfaces {
             trial: Touches::default(),
             mapped: Touches::default(),
             pushed: BTreeMap::new(),
+            on_particles: Last::default(),
+            on_mapped: Last::default(),
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
@@ -125,7 +136,13 @@ impl Interaction for Surfaces {
             ("time of the last impulses".into(), vec![self.last_kick]),
             ("last impulses of surfaces".into(), flat(&self.last)),
             ("impulses of surfaces".into(), flat(&self.total)),
+            (ON_PARTICLES.into(), self.on_particles.save()),
+            (ON_MAPPED.into(), self.on_mapped.save()),
         ]
+    }
+
+    fn grows(&self, list: &str) -> bool {
+        [ON_PARTICLES, ON_MAPPED].contains(&list)
     }
 
     fn restore(&mut self, saved: &Remembered) {
@@ -138,6 +155,8 @@ impl Interaction for Surfaces {
                 *impulse = *value;
             }
         }
+        self.on_particles = Last::of(&saved[3].1);
+        self.on_mapped = Last::of(&saved[4].1);
     }
 }
 
@@ -178,9 +197,11 @@ impl Simulation {
     fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
         let trial = &mut surfaces.trial;
         self.touches(&mut surfaces.near, acting, 1, trial)?;
+        let identified = |place: &Place| self.state.sets[place.set].id[place.p];
+        surfaces.on_particles.give(&mut trial.list, &trial.places, identified, acting.kick);
         let damping = match acting.local_damping {
             None => {
-                resolve(&mut trial.list, &mut trial.nodes, TOLERANCE, SWEEPS);
+                resolve(&mut trial.list, &mut trial.nodes, &SWEEPS);
                 0.0
             }
             Some(alpha) => {
@@ -188,9 +209,10 @@ impl Simulation {
                 // Fields that move together have one velocity and one increment.
                 let line = |t: &TouchedNode| &fields.lines(t.fields[0])[t.node];
                 let (list, nodes) = (&mut trial.list, &mut trial.nodes);
-                resolve_damped(list, nodes, line, alpha, TOLERANCE, SWEEPS)
+                resolve_damped(list, nodes, line, alpha, &SWEEPS)
             }
         };
+        surfaces.on_particles.take(&trial.list, &trial.places, identified, acting.kick);
         for bodies in &mut surfaces.last {
             bodies.fill([0.0; 3]);
         }
@@ -257,19 +279,21 @@ impl Simulation {
     ) -> Result<(), StepError> {
         let mapped = &mut surfaces.mapped;
         self.touches(&mut surfaces.near, acting, lane, mapped)?;
-        let mut held = mapped.places.iter().map(|place| {
-            let id = self.state.sets[place.set].id[place.p];
-            surfaces.pushed.get(&(place.surface, place.set, id))
-        });
+        let identified = |place: &Place| self.state.sets[place.set].id[place.p];
+        let pushed = |place: &Place| surfaces.pushed.get(&(place.surface, place.set, identified(place)));
+        let mut places = mapped.places.iter();
         mapped.list.retain_mut(|touch| {
-            let Some(&held) = held.next().flatten() else {
+            let Some(&held) = places.next().and_then(pushed) else {
                 return false;
             };
             (touch.floor, touch.penalty) = (f64::NEG_INFINITY, 0.0);
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
-        resolve(&mut mapped.list, &mut mapped.nodes, TOLERANCE, SWEEPS);
+        mapped.places.retain(|place| pushed(place).is_some());
+        surfaces.on_mapped.give(&mut mapped.list, &mapped.places, identified, acting.kick);
+        resolve(&mut mapped.list, &mut mapped.nodes, &SWEEPS);
+        surfaces.on_mapped.take(&mapped.list, &mapped.places, identified, acting.kick);
         self.change_velocities(&mapped.nodes, lane, false);
         let still = at_half_step_after(&acting.walls);
         let keep = |planes: &mut Planes<'_>| {
@@ -297,16 +321,14 @@ impl Simulation {
             list,
             places,
             nodes,
+            known: known_nodes,
         } = touches;
         list.clear();
         places.clear();
         nodes.clear();
         let known = self.near_surfaces(near.take(), acting.drift);
         let fields = self.all_fields();
-        let mut reached = Reached {
-            nodes,
-            known: BTreeMap::new(),
-        };
+        let mut reached = known_nodes.begin(nodes);
         // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
         let gaps = self.work.grid.team.search(0..known.particles.len(), |i| {
             let Place { surface, set, p } = known.particles[i];
@@ -356,7 +378,7 @@ impl Simulation {
         let lines = fields.lines(field);
         let v_s = velocity(rigid, self.state.clock.time, acting.drift);
         let mut relative = v_s.map(|v| -v);
-        for &(node, w) in &weights {
+        for &(node, w) in weights.iter() {
             for axis in 0..3 {
                 relative[axis] += w * lines[node][lane + axis];
             }
@@ -376,37 +398,10 @@ impl Simulation {
         if gap >= rigid.distance_threshold {
             return Ok(None);
         }
-        let mut folded: BTreeMap<usize, [f64; 3]> = BTreeMap::new();
-        for (node, w) in weights {
-            let (node, sign) = fold(shape, &acting.walls, node);
-            let sum = folded.entry(node).or_insert([0.0; 3]);
-            for axis in 0..3 {
-                sum[axis] += sign[axis] * w;
-            }
-        }
-        let weights = folded
-            .into_iter()
-            .map(|(node, w)| {
-                let Reached { nodes, known } = &mut *reached;
-                let place = *known.entry((field, node)).or_insert_with(|| {
-                    let sharing = fields.sharing(field, node);
-                    // Another body may have been there whose field moves together with this one.
-                    let same = |t: &TouchedNode| t.node == node && t.fields == sharing;
-                    let first = (sharing.len() > 1)
-                        .then(|| nodes.iter().position(same))
-                        .flatten();
-                    first.unwrap_or_else(|| {
-                        nodes.push(TouchedNode {
-                            node,
-                            mobility: mobility(shape, acting, node, fields, &sharing),
-                            change: [0.0; 3],
-                            fields: sharing,
-                        });
-                        nodes.len() - 1
-                    })
-                });
-                (place, w)
-            })
+        let weights = fold(shape, &acting.walls, &weights);
+        let weights = weights
+            .iter()
+            .map(|&(node, w)| (reached.place(shape, acting, fields, field, node), w))
             .collect();
         let (m_p, _) = self.mass_and_volume(set, p);
         let penalty = penalty_impulse(rigid.penalty_stiffness.unwrap_or(0.0), m_p, -gap, acting);
@@ -430,60 +425,4 @@ impl Simulation {
 /// node push it with the sum of both over the same weights.
 fn penalty_impulse(stiffness: f64, m_p: f64, depth: f64, acting: &Acting) -> f64 {
     (stiffness * acting.kick).min(m_p / acting.drift) * depth.max(0.0)
-}
-
-/// The node inside the mesh whose velocity a node has, and the sign of each component; the node itself where it is no
-/// ghost.
-fn fold(shape: &GridShape, walls: &[Wall], node: usize) -> (usize, [f64; 3]) {
-    let mut at = shape.indices(node);
-    let mut sign = [1.0; 3];
-    for wall in walls {
-        let (ghost, _, mirror) = wall.layers(shape);
-        let direction = shape.direction(wall.axis);
-        if at[direction] == ghost {
-            at[direction] = mirror;
-            for axis in 0..3 {
-                if wall.prescribes(axis) {
-                    sign[axis] = -sign[axis];
-                }
-            }
-        }
-    }
-    (shape.index(at), sign)
-}
-
-/// 1/m of the fields that move together at a node, zero where a boundary plane or a driven body prescribes the velocity.
-fn mobility(
-    shape: &GridShape,
-    acting: &Acting,
-    node: usize,
-    fields: &Fields<'_>,
-    sharing: &[usize],
-) -> [f64; 3] {
-    let mass: f64 = sharing.iter().map(|f| fields.mass(*f, node)).sum();
-    let driven = |field: &usize| match field {
-        0 => {
-            let lists = [&acting.driven[..], &acting.held];
-            lists
-                .iter()
-                .any(|list| list.binary_search_by_key(&node, |d| d.node).is_ok())
-        }
-        _ => fields.is_driven(*field),
-    };
-    if mass <= 0.0 || sharing.iter().any(driven) {
-        return [0.0; 3];
-    }
-    let at = shape.indices(node);
-    let mut mobility = [1.0 / mass; 3];
-    for wall in &acting.walls {
-        let (_, plane, _) = wall.layers(shape);
-        if at[shape.direction(wall.axis)] == plane {
-            for axis in 0..3 {
-                if wall.prescribes(axis) {
-                    mobility[axis] = 0.0;
-                }
-            }
-        }
-    }
-    mobility
 }
