@@ -16,8 +16,7 @@
 //! Particles share nodes, so the impulses are found together, by sweeps over the particles in the order of their
 //! identifiers, each of which corrects one particle with all others held: projected Gauss-Seidel (Moreau 1999,
 //! contact dynamics). A sweep changes nothing else than the impulses, so momentum balances after every sweep; a
-//! residue is an error of the gap, never of the balance. They begin with the impulses of the last step, from which those of
-//! this one differ little: ten sweeps are then nearer to the limit than fifty from nothing.
+//! residue is an error of the gap, never of the balance.
 //!
 //! Why not the correction of the particle velocity that the technical manual has (algorithm 2, line 14): positions
 //! and strains follow the nodes, which do not know of it; what the surface carries is then never a force at the nodes,
@@ -152,34 +151,20 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// When sweeps end: the largest change of a velocity in one of them, over the largest velocity that an impulse gives to its
-/// own particle, and how many there are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sweeps {
-    /// Change after which nothing is left to do.
-    pub tolerance: f64,
-    /// So many are done in any case but that one.
-    pub few: usize,
-    /// Change with which these are enough.
-    pub tolerance_of_few: f64,
-    /// Most of all.
-    pub most: usize,
-}
-
-/// Finds the impulses of all touches, beginning with those that they have; returns the number of sweeps. Where penalty forces
-/// act beside them, sweeps go on from there, for as many again.
-pub fn resolve(touches: &mut [Touch], nodes: &mut [TouchedNode], until: &Sweeps) -> usize {
+/// Finds the impulses of all touches; returns the number of sweeps. Sweeps end when none changes a velocity by more
+/// than `tolerance` times the largest change of the first one, or after `most`. Where penalty forces act beside them, they
+/// go on from there, for as many again.
+pub fn resolve(
+    touches: &mut [Touch],
+    nodes: &mut [TouchedNode],
+    tolerance: f64,
+    most: usize,
+) -> usize {
     let responses: Vec<[f64; 3]> = touches.iter().map(|t| t.response(nodes)).collect();
     for touch in touches.iter_mut().filter(|t| t.penalty > 0.0) {
         touch.floor = 0.0;
     }
-    for touch in touches.iter() {
-        let impulse = touch.impulse();
-        if impulse != [0.0; 3] {
-            touch.give(nodes, &impulse);
-        }
-    }
-    let sweeps = sweep(touches, &responses, nodes, until);
+    let sweeps = sweep(touches, &responses, nodes, tolerance, most);
     let mut pushed = false;
     for touch in touches.iter_mut() {
         if touch.penalty > 0.0 && touch.normal_impulse <= 0.0 {
@@ -191,7 +176,7 @@ pub fn resolve(touches: &mut [Touch], nodes: &mut [TouchedNode], until: &Sweeps)
         }
     }
     if pushed {
-        sweeps + sweep(touches, &responses, nodes, until)
+        sweeps + sweep(touches, &responses, nodes, tolerance, most)
     } else {
         sweeps
     }
@@ -201,25 +186,23 @@ fn sweep(
     touches: &mut [Touch],
     responses: &[[f64; 3]],
     nodes: &mut [TouchedNode],
-    until: &Sweeps,
+    tolerance: f64,
+    most: usize,
 ) -> usize {
-    for sweep in 1..=until.most {
-        let (mut changed, mut given) = (0.0_f64, 0.0_f64);
+    let mut first = 0.0;
+    for sweep in 1..=most {
+        let mut largest = 0.0_f64;
         for (touch, response) in touches.iter_mut().zip(responses) {
-            let [change, gift] = correct(touch, response, nodes);
-            changed = changed.max(change);
-            given = given.max(gift);
+            largest = largest.max(correct(touch, response, nodes));
         }
-        let enough = if sweep < until.few {
-            until.tolerance
-        } else {
-            until.tolerance_of_few
-        };
-        if changed <= enough * given {
+        if sweep == 1 {
+            first = largest;
+        }
+        if largest <= tolerance * first {
             return sweep;
         }
     }
-    until.most
+    most
 }
 
 /// The same where local damping acts, which resists by alpha times the unbalanced force. Contact is a part of what
@@ -232,7 +215,8 @@ pub fn resolve_damped<'a>(
     nodes: &mut [TouchedNode],
     line: impl Fn(&TouchedNode) -> &'a Line,
     alpha: f64,
-    until: &Sweeps,
+    tolerance: f64,
+    most: usize,
 ) -> f64 {
     // Increment and velocity before it along an axis, where the node is free and damping had a direction.
     let damped = |node: &TouchedNode, axis: usize| {
@@ -252,7 +236,7 @@ pub fn resolve_damped<'a>(
             }
         }
     }
-    resolve(touches, nodes, until);
+    resolve(touches, nodes, tolerance, most);
     let mut taken = 0.0;
     for node in nodes.iter_mut() {
         let mut change = [0.0; 3];
@@ -267,17 +251,21 @@ pub fn resolve_damped<'a>(
         }
         node.change = change;
     }
-    resolve(touches, nodes, until);
+    for touch in touches.iter_mut() {
+        touch.normal_impulse = 0.0;
+        touch.tangential_impulse = [0.0; 3];
+    }
+    resolve(touches, nodes, tolerance, most);
     taken
 }
 
-/// Corrects one touch with all others held; returns the change of its velocity, and how much its whole impulse changes it.
-fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) -> [f64; 2] {
+/// Corrects one touch with all others held; returns the change of its velocity.
+fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) -> f64 {
     let n = touch.normal;
     let along: f64 = (0..3).map(|axis| n[axis] * n[axis] * response[axis]).sum();
     // Held by a boundary in the direction of the normal: nothing can move it.
     if along <= 0.0 {
-        return [0.0; 2];
+        return 0.0;
     }
     let v = touch.velocity(nodes);
     let short = touch.bound - dot(&v, &n);
@@ -286,7 +274,6 @@ fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) ->
     let mut impulse = n.map(|c| c * step);
     touch.normal_impulse = normal_impulse;
     let mut changed = step.abs() * along;
-    let mut given = normal_impulse.abs() * along;
     if touch.friction > 0.0 {
         let across = response.iter().fold(0.0_f64, |m, r| m.max(*r));
         let v_n = dot(&v, &n);
@@ -306,13 +293,12 @@ fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) ->
             impulse[axis] += step;
             changed = changed.max(step.abs() * across);
             touch.tangential_impulse[axis] = next;
-            given = given.max(next.abs() * across);
         }
     }
     if impulse != [0.0; 3] {
         touch.give(nodes, &impulse);
     }
-    [changed, given]
+    changed
 }
 
 /// Adds the changes of the nodes of one field to its velocities, and where asked for to their increments.

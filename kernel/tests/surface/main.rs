@@ -8,4 +8,3 @@ mod slide;
 mod slope;
 mod symmetry;
 mod topology;
-mod warm;

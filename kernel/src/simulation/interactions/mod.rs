@@ -144,15 +144,9 @@ pub trait Interaction: Any + Send + Sync {
         0.0
     }
 
-    /// What it remembers from step to step: lists of numbers with their names, of lengths that the scene decides but
-    /// for those that [`Interaction::grows`] names.
+    /// What it remembers from step to step: lists of numbers with their names, of lengths that the scene decides.
     fn save(&self) -> Remembered {
         vec![]
-    }
-
-    /// Whether the length of a list that it remembers depends on what has happened.
-    fn grows(&self, _list: &str) -> bool {
-        false
     }
 
     /// Takes up what was saved; names and lengths are those that [`Interaction::save`] gives.

@@ -2,7 +2,6 @@
 
 mod fields;
 mod gap;
-mod last;
 mod near;
 mod nodes;
 mod reached;
@@ -19,12 +18,11 @@ use crate::simulation::{BodyRun, Simulation};
 use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::Planes;
-use crate::stage::touch::{Sweeps, Touch, TouchedNode, resolve, resolve_damped};
+use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
 use crate::surface::Nearest;
 use fields::Fields;
 pub(in crate::simulation) use gap::local;
 use gap::{half_lengths, touching_point, velocity};
-use last::Last;
 use near::{Near, Place};
 use reached::{Known, Reached, fold};
 use std::collections::BTreeMap;
@@ -35,21 +33,13 @@ pub(super) const SURFACES: Kind = Kind {
     make: Surfaces::of,
 };
 
-/// Ten sweeps from the impulses of the last step are as good as fifty from nothing, unless much has changed. What is left
-/// is made good in the next step: see [`Touch::bound`].
-const SWEEPS: Sweeps = Sweeps {
-    tolerance: 1e-6,
-    few: 10,
-    tolerance_of_few: 1e-3,
-    most: 50,
-};
+/// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
+const TOLERANCE: f64 = 1e-6;
+/// Most sweeps of a step. What is left then is made good in the next step: see [`Touch::bound`].
+const SWEEPS: usize = 50;
 
-/// Lists of what is remembered.
-const ON_PARTICLES: &str = "impulses on particles";
-const ON_MAPPED: &str = "impulses of the second mapping";
-
-/// What the cycle keeps of the surfaces. The impulses of the last step decide with which ones the sweeps of the next begin;
-/// the list of particles near a surface only spares searches, and the sums of impulses are records.
+/// What the cycle keeps of the surfaces. Nothing of it decides a result: the list of particles near a surface only
+/// spares searches, and the impulses are records.
 #[derive(Clone, Debug)]
 pub(crate) struct Surfaces {
     near: Option<Near>,
@@ -58,9 +48,6 @@ pub(crate) struct Surfaces {
     mapped: Touches,
     /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier.
     pushed: BTreeMap<(usize, usize, u64), bool>,
-    /// Impulses on the particles in the last step, and those of the second mapping.
-    on_particles: Last,
-    on_mapped: Last,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
     pub(crate) last: Vec<Vec<Vector>>,
     pub(crate) last_kick: f64,
@@ -89,8 +76,6 @@ impl Surfaces {
             trial: Touches::default(),
             mapped: Touches::default(),
             pushed: BTreeMap::new(),
-            on_particles: Last::default(),
-            on_mapped: Last::default(),
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
@@ -136,13 +121,7 @@ impl Interaction for Surfaces {
             ("time of the last impulses".into(), vec![self.last_kick]),
             ("last impulses of surfaces".into(), flat(&self.last)),
             ("impulses of surfaces".into(), flat(&self.total)),
-            (ON_PARTICLES.into(), self.on_particles.save()),
-            (ON_MAPPED.into(), self.on_mapped.save()),
         ]
-    }
-
-    fn grows(&self, list: &str) -> bool {
-        [ON_PARTICLES, ON_MAPPED].contains(&list)
     }
 
     fn restore(&mut self, saved: &Remembered) {
@@ -155,8 +134,6 @@ impl Interaction for Surfaces {
                 *impulse = *value;
             }
         }
-        self.on_particles = Last::of(&saved[3].1);
-        self.on_mapped = Last::of(&saved[4].1);
     }
 }
 
@@ -197,11 +174,9 @@ impl Simulation {
     fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
         let trial = &mut surfaces.trial;
         self.touches(&mut surfaces.near, acting, 1, trial)?;
-        let identified = |place: &Place| self.state.sets[place.set].id[place.p];
-        surfaces.on_particles.give(&mut trial.list, &trial.places, identified, acting.kick);
         let damping = match acting.local_damping {
             None => {
-                resolve(&mut trial.list, &mut trial.nodes, &SWEEPS);
+                resolve(&mut trial.list, &mut trial.nodes, TOLERANCE, SWEEPS);
                 0.0
             }
             Some(alpha) => {
@@ -209,10 +184,9 @@ impl Simulation {
                 // Fields that move together have one velocity and one increment.
                 let line = |t: &TouchedNode| &fields.lines(t.fields[0])[t.node];
                 let (list, nodes) = (&mut trial.list, &mut trial.nodes);
-                resolve_damped(list, nodes, line, alpha, &SWEEPS)
+                resolve_damped(list, nodes, line, alpha, TOLERANCE, SWEEPS)
             }
         };
-        surfaces.on_particles.take(&trial.list, &trial.places, identified, acting.kick);
         for bodies in &mut surfaces.last {
             bodies.fill([0.0; 3]);
         }
@@ -279,21 +253,19 @@ impl Simulation {
     ) -> Result<(), StepError> {
         let mapped = &mut surfaces.mapped;
         self.touches(&mut surfaces.near, acting, lane, mapped)?;
-        let identified = |place: &Place| self.state.sets[place.set].id[place.p];
-        let pushed = |place: &Place| surfaces.pushed.get(&(place.surface, place.set, identified(place)));
-        let mut places = mapped.places.iter();
+        let mut held = mapped.places.iter().map(|place| {
+            let id = self.state.sets[place.set].id[place.p];
+            surfaces.pushed.get(&(place.surface, place.set, id))
+        });
         mapped.list.retain_mut(|touch| {
-            let Some(&held) = places.next().and_then(pushed) else {
+            let Some(&held) = held.next().flatten() else {
                 return false;
             };
             (touch.floor, touch.penalty) = (f64::NEG_INFINITY, 0.0);
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
-        mapped.places.retain(|place| pushed(place).is_some());
-        surfaces.on_mapped.give(&mut mapped.list, &mapped.places, identified, acting.kick);
-        resolve(&mut mapped.list, &mut mapped.nodes, &SWEEPS);
-        surfaces.on_mapped.take(&mapped.list, &mapped.places, identified, acting.kick);
+        resolve(&mut mapped.list, &mut mapped.nodes, TOLERANCE, SWEEPS);
         self.change_velocities(&mapped.nodes, lane, false);
         let still = at_half_step_after(&acting.walls);
         let keep = |planes: &mut Planes<'_>| {
