@@ -14,7 +14,6 @@ const LIKENESS: f64 = 0.4;
 /// Other words for keys, short and usual ones.
 const USUAL: &[(&str, &str)] = &[
     ("E", "young"),
-    ("stiffness", "young"),
     ("modulus", "young"),
     ("nu", "poisson"),
     ("rho", "density"),

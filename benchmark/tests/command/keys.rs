@@ -46,6 +46,21 @@ fn one_key_is_told_in_full() {
 }
 
 #[test]
+fn usual_words_lead_to_their_keys() {
+    for (word, key) in [
+        ("E", "material.young"),
+        ("rho", "material.density"),
+        ("dt", "time_step"),
+        ("frames", "results.print"),
+        ("stress", "results.fields"),
+    ] {
+        let output = proctor(&["keys", word]);
+        let text = stdout(&output);
+        assert!(text.starts_with(key), "{word}: {text}");
+    }
+}
+
+#[test]
 fn a_word_that_is_no_key_is_answered_with_the_nearest() {
     let output = proctor(&["keys", "yuong"]);
     assert_eq!(code(&output), 2);

@@ -268,10 +268,10 @@ fn the_first_scene_leaves_what_paraview_is_told_to_open() {
     for printed in commands(scene) {
         fault(&printed, desk.path()).expect("it runs");
     }
-    let list = fs::read_to_string(desk.path().join("results/particles.pvd")).expect("a list");
+    let list = fs::read_to_string(desk.path().join("column/particles.pvd")).expect("a list");
     let (_, file) = list.split_once("file=\"").expect("a frame");
     let (file, _) = file.split_once('"').expect("a name");
-    let frame = fs::read(desk.path().join("results").join(file)).expect("a frame");
+    let frame = fs::read(desk.path().join("column").join(file)).expect("a frame");
     let frame = String::from_utf8_lossy(&frame);
     let shown = scene.split('`').skip(1).step_by(2);
     let columns: Vec<&str> = shown
