@@ -93,7 +93,8 @@ pub type Failure = Box<dyn Error>;
 
 /// A case whose problem can be solved with any settings.
 pub trait Study: Case {
-    /// The path of refinement, coarse to fine, each rung half the cell size of the one before.
+    /// The path of refinement, coarse to fine; what an accuracy costs is interpolated between rungs, so no rung has less than half
+    /// the cell size of the one before.
     fn path(&self, size: Size) -> Vec<Rung>;
 
     /// Errors that are studied: displacement (or velocity) first.

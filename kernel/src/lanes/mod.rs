@@ -17,6 +17,7 @@
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+pub mod functions;
 mod scalar;
 #[cfg(target_arch = "x86_64")]
 mod x86;

@@ -11,6 +11,19 @@ pub struct Constant {
     pub unit: &'static str,
     /// Which values.
     pub accepted: Accepted,
+    /// What it is where a scene does not say.
+    pub given: Given,
+}
+
+/// What a constant is where a scene does not say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Given {
+    /// Nothing: the scene must say.
+    Needed,
+    /// A number.
+    Or(f64),
+    /// What an earlier constant of the law with this key is.
+    As(&'static str),
 }
 
 /// Which values a constant may have.
@@ -22,6 +35,10 @@ pub enum Accepted {
     NotNegative,
     /// Between two numbers, neither included.
     Between(f64, f64),
+    /// The first number or greater, and less than the second.
+    From(f64, f64),
+    /// Any finite number.
+    Finite,
 }
 
 /// One of several words that a law may be given; the first is the default.
@@ -37,6 +54,17 @@ pub struct Choice {
     pub elsewhere: &'static str,
 }
 
+/// A constant that does not go with the others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unfit {
+    /// Its key.
+    pub key: &'static str,
+    /// What was found.
+    pub found: String,
+    /// What is accepted.
+    pub accepted: String,
+}
+
 impl Accepted {
     /// Whether a value is accepted.
     #[must_use]
@@ -46,6 +74,8 @@ impl Accepted {
                 Self::Positive => value > 0.0,
                 Self::NotNegative => value >= 0.0,
                 Self::Between(low, high) => low < value && value < high,
+                Self::From(low, high) => low <= value && value < high,
+                Self::Finite => true,
             }
     }
 }
@@ -60,6 +90,8 @@ impl Constant {
             Accepted::Between(low, high) => {
                 format!("a number greater than {low} and less than {high}")
             }
+            Accepted::From(low, high) => format!("a number, {low} or greater and less than {high}"),
+            Accepted::Finite => "a finite number".to_owned(),
         };
         match self.unit {
             "" => number,
@@ -74,6 +106,7 @@ pub(super) const YOUNG: Constant = Constant {
     meaning: "Young's modulus",
     unit: "Pa",
     accepted: Accepted::Positive,
+    given: Given::Needed,
 };
 
 /// Poisson's ratio.
@@ -82,6 +115,7 @@ pub(super) const POISSON: Constant = Constant {
     meaning: "Poisson's ratio",
     unit: "",
     accepted: Accepted::Between(-1.0, 0.5),
+    given: Given::Needed,
 };
 
 /// Isotropic elasticity: four constants, of which two follow from the others.
@@ -107,5 +141,11 @@ impl Isotropic {
             lambda: young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)),
             shear: young / (2.0 * (1.0 + poisson)),
         }
+    }
+
+    /// Bulk modulus, K = lambda + 2 G/3 \[Pa\].
+    #[must_use]
+    pub const fn bulk(&self) -> f64 {
+        self.lambda + 2.0 * self.shear / 3.0
     }
 }

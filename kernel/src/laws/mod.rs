@@ -5,12 +5,19 @@
 
 mod any;
 mod constants;
+mod plastic;
+mod point;
+pub mod principal;
 mod strain;
+mod strength;
 pub mod tensor;
 
 pub use any::{AnyLaw, Kind, Readable};
-pub use constants::{Accepted, Choice, Constant, Isotropic};
+pub use constants::{Accepted, Choice, Constant, Given, Isotropic, Unfit};
+pub use drucker_prager::Match;
 pub use linear_elastic::ObjectiveRate;
+pub use mohr_coulomb::{Residual, Softening};
+pub use point::{Point, PointFault};
 pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 
@@ -36,6 +43,10 @@ macro_rules! list {
 list! {
     linear_elastic: LinearElastic,
     neo_hookean: NeoHookean,
+    von_mises: VonMises,
+    tresca: Tresca,
+    mohr_coulomb: MohrCoulomb,
+    drucker_prager: DruckerPrager,
 }
 
 /// A constitutive law.
@@ -62,6 +73,11 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
         vec![]
     }
 
+    /// What of its constants does not go together; each by itself is accepted.
+    fn problems(&self) -> Vec<Unfit> {
+        vec![]
+    }
+
     /// Young's modulus at rest \[Pa\]: the scale of stiffness, of viscous damping for one.
     fn young(&self) -> f64;
 
@@ -82,6 +98,11 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
 
     /// Energy stored in a particle \[J\].
     fn energy(&self, particle: &Particle<'_>) -> f64;
+
+    /// Energy that has been dissipated in a particle so far \[J\].
+    fn dissipated(&self, _particle: &Particle<'_>) -> f64 {
+        0.0
+    }
 }
 
 /// What a law is told of a step, in lanes.

@@ -4,7 +4,7 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{Constant, Increment, Law, Particle};
+use super::{Constant, Increment, Law, Particle, Unfit};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -100,12 +100,16 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn variables(&self) -> &'static [Variable];
     /// See [`Law::NEEDS_DEFORMATION`].
     fn needs_deformation(&self) -> bool;
+    /// See [`Law::problems`].
+    fn problems(&self) -> Vec<Unfit>;
     /// See [`Law::young`].
     fn young(&self) -> f64;
     /// See [`Law::wave_speed`].
     fn wave_speed(&self, density: f64) -> f64;
     /// See [`Law::energy`].
     fn energy(&self, particle: &Particle<'_>) -> f64;
+    /// See [`Law::dissipated`].
+    fn dissipated(&self, particle: &Particle<'_>) -> f64;
     /// Square of the speed of the fastest wave of a particle at rest \[m²/s²\].
     fn speed_squared(&self, particle: &Particle<'_>) -> f64;
     /// Whether another law is the same.
@@ -127,6 +131,9 @@ impl<M: Law> Strain for M {
     fn needs_deformation(&self) -> bool {
         M::NEEDS_DEFORMATION
     }
+    fn problems(&self) -> Vec<Unfit> {
+        Law::problems(self)
+    }
     fn young(&self) -> f64 {
         Law::young(self)
     }
@@ -135,6 +142,9 @@ impl<M: Law> Strain for M {
     }
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         Law::energy(self, particle)
+    }
+    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
+        Law::dissipated(self, particle)
     }
     fn speed_squared(&self, particle: &Particle<'_>) -> f64 {
         Selected::any().run(AtRest(self, particle))

@@ -157,7 +157,7 @@ impl Study for Boussinesq {
     fn path(&self, size: Size) -> Vec<Rung> {
         // The patch ends at nodes, where other solvers take their loads: eight cells along a side, or a multiple.
         let cells: &[u32] = match size {
-            Size::Quick => &[8, 16],
+            Size::Quick => &[8, 16, 24],
             Size::Full => &[8, 16, 32],
         };
         Self::rungs_of(Loading::Patch, cells)

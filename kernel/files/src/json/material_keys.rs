@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Kind};
+use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Given, Kind};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
@@ -39,7 +39,7 @@ impl RawMaterial {
 }
 
 /// The numbers that the laws need, each key once.
-fn constants() -> Vec<&'static Constant> {
+pub(super) fn constants() -> Vec<&'static Constant> {
     let mut all: Vec<&Constant> = vec![];
     for constant in ALL.iter().flat_map(|law| law.constants) {
         if all.iter().all(|known| known.key != constant.key) {
@@ -83,6 +83,29 @@ impl<'de> Deserialize<'de> for Key {
     }
 }
 
+/// A word; `true` and `false` may stand without quotes.
+struct Word(String);
+
+impl<'de> Deserialize<'de> for Word {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OfWord;
+        impl Visitor<'_> for OfWord {
+            type Value = Word;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a string")
+            }
+            fn visit_str<E: Error>(self, word: &str) -> Result<Word, E> {
+                Ok(Word(word.to_owned()))
+            }
+            fn visit_bool<E: Error>(self, word: bool) -> Result<Word, E> {
+                Ok(Word(word.to_string()))
+            }
+        }
+        deserializer.deserialize_any(OfWord)
+    }
+}
+
 struct Keys;
 
 impl<'de> Visitor<'de> for Keys {
@@ -112,7 +135,8 @@ impl<'de> Visitor<'de> for Keys {
                     if let Some(constant) = constants.iter().find(|c| c.key == key) {
                         material.numbers.push((constant.key, map.next_value()?));
                     } else if let Some(choice) = choices.iter().find(|c| c.key == key) {
-                        material.words.push((choice.key, map.next_value()?));
+                        let word: Option<Word> = map.next_value()?;
+                        material.words.push((choice.key, word.map(|word| word.0)));
                     }
                 }
             }
@@ -193,9 +217,13 @@ fn of_constant(constant: &Constant) -> Value {
         "type": ["number", "null"],
         "format": "double",
         "x-unit": if constant.unit.is_empty() { "1" } else { constant.unit },
-        "x-needed": true,
         "examples": [example(constant)],
     });
+    match constant.given {
+        Given::Needed => property["x-needed"] = true.into(),
+        Given::Or(value) => property["default"] = value.into(),
+        Given::As(key) => property["x-default"] = format!("`{key}`").into(),
+    }
     match constant.accepted {
         Accepted::Positive => property["exclusiveMinimum"] = 0.into(),
         Accepted::NotNegative => property["minimum"] = 0.into(),
@@ -203,6 +231,11 @@ fn of_constant(constant: &Constant) -> Value {
             property["exclusiveMinimum"] = low.into();
             property["exclusiveMaximum"] = high.into();
         }
+        Accepted::From(low, high) => {
+            property["minimum"] = low.into();
+            property["exclusiveMaximum"] = high.into();
+        }
+        Accepted::Finite => {}
     }
     needs(&mut property, |law| {
         law.constants.iter().any(|own| own.key == constant.key)
@@ -212,13 +245,24 @@ fn of_constant(constant: &Constant) -> Value {
 
 /// The schema of a word that some laws may be given.
 fn of_choice(choice: &Choice) -> Value {
-    let mut property = json!({
-        "description": choice.meaning,
-        "type": ["string", "null"],
-        "enum": choice.words,
-        "default": choice.words.first(),
-        "examples": [choice.words.last()],
-    });
+    // What may be true or false is that, without quotes.
+    let is_flag = choice.words == ["false", "true"];
+    let mut property = if is_flag {
+        json!({
+            "description": choice.meaning,
+            "type": ["boolean", "null"],
+            "default": false,
+            "examples": [true],
+        })
+    } else {
+        json!({
+            "description": choice.meaning,
+            "type": ["string", "null"],
+            "enum": choice.words,
+            "default": choice.words.first(),
+            "examples": [choice.words.last()],
+        })
+    };
     needs(&mut property, |law| {
         law.choices.iter().any(|own| own.key == choice.key)
     });
@@ -239,7 +283,8 @@ fn example(constant: &Constant) -> f64 {
     match constant.accepted {
         Accepted::Positive | Accepted::NotNegative if constant.unit == "Pa" => 1e6,
         Accepted::Positive => 1.0,
-        Accepted::NotNegative => 0.0,
+        Accepted::NotNegative | Accepted::Finite => 0.0,
+        Accepted::From(..) => 30.0,
         accepted @ Accepted::Between(..) if accepted.holds(0.3) => 0.3,
         Accepted::Between(low, high) => 0.5 * (low + high),
     }

@@ -4,7 +4,7 @@ use super::build::Build;
 use super::keys::RawScene;
 use super::material_keys::RawMaterial;
 use super::words::listed;
-use proctor_kernel::laws::{ALL, Kind};
+use proctor_kernel::laws::{ALL, Given, Kind};
 use proctor_kernel::scene::Material;
 
 impl Build<'_> {
@@ -33,7 +33,8 @@ impl Build<'_> {
     fn material(&mut self, path: &str, name: String, i: usize, raw: &RawMaterial) -> Material {
         let words: Vec<(&str, &Kind)> = ALL.iter().map(|kind| (kind.name, kind)).collect();
         let kind = if let Some(word) = &raw.r#type {
-            self.word(&format!("{path}.type"), word, &words)
+            // Other solvers write `mohr-coulomb`.
+            self.word(&format!("{path}.type"), &word.replace('-', "_"), &words)
         } else {
             let words = listed(words.iter().map(|m| m.0));
             self.missing(format!("{path}.type"), words);
@@ -53,12 +54,21 @@ impl Build<'_> {
                 )
             })
             .collect();
-        let values: Vec<f64> = (kind_or_first.constants.iter())
-            .map(|constant| {
-                let path = format!("{path}.{}", constant.key);
-                self.number(&path, raw.number(constant), &constant.words())
-            })
-            .collect();
+        self.refuse_constants_of_others(path, kind_or_first, raw);
+        let mut values: Vec<f64> = vec![];
+        for constant in kind_or_first.constants {
+            let before = kind_or_first.constants.iter().zip(&values);
+            let given = raw.number(constant).or(match constant.given {
+                Given::Needed => None,
+                Given::Or(value) => Some(value),
+                Given::As(key) => before
+                    .into_iter()
+                    .find(|(earlier, _)| earlier.key == key)
+                    .map(|(_, value)| *value),
+            });
+            let path = format!("{path}.{}", constant.key);
+            values.push(self.number(&path, given, &constant.words()));
+        }
         let density = self.number(
             &format!("{path}.density"),
             raw.density,
@@ -72,6 +82,25 @@ impl Build<'_> {
         }
     }
 
+    /// A number that only another law has.
+    fn refuse_constants_of_others(&mut self, path: &str, kind: &Kind, raw: &RawMaterial) {
+        for constant in super::material_keys::constants() {
+            let own = kind.constants.iter().any(|own| own.key == constant.key);
+            if own || raw.number(constant).is_none() {
+                continue;
+            }
+            let having = |other: &&Kind| other.constants.iter().any(|c| c.key == constant.key);
+            self.add(
+                format!("{path}.{}", constant.key),
+                format!(
+                    "`{}` of a {} material, which has none",
+                    constant.key, kind.name
+                ),
+                not_given_or(constant.key, ALL.iter().filter(having)),
+            );
+        }
+    }
+
     /// A word that only another law may be given.
     fn refuse_choices_of_others(&mut self, path: &str, kind: &Kind, raw: &RawMaterial) {
         for choice in super::material_keys::choices() {
@@ -79,17 +108,11 @@ impl Build<'_> {
             if own || raw.word(choice).is_none() {
                 continue;
             }
-            let others = (ALL.iter())
-                .filter(|other| other.choices.iter().any(|c| c.key == choice.key))
-                .map(|other| format!("{:?}", other.name));
+            let having = |other: &&Kind| other.choices.iter().any(|c| c.key == choice.key);
             self.add(
                 format!("{path}.{}", choice.key),
                 choice.elsewhere.replace("{law}", kind.name),
-                format!(
-                    "no `{}`, or `type` {}",
-                    choice.key,
-                    others.collect::<Vec<_>>().join(" or ")
-                ),
+                not_given_or(choice.key, ALL.iter().filter(having)),
             );
         }
     }
@@ -101,6 +124,12 @@ impl Build<'_> {
             i64::MIN + i as i64
         })
     }
+}
+
+/// What is accepted in the place of a key that only other laws have.
+fn not_given_or<'a>(key: &str, laws: impl Iterator<Item = &'a Kind>) -> String {
+    let names: Vec<String> = laws.map(|law| format!("{:?}", law.name)).collect();
+    format!("no `{key}`, or `type` {}", names.join(" or "))
 }
 
 /// Path of an entry: by name in an object, by number in a list.

@@ -11,7 +11,7 @@ use super::words::{
     CONTACT_NORMALS, FIELDS, NODAL_FIELDS, PLANE_CONDITIONS, PLANES, SCHEMES, Words,
 };
 use crate::records;
-use proctor_kernel::laws::{self, AnyLaw};
+use proctor_kernel::laws::{self, AnyLaw, Kind};
 use proctor_kernel::scene::{
     BaseMotion, Body, Damping, Dimension, History, Mesh, Motion, OnImbalance, Outside, Scene,
     Shape, TimeStep, Transfer, Vector, VolumetricStrain,
@@ -308,11 +308,14 @@ fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
         .into_iter()
         .map(|(_, value)| value)
         .collect();
-    let kind = laws::ALL.iter().find(|kind| {
-        let first = vec![0; kind.choices.len()];
-        kind.constants.len() == values.len() && (kind.read)(&values, &first) == *law
+    // The words are not known to a law of any type: those are its own with which it reads the same.
+    let found = laws::ALL.iter().find_map(|kind| {
+        let of_kind = |words: &Vec<usize>| {
+            kind.constants.len() == values.len() && (kind.read)(&values, words) == *law
+        };
+        Some((kind, choices_of(kind).into_iter().find(of_kind)?))
     });
-    let Some(kind) = kind else {
+    let Some((kind, words)) = found else {
         return Err(NotWritten {
             what: format!("the law {law:?}"),
         });
@@ -321,5 +324,30 @@ fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
     for (constant, value) in kind.constants.iter().zip(values) {
         keys[constant.key] = value.into();
     }
+    for (choice, word) in kind.choices.iter().zip(words) {
+        if word > 0 {
+            keys[choice.key] = match choice.words[word] {
+                "true" => true.into(),
+                word => word.into(),
+            };
+        }
+    }
     Ok(keys)
+}
+
+/// All combinations of the words that a law may be given, those of its first words first.
+fn choices_of(kind: &Kind) -> Vec<Vec<usize>> {
+    let mut all = vec![vec![]];
+    for choice in kind.choices {
+        all = (all.iter())
+            .flat_map(|words: &Vec<usize>| {
+                (0..choice.words.len()).map(|word| {
+                    let mut words = words.clone();
+                    words.push(word);
+                    words
+                })
+            })
+            .collect();
+    }
+    all
 }

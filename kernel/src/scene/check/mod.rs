@@ -144,6 +144,9 @@ impl Scene {
                     _ => problems.add(path, Number(value).to_string(), constant.words()),
                 }
             }
+            for unfit in material.law.problems() {
+                problems.add(format!("{path}.{}", unfit.key), unfit.found, unfit.accepted);
+            }
             if let Some(twice) = named_twice(material.law.variables()) {
                 problems.add(
                     format!("{path}.law"),

@@ -1,0 +1,83 @@
+//! Functions of lanes from plus, times, divide and comparison alone, so that they have the same bits everywhere.
+
+use super::Lanes;
+
+/// 1/n! from n = 0.
+const INVERSE_FACTORIALS: [f64; 23] = inverse_factorials();
+
+const fn inverse_factorials() -> [f64; 23] {
+    let mut all = [1.0; 23];
+    // Factorials up to 22! are whole numbers of f64, so that each quotient is rounded once.
+    let (mut factorial, mut n) = (1.0, 1);
+    while n < 23 {
+        factorial *= n as f64;
+        all[n] = 1.0 / factorial;
+        n += 1;
+    }
+    all
+}
+
+/// Largest argument of [`exp`] in magnitude.
+pub const LARGEST_EXPONENT: f64 = 708.0;
+
+/// e^x within two units in the last place. Arguments beyond ±[`LARGEST_EXPONENT`] count as that number; NaN stays NaN.
+#[inline(always)]
+pub fn exp<L: Lanes>(x: L) -> L {
+    // x = n ln 2 + r with |r| <= ln 2 / 2; ln 2 in two parts, of which the first has so few bits that n times it is exact.
+    const HIGH: f64 = 0.693_147_180_369_123_8;
+    const LOW: f64 = 1.908_214_929_270_587_7e-10;
+    const TERMS: usize = 14;
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    // The second operand is taken where a comparison is false, and so a NaN is.
+    let x = L::splat(LARGEST_EXPONENT).min(L::splat(-LARGEST_EXPONENT).max(x));
+    let n = x
+        .mul_add(L::splat(std::f64::consts::LOG2_E), L::splat(0.5))
+        .floor();
+    let r = n.mul_add(L::splat(-LOW), n.mul_add(L::splat(-HIGH), x));
+    let mut sum = L::splat(INVERSE_FACTORIALS[TERMS - 1]);
+    for i in (0..TERMS - 1).rev() {
+        sum = sum.mul_add(r, L::splat(INVERSE_FACTORIALS[i]));
+    }
+    // Times 2^n, bit by bit of |n| < 1024.
+    let negative = n.lt(zero);
+    let mut rest = n.abs();
+    let mut bit = 512.0;
+    for power in POWERS {
+        let (bit_of_all, power) = (
+            L::splat(bit),
+            L::select(negative, L::splat(1.0 / power), L::splat(power)),
+        );
+        let is_less = rest.lt(bit_of_all);
+        sum = sum * L::select(is_less, one, power);
+        rest = rest - L::select(is_less, zero, bit_of_all);
+        bit *= 0.5;
+    }
+    sum
+}
+
+/// 2^512, 2^256, ... 2^1.
+const POWERS: [f64; 10] = {
+    let mut all = [2.0; 10];
+    let mut i = 9;
+    while i > 0 {
+        all[i - 1] = all[i] * all[i];
+        i -= 1;
+    }
+    all
+};
+
+/// Sine and cosine of an angle from 0 to a quarter turn \[rad\], within two units in the last place of 1.
+#[inline(always)]
+pub fn sine_and_cosine<L: Lanes>(angle: L) -> (L, L) {
+    // Terms of even order, and those of odd order divided by the angle; the last are those of order 22 and 21.
+    let square = -(angle * angle);
+    let mut cosine = L::splat(INVERSE_FACTORIALS[22]);
+    let mut sine = L::splat(INVERSE_FACTORIALS[21]);
+    for half in (0..11).rev() {
+        cosine = cosine.mul_add(square, L::splat(INVERSE_FACTORIALS[2 * half]));
+        if half < 10 {
+            sine = sine.mul_add(square, L::splat(INVERSE_FACTORIALS[2 * half + 1]));
+        }
+    }
+    (sine * angle, cosine)
+}

@@ -1,0 +1,146 @@
+//! What laws with a yield surface have in common: an elastic trial stress, its return, and what the way back costs.
+//!
+//! The elastic increment of Hughes and Winget gives a trial stress; a law returns it to its yield surface by the implicit
+//! (backward Euler) rule, sigma = sigma_trial - C : de_p. A particle that does not yield keeps the bits of the trial stress.
+
+use super::principal::components;
+use super::{Constant, Given, Increment, Isotropic, Law, LinearElastic, Particle};
+use crate::lanes::Lanes;
+use crate::layout::Variable;
+
+/// Internal variables of every law with a yield surface, in this order, before its own.
+pub(super) const STRAIN: Variable = Variable::scalar("plastic strain", "");
+/// Plastic work per initial volume.
+pub(super) const WORK: Variable = Variable::scalar("plastic work", "J/m³");
+
+/// Time over which a stress outside the yield surface returns to it; zero returns it at once.
+pub(super) const RELAXATION: Constant = Constant {
+    key: "relaxation_time",
+    meaning: "Time in which a stress beyond the yield surface returns to it (Duvaut and Lions 1972); 0 returns it at once",
+    unit: "s",
+    accepted: super::Accepted::NotNegative,
+    given: Given::Or(0.0),
+};
+
+/// A law with a yield surface.
+pub(super) trait Yielding {
+    /// Its elasticity.
+    fn elastic(&self) -> &LinearElastic;
+    /// Relaxation time \[s\], 0 for none.
+    fn relaxation(&self) -> f64;
+    /// The stress that the trial stress returns to, and where it does: `None` where no lane yields. Ordered as a law is
+    /// given a stress. `variables` are those before the step. Must be `#[inline(always)]`.
+    fn returned<L: Lanes, const D: usize>(
+        &self,
+        trial: &[L; 6],
+        variables: &[L],
+    ) -> Option<([L; 6], L::Mask)>;
+}
+
+/// [`Law::update`] of a law with a yield surface. Returns the square of the elastic wave speed, which is the fastest.
+#[inline(always)]
+pub(super) fn update<Y: Yielding, L: Lanes, const D: usize>(
+    law: &Y,
+    increment: &Increment<L>,
+    stress: &mut [L; 6],
+    variables: &mut [L],
+) -> L {
+    let speed_squared = law.elastic().update::<L, D>(increment, stress, &mut []);
+    if let Some((mut returned, yields)) = law.returned::<L, D>(stress, variables) {
+        let tau = law.relaxation();
+        if tau > 0.0 {
+            // Implicit in time: sigma = (sigma_trial + (dt/tau) sigma_returned)/(1 + dt/tau).
+            let share = L::splat(increment.dt / (tau + increment.dt));
+            for slot in 0..components(D) {
+                returned[slot] = share.mul_add(returned[slot] - stress[slot], stress[slot]);
+            }
+        }
+        let elasticity = law.elastic().elasticity();
+        let way = way_back::<L, D>(&elasticity, stress, &returned);
+        let volume = increment.volume / increment.mass * L::splat(increment.density);
+        let zero = L::splat(0.0);
+        variables[0] = variables[0] + L::select(yields, way.strain, zero);
+        variables[1] = variables[1] + L::select(yields, way.work * volume, zero);
+        if let Some(dilation) = variables.get_mut(2) {
+            *dilation = *dilation + L::select(yields, way.dilation, zero);
+        }
+        for slot in 0..components(D) {
+            stress[slot] = L::select(yields, returned[slot], stress[slot]);
+        }
+    }
+    speed_squared
+}
+
+/// What lies between a trial stress and the stress after it.
+struct WayBack<L> {
+    /// Plastic deviatoric strain, sqrt(2/3 e : e) of the deviator e of the plastic strain increment.
+    strain: L,
+    /// Plastic work per volume \[J/m³\], sigma : de_p with the stress after the step.
+    work: L,
+    /// Plastic volume strain, tr de_p.
+    dilation: L,
+}
+
+/// The plastic strain increment de_p = C^-1 : (sigma_trial - sigma) in numbers.
+#[inline(always)]
+fn way_back<L: Lanes, const D: usize>(
+    elasticity: &Isotropic,
+    trial: &[L; 6],
+    after: &[L; 6],
+) -> WayBack<L> {
+    let third = L::splat(1.0 / 3.0);
+    let mut change = [L::splat(0.0); 6];
+    for slot in 0..components(D) {
+        change[slot] = trial[slot] - after[slot];
+    }
+    let (mean_change, mean) = (
+        (change[0] + change[1] + change[2]) * third,
+        (after[0] + after[1] + after[2]) * third,
+    );
+    let (mut square, mut product) = (L::splat(0.0), L::splat(0.0));
+    for slot in 0..components(D) {
+        let (e, s) = if slot < 3 {
+            (change[slot] - mean_change, after[slot] - mean)
+        } else {
+            (change[slot], after[slot])
+        };
+        let twice = L::splat(if slot < 3 { 1.0 } else { 2.0 });
+        square = (twice * e).mul_add(e, square);
+        product = (twice * e).mul_add(s, product);
+    }
+    let shear = elasticity.shear;
+    let bulk = elasticity.bulk();
+    let dilation = mean_change * L::splat(1.0 / bulk);
+    WayBack {
+        strain: square.sqrt() * L::splat((2.0_f64 / 3.0).sqrt() / (2.0 * shear)),
+        work: product.mul_add(L::splat(1.0 / (2.0 * shear)), mean * dilation),
+        dilation,
+    }
+}
+
+/// Mean stress and deviator of a stress, ordered as a law is given it.
+#[inline(always)]
+pub(super) fn deviator<L: Lanes, const D: usize>(s: &[L; 6]) -> (L, [L; 6]) {
+    let mean = (s[0] + s[1] + s[2]) * L::splat(1.0 / 3.0);
+    let mut deviator = *s;
+    for entry in &mut deviator[..3] {
+        *entry = *entry - mean;
+    }
+    (mean, deviator)
+}
+
+/// The second invariant of a deviator, s : s / 2.
+#[inline(always)]
+pub(super) fn second_invariant<L: Lanes, const D: usize>(s: &[L; 6]) -> L {
+    let half = L::splat(0.5);
+    let mut sum = half * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+    for entry in &s[3..components(D)] {
+        sum = entry.mul_add(*entry, sum);
+    }
+    sum
+}
+
+/// Plastic work done in a particle so far \[J\].
+pub(super) fn dissipated(particle: &Particle<'_>) -> f64 {
+    particle.variables[1] * particle.mass / particle.density
+}

@@ -1,0 +1,172 @@
+//! One material point without a grid: a law under a path of strain, and the strains that a path of stress asks for.
+
+use super::{AnyLaw, Block, Gradients, Particle, UNDEFORMED};
+use crate::lanes::Selected;
+use crate::laws::tensor::Configuration;
+use crate::layout::{Layout, Optional};
+use std::fmt;
+
+/// A point of a material in space, by the same code that strains particles.
+#[derive(Clone, Debug)]
+pub struct Point {
+    law: AnyLaw,
+    layout: Layout,
+    columns: Vec<Vec<f64>>,
+    density: f64,
+    lanes: Selected,
+    time: f64,
+}
+
+/// A stress or an internal variable is not finite, or a volume not positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointFault {
+    /// Time after the step \[s\].
+    pub time: f64,
+}
+
+impl fmt::Display for PointFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the material point has no finite stress or no volume at t = {} s",
+            self.time
+        )
+    }
+}
+
+impl std::error::Error for PointFault {}
+
+impl Point {
+    /// A point at rest, of 1 m³ of a law and an initial density \[kg/m³\], under an initial stress xx, yy, zz, yz, xz, xy
+    /// \[Pa\].
+    #[must_use]
+    pub fn new(law: &AnyLaw, density: f64, stress: [f64; 6]) -> Self {
+        let wanted = Optional {
+            deformation: true,
+            ..Optional::default()
+        };
+        let layout = Layout::new(3, wanted, law.variables());
+        let mut columns = vec![vec![0.0]; layout.columns];
+        columns[Layout::MASS][0] = density;
+        columns[Layout::VOLUME][0] = 1.0;
+        for (i, value) in stress.into_iter().enumerate() {
+            columns[Layout::stress(3) + i][0] = value;
+        }
+        if let Some(first) = layout.deformation {
+            for (i, value) in UNDEFORMED.into_iter().flatten().enumerate() {
+                columns[first + i][0] = value;
+            }
+        }
+        let mut at = layout.variables;
+        for variable in law.variables() {
+            for _ in 0..variable.components {
+                columns[at][0] = variable.initial;
+                at += 1;
+            }
+        }
+        Self {
+            law: law.clone(),
+            layout,
+            columns,
+            density,
+            lanes: Selected::any(),
+            time: 0.0,
+        }
+    }
+
+    /// The same on other lanes.
+    #[must_use]
+    pub fn on(self, lanes: Selected) -> Self {
+        Self { lanes, ..self }
+    }
+
+    /// A step of `dt` \[s\] with a velocity gradient \[1/s\], row by row, at the configuration before it.
+    ///
+    /// # Errors
+    /// Where the law gives no finite stress, or no volume is left.
+    pub fn step(&mut self, gradient: &[[f64; 3]; 3], dt: f64) -> Result<(), PointFault> {
+        let mut gradients = Gradients::zero();
+        for (i, value) in gradient.iter().flatten().enumerate() {
+            gradients.0[i][0] = *value;
+        }
+        let mut columns: Vec<&mut [f64]> = self.columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let strained = self.law.strain(
+            self.lanes,
+            Block {
+                columns: &mut columns,
+                layout: &self.layout,
+                range: 0..1,
+                gradients: &gradients,
+                dt,
+                configuration: Configuration::Beginning,
+                density: self.density,
+                volume_of_deformation: false,
+            },
+        );
+        self.time += dt;
+        match strained.fault {
+            Some(_) => Err(PointFault { time: self.time }),
+            None => Ok(()),
+        }
+    }
+
+    /// Time \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\].
+    #[must_use]
+    pub fn stress(&self) -> [f64; 6] {
+        std::array::from_fn(|i| self.columns[Layout::stress(3) + i][0])
+    }
+
+    /// Deformation gradient.
+    #[must_use]
+    pub fn deformation(&self) -> [[f64; 3]; 3] {
+        let Some(first) = self.layout.deformation else {
+            return UNDEFORMED;
+        };
+        std::array::from_fn(|a| std::array::from_fn(|b| self.columns[first + 3 * a + b][0]))
+    }
+
+    /// Volume over initial volume.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.columns[Layout::VOLUME][0]
+    }
+
+    /// Internal variables, the components of the law's one after the other.
+    #[must_use]
+    pub fn variables(&self) -> Vec<f64> {
+        let variables = &self.columns[self.layout.variables..];
+        variables.iter().map(|column| column[0]).collect()
+    }
+
+    /// Stored energy per initial volume \[J/m³\].
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.particle(|law, particle| law.energy(particle))
+    }
+
+    /// Dissipated energy per initial volume \[J/m³\].
+    #[must_use]
+    pub fn dissipated(&self) -> f64 {
+        self.particle(|law, particle| law.dissipated(particle))
+    }
+
+    fn particle(&self, ask: impl Fn(&AnyLaw, &Particle<'_>) -> f64) -> f64 {
+        ask(
+            &self.law,
+            &Particle {
+                mass: self.density,
+                volume: self.volume(),
+                density: self.density,
+                stress: self.stress(),
+                deformation: self.deformation(),
+                variables: &self.variables(),
+            },
+        )
+    }
+}

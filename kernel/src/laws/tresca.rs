@@ -1,0 +1,86 @@
+//! Elasticity that yields by the criterion of Tresca: Mohr and Coulomb without friction.
+
+use super::plastic::RELAXATION;
+use super::strength::{COHESION, TENSILE};
+use super::{Constant, Increment, Law, MohrCoulomb, Particle, Readable, Unfit};
+use crate::lanes::Lanes;
+use crate::layout::Variable;
+
+/// Tresca: s_1 - s_3 <= 2 c and s_1 <= t, for clay that is not drained; c is its shear strength s_u.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tresca(MohrCoulomb);
+
+impl Tresca {
+    /// Of Young's modulus \[Pa\], Poisson's ratio and shear strength \[Pa\].
+    #[must_use]
+    pub fn new(young: f64, poisson: f64, cohesion: f64) -> Self {
+        Self(MohrCoulomb::new(young, poisson, [0.0, cohesion, 0.0]))
+    }
+
+    /// The same with a tensile strength \[Pa\]; 0 for none.
+    #[must_use]
+    pub fn with_tensile(self, tensile: f64) -> Self {
+        Self(self.0.with_tensile(tensile))
+    }
+
+    /// The same with a relaxation time \[s\].
+    #[must_use]
+    pub const fn relaxing(self, relaxation: f64) -> Self {
+        Self(self.0.relaxing(relaxation))
+    }
+}
+
+impl Law for Tresca {
+    const CONSTANTS: &'static [Constant] =
+        &[super::YOUNG, super::POISSON, COHESION, TENSILE, RELAXATION];
+    const VARIABLES: &'static [Variable] = MohrCoulomb::VARIABLES;
+
+    fn name(&self) -> &'static str {
+        Self::NAME
+    }
+
+    fn values(&self) -> Vec<f64> {
+        let of = self.0.values();
+        vec![of[0], of[1], of[3], of[5], of[7]]
+    }
+
+    fn problems(&self) -> Vec<Unfit> {
+        self.0.problems()
+    }
+
+    fn young(&self) -> f64 {
+        self.0.young()
+    }
+
+    fn wave_speed(&self, density: f64) -> f64 {
+        self.0.wave_speed(density)
+    }
+
+    #[inline(always)]
+    fn update<L: Lanes, const D: usize>(
+        &self,
+        increment: &Increment<L>,
+        stress: &mut [L; 6],
+        variables: &mut [L],
+    ) -> L {
+        self.0.update::<L, D>(increment, stress, variables)
+    }
+
+    fn energy(&self, particle: &Particle<'_>) -> f64 {
+        self.0.energy(particle)
+    }
+
+    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
+        self.0.dissipated(particle)
+    }
+}
+
+impl Readable for Tresca {
+    const NAME: &'static str = "tresca";
+
+    fn read(values: &[f64], _: &[usize]) -> Self {
+        Self::new(values[0], values[1], values[2])
+            .with_tensile(values[3])
+            .relaxing(values[4])
+    }
+}

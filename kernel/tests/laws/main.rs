@@ -1,0 +1,9 @@
+//! Laws at a material point against exact solutions, and what must hold of each whatever its values.
+
+mod cone;
+mod pyramid;
+mod returned;
+mod softened;
+mod spectrum;
+mod support;
+mod von_mises;
