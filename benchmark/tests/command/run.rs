@@ -267,7 +267,15 @@ fn the_energy_balance_closes_and_is_told_by_channel() {
         (missing - of("dissipated")).abs() < 1e-9 * start,
         "{energy}"
     );
-    let channels = ["damping", "friction", "impact", "removed", "remainder"].map(of);
+    let channels = [
+        "damping",
+        "friction",
+        "impact",
+        "plastic",
+        "removed",
+        "remainder",
+    ]
+    .map(of);
     let sum: f64 = channels.iter().sum();
     assert!((sum - of("dissipated")).abs() < 1e-9 * start, "{energy}");
     assert!(

@@ -202,6 +202,10 @@ impl Law for DruckerPrager {
         strength::problems(self.friction, self.dilation, self.cohesion, self.tensile)
     }
 
+    fn warnings(&self) -> Vec<String> {
+        strength::warnings(self.friction, self.dilation)
+    }
+
     fn young(&self) -> f64 {
         self.elastic.young()
     }

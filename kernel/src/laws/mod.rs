@@ -78,6 +78,11 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
         vec![]
     }
 
+    /// What a scene may do with it, but not well: each a sentence.
+    fn warnings(&self) -> Vec<String> {
+        vec![]
+    }
+
     /// Young's modulus at rest \[Pa\]: the scale of stiffness, of viscous damping for one.
     fn young(&self) -> f64;
 

@@ -102,6 +102,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn needs_deformation(&self) -> bool;
     /// See [`Law::problems`].
     fn problems(&self) -> Vec<Unfit>;
+    /// See [`Law::warnings`].
+    fn warnings(&self) -> Vec<String>;
     /// See [`Law::young`].
     fn young(&self) -> f64;
     /// See [`Law::wave_speed`].
@@ -133,6 +135,9 @@ impl<M: Law> Strain for M {
     }
     fn problems(&self) -> Vec<Unfit> {
         Law::problems(self)
+    }
+    fn warnings(&self) -> Vec<String> {
+        Law::warnings(self)
     }
     fn young(&self) -> f64 {
         Law::young(self)

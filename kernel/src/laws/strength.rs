@@ -66,6 +66,27 @@ pub(super) fn largest_tension(tensile: f64, sine: f64, cosine: f64, cohesion: f6
     }
 }
 
+/// What softens without a length of its own.
+pub(super) const NOT_CONVERGED: &str = "strength falls with strain: strain gathers in bands as wide as a cell, and the energy that \
+     a band takes is proportional to the cell size, so that results do not converge as cells become smaller";
+
+/// What is likely to be meant otherwise.
+pub(super) fn warnings(friction: f64, dilation: f64) -> Vec<String> {
+    let mut all = vec![];
+    if friction > 0.0 && friction < std::f64::consts::FRAC_PI_2 {
+        all.push(format!(
+            "a friction of {friction} degrees looks like radians; {friction} radians are {:.4} degrees",
+            friction.to_degrees()
+        ));
+    }
+    if dilation < 0.0 {
+        all.push(format!(
+            "a dilation of {dilation} degrees: the material shrinks for as long as it is sheared"
+        ));
+    }
+    all
+}
+
 /// What does not go together.
 pub(super) fn problems(friction: f64, dilation: f64, cohesion: f64, tensile: f64) -> Vec<Unfit> {
     let mut found = vec![];

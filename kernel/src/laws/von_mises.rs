@@ -182,6 +182,14 @@ impl Law for VonMises {
         }
     }
 
+    fn warnings(&self) -> Vec<String> {
+        if self.hardening < 0.0 {
+            vec![super::strength::NOT_CONVERGED.to_owned()]
+        } else {
+            vec![]
+        }
+    }
+
     fn young(&self) -> f64 {
         self.elastic.young()
     }

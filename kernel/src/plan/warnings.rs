@@ -18,6 +18,10 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(stiff_contacts(scene));
     all.extend(creeping_contacts(scene));
     all.extend(gains_in_turns(scene));
+    for material in &scene.materials {
+        let own = material.law.warnings().into_iter();
+        all.extend(own.map(|warning| format!("{}: {warning}", material.name)));
+    }
     all
 }
 

@@ -6,8 +6,8 @@
 //! they were, when that is done.
 //!
 //! What takes energy is summed where it acts, as impulse times the mean of the velocities before and after it: damping at
-//! the nodes, contact at the nodes where bodies meet, and what particles took along that were removed. What no channel
-//! accounts for is the remainder: what laws dissipate, the transfer between particles and nodes, friction of mortar contact,
+//! the nodes, contact at the nodes where bodies meet, what laws dissipate in particles, and what particles took along that
+//! were removed. What no channel accounts for is the remainder: the transfer between particles and nodes, friction of mortar contact,
 //! velocities that boundary planes stop, and errors of the time integration.
 
 use super::conditions::Acting;
@@ -37,7 +37,7 @@ pub struct Energy {
     pub contact: f64,
     /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
     pub external_work: f64,
-    /// What is missing: the energy of the start plus external work less what is there now. It is the sum of the five that
+    /// What is missing: the energy of the start plus external work less what is there now. It is the sum of the six that
     /// follow.
     pub dissipated: f64,
     /// What local, viscous and kinetic damping took.
@@ -46,7 +46,9 @@ pub struct Energy {
     pub friction: f64,
     /// What the same contacts took along their normals, where bodies meet: at a node they meet without bouncing.
     pub impact: f64,
-    /// What removed particles took along.
+    /// Plastic work, and whatever else laws dissipate.
+    pub plastic: f64,
+    /// What removed particles took along, and what had been dissipated in them.
     pub removed: f64,
     /// What no channel accounts for; negative where energy came from nowhere.
     pub remainder: f64,
@@ -119,6 +121,7 @@ impl Simulation {
         let damping = books.damping + missing.sums.damping;
         let friction = books.friction + missing.sums.friction;
         let impact = books.impact + missing.sums.impact;
+        let plastic = self.plastic_work();
         Energy {
             kinetic,
             strain,
@@ -128,8 +131,9 @@ impl Simulation {
             damping,
             friction,
             impact,
+            plastic,
             removed: books.removed,
-            remainder: dissipated - damping - friction - impact - books.removed,
+            remainder: dissipated - damping - friction - impact - plastic - books.removed,
         }
     }
 

@@ -66,9 +66,36 @@ impl Simulation {
     }
 
     fn strain_energy_of(&self, index: usize, p: usize) -> f64 {
+        let law = &self.decided.bodies[index].law;
+        self.of_particle(index, p, |particle| law.energy(particle))
+    }
+
+    /// Energy that laws have dissipated in the particles \[J\].
+    #[must_use]
+    pub fn plastic_work(&self) -> f64 {
+        let mut total = 0.0;
+        for (index, set) in self.state.sets.iter().enumerate() {
+            // A law without internal variables remembers nothing that it could have dissipated.
+            if set.layout.law.is_empty() {
+                continue;
+            }
+            for p in in_order(set) {
+                total += self.plastic_work_of(index, p);
+            }
+        }
+        total
+    }
+
+    fn plastic_work_of(&self, index: usize, p: usize) -> f64 {
+        let law = &self.decided.bodies[index].law;
+        self.of_particle(index, p, |particle| law.dissipated(particle))
+    }
+
+    /// What a law says of a particle.
+    fn of_particle(&self, index: usize, p: usize, ask: impl Fn(&Particle<'_>) -> f64) -> f64 {
         let (set, body) = (&self.state.sets[index], &self.decided.bodies[index]);
         let (mass, volume) = self.mass_and_volume(index, p);
-        body.law.energy(&Particle {
+        ask(&Particle {
             mass,
             volume,
             density: body.density,
@@ -125,7 +152,7 @@ impl Simulation {
         let set = &self.state.sets[index];
         let square: f64 = set.velocity(p).iter().map(|c| c * c).sum();
         let kinetic = 0.5 * set.columns[Layout::MASS][p] * square;
-        let energy = kinetic + self.strain_energy_of(index, p);
+        let energy = kinetic + self.strain_energy_of(index, p) + self.plastic_work_of(index, p);
         let load = self.dead_load(set, p);
         self.state.books.removed += energy;
         self.state.books.dead_load_origin -= load;

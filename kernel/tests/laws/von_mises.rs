@@ -116,9 +116,9 @@ fn a_yield_stress_saturates() {
             let k = 0.5 * (low + high);
             let q = 3.0_f64.sqrt() * SHEAR * g - 3.0 * SHEAR * k;
             if q > yield_stress(k) {
-                low = k
+                low = k;
             } else {
-                high = k
+                high = k;
             }
         }
         let mut point = point(&law);

@@ -19,7 +19,8 @@ fn falling() -> Scene {
 /// The sum of the channels and the remainder is what is missing, and the balance is what it says.
 fn adds_up(start: f64, energy: &Energy) {
     let size = energy.kinetic.abs() + energy.external_work.abs() + start.abs();
-    let channels = energy.damping + energy.friction + energy.impact + energy.removed;
+    let channels =
+        energy.damping + energy.friction + energy.impact + energy.plastic + energy.removed;
     let all = channels + energy.remainder;
     assert!((all - energy.dissipated).abs() < 1e-12 * size, "{energy:?}");
     let present = energy.kinetic + energy.strain + energy.contact;

@@ -167,6 +167,7 @@ fn dissipated(e: &Energy) -> Option<String> {
         ("damping", e.damping),
         ("friction", e.friction),
         ("impact", e.impact),
+        ("plastic work", e.plastic),
         ("with removed particles", e.removed),
     ];
     let took = |(name, value): (&str, Option<f64>)| {

@@ -96,7 +96,7 @@ pub struct Energy {
     /// Brought in by gravity, loads, moving boundaries and whoever moves bodies as prescribed.
     #[serde(default, skip_serializing_if = "no_number")]
     pub external_work: Option<f64>,
-    /// What is missing: the sum of damping, friction, impact, removed and remainder.
+    /// What is missing: the sum of damping, friction, impact, plastic, removed and remainder.
     #[serde(default, skip_serializing_if = "no_number")]
     pub dissipated: Option<f64>,
     /// Taken out by damping.
@@ -108,6 +108,9 @@ pub struct Energy {
     /// Taken out where bodies meet in the same contacts, along the normal.
     #[serde(default, skip_serializing_if = "no_number")]
     pub impact: Option<f64>,
+    /// Dissipated by laws, such as plastic work.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub plastic: Option<f64>,
     /// Of particles that left the mesh and were removed.
     #[serde(default, skip_serializing_if = "no_number")]
     pub removed: Option<f64>,

@@ -196,6 +196,7 @@ impl Files {
             energy.damping,
             energy.friction,
             energy.impact,
+            energy.plastic,
             energy.removed,
             energy.remainder,
         ]);
@@ -204,13 +205,14 @@ impl Files {
 }
 
 /// The energy balance at the time of the row; `kinetic_energy` is that of the velocities, at `velocity_time`.
-const BALANCE: [&str; 8] = [
+const BALANCE: [&str; 9] = [
     "energy_kinetic",
     "energy_contact",
     "energy_external_work",
     "energy_damping",
     "energy_friction",
     "energy_impact",
+    "energy_plastic",
     "energy_removed",
     "energy_remainder",
 ];

@@ -195,6 +195,7 @@ impl Run {
                 damping: Some(energy.damping),
                 friction: Some(energy.friction),
                 impact: Some(energy.impact),
+                plastic: Some(energy.plastic),
                 removed: Some(energy.removed),
                 remainder: Some(energy.remainder),
             },

@@ -34,6 +34,7 @@ fn complete() -> Summary {
             friction: Some(0.125),
             impact: Some(0.0625),
             removed: Some(0.0),
+            plastic: Some(0.0),
             remainder: Some(-0.9375),
         },
         not_to_be_trusted: Some("not to be trusted since step 7".into()),
@@ -141,6 +142,7 @@ fn what_is_not_finite_is_left_out() {
             friction: bad,
             impact: bad,
             removed: bad,
+            plastic: bad,
             remainder: bad,
         };
         summary.events[0] = Event {

@@ -278,6 +278,14 @@ impl Law for MohrCoulomb {
         found
     }
 
+    fn warnings(&self) -> Vec<String> {
+        let mut all = strength::warnings(self.peak[0], self.peak[2]);
+        if self.softening != Softening::None {
+            all.push(strength::NOT_CONVERGED.to_owned());
+        }
+        all
+    }
+
     fn young(&self) -> f64 {
         self.elastic.young()
     }
