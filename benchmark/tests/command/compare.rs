@@ -112,18 +112,31 @@ fn a_record_of_one_pass_is_fine_beside_itself_and_its_times_are_left_out() {
     );
 }
 
+/// Both parts of the main job: cases with gates and orders, and ladders some of whose runs failed.
 #[test]
 fn a_record_of_the_command_is_fine_beside_itself() {
     let desk = Desk::new();
     let file = desk.name("record.json");
-    let output = proctor(&["verify", "rotation", "bar", "--quick", "--json", &file]);
-    assert_eq!(code(&output), 0, "{}", stderr(&output));
-    let output = proctor(&["compare", &file, &file]);
-    let text = stdout(&output);
-    assert_eq!(code(&output), 0, "{text}");
-    assert!(text.contains("FINE: "), "{text}");
-    // What is equal needs no table.
-    assert!(text.lines().count() < 10, "{text}");
+    let jobs: [(&[&str], bool); 2] = [
+        (&["verify", "rotation", "bar", "--quick"], false),
+        (&["precision", "self-weight", "--quick"], true),
+    ];
+    for (job, fails) in jobs {
+        let output = proctor(&[job, &["--json", &file]].concat());
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        let record = fs::read_to_string(&file).expect("a record");
+        assert_eq!(
+            record.contains("\"error_occurred\": true"),
+            fails,
+            "{job:?}"
+        );
+        let output = proctor(&["compare", &file, &file]);
+        let text = stdout(&output);
+        assert_eq!(code(&output), 0, "{text}");
+        assert!(text.contains("FINE: "), "{text}");
+        // What is equal needs no table.
+        assert!(text.lines().count() < 10, "{text}");
+    }
 }
 
 #[test]

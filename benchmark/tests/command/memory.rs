@@ -1,6 +1,6 @@
 //! What a few bytes of input ask for is refused before it is taken: exit code 2, both numbers, nothing written.
 
-use crate::support::{Desk, code, flying_block, stderr, stdout};
+use crate::support::{Desk, code, fixture, flying_block, stderr, stdout};
 use serde_json::{Value, json};
 use std::process::{Command, Output};
 
@@ -19,6 +19,17 @@ fn within_limits(arguments: &[&str]) -> Output {
         .expect("the command starts")
 }
 
+/// A scene of the repository, with the files that it names where they are.
+fn example(name: &str) -> Value {
+    let text = std::fs::read_to_string(fixture(&format!("fixtures/scenes/{name}.json")));
+    let mut scene: Value = serde_json::from_str(&text.expect("a fixture")).expect("JSON");
+    if let Some(path) = scene.pointer_mut("/terrain_contact/stl_mesh") {
+        let below = path.as_str().expect("a path").trim_start_matches("../");
+        *path = json!(fixture(&format!("fixtures/{below}")));
+    }
+    scene
+}
+
 /// A scene that needs too much, the key that asks for it, and what it asks for.
 fn greedy() -> Vec<(&'static str, Value, &'static str, &'static str)> {
     let with = |act: &dyn Fn(&mut Value)| {
@@ -32,6 +43,16 @@ fn greedy() -> Vec<(&'static str, Value, &'static str, &'static str)> {
             with(&|scene| scene["mesh"]["cells_number"] = json!([30_000, 30_000])),
             "mesh.cells_number",
             "53.7 GiB",
+        ),
+        (
+            "cells beside a surface",
+            {
+                let mut scene = example("sphere_on_terrain");
+                scene["mesh"]["cells_number"] = json!([1_000_000, 20, 16]);
+                scene
+            },
+            "mesh.cells_number",
+            "29.5 GiB",
         ),
         (
             "particles of a rectangle",
@@ -131,8 +152,12 @@ fn a_file_without_end_is_refused() {
 #[test]
 fn more_particles_in_a_cell_than_tell_anything_are_refused_with_their_place() {
     let desk = Desk::new();
-    for count in [101, 1000, 100_000] {
-        let mut scene = flying_block();
+    let counts = [101, 1000, 100_000];
+    let scenes = [flying_block(), example("rolling_disc_2d")];
+    for (mut scene, count) in scenes
+        .into_iter()
+        .flat_map(|scene| counts.map(|count| (scene.clone(), count)))
+    {
         scene["particles_per_cell"] = json!(count);
         let scene = desk.scene("scene.json", &scene);
         for verb in ["plan", "run"] {

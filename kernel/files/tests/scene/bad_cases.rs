@@ -39,8 +39,20 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
     ("fraction for a whole number", "[4, 4, 4]", "[4, 4.5, 4]"),
     ("negative number of cells", "[4, 4, 4]", "[4, -4, 4]"),
     ("not JSON", r#""time": 1.0,"#, r#""time" 1.0,"#),
+    ("missing comma", r#""time": 1.0,"#, r#""time": 1.0"#),
+    ("missing comma in a list", "[4, 4, 4]", "[4, 4 4]"),
+    (
+        "missing comma between entries of a list",
+        "[1, 1, 1]}",
+        r#"[1, 1, 1]} {"type": "sphere"}"#,
+    ),
     ("NaN", r#""time": 1.0"#, r#""time": NaN"#),
     ("too great a number", r#""young": 1e6"#, r#""young": 1e999"#),
+    (
+        "density beyond all numbers",
+        r#""density": 2000"#,
+        r#""density": 1.8e308"#,
+    ),
     ("text behind the scene", "-1]]]\n}", "-1]]]\n} }"),
     ("key twice", r#""time": 1.0"#, r#""time": 1.0, "time": 2.0"#),
     (
@@ -349,6 +361,11 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
         "probe name of a column",
         r#""time": 1.0"#,
         r#""time": 1.0, "probes": [{"name": "a,b", "point": [0, 0, 0]}]"#,
+    ),
+    (
+        "probe outside the mesh",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "probes": [{"name": "top", "point": [1, 1, 2]}, {"name": "above", "point": [1, -0.1, 2.5]}]"#,
     ),
     (
         "rate of a neo-Hookean material",
