@@ -2,8 +2,8 @@
 
 use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, Dimension, DomainUpdate, History, Material, Mesh, PointLoad, Scene, Shape, TimeStep,
-    Traction, TransferKind, Weighting,
+    Body, Dimension, DomainUpdate, History, InitialStress, Material, Mesh, PointLoad, Scene, Shape,
+    TimeStep, Traction, TransferKind, Weighting,
 };
 use proctor_kernel::{transfers, weighting};
 
@@ -27,6 +27,7 @@ fn sound() -> Scene {
         particles_per_cell: [2, 2, 1],
         velocity: [0.0; 3],
         motion: None,
+        initial_stress: InitialStress::None,
     });
     scene
 }

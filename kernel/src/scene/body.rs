@@ -1,6 +1,6 @@
 //! Bodies and their shapes.
 
-use super::{History, Shape, Vector};
+use super::{History, InitialStress, Shape, Vector};
 
 /// A body: one material, one set of particles.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +19,8 @@ pub struct Body {
     pub velocity: Vector,
     /// Prescribed velocity: the body moves so whatever acts on it.
     pub motion: Option<History>,
+    /// Stress at the start.
+    pub initial_stress: InitialStress,
 }
 
 impl Body {

@@ -1,6 +1,6 @@
 //! Scenes by hand: the usual choices in few words. Every field stays open to who wants another.
 
-use super::{Body, Dimension, Material, Mesh, PlaneCondition, Scene, Shape, Vector};
+use super::{Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Scene, Shape, Vector};
 use crate::laws::AnyLaw;
 
 impl Scene {
@@ -68,6 +68,7 @@ impl Scene {
             particles_per_cell: [2, 2, if flat { 1 } else { 2 }],
             velocity: [0.0; 3],
             motion: None,
+            initial_stress: InitialStress::None,
         });
         let last = self.bodies.len() - 1;
         &mut self.bodies[last]

@@ -22,7 +22,7 @@ pub enum SetupError {
     Lanes(crate::lanes::LanesUnavailable),
     /// The prescribed time step is above the critical one at the start.
     UnstableTimeStep(Unstable),
-    /// A load does not fit the mesh.
+    /// A load does not fit the mesh, or a material does not bear an initial stress.
     Load {
         /// Which load, as a path into the scene.
         path: String,

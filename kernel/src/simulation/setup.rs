@@ -6,7 +6,7 @@ use super::fields::Grid;
 use super::work::Work;
 use super::{
     BaseVelocity, BodyRun, Decided, InitialState, MOST_VOLUME_RATIO, Options, Simulation, State,
-    conditions, interactions, needs,
+    conditions, initial_stress, interactions, needs,
 };
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::grid::GridShape;
@@ -64,6 +64,7 @@ impl Simulation {
                     what: format!("more than {} particles", u32::MAX),
                 });
             }
+            initial_stress::set(&mut set, scene, i)?;
             if let Some(initial) = &options.initial {
                 start_from(&mut set, scene, &run, &mut found, initial.as_ref());
             }

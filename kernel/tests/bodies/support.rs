@@ -1,7 +1,7 @@
 //! Meshes, bodies and measures that the tests share.
 
 use proctor_kernel::bodies::{FillError, Filled, HalfLength, fill};
-use proctor_kernel::scene::{Body, Dimension, Mesh, PlaneCondition, Shape, Vector};
+use proctor_kernel::scene::{Body, Dimension, InitialStress, Mesh, PlaneCondition, Shape, Vector};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -67,6 +67,7 @@ impl Setting {
             particles_per_cell: self.ppc,
             velocity: [0.0; 3],
             motion: None,
+            initial_stress: InitialStress::None,
         };
         fill(
             &body.shape,

@@ -6,9 +6,9 @@
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::scene::{
-    Body, Damping, Dimension, DomainUpdate, Material, Mesh, Mortar, OnImbalance, Outside,
-    PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector,
-    VolumetricStrain, Weighting,
+    Body, Damping, Dimension, DomainUpdate, InitialStress, Material, Mesh, Mortar, OnImbalance,
+    Outside, PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
+    Vector, VolumetricStrain, Weighting,
 };
 use proctor_kernel::simulation::{InitialField, InitialState, Options, Simulation};
 use std::sync::Arc;
@@ -151,6 +151,7 @@ pub fn body(id: i64, shape: Shape) -> Body {
         particles_per_cell: [2; 3],
         velocity: [0.0; 3],
         motion: None,
+        initial_stress: InitialStress::None,
     }
 }
 

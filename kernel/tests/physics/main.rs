@@ -15,6 +15,7 @@ mod dilation;
 mod dimension;
 mod driven;
 mod faults;
+mod initial_stress;
 mod limits;
 mod loads;
 mod mortar;

@@ -3,8 +3,8 @@
 use crate::slide::start;
 use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, Contact, ContactNormal, Dimension, History, Material, Mesh, RigidSurface, Scene, Shape,
-    StressScheme, Vector,
+    Body, Contact, ContactNormal, Dimension, History, InitialStress, Material, Mesh, RigidSurface,
+    Scene, Shape, StressScheme, Vector,
 };
 use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use proctor_kernel::surface::Surface;
@@ -62,6 +62,7 @@ impl Stack {
                 particles_per_cell: [2; 3],
                 velocity: [0.0; 3],
                 motion: None,
+                initial_stress: InitialStress::None,
             });
         };
         block(1, LOWER, PLANE);

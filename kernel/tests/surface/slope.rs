@@ -2,7 +2,8 @@
 
 use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, Dimension, Material, Mesh, ParticleSeed, RigidSurface, Scene, Shape, StressScheme, Vector,
+    Body, Dimension, InitialStress, Material, Mesh, ParticleSeed, RigidSurface, Scene, Shape,
+    StressScheme, Vector,
 };
 use proctor_kernel::surface::Surface;
 use std::sync::Arc;
@@ -90,6 +91,7 @@ impl Slope {
             particles_per_cell: [2; 3],
             velocity: std::array::from_fn(|axis| self.speed * t[axis] + self.lift * n[axis]),
             motion: None,
+            initial_stress: InitialStress::None,
         });
         let corners = [
             [self.at(-0.4, -1.0), self.at(4.0, -1.0), self.at(4.0, 1.0)],

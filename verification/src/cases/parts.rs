@@ -2,7 +2,7 @@
 
 use proctor_kernel::laws::{AnyLaw, LinearElastic};
 use proctor_kernel::scene::{
-    Body, Dimension, Material, Mesh, PlaneCondition, Results, Shape, Vector,
+    Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, Shape, Vector,
 };
 use proctor_kernel::simulation::InitialState;
 
@@ -52,6 +52,7 @@ pub fn body(name: impl Into<String>, id: i64, shape: Shape) -> Body {
         particles_per_cell: [1; 3],
         velocity: [0.0; 3],
         motion: None,
+        initial_stress: InitialStress::None,
     }
 }
 

@@ -10,7 +10,8 @@ use super::raw::RawConfig;
 use oorandom::Rand64;
 use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
-    Body, BoxLoad, Dimension, Material, Mesh, ParticleSeed, Scene, Shape, TimeStep, Vector,
+    Body, BoxLoad, Dimension, InitialStress, Material, Mesh, ParticleSeed, Scene, Shape, TimeStep,
+    Vector,
 };
 use proctor_kernel::simulation::{InitialField, InitialState, Part};
 use std::sync::Arc;
@@ -336,6 +337,7 @@ impl ManualTest {
             particles_per_cell: [2; 3],
             velocity: [0.0; 3],
             motion: None,
+            initial_stress: InitialStress::None,
         }];
         if self.force != [0.0; 3] {
             scene.box_loads = vec![BoxLoad {

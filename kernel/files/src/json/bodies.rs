@@ -1,11 +1,11 @@
 //! Bodies from their keys.
 
 use super::build::Build;
-use super::keys::{RawBody, RawScene};
+use super::keys::{RawBody, RawInitialStress, RawScene};
 use super::lists::{Counts, VectorOrTable};
 use super::materials::entry_path;
 use super::words::listed;
-use proctor_kernel::scene::{Body, Dimension, History, Material};
+use proctor_kernel::scene::{Body, Dimension, History, InitialStress, Material};
 
 impl Build<'_> {
     pub(super) fn bodies(&mut self, raw: &RawScene, materials: &[Material]) -> Vec<Body> {
@@ -62,6 +62,31 @@ impl Build<'_> {
                 .prescribed_velocity
                 .as_ref()
                 .map(|given| self.motion(&key("prescribed_velocity"), given)),
+            initial_stress: (raw.initial_stress.as_ref()).map_or(InitialStress::None, |given| {
+                self.initial_stress(&key("initial_stress"), given)
+            }),
+        }
+    }
+
+    fn initial_stress(&mut self, path: &str, raw: &RawInitialStress) -> InitialStress {
+        let key = |key: &str| format!("{path}.{key}");
+        let words = [("isotropic", false), ("at_rest", true)];
+        let kind = if let Some(word) = &raw.r#type {
+            self.word(&key("type"), word, &words)
+        } else {
+            self.missing(key("type"), "`isotropic` or `at_rest`");
+            None
+        };
+        match kind {
+            None => InitialStress::None,
+            Some(false) => {
+                InitialStress::Isotropic(self.number(&key("value"), raw.value, "a number [Pa]"))
+            }
+            Some(true) => InitialStress::AtRest {
+                ratio: self.number(&key("ratio"), raw.ratio, "a number, 0 or greater"),
+                level: self.number(&key("level"), raw.level, "a number [m]"),
+                surcharge: raw.surcharge.unwrap_or(0.0),
+            },
         }
     }
 

@@ -13,8 +13,8 @@ use super::words::{
 use crate::records;
 use proctor_kernel::laws::{self, AnyLaw, Kind};
 use proctor_kernel::scene::{
-    BaseMotion, Body, Damping, Dimension, History, Mesh, Motion, OnImbalance, Outside, Scene,
-    Shape, TimeStep, Transfer, Vector, VolumetricStrain,
+    BaseMotion, Body, Damping, Dimension, History, InitialStress, Mesh, Motion, OnImbalance,
+    Outside, Scene, Shape, TimeStep, Transfer, Vector, VolumetricStrain,
 };
 
 /// A scene in the language of scene files.
@@ -267,6 +267,21 @@ impl Writer {
                 .map(|(t, v)| [&[*t], &v[..self.0]].concat())
                 .collect::<Vec<_>>()
                 .into();
+        }
+        match body.initial_stress {
+            InitialStress::None => {}
+            InitialStress::Isotropic(value) => {
+                keys["initial_stress"] = json!({ "type": "isotropic", "value": value });
+            }
+            InitialStress::AtRest {
+                ratio,
+                level,
+                surcharge,
+            } => {
+                keys["initial_stress"] = json!({
+                    "type": "at_rest", "ratio": ratio, "level": level, "surcharge": surcharge,
+                });
+            }
         }
         Ok(keys)
     }

@@ -8,4 +8,5 @@ mod keys;
 mod manual;
 mod mortar;
 mod records;
+mod soils;
 mod written;

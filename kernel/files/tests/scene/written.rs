@@ -6,7 +6,7 @@ use proctor_files::json::{from_json, read, write};
 use proctor_kernel::scene::{ContactNormal, Scene, TimeStep};
 
 /// Writes a scene and reads it back, in a folder with the files that it names.
-fn back(scene: &Scene) -> Scene {
+pub(crate) fn back(scene: &Scene) -> Scene {
     let written = write(scene).unwrap_or_else(|error| panic!("{error}"));
     let folder = tempfile::tempdir().expect("a folder");
     for (name, text) in &written.files {

@@ -3,7 +3,8 @@
 use super::collector::Collector;
 use super::load::check_history;
 use crate::number::Number;
-use crate::scene::{Body, Dimension, Mesh, Scene, Shape, Vector};
+use crate::scene::initial_stress::axis_of;
+use crate::scene::{Body, Dimension, InitialStress, Mesh, Scene, Shape, Vector};
 use proctor_geometry::polygon;
 
 pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector) {
@@ -31,6 +32,7 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
         if let Some(motion) = &body.motion {
             check_history(&format!("{path}.prescribed_velocity"), motion, problems);
         }
+        check_initial_stress(scene, body, &format!("{path}.initial_stress"), problems);
         let before = problems.found.len();
         check_shape(&body.shape, scene.dimension, &path, problems);
         if mesh_is_sound && problems.found.len() == before {
@@ -53,6 +55,45 @@ fn check_references(scene: &Scene, i: usize, body: &Body, path: &str, problems: 
             format!("{}, the id of {} too", body.id, scene.bodies[first].name),
             "an id that no other body has",
         );
+    }
+}
+
+fn check_initial_stress(scene: &Scene, body: &Body, path: &str, problems: &mut Collector) {
+    let material = scene.materials.get(body.material);
+    if body.initial_stress != InitialStress::None
+        && let Some(material) = material
+        && material.law.needs_deformation()
+    {
+        problems.add(
+            path,
+            format!(
+                "a stress at the start of a {} material, whose stress follows from its deformation alone",
+                material.law.name()
+            ),
+            "no `initial_stress`, or another material",
+        );
+    }
+    match body.initial_stress {
+        InitialStress::None => {}
+        InitialStress::Isotropic(stress) => {
+            problems.finite(format!("{path}.value"), stress);
+        }
+        InitialStress::AtRest {
+            ratio,
+            level,
+            surcharge,
+        } => {
+            problems.not_negative(format!("{path}.ratio"), ratio);
+            problems.finite(format!("{path}.level"), level);
+            problems.not_negative(format!("{path}.surcharge"), surcharge);
+            if axis_of(&scene.gravity).is_none() {
+                problems.add(
+                    path,
+                    "ground at rest without gravity along one axis",
+                    "`gravity` with one component that is not zero, or `type` \"isotropic\"",
+                );
+            }
+        }
     }
 }
 

@@ -63,6 +63,19 @@ impl Collector {
         }
     }
 
+    /// Finite; whether it is.
+    pub(super) fn finite(&mut self, path: impl Into<String>, value: f64) -> bool {
+        let accepted = if !value.is_finite() {
+            "a finite number".to_owned()
+        } else if value.abs() > LARGEST {
+            format!("a number from -{LARGEST:e} to {LARGEST:e}")
+        } else {
+            return true;
+        };
+        self.add(path, Number(value).to_string(), accepted);
+        false
+    }
+
     /// From `low` to `high`, both included.
     pub(super) fn range(&mut self, path: impl Into<String>, value: f64, low: f64, high: f64) {
         if !(low..=high).contains(&value) {
@@ -79,16 +92,10 @@ impl Collector {
         let path = path.into();
         let before = self.found.len();
         for (axis, x) in value.iter().enumerate() {
-            if !x.is_finite() {
-                self.add(
-                    format!("{path}[{axis}]"),
-                    Number(*x).to_string(),
-                    "a finite number",
-                );
-            } else if x.abs() > LARGEST {
-                let accepted = format!("a number from -{LARGEST:e} to {LARGEST:e}");
-                self.add(format!("{path}[{axis}]"), Number(*x).to_string(), accepted);
-            } else if axis >= self.dimension.axes() && *x != 0.0 {
+            if !self.finite(format!("{path}[{axis}]"), *x) {
+                continue;
+            }
+            if axis >= self.dimension.axes() && *x != 0.0 {
                 self.add(
                     format!("{path}[{axis}]"),
                     Number(*x).to_string(),

@@ -3,7 +3,8 @@
 use proctor_kernel::lanes::{LaneChoice, Lanes, Selected};
 use proctor_kernel::laws::tensor::Configuration;
 use proctor_kernel::laws::{
-    Block, Gradients, Increment, Law, LinearElastic, NeoHookean, Particle, Strained,
+    Block, DruckerPrager, Gradients, Increment, Law, LinearElastic, Match, MohrCoulomb, NeoHookean,
+    Particle, Residual, Softening, Strained, Tresca, VonMises,
 };
 use proctor_kernel::layout::{Layout, Optional, Variable};
 use proctor_kernel::particles::ParticleSet;
@@ -137,6 +138,26 @@ fn blocks_have_the_same_bits_for_all_lanes() {
     check(&LinearElastic::new(1.0e3, 0.3));
     check(&NeoHookean::new(1.0e3, 0.3));
     check(&Counting(LinearElastic::new(1.0e3, 0.3)));
+    // Particles of the block are stressed up to 1 Pa: some of them yield, some do not.
+    check(&VonMises::new(1.0e3, 0.3, 1.0, 3.0).saturating(0.5, 20.0));
+    check(&Tresca::new(1.0e3, 0.3, 0.5));
+    check(&DruckerPrager::new(
+        1.0e3,
+        0.3,
+        [25.0, 0.5, 10.0],
+        Match::PlaneStrain,
+    ));
+    let residual = Residual {
+        friction: Some(15.0),
+        cohesion: Some(0.1),
+        ..Residual::default()
+    };
+    check(
+        &MohrCoulomb::new(1.0e3, 0.3, [30.0, 0.5, 10.0])
+            .with_tensile(0.3)
+            .softening(Softening::Exponential { eta: 3.0 }, residual)
+            .relaxing(1e-3),
+    );
 }
 
 #[test]

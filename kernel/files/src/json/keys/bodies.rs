@@ -119,11 +119,52 @@ pub(in crate::json) struct RawBody {
     /// Initial velocity.
     #[schemars(extend("x-unit" = "m/s", "x-default" = "zero", "examples" = [[1, 0], [1, 0, 0]]))]
     pub initial_velocity: Option<Vec<f64>>,
+    /// Stress at the start.
+    #[schemars(extend("x-default" = "none"))]
+    pub initial_stress: Option<RawInitialStress>,
     /// Prescribed velocity: a vector, or rows of time and velocity.
     #[schemars(extend(
         "x-unit" = "m/s; s, m/s", "x-default" = "the body moves as it is pushed", "examples" = [[1, 0], [1, 0, 0]]
     ))]
     pub prescribed_velocity: Option<VectorOrTable>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Stress that a body has at the start.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the keys of an initial stress"
+)]
+pub(in crate::json) struct RawInitialStress {
+    /// The same stress in all directions, or ground at rest: the weight above along gravity, and a share of it across.
+    #[schemars(extend(
+        "enum" = ["isotropic", "at_rest"], "x-needed" = true, "examples" = ["at_rest"]
+    ))]
+    pub r#type: Option<String>,
+    /// The stress; tension is positive.
+    #[schemars(extend(
+        "x-unit" = "Pa", "x-needs" = "`type` \"isotropic\"", "x-needed" = true, "examples" = [-1e4]
+    ))]
+    pub value: Option<f64>,
+    /// Coefficient of earth pressure at rest.
+    #[schemars(extend(
+        "x-unit" = "1", "x-needs" = "`type` \"at_rest\"", "x-needed" = true, "minimum" = 0, "examples" = [0.5]
+    ))]
+    pub ratio: Option<f64>,
+    /// Coordinate of the surface along gravity.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"at_rest\"", "x-needed" = true, "examples" = [2]
+    ))]
+    pub level: Option<f64>,
+    /// Pressure on the surface.
+    #[schemars(extend(
+        "x-unit" = "Pa", "x-needs" = "`type` \"at_rest\"", "default" = 0, "minimum" = 0, "examples" = [1e4]
+    ))]
+    pub surcharge: Option<f64>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

@@ -26,7 +26,9 @@ use serde::Deserialize;
 use super::lists::{Comment, Contacts, Counts, Entries, Terrains};
 use super::material_keys::RawMaterial;
 
-pub(super) use self::bodies::{RawBody, RawBoxLoad, RawHeldBox, RawProbe, RawTraction};
+pub(super) use self::bodies::{
+    RawBody, RawBoxLoad, RawHeldBox, RawInitialStress, RawProbe, RawTraction,
+};
 pub(super) use self::contact::{
     RawContact, RawContactManager, RawRigidLine, RawRigidSurface, RawTerrainContact,
 };

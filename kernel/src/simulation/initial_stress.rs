@@ -1,0 +1,85 @@
+//! The stress that bodies have at the start.
+
+use super::error::SetupError;
+use crate::laws::Point;
+use crate::layout::Layout;
+use crate::number::Number;
+use crate::particles::ParticleSet;
+use crate::scene::{InitialStress, Material, Scene, Vector};
+
+/// Sets the stress of a body, by its index, at the start.
+///
+/// # Errors
+/// Where the law of the body does not bear it, with the particle that is farthest from what it bears.
+pub(super) fn set(set: &mut ParticleSet, scene: &Scene, index: usize) -> Result<(), SetupError> {
+    let body = &scene.bodies[index];
+    if body.initial_stress == InitialStress::None {
+        return Ok(());
+    }
+    let material = &scene.materials[body.material];
+    let axes = set.layout.axes;
+    let mut worst: Option<Beyond> = None;
+    for p in 0..set.len() {
+        let local = set.position(p);
+        let x: Vector = std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]);
+        let stress = (body.initial_stress).at(&x, &scene.gravity, material.density);
+        let beyond = beyond(material, &stress);
+        if beyond > worst.as_ref().map_or(0.0, |worst| worst.by) {
+            worst = Some(Beyond {
+                by: beyond,
+                x,
+                stress,
+            });
+        }
+        for (i, value) in stress[..set.layout.stress_components()].iter().enumerate() {
+            set.columns[Layout::stress(axes) + i][p] = *value;
+        }
+    }
+    let Some(Beyond { by, x, stress }) = worst else {
+        return Ok(());
+    };
+    let number = |x: f64| Number(x).to_string();
+    Err(SetupError::Load {
+        path: format!("bodies[{index}].initial_stress"),
+        reason: format!(
+            "at ({}) m the stress of {} Pa lies {} Pa beyond the yield surface of {}; accepted: a stress that the material \
+             bears",
+            x[..axes]
+                .iter()
+                .copied()
+                .map(number)
+                .collect::<Vec<_>>()
+                .join(", "),
+            stress[..3]
+                .iter()
+                .copied()
+                .map(number)
+                .collect::<Vec<_>>()
+                .join(", "),
+            number(by),
+            material.name
+        ),
+    })
+}
+
+/// A particle whose stress its law does not bear.
+struct Beyond {
+    by: f64,
+    x: Vector,
+    stress: [f64; 6],
+}
+
+/// How far a law moves a stress where nothing strains \[Pa\]: 0 where it bears it.
+fn beyond(material: &Material, stress: &[f64; 6]) -> f64 {
+    // Round-off of the return to a yield surface that a stress lies on.
+    const NEARLY: f64 = 1e-9;
+    let mut point = Point::new(&material.law, material.density, *stress);
+    let Ok(()) = point.step(&[[0.0; 3]; 3], 1.0) else {
+        return f64::INFINITY;
+    };
+    let way = |(a, b): (&f64, &f64)| (a - b).abs();
+    let after = point.stress();
+    let moved = after.iter().zip(stress).map(way).fold(0.0, f64::max);
+    let size = stress.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+    if moved <= NEARLY * size { 0.0 } else { moved }
+}
