@@ -6,6 +6,7 @@
 pub mod case;
 pub mod cases;
 pub mod convergence;
+pub mod element;
 pub mod exact;
 pub mod guest;
 pub mod random;

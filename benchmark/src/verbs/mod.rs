@@ -4,6 +4,7 @@ mod accept;
 mod amount;
 mod bench;
 mod compare;
+mod element;
 mod export;
 mod folder;
 mod keys;
@@ -46,6 +47,8 @@ pub enum Verb {
     Precision(precision::Precision),
     /// Where each method is stable: the largest time step, predicted and measured.
     Stability(stability::Stability),
+    /// Take a material along the paths of the laboratory, without a grid.
+    Element(element::Element),
     /// Measure speed: scenes x particles x threads x methods, stages, other executables.
     Bench(bench::Bench),
     /// Make the page of a record.
@@ -73,6 +76,7 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
         Some(Verb::Verify(verify)) => verify.run(out),
         Some(Verb::Precision(precision)) => precision.run(out),
         Some(Verb::Stability(stability)) => stability.run(out),
+        Some(Verb::Element(element)) => element.run(out),
         Some(Verb::Bench(bench)) => bench.run(out),
         Some(Verb::Report(report)) => report.run(out),
         Some(Verb::Compare(compare)) => compare.run(out),

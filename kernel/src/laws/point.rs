@@ -4,6 +4,7 @@ use super::{AnyLaw, Block, Gradients, Particle, UNDEFORMED};
 use crate::lanes::Selected;
 use crate::laws::tensor::Configuration;
 use crate::layout::{Layout, Optional};
+use nalgebra::Matrix3;
 use std::fmt;
 
 /// A point of a material in space, by the same code that strains particles.
@@ -108,6 +109,27 @@ impl Point {
             Some(_) => Err(PointFault { time: self.time }),
             None => Ok(()),
         }
+    }
+
+    /// A step of `dt` \[s\] without spin, whose strain increment in the configuration half way is exactly this: xx, yy, zz,
+    /// yz, xz, xy, the last three as they stand in the tensor. Increments add up to the logarithmic strain where axes stay.
+    ///
+    /// # Errors
+    /// As [`Point::step`].
+    pub fn strain(&mut self, increment: &[f64; 6], dt: f64) -> Result<(), PointFault> {
+        let [xx, yy, zz, yz, xz, xy] = increment.map(|e| e / dt);
+        let d = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        // G_mid = 2 (f - 1)(f + 1)^-1 with f = 1 + G is d dt for G = (1 - d dt/2)^-1 d dt.
+        let Some(inverse) = (Matrix3::identity() - 0.5 * dt * d).try_inverse() else {
+            return Err(PointFault {
+                time: self.time + dt,
+            });
+        };
+        let gradient = inverse * d;
+        self.step(
+            &std::array::from_fn(|i| std::array::from_fn(|j| gradient[(i, j)])),
+            dt,
+        )
     }
 
     /// Time \[s\].

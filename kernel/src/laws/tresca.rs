@@ -23,6 +23,12 @@ impl Tresca {
         Self(self.0.with_tensile(tensile))
     }
 
+    /// Shear strength \[Pa\].
+    #[must_use]
+    pub const fn cohesion(&self) -> f64 {
+        self.0.peak()[1]
+    }
+
     /// The same with a relaxation time \[s\].
     #[must_use]
     pub const fn relaxing(self, relaxation: f64) -> Self {

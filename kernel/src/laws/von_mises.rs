@@ -50,6 +50,18 @@ impl VonMises {
         Self { relaxation, ..self }
     }
 
+    /// Yield stress before any plastic strain \[Pa\].
+    #[must_use]
+    pub const fn yield_stress(&self) -> f64 {
+        self.yield_stress
+    }
+
+    /// Whether the yield stress stays what it is.
+    #[must_use]
+    pub fn is_perfect(&self) -> bool {
+        self.hardening == 0.0 && self.saturation == 0.0
+    }
+
     /// Yield stress \[Pa\] at a plastic strain, and its slope.
     #[inline(always)]
     fn yield_stress_at<L: Lanes>(&self, strain: L) -> (L, L) {

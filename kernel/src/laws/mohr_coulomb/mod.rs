@@ -90,6 +90,18 @@ impl MohrCoulomb {
         Self { relaxation, ..self }
     }
 
+    /// Angle of friction \[°\], cohesion \[Pa\], angle of dilation \[°\] and tensile strength \[Pa\] at their peak.
+    #[must_use]
+    pub const fn peak(&self) -> [f64; 4] {
+        self.peak
+    }
+
+    /// How its strength falls.
+    #[must_use]
+    pub const fn softens(&self) -> Softening {
+        self.softening
+    }
+
     /// Strength at a plastic strain, with dilation that has ended where the plastic volume strain says so.
     #[inline(always)]
     fn strength<L: Lanes>(&self, strain: L, dilated: L) -> Strength<L> {

@@ -1,0 +1,296 @@
+//! `proctor element`: a material on the paths of the laboratory, without a grid.
+
+use super::{names, scene};
+use crate::exit::{Failure, Outcome};
+use crate::show::{Table, figures, number};
+use clap::Args;
+use proctor_files::output::atomic;
+use proctor_kernel::scene::{Material, Scene};
+use proctor_verification::case::{Curve, CurvePoint};
+use proctor_verification::element::{State, Test, exact_deviator, run};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Most steps of a path.
+const MOST_STEPS: usize = 1_000_000;
+/// Rows of the table in the terminal.
+const ROWS: usize = 10;
+/// Names of strain and stress components.
+const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "yz", "xz", "xy"];
+
+/// Take a material of a scene along the paths of the laboratory, without a grid.
+///
+/// A specimen under an isotropic pressure is strained, and some of its stresses are held: oedometer, triaxial, undrained,
+/// biaxial, shear, isotropic, extension; z is its axis. The law is that of the scene, with its own code. Where a path has an
+/// end in closed form it is told beside what was found. Stresses are positive in tension; p and q = sqrt(3 J2) are not
+/// negative under pressure.
+#[derive(Args)]
+#[command(
+    after_help = "Example: proctor element fixtures/scenes/soil_element.json --pressure 1e5\n\
+    One test, with its curve: proctor element fixtures/scenes/soil_element.json --test shear --pressure 1e5 --svg curves"
+)]
+pub struct Element {
+    /// Scene file (JSON) with the material; - for standard input
+    scene: PathBuf,
+    /// Only these tests: oedometer, triaxial, undrained, biaxial, shear, isotropic, extension
+    #[arg(long = "test", value_name = "TEST")]
+    tests: Vec<String>,
+    /// Only the material of this id
+    #[arg(long, value_name = "ID")]
+    material: Option<i64>,
+    /// Pressure on all sides at the start [Pa]
+    #[arg(
+        long,
+        value_name = "PA",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pressure: f64,
+    /// Strain at the end: along the axis, the angle in shear, of the volume in isotropic
+    #[arg(long, default_value_t = 0.05, allow_negative_numbers = true)]
+    strain: f64,
+    /// Number of steps
+    #[arg(long, default_value_t = 200)]
+    steps: usize,
+    /// Seconds that the path takes; only materials with a relaxation time ask for it
+    #[arg(
+        long,
+        value_name = "S",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
+    time: f64,
+    /// Write all states into this folder, a table (CSV) for each material and test
+    #[arg(long, value_name = "DIR")]
+    csv: Option<PathBuf>,
+    /// Write curves into this folder, two pictures for each material and test
+    #[arg(long, value_name = "DIR")]
+    svg: Option<PathBuf>,
+}
+
+impl Element {
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        self.check()?;
+        let tests = names::chosen(&self.tests, &Test::ALL, "test", Test::word)?;
+        let (scene, _) = scene(&self.scene)?;
+        let mut broken = false;
+        for material in self.materials(&scene)? {
+            for test in &tests {
+                broken |= !self.one(material, *test, out)?;
+            }
+        }
+        Ok(if broken {
+            Outcome::Failed
+        } else {
+            Outcome::Fine
+        })
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        let bad = |what: &str, found: String, accepted: &str| {
+            Err(Failure::BadInput(format!(
+                "{what}: found {found}; accepted: {accepted}"
+            )))
+        };
+        if !(self.pressure.is_finite() && self.pressure >= 0.0) {
+            let accepted = "a finite number, 0 or greater [Pa]";
+            return bad("--pressure", self.pressure.to_string(), accepted);
+        }
+        if !(self.strain > 0.0 && self.strain <= 1.0) {
+            let accepted = "a number greater than 0, at most 1";
+            return bad("--strain", self.strain.to_string(), accepted);
+        }
+        if self.steps == 0 || self.steps > MOST_STEPS {
+            let accepted = format!("a whole number from 1 to {MOST_STEPS}");
+            return bad("--steps", self.steps.to_string(), &accepted);
+        }
+        if !(self.time.is_finite() && self.time > 0.0) {
+            let accepted = "a finite number greater than 0 [s]";
+            return bad("--time", self.time.to_string(), accepted);
+        }
+        Ok(())
+    }
+
+    fn materials<'a>(&self, scene: &'a Scene) -> Result<Vec<&'a Material>, Failure> {
+        let Some(id) = self.material else {
+            return Ok(scene.materials.iter().collect());
+        };
+        let found: Vec<&Material> = scene.materials.iter().filter(|m| m.id == id).collect();
+        if found.is_empty() {
+            let ids: Vec<String> = scene.materials.iter().map(|m| m.id.to_string()).collect();
+            return Err(Failure::BadInput(format!(
+                "--material: found {id}, which no material has; accepted: {}",
+                ids.join(", ")
+            )));
+        }
+        Ok(found)
+    }
+
+    /// One test of one material; whether it went through to its end.
+    fn one(&self, material: &Material, test: Test, out: &mut dyn Write) -> Result<bool, Failure> {
+        let law = &material.law;
+        if law.needs_deformation() && self.pressure > 0.0 {
+            return Err(Failure::BadInput(format!(
+                "--pressure: found {} for {}, a {} material, whose stress follows from its deformation alone; accepted: 0",
+                self.pressure,
+                material.name,
+                law.name()
+            )));
+        }
+        let controls = test.controls(self.strain);
+        let dt = self.time / self.steps as f64;
+        let (states, ended) = run(
+            law,
+            material.density,
+            self.pressure,
+            &controls,
+            self.steps,
+            dt,
+        );
+        writeln!(
+            out,
+            "{} ({}): {} test from {} Pa",
+            material.name,
+            law.name(),
+            test.word(),
+            number(self.pressure)
+        )?;
+        write!(out, "{}", self.table(&states, material))?;
+        if let (Some(exact), Some(last)) = (test.strength(law, self.pressure), states.last()) {
+            writeln!(
+                out,
+                "  strength q: {} Pa at the end, {} Pa in closed form",
+                number(last.deviator()),
+                number(exact)
+            )?;
+        }
+        let name = format!("{}-{}", file_name(material), test.word());
+        if let Some(folder) = &self.csv {
+            let path = folder.join(format!("{name}.csv"));
+            write_to(&path, &csv(&states, material))?;
+            writeln!(out, "  states in {}", path.display())?;
+        }
+        if let Some(folder) = &self.svg {
+            for (word, curve) in self.curves(&states, material, test) {
+                let path = folder.join(format!("{name}-{word}.svg"));
+                write_to(&path, &figures::curve(&curve).to_svg())?;
+                writeln!(out, "  curve in {}", path.display())?;
+            }
+        }
+        if let Err(error) = &ended {
+            writeln!(out, "  ended early: {error}")?;
+        }
+        writeln!(out)?;
+        Ok(ended.is_ok())
+    }
+
+    fn table(&self, states: &[State], material: &Material) -> Table {
+        let variables = names_of_variables(material);
+        let headings = ["strain", "p (Pa)", "q (Pa)", "volume"].map(str::to_owned);
+        let mut table = Table::new(headings.into_iter().chain(variables));
+        let every = (self.steps / ROWS).max(1);
+        for (i, state) in states.iter().enumerate() {
+            if i % every != 0 && i + 1 != states.len() {
+                continue;
+            }
+            let share = i as f64 / self.steps as f64;
+            let own = [
+                format!("{} %", number(100.0 * share * self.strain)),
+                number(state.pressure()),
+                number(state.deviator()),
+                format!("{} %", number(100.0 * state.volume_strain())),
+            ];
+            let variables = state.variables.iter().copied().map(number);
+            table.push(own.into_iter().chain(variables));
+        }
+        table
+    }
+
+    /// q and the volume strain over the strain, each with the word of its file.
+    fn curves(
+        &self,
+        states: &[State],
+        material: &Material,
+        test: Test,
+    ) -> [(&'static str, Curve); 2] {
+        let at = |i: usize| 100.0 * self.strain * i as f64 / self.steps as f64;
+        let of = |ordinate, value: &dyn Fn(&State) -> f64, exact: &dyn Fn(f64) -> f64| Curve {
+            title: format!(
+                "{} ({}): {} test from {} Pa",
+                material.name,
+                material.law.name(),
+                test.word(),
+                number(self.pressure)
+            ),
+            abscissa: "strain (%)",
+            ordinate,
+            points: (states.iter().enumerate())
+                .map(|(i, state)| CurvePoint {
+                    at: at(i),
+                    computed: value(state),
+                    exact: exact(at(i) / 100.0),
+                })
+                .collect(),
+        };
+        // Hooke's line begins at no difference of stresses, which the isotropic start is.
+        let exact =
+            |strain| exact_deviator(test, &material.law, self.pressure, strain).unwrap_or(f64::NAN);
+        [
+            ("q", of("q (Pa)", &State::deviator, &exact)),
+            (
+                "volume",
+                of(
+                    "volume strain (%)",
+                    &|state| 100.0 * state.volume_strain(),
+                    &|_| f64::NAN,
+                ),
+            ),
+        ]
+    }
+}
+
+/// Names of the internal variables of a material's law.
+fn names_of_variables(material: &Material) -> Vec<String> {
+    let variables = material.law.variables().iter();
+    variables
+        .flat_map(|variable| (0..variable.components).map(|i| variable.component(i)))
+        .collect()
+}
+
+/// The name of a material as part of the name of a file.
+fn file_name(material: &Material) -> String {
+    let plain = |c: char| if c.is_alphanumeric() { c } else { '_' };
+    material.name.chars().map(plain).collect()
+}
+
+/// All states as a table.
+fn csv(states: &[State], material: &Material) -> String {
+    let strains = COMPONENTS.map(|c| format!("strain_{c}"));
+    let stresses = COMPONENTS.map(|c| format!("stress_{c}"));
+    let rest = ["p", "q", "volume_ratio", "stored", "dissipated"].map(str::to_owned);
+    let variables = names_of_variables(material)
+        .into_iter()
+        .map(|name| name.replace(' ', "_"));
+    let header: Vec<String> = (strains.into_iter().chain(stresses).chain(rest))
+        .chain(variables)
+        .collect();
+    let mut text = header.join(",") + "\n";
+    for state in states {
+        let own = [
+            state.pressure(),
+            state.deviator(),
+            state.volume,
+            state.stored,
+            state.dissipated,
+        ];
+        let numbers =
+            (state.strain.iter().chain(&state.stress).chain(&own)).chain(&state.variables);
+        let cells: Vec<String> = numbers.map(|x| format!("{x:?}")).collect();
+        text += &(cells.join(",") + "\n");
+    }
+    text
+}
+
+fn write_to(path: &Path, text: &str) -> Result<(), Failure> {
+    atomic::write(path, |file| file.write_all(text.as_bytes())).map_err(Failure::bad_input)
+}

@@ -1,0 +1,133 @@
+//! Paths of the laboratory against closed forms.
+#![allow(missing_docs)]
+
+use proctor_kernel::laws::{
+    AnyLaw, DruckerPrager, LinearElastic, Match, MohrCoulomb, Residual, Softening, Tresca, VonMises,
+};
+use proctor_verification::element::{Control, State, Test, run};
+
+const YOUNG: f64 = 1e7;
+const POISSON: f64 = 0.3;
+const PRESSURE: f64 = 1e5;
+
+fn end(law: &AnyLaw, test: Test, strain: f64) -> State {
+    let (states, ended) = run(law, 2000.0, PRESSURE, &test.controls(strain), 400, 1.0);
+    ended.unwrap_or_else(|error| panic!("{} of {law:?}: {error}", test.word()));
+    states.last().expect("a state").clone()
+}
+
+fn laws() -> Vec<AnyLaw> {
+    vec![
+        VonMises::new(YOUNG, POISSON, 8e4, 0.0).into(),
+        Tresca::new(YOUNG, POISSON, 4e4).into(),
+        MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e4, 0.0]).into(),
+        MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e4, 30.0]).into(),
+        DruckerPrager::new(YOUNG, POISSON, [30.0, 1e4, 5.0], Match::Outer).into(),
+        DruckerPrager::new(YOUNG, POISSON, [20.0, 1e4, 0.0], Match::Inner).into(),
+    ]
+}
+
+/// Every law ends at its strength where that has a closed form, and stresses that are held stay.
+#[test]
+fn strength_is_what_a_closed_form_says() {
+    let mut compared = 0;
+    for law in laws() {
+        for test in Test::ALL {
+            let state = end(&law, test, 0.05);
+            for (i, control) in test.controls(0.05).iter().enumerate() {
+                if *control == Control::Held {
+                    assert!(
+                        (state.stress[i] + PRESSURE).abs() < 1e-8 * PRESSURE,
+                        "{:?}",
+                        state.stress
+                    );
+                }
+            }
+            if let Some(exact) = test.strength(&law, PRESSURE) {
+                let found = state.deviator();
+                assert!(
+                    (found / exact - 1.0).abs() < 1e-8,
+                    "{} of {law:?}: {found} {exact}",
+                    test.word()
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared >= 18, "{compared}");
+}
+
+/// Drained to failure: the volume grows by 2 sin psi/(1 - sin psi) of the axial strain of flow, and the modulus before is
+/// Young's.
+#[test]
+fn dilation_and_stiffness_show_in_the_triaxial_test() {
+    let law: AnyLaw = MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e4, 12.0]).into();
+    let controls = Test::Triaxial.controls(0.08);
+    let (states, ended) = run(&law, 2000.0, PRESSURE, &controls, 400, 1.0);
+    ended.expect("it goes through");
+    let modulus = states[20].deviator() / -states[20].strain[2];
+    // Hypoelastic stress is that of logarithmic strain: so is this slope.
+    assert!((modulus / YOUNG - 1.0).abs() < 1e-9, "{modulus}");
+    let (a, b) = (&states[300], &states[400]);
+    let flow = -(b.volume_strain() - a.volume_strain()) / (b.strain[2] - a.strain[2]);
+    let sine = 12.0_f64.to_radians().sin();
+    assert!((flow - 2.0 * sine / (1.0 - sine)).abs() < 1e-6, "{flow}");
+    // A step that strains by d has the volume exp(d) but for d³/12.
+    assert!((b.volume.ln() - b.volume_strain()).abs() < 1e-9);
+    assert!(b.dissipated > 0.0 && b.stored > 0.0);
+}
+
+#[test]
+fn elastic_paths_are_those_of_hooke() {
+    let law: AnyLaw = LinearElastic::new(YOUNG, POISSON).into();
+    let shear = YOUNG / (2.0 * (1.0 + POISSON));
+    let bulk = YOUNG / (3.0 * (1.0 - 2.0 * POISSON));
+    let near =
+        |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
+    near(end(&law, Test::Shear, 0.01).stress[4], shear * 0.01);
+    near(
+        end(&law, Test::Isotropic, 0.01).pressure(),
+        PRESSURE + bulk * 0.01,
+    );
+    near(
+        end(&law, Test::Undrained, 0.01).deviator(),
+        3.0 * shear * 0.01,
+    );
+    let confined = bulk + 4.0 * shear / 3.0;
+    near(
+        -end(&law, Test::Oedometer, 0.01).stress[2],
+        PRESSURE + confined * 0.01,
+    );
+    let plane = YOUNG / (1.0 - POISSON * POISSON);
+    near(
+        -end(&law, Test::Biaxial, 0.01).stress[2],
+        PRESSURE + plane * 0.01,
+    );
+    assert!(Test::Triaxial.strength(&law, PRESSURE).is_none());
+}
+
+/// A strength that falls faster than the point unloads has no path under a held stress: it ends with an error, not with a
+/// wrong curve.
+#[test]
+fn a_path_that_cannot_be_held_says_so() {
+    let residual = Residual {
+        cohesion: Some(0.0),
+        ..Residual::default()
+    };
+    let softening = Softening::Linear {
+        from: 0.0,
+        to: 1e-4,
+    };
+    let law: AnyLaw = MohrCoulomb::new(YOUNG, POISSON, [0.0, 5e4, 0.0])
+        .with_tensile(1e3)
+        .softening(softening, residual)
+        .into();
+    let controls = Test::Triaxial.controls(0.1);
+    let (states, ended) = run(&law, 2000.0, PRESSURE, &controls, 50, 1.0);
+    // Whatever becomes of it, what is kept was held.
+    for state in &states {
+        assert!((state.stress[0] + PRESSURE).abs() < 1e-6 * PRESSURE);
+    }
+    let error = ended.expect_err("it cannot be held");
+    assert!(error.to_string().starts_with("step "), "{error}");
+}
