@@ -33,6 +33,8 @@ mod inclined_block;
 mod inclined_two_blocks;
 #[path = "cases/ironing.rs"]
 mod ironing;
+#[path = "cases/plastic_wave.rs"]
+mod plastic_wave;
 #[path = "cases/rings.rs"]
 mod rings;
 #[path = "cases/rolling_disk.rs"]
@@ -61,6 +63,8 @@ mod sudden_weight;
 mod tilted_incline;
 #[path = "cases/vortex.rs"]
 mod vortex;
+#[path = "cases/yielding_column.rs"]
+mod yielding_column;
 
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};

@@ -28,6 +28,8 @@ mod hertz_sphere;
 mod indented_block;
 #[path = "exact/objective_rate.rs"]
 mod objective_rate;
+#[path = "exact/plastic_wave.rs"]
+mod plastic_wave;
 #[path = "exact/ring_impact.rs"]
 mod ring_impact;
 #[path = "exact/rolling_creep.rs"]
@@ -46,5 +48,9 @@ mod special;
 mod step_bar;
 #[path = "exact/sudden_weight.rs"]
 mod sudden_weight;
+#[path = "exact/two_slopes.rs"]
+mod two_slopes;
 #[path = "exact/vortex.rs"]
 mod vortex;
+#[path = "exact/yielding_column.rs"]
+mod yielding_column;

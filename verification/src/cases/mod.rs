@@ -50,6 +50,7 @@ mod ironing;
 mod judging;
 mod mortar;
 mod parts;
+mod plastic_wave;
 mod pressures;
 mod rings;
 mod rolling_disk;
@@ -67,6 +68,8 @@ mod step_bar;
 mod sudden_weight;
 mod tilted_incline;
 mod vortex;
+mod yielding;
+mod yielding_column;
 
 pub use grains::{apart as grains_apart, outlines as grain_outlines};
 
@@ -104,6 +107,8 @@ list! {
     vortex::Vortex[GIVEN],
     step_bar::StepBar[GIVEN],
     sudden_weight::SuddenWeight[GIVEN],
+    plastic_wave::PlasticWave[GIVEN],
+    yielding_column::YieldingColumn[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
     staggered_start::StaggeredStart[GIVEN],
     bar_energy::BarEnergy[GIVEN],
