@@ -279,7 +279,7 @@ impl Planes<'_> {
     pub fn add_power_of_walls(&mut self, walls: &[Wall], kick: f64, sums: &mut [PlaneSums]) {
         let per_plane = self.shape.plane_nodes();
         for wall in walls.iter().filter(|w| w.after != [0.0; 3] && kick > 0.0) {
-            let (_, plane, _) = wall.layers(self.shape);
+            let (ghost, plane, mirror) = wall.layers(self.shape);
             self.for_pairs(wall.axis, plane, plane, |nodes, index, _| {
                 for axis in (0..3).filter(|&axis| wall.prescribes(axis)) {
                     sums[index / per_plane].power += power(
@@ -289,6 +289,13 @@ impl Planes<'_> {
                         wall.after[axis],
                         kick,
                     );
+                }
+            });
+            self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+                for axis in (0..3).filter(|&axis| wall.prescribes(axis)) {
+                    let pair = (&nodes[ghost], &nodes[mirror]);
+                    let way = (wall.before[axis], wall.after[axis]);
+                    sums[mirror / per_plane].power += power_at_ghost(pair, axis, way, kick);
                 }
             });
         }
@@ -429,6 +436,20 @@ fn owned<T>(items: &[T], node: impl Fn(&T) -> usize, first: usize, count: usize)
     let begin = items.partition_point(|item| node(item) < first);
     let end = items.partition_point(|item| node(item) < first + count);
     &items[begin..end]
+}
+
+/// Power along an axis of a wall that moves its ghosts: a ghost goes with 2 w - v of its mirror node and needs a force for it
+/// that its own does not give; at the mirror node, which takes the same force, the inertia of the ghost's own way, 2 m dw, is
+/// left out of the equation of motion.
+fn power_at_ghost(
+    (ghost, mirror): (&Line, &Line),
+    axis: usize,
+    (before, after): (f64, f64),
+    kick: f64,
+) -> f64 {
+    let change = after - before;
+    let short = 2.0 * change - mirror[4 + axis] - ghost[4 + axis];
+    2.0 * ghost[0] * (after * short - change * mirror[1 + axis]) / kick
 }
 
 /// Power along an axis of the force that changes the velocity increment of a node to `after - before`.
