@@ -18,6 +18,7 @@ mod faults;
 mod limits;
 mod loads;
 mod mortar;
+mod mortar_drift;
 mod mortar_limits;
 mod mortar_space;
 mod moving_base;

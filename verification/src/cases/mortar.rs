@@ -37,12 +37,12 @@ pub fn settings(method: Method, particles_per_cell: usize) -> Settings {
     }
 }
 
-/// The boundary of a body, which follows its particles with their spin.
+/// The boundary of a body, which stays on its particles.
 pub fn boundary(body: i64, vertices: Vertices) -> BodyBoundary {
     BodyBoundary {
         body,
         vertices,
-        follow: Follow::Spin,
+        follow: Follow::Material,
     }
 }
 

@@ -139,7 +139,7 @@ impl Build<'_> {
             &join(path, "boundary_follows"),
             raw.boundary_follows.as_ref(),
             FOLLOWS,
-            Follow::Spin,
+            Follow::Material,
         );
         Some(BodyBoundary {
             body: id,

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use proctor_files::output::summary::{Energy, Event, Status, Summary, finite};
+use proctor_files::output::summary::{BoundaryDrift, Energy, Event, Status, Summary, finite};
 use proctor_files::output::{OutputError, atomic};
 use serde_json::{Value, json};
 
@@ -36,6 +36,12 @@ fn complete() -> Summary {
             removed: Some(0.0),
             remainder: Some(-0.9375),
         },
+        boundary_drift: Some(BoundaryDrift {
+            body: 1,
+            vertex: 7,
+            distance: Some(1.0e-3),
+            in_cells: Some(0.02),
+        }),
         not_to_be_trusted: Some("not to be trusted since step 7".into()),
         events: vec![Event {
             kind: "particle_left".to_owned(),
@@ -52,7 +58,7 @@ fn complete() -> Summary {
     }
 }
 
-const KEYS: [&str; 22] = [
+const KEYS: [&str; 23] = [
     "scene",
     "plan",
     "particles",
@@ -70,6 +76,7 @@ const KEYS: [&str; 22] = [
     "mass",
     "momentum",
     "energy",
+    "boundary_drift",
     "not_to_be_trusted",
     "events",
     "state_hash",

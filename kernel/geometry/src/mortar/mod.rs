@@ -33,6 +33,7 @@ pub mod points;
 pub mod segments;
 pub mod sites;
 pub mod space;
+pub mod tie;
 pub mod weights;
 
 /// A point or vector of the plane \[m\].

@@ -22,6 +22,12 @@ impl Interaction for MortarState {
         plane.chain(space).collect()
     }
 
+    /// Ties vertices to their particles before anything has moved.
+    fn sorted(&mut self, simulation: &Simulation) {
+        self.plane.tie(simulation);
+        self.space.tie(simulation);
+    }
+
     fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
         self.set_carrier(&simulation.decided.scene, &simulation.decided.bodies[body], body);
     }
