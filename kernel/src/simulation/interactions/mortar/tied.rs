@@ -17,7 +17,8 @@ use crate::mortar::bound::NodalStiffness;
 use crate::mortar::elements::Elements;
 use crate::mortar::motion::Follow;
 use crate::particles::ParticleSet;
-use crate::simulation::error::StepErrorKind;
+use crate::scene::Vector;
+use crate::simulation::error::{SetupError, StepErrorKind};
 use crate::simulation::{Simulation, Way};
 use crate::team::Team;
 use std::sync::Arc;
@@ -171,10 +172,31 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             }
         }
     }
-}
 
-impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T>
-{
+    /// Refuses a vertex that stays on the material and has too little of it around.
+    ///
+    /// # Errors
+    /// The first one.
+    pub(super) fn refuse_untied(&self, origin: &Vector) -> Result<(), SetupError> {
+        for surface in &self.surfaces {
+            let Some(tied) = surface.anchor() else {
+                continue;
+            };
+            if let Some(vertex) = (0..tied.ties.vertices()).find(|v| tied.ties.of(*v).is_empty()) {
+                let [x, y, z] = in_scene(&surface.start[vertex], origin);
+                return Err(SetupError::Mortar {
+                    path: format!("boundary of body {}", surface.id),
+                    reason: format!(
+                        "the particles around vertex {vertex} at ({x}, {y}, {z}) m do not span all directions, so that it \
+                         cannot stay on them; accepted: vertices on a body of two or more particles across, or one whose \
+                         `boundary_follows` is \"gradient\""
+                    ),
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// The vertex of a body that moves freely that is farthest from where the material says that it is: identifier of the
     /// body, number of the vertex, and distance \[m\].
     pub(super) fn farthest_off(&self, simulation: &Simulation) -> Option<(i64, usize, f64)> {
@@ -233,18 +255,22 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let mirrors = Mirrors::of(&hosts.decided.scene);
         tied.ties.find(set, &mut tied.places);
         let displacements = tied.ties.displacements(set, &tied.places);
-        for vertex in 0..self.start.len() {
-            let lost = tied.ties.of(vertex).is_empty();
-            let way = tied.ties.sum(vertex, &displacements);
-            if lost || way.iter().any(|x| x.is_nan()) {
+        let boundary = &self.boundary;
+        let of = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, &displacements));
+        let ways = team.search(0..self.start.len(), of);
+        for (vertex, way) in ways.iter().enumerate() {
+            // Particles that were removed have no place.
+            if way.iter().any(|x| x.is_nan()) {
                 return Err(StepErrorKind::VertexLost {
                     body: self.id,
                     vertex,
                     position: in_scene(&self.boundary.points()[vertex], &hosts.origin()),
                 });
             }
-            let x = self.start[vertex] + self.boundary.held(vertex, way);
-            self.boundary.points_mut()[vertex] = x;
+        }
+        let places = self.boundary.points_mut().iter_mut().zip(&self.start);
+        for ((x, start), way) in places.zip(&ways) {
+            *x = start + way;
         }
         let stencil = hosts.state.stencil;
         tied.stencil = stencil_nodes(stencil, shape);
@@ -264,11 +290,16 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
             let line = &lines[node];
             [velocity_at(line) - base, force_at(line) / line[0]]
         });
-        for vertex in 0..self.start.len() {
+        let boundary = &self.boundary;
+        let of = |vertex: usize| {
             let v = base + tied.ties.sum(vertex, &velocities);
             let a = gravity + tied.ties.sum(vertex, &accelerations);
-            self.velocity[vertex] = self.boundary.held(vertex, v);
-            self.kick[vertex] = self.boundary.held(vertex, a * kick);
+            [v, a * kick].map(|v| boundary.held(vertex, v))
+        };
+        let found = team.search(0..self.start.len(), of);
+        for (vertex, [v, kick]) in found.into_iter().enumerate() {
+            self.velocity[vertex] = v;
+            self.kick[vertex] = kick;
         }
         Ok(())
     }
@@ -295,9 +326,8 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
             v * way.time - mesh
         };
         let ways = team.search(0..tied.reached.len(), of);
-        let moved = |vertex: usize| {
-            self.boundary.held(vertex, tied.ties.sum(vertex, &ways)) + mesh
-        };
-        (0..self.start.len()).map(moved).collect()
+        let boundary = &self.boundary;
+        let moved = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, &ways)) + mesh;
+        team.search(0..self.start.len(), moved)
     }
 }
