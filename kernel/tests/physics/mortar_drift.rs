@@ -91,7 +91,7 @@ fn a_disc_that_was_squeezed_settles_with_the_pressure_of_hertz() {
     );
     let [force, peak, off, drift] = settled(Follow::Material, at_once);
     assert!((force - 1.0).abs() < 1e-3, "{force}");
-    assert!((peak - 1.0).abs() < 0.1 && off < 0.2, "{peak} {off}");
+    assert!((peak - 1.0).abs() < 0.1 && off < 0.25, "{peak} {off}");
     assert!(drift < 1e-12, "{drift}");
 }
 
