@@ -1,4 +1,4 @@
-//! How vertices follow the body (eq. 28-30).
+//! How vertices follow the body: by velocities of the nodes (eq. 28-30), or on its particles.
 
 use super::PointIn;
 use super::weights::VertexWeights;

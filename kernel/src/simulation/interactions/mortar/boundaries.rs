@@ -306,7 +306,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         for (s, surface) in self.surfaces.iter_mut().enumerate() {
             let field = surface.body().and_then(|index| hosts.work.grid.own_field(index));
             let tied = surface.tied.as_mut().filter(|_| stays(&surface.carrier));
-            let mut tied = tied.zip(field);
+            let tied = tied.zip(field);
+            let mut of_vertices = vec![0.0; if tied.is_some() { surface.start.len() } else { 0 }];
             nodes.clear();
             for pair in &self.pairs {
                 for (of, stiffness) in [
@@ -316,14 +317,16 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     if of != s {
                         continue;
                     }
-                    if let Some((tied, field)) = &mut tied {
-                        tied.stiffen(nodes, stiffness, field.nodes.lines(), shape, &mirrors);
-                        continue;
+                    for (sum, k) in of_vertices.iter_mut().zip(stiffness) {
+                        *sum += k;
                     }
                     for (patch, k) in surface.patches.iter().zip(stiffness) {
                         nodes.add(&patch.nodes, &patch.weights.weights, &patch.masses, *k);
                     }
                 }
+            }
+            if let Some((tied, field)) = tied {
+                tied.stiffen(nodes, &of_vertices, field.nodes.lines(), shape, &mirrors);
             }
             most = most.min(nodes.time_step());
         }

@@ -1,8 +1,8 @@
 //! Mortar contact in the cycle: boundaries that move with bodies and rigid lines, and the part of a step in which
 //! contact is found before its time step is chosen.
 //!
-//! Each body with a boundary has a velocity field to itself. A step goes: mapping to the nodes, augmented weights of the
-//! vertices, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
+//! Each body with a boundary has a velocity field to itself. A step goes: mapping to the nodes, places of the vertices on
+//! their particles or their augmented weights on the nodes, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
 
 mod around;
 mod boundaries;
