@@ -29,7 +29,7 @@ proptest! {
         entries in prop::array::uniform4(-0.5..0.5),
     ) {
         let (points, at) = (below(4, shift), PointIn::<2>::from(at));
-        let weights = affine_weights(&points, &at, &PointIn::repeat(1.0)).expect("rows on all sides");
+        let weights = affine_weights(&points, &at, &PointIn::repeat(1.0), 0.01).expect("rows on all sides");
         let strain = Matrix2::identity() + Matrix2::from_row_slice(&entries);
         let along = |x: &PointIn<2>| Rotation2::new(angle) * (strain * x) + PointIn::<2>::new(3.0, -2.0);
         let moved: Vec<_> = points.iter().map(along).collect();
@@ -44,7 +44,7 @@ fn what_is_not_affine_is_of_second_order_in_the_support() {
     let error = |h: f64| {
         let points: Vec<_> = below(4, 0.1).iter().map(|x| x * h).collect();
         let weights =
-            affine_weights(&points, &PointIn::zeros(), &PointIn::repeat(h)).expect("rows");
+            affine_weights(&points, &PointIn::zeros(), &PointIn::repeat(h), 0.01).expect("rows");
         let field = |x: &PointIn<2>| (1.0 + x[0] + 2.0 * x[1]).sin();
         let found: f64 = weights.iter().zip(&points).map(|(w, x)| w * field(x)).sum();
         (found - field(&PointIn::zeros())).abs()
@@ -58,15 +58,15 @@ fn what_is_not_affine_is_of_second_order_in_the_support() {
 fn particles_must_span_all_directions() {
     let support = PointIn::<2>::repeat(1.0);
     assert_eq!(
-        affine_weights(&below(1, 0.0), &PointIn::zeros(), &support),
+        affine_weights(&below(1, 0.0), &PointIn::zeros(), &support, 0.01),
         None
     );
-    assert!(affine_weights(&below(2, 0.0), &PointIn::zeros(), &support).is_some());
+    assert!(affine_weights(&below(2, 0.0), &PointIn::zeros(), &support, 0.01).is_some());
     assert_eq!(
-        affine_weights(&below(2, 0.0), &PointIn::repeat(9.0), &support),
+        affine_weights(&below(2, 0.0), &PointIn::repeat(9.0), &support, 0.01),
         None
     );
-    assert_eq!(affine_weights(&[], &PointIn::zeros(), &support), None);
+    assert_eq!(affine_weights(&[], &PointIn::zeros(), &support, 0.01), None);
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn in_space_as_in_the_plane() {
         .map(|place| PointIn::from_fn(|axis, _| 0.5 * place[axis] as f64 + 0.25))
         .collect();
     let at = PointIn::<3>::new(0.0, 1.4, 0.1);
-    let weights = affine_weights(&points, &at, &PointIn::repeat(1.0)).expect("on all sides");
+    let weights = affine_weights(&points, &at, &PointIn::repeat(1.0), 0.01).expect("on all sides");
     let strain: SMatrix<f64, 3, 3> = Matrix3::new(1.0, 0.2, 0.1, -0.3, 1.1, 0.0, 0.4, 0.0, 0.8);
     let moved: Vec<_> = points.iter().map(|x| strain * x).collect();
     assert!((sum(&weights, &moved) - strain * at).norm() < 1e-13);

@@ -83,7 +83,7 @@ pub(crate) const BASES: &[&str] = &[
   "body": [
     {"type": "sphere", "id": 1, "material_id": 1, "center": [0, 0, 0.52], "radius": 0.5, "boundary_segment": 0.4},
     {"type": "extruded_polygon", "id": 3, "material_id": 1, "points": [[0.8, 0.1], [1.4, 0.1], [1.1, 0.6]],
-      "axis": "y", "range": [-0.4, 0.4], "boundary_segment": 0.4},
+      "axis": "y", "range": [-0.4, 0.4], "boundary_segment": 0.4, "boundary_follows": "gradient"},
     {"type": "particles", "id": 4, "material_id": 1, "file": "../records/particles.csv"}],
   "rigid_surface": {"plane": {"id": 2, "stl_mesh": "../surfaces/plane.stl", "prescribed_velocity": [0, 0, 0.1]}},
   "contact": {"on": {"method": "mortar", "master_id": 2, "slave_id": 1, "friction": 0.3, "critical_gap": 0.04,

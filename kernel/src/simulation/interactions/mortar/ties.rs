@@ -17,6 +17,9 @@ use std::ops::Range;
 /// is smoothed, with 4/3 that under a disk of 3.4 cells is noisy (`proctor verify --quick hertz hertz-sphere`).
 const SUPPORT: f64 = 1.5;
 
+/// Least variance of the places of particles over the square of that support, for them to span a direction.
+const LEAST: f64 = 0.01;
+
 /// How many times as wide the support is, in this order, until the particles in it span all directions.
 const WIDER: [f64; 3] = [1.0, 2.0, 4.0];
 
@@ -91,7 +94,9 @@ impl<const D: usize> Ties<D> {
                 // In the order of the identifiers, whatever the cells are.
                 near.sort_unstable_by_key(|&c| (set.id[candidates[c].p], c));
                 let points: Vec<PointIn<D>> = near.iter().map(|&c| candidates[c].at).collect();
-                if let Some(weights) = affine_weights(&points, x_v, &(support * wider)) {
+                let least = LEAST / (wider * wider);
+                let found = affine_weights(&points, x_v, &(support * wider), least);
+                if let Some(weights) = found {
                     for (&c, w) in near.iter().zip(weights).filter(|(_, w)| *w != 0.0) {
                         ties.add(set, &candidates[c], w);
                     }
