@@ -73,7 +73,7 @@ fn particles_must_span_all_directions() {
 fn in_space_as_in_the_plane() {
     let places = (0..216).map(|k| [k / 36, k / 6 % 6, k % 6]);
     let points: Vec<PointIn<3>> = places
-        .map(|place| PointIn::from_fn(|axis, _| 0.5 * place[axis] as f64 + 0.25))
+        .map(|place| PointIn::from_fn(|axis, _| 0.5 * f64::from(place[axis]) + 0.25))
         .collect();
     let at = PointIn::<3>::new(0.0, 1.4, 0.1);
     let weights = affine_weights(&points, &at, &PointIn::repeat(1.0), 0.01).expect("on all sides");

@@ -34,7 +34,7 @@ pub(super) struct Tied<const D: usize> {
     reached: Vec<Reach<D>>,
     /// Nodes of the stencil.
     stencil: Vec<StencilNode<D>>,
-    /// For each node of the grid zero: memory.
+    /// Memory of [`Tied::stiffen`]: the place of each node of the grid in its lists, plus one; zero between two calls.
     slots: Vec<u32>,
 }
 

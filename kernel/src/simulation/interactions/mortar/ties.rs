@@ -38,7 +38,7 @@ pub(super) struct Ties<const D: usize> {
     numbers: Vec<u32>,
     /// Where the tied particles were at the start, relative to the mesh \[m\].
     start: Vec<PointIn<D>>,
-    ties: Vec<Tie<D>>,
+    list: Vec<Tie<D>>,
     /// The ties of each vertex; none where the particles around it do not span all directions.
     of_vertices: Vec<Range<usize>>,
 }
@@ -83,7 +83,7 @@ impl<const D: usize> Ties<D> {
             ..Self::default()
         };
         for x_v in vertices {
-            let begin = ties.ties.len();
+            let begin = ties.list.len();
             for wider in WIDER {
                 let reach = (1.5 * wider).ceil() as i64;
                 let mut near: Vec<usize> = around(cell_of(x_v), reach)
@@ -103,7 +103,7 @@ impl<const D: usize> Ties<D> {
                     break;
                 }
             }
-            ties.of_vertices.push(begin..ties.ties.len());
+            ties.of_vertices.push(begin..ties.list.len());
         }
         ties
     }
@@ -114,7 +114,7 @@ impl<const D: usize> Ties<D> {
             *number = self.start.len() as u32;
             self.start.push(position(set, candidate.p));
         }
-        self.ties.push(Tie {
+        self.list.push(Tie {
             particle: *number as usize,
             weights: candidate.signs * weight,
         });
@@ -132,7 +132,7 @@ impl<const D: usize> Ties<D> {
 
     /// What a vertex is tied to.
     pub(super) fn of(&self, vertex: usize) -> &[Tie<D>] {
-        &self.ties[self.of_vertices[vertex].clone()]
+        &self.list[self.of_vertices[vertex].clone()]
     }
 
     /// The sum of what the tied particles have at a vertex.
