@@ -250,7 +250,7 @@ pub enum StepErrorKind {
         /// Distance of the edges, negative when past each other \[m\].
         distance: f64,
     },
-    /// A vertex of a boundary has no node with mass near it.
+    /// A vertex of a boundary has no node with mass near it, or particles that it is tied to are gone.
     VertexLost {
         /// Identifier of the body.
         body: i64,
@@ -419,7 +419,7 @@ impl fmt::Display for StepError {
                 position: [x, y, z],
             } => write!(
                 f,
-                "vertex {vertex} of the boundary of body {body} at ({x}, {y}, {z}) m has no node with mass near it; accepted: \
+                "vertex {vertex} of the boundary of body {body} at ({x}, {y}, {z}) m has lost its body: no node with mass is near it, or particles around it are gone; accepted: \
                  vertices that lie on the body, and a body that does not fall apart"
             ),
             StepErrorKind::ThroughSurface {

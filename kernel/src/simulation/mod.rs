@@ -37,7 +37,7 @@ pub use error::{Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, U
 pub use event::{Event, EventKind};
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, value as history_value};
-pub use interactions::mortar::{BoundaryVertex, VertexState};
+pub use interactions::mortar::{BoundaryVertex, Drift, VertexState};
 pub use interactions::{Again, Interaction, Now, OnSlab, Remembered, Visit};
 pub use measure::state_hash;
 pub use needs::{Foreseen, foresee};

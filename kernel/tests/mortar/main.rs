@@ -15,4 +15,5 @@ mod segments;
 mod sites;
 mod space;
 mod support;
+mod tie;
 mod weights;

@@ -19,6 +19,7 @@ mod initial_stress;
 mod limits;
 mod loads;
 mod mortar;
+mod mortar_drift;
 mod mortar_limits;
 mod mortar_space;
 mod moving_base;

@@ -55,7 +55,7 @@ pub fn collision(friction: f64) -> Scene {
     }
     scene.bodies[0].velocity = [2.0, 0.0, 0.0];
     scene.bodies[1].velocity = [-2.0, 0.5, 0.3];
-    scene.mortar.boundaries = vec![boundary(1, Follow::Spin), boundary(2, Follow::Gradient)];
+    scene.mortar.boundaries = vec![boundary(1, Follow::Spin), boundary(2, Follow::Material)];
     scene.mortar.contacts = vec![contact(1, 2, friction)];
     scene
 }
@@ -158,9 +158,18 @@ fn vertices_turn_with_their_body() {
             .sum();
         (squares / start.len() as f64).sqrt()
     };
-    let [velocity, spin, gradient] = [Follow::Velocity, Follow::Spin, Follow::Gradient].map(error);
+    let follows = [
+        Follow::Velocity,
+        Follow::Spin,
+        Follow::Gradient,
+        Follow::Material,
+    ];
+    let [velocity, spin, gradient, material] = follows.map(error);
     // A turn of 1.2 rad carries the vertices by 0.3 m.
-    assert!(spin < 0.01 && gradient < 0.01, "{spin} {gradient}");
+    assert!(
+        spin < 0.01 && gradient < 0.01 && material < 0.01,
+        "{spin} {gradient} {material}"
+    );
     assert!(velocity > 3.0 * spin, "{velocity} {spin}");
 }
 
@@ -179,7 +188,7 @@ fn faces_in_walls_are_left_out() {
         },
     )];
     scene.bodies[0].velocity = [1.0, 0.0, 0.5];
-    scene.mortar.boundaries = vec![boundary(1, Follow::Spin)];
+    scene.mortar.boundaries = vec![boundary(1, Follow::Material)];
     scene.check().expect("sound");
     let mut simulation = simulation(&scene);
     let start = simulation.boundary_vertices(1).expect("has a boundary");

@@ -151,7 +151,7 @@ proptest! {
     #[test]
     fn forces_do_the_same_work_on_vertices_and_on_nodes(place in places(), weighting in weightings()) {
         for dimension in [Dimension::Two, Dimension::Three] {
-            for follow in [Follow::Velocity, Follow::Spin, Follow::Gradient] {
+            for follow in [Follow::Velocity, Follow::Spin, Follow::Gradient, Follow::Material] {
                 let scene = pressed(dimension, weighting, follow, place);
                 for id in [1, 2] {
                     let books = first_step(&scene, id);
@@ -176,7 +176,7 @@ proptest! {
                 let off = (0..3).map(|axis| (v[axis] - n[axis]).abs()).fold(0.0, f64::max);
                 off / size
             };
-            for follow in [Follow::Spin, Follow::Gradient] {
+            for follow in [Follow::Spin, Follow::Gradient, Follow::Material] {
                 let off = couple(follow);
                 prop_assert!(off < 1e-10, "{dimension:?} {follow:?}: {off}");
             }

@@ -207,6 +207,7 @@ pub(super) const FOLLOWS: Words<Follow> = &[
     ("velocity", Follow::Velocity),
     ("spin", Follow::Spin),
     ("gradient", Follow::Gradient),
+    ("material", Follow::Material),
 ];
 
 /// What a word means; upper and lower case are the same.

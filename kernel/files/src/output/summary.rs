@@ -64,6 +64,10 @@ pub struct Summary {
     /// Energy at the end.
     #[serde(default)]
     pub energy: Energy,
+    /// The vertex of mortar contact that is farthest off its body at the end; left out where no body that moves freely has a
+    /// boundary.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub boundary_drift: Option<BoundaryDrift>,
     /// Since when the run is not to be trusted, and why; nothing where all balances hold.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub not_to_be_trusted: Option<String>,
@@ -118,6 +122,22 @@ pub struct Energy {
     /// method. Negative where energy came from nowhere.
     #[serde(default, skip_serializing_if = "no_number")]
     pub remainder: Option<f64>,
+}
+
+/// How far a vertex of mortar contact is off its body: its distance from where the particles that were around it at the
+/// start say that it is, which is none in rigid motions and uniform strains of vertices that go with their body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BoundaryDrift {
+    /// Identifier of the body.
+    pub body: i64,
+    /// Number of the vertex in its boundary, from 0.
+    pub vertex: u64,
+    /// The distance \[m\].
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub distance: Option<f64>,
+    /// The same over the smallest size of a cell.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub in_cells: Option<f64>,
 }
 
 /// Something that the reader of the results has to know, such as a particle that left the mesh.

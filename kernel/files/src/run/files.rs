@@ -151,6 +151,9 @@ impl Files {
         }
         names.push("velocity_time".into());
         names.extend(BALANCE.map(str::to_owned));
+        if has_drift(simulation) {
+            names.extend(DRIFT.map(str::to_owned));
+        }
         names
     }
 
@@ -200,6 +203,11 @@ impl Files {
             energy.removed,
             energy.remainder,
         ]);
+        if has_drift(simulation) {
+            // Between two stages all bodies with a boundary may be driven: empty cells.
+            let drift = simulation.boundary_drift();
+            row.extend(drift.map_or([f64::NAN; 2], |drift| [drift.distance, drift.in_cells]));
+        }
         row
     }
 }
@@ -216,6 +224,14 @@ const BALANCE: [&str; 9] = [
     "energy_removed",
     "energy_remainder",
 ];
+
+/// How far the farthest vertex of mortar contact is off its body \[m\], and over the smallest size of a cell.
+const DRIFT: [&str; 2] = ["boundary_drift", "boundary_drift_in_cells"];
+
+/// Whether a body has a boundary, whose vertices could drift.
+fn has_drift(simulation: &Simulation) -> bool {
+    !simulation.scene().mortar.boundaries.is_empty()
+}
 
 const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
 

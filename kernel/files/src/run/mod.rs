@@ -19,7 +19,7 @@ mod state;
 
 pub use error::RunError;
 
-use crate::output::summary::{Energy, Event as SummaryEvent, Status, VOLUME_RATIO};
+use crate::output::summary::{BoundaryDrift, Energy, Event as SummaryEvent, Status, VOLUME_RATIO};
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
 use proctor_kernel::plan::Plan;
@@ -199,6 +199,12 @@ impl Run {
                 removed: Some(energy.removed),
                 remainder: Some(energy.remainder),
             },
+            boundary_drift: simulation.boundary_drift().map(|drift| BoundaryDrift {
+                body: drift.body,
+                vertex: drift.vertex as u64,
+                distance: Some(drift.distance),
+                in_cells: Some(drift.in_cells),
+            }),
             not_to_be_trusted: simulation.trust().doubt.map(|doubt| doubt.to_string()),
             events: simulation.events().iter().map(event).collect(),
             state_hash: simulation.state_hash(),

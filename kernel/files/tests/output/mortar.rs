@@ -68,6 +68,25 @@ fn restart(file: &str, up: usize) {
         history,
         fs::read_to_string(cut.join("history.csv")).unwrap()
     );
+    // So is what its vertices drifted, which is nothing.
+    assert!(
+        history
+            .lines()
+            .next()
+            .unwrap()
+            .ends_with(",boundary_drift,boundary_drift_in_cells")
+    );
+    let last = history.lines().last().unwrap();
+    let [cells, distance] = {
+        let mut ends = last.rsplit(',').map(|cell| cell.parse::<f64>().unwrap());
+        [ends.next().unwrap(), ends.next().unwrap()]
+    };
+    let drift = run.summary().boundary_drift.expect("its body moves freely");
+    assert_eq!(
+        (drift.distance, drift.in_cells),
+        (Some(distance), Some(cells))
+    );
+    assert!(cells < 1e-12, "{cells}");
 }
 
 /// What the file says of the vertices is what the simulation says, and forces on the two surfaces cancel.

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use proctor_files::output::summary::{Energy, Event, Status, Summary, finite};
+use proctor_files::output::summary::{BoundaryDrift, Energy, Event, Status, Summary, finite};
 use proctor_files::output::{OutputError, atomic};
 use serde_json::{Value, json};
 
@@ -37,6 +37,12 @@ fn complete() -> Summary {
             plastic: Some(0.0),
             remainder: Some(-0.9375),
         },
+        boundary_drift: Some(BoundaryDrift {
+            body: 1,
+            vertex: 7,
+            distance: Some(1.0e-3),
+            in_cells: Some(0.02),
+        }),
         not_to_be_trusted: Some("not to be trusted since step 7".into()),
         events: vec![Event {
             kind: "particle_left".to_owned(),
@@ -53,7 +59,7 @@ fn complete() -> Summary {
     }
 }
 
-const KEYS: [&str; 22] = [
+const KEYS: [&str; 23] = [
     "scene",
     "plan",
     "particles",
@@ -71,6 +77,7 @@ const KEYS: [&str; 22] = [
     "mass",
     "momentum",
     "energy",
+    "boundary_drift",
     "not_to_be_trusted",
     "events",
     "state_hash",

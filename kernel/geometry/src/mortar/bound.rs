@@ -38,14 +38,18 @@ impl NodalStiffness {
             return;
         }
         for k in 0..N {
-            if masses[k] > 0.0 {
-                let node = nodes[k];
-                if node >= self.sums.len() {
-                    self.sums.resize(node + 1, 0.0);
-                }
-                self.sums[node] += weights[k] * stiffness / masses[k];
-                self.touched.push(node);
+            self.add_at(nodes[k], weights[k] * stiffness, masses[k]);
+        }
+    }
+
+    /// Adds a row sum of the stiffness \[N/m\] at a node with a mass \[kg\]; a node without mass has none.
+    pub fn add_at(&mut self, node: usize, stiffness: f64, mass: f64) {
+        if mass > 0.0 {
+            if node >= self.sums.len() {
+                self.sums.resize(node + 1, 0.0);
             }
+            self.sums[node] += stiffness / mass;
+            self.touched.push(node);
         }
     }
 

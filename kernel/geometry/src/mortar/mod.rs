@@ -5,8 +5,8 @@
 //! - [`boundary`]: the polylines, checked; [`outline`]: polylines of the shapes of bodies; [`overlap`]: polylines that
 //!   lie in each other at the start; [`space`]: the same made of
 //!   triangles, and what projection and clipping are there;
-//! - [`weights`]: augmented weights of a vertex, which give no share to nodes without mass; [`motion`]: how vertices
-//!   follow the body;
+//! - [`tie`]: where the material says that a vertex is; [`weights`]: augmented weights of a vertex, which give no share to
+//!   nodes without mass; [`motion`]: how vertices follow the body;
 //! - [`sites`]: where a slave has normals; [`elements`]: what a boundary of either dimension is to the rest; [`broad`]: pairs of elements that can meet;
 //! - [`points`]: the points at which integrals over a contact are evaluated; [`segments`]: how they are found in the
 //!   plane, by projection and mortar segments;
@@ -17,7 +17,7 @@
 //! 40); forces are f_s = -D lambda and f_m = M^T lambda with a tangential traction that has the sign of the slip
 //! (eq. 50 has none) and is mapped back to the cone; the slip of eq. 51 is divided by the row sum of D, as the gap
 //! is; vertices follow the velocity at the end of the step (eq. 29 prints that at its beginning, with which rolling
-//! blows up); the barrier goes on below the gap instead of ending there (eq. 48 lets bodies pass through each other
+//! blows up), and by default they do not integrate velocities but stay on the particles around them; the barrier goes on below the gap instead of ending there (eq. 48 lets bodies pass through each other
 //! in explicit steps).
 
 pub mod bound;
@@ -33,6 +33,7 @@ pub mod points;
 pub mod segments;
 pub mod sites;
 pub mod space;
+pub mod tie;
 pub mod weights;
 
 /// A point or vector of the plane \[m\].

@@ -1,4 +1,4 @@
-//! How vertices follow the body (eq. 28-30).
+//! How vertices follow the body: by velocities of the nodes (eq. 28-30), or on its particles.
 
 use super::PointIn;
 use super::weights::VertexWeights;
@@ -16,6 +16,9 @@ pub enum Follow {
     Spin,
     /// Velocity and full velocity gradient of the nodes: exact for every linear field, also next to empty nodes.
     Gradient,
+    /// The particles that were around the vertex at the start, from whose displacements its own follows
+    /// ([`affine_weights`](super::tie::affine_weights)): nothing is integrated, so that no vertex drifts off its body.
+    Material,
 }
 
 impl Follow {
@@ -23,7 +26,7 @@ impl Follow {
     #[must_use]
     pub fn part<const D: usize>(self, gradient: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
         match self {
-            Self::Unaugmented | Self::Velocity => SMatrix::zeros(),
+            Self::Unaugmented | Self::Velocity | Self::Material => SMatrix::zeros(),
             Self::Spin => 0.5 * (gradient - gradient.transpose()),
             Self::Gradient => *gradient,
         }

@@ -106,11 +106,12 @@ pub(in crate::json) struct RawBody {
         "examples" = ["block.stl"]
     ))]
     pub boundary_stl_mesh: Option<String>,
-    /// How the boundary follows the body.
+    /// How the boundary follows the body. With `material` a vertex is where the particles that were around it at the start
+    /// say; the others integrate velocities of the nodes, and drift.
     #[schemars(extend(
-        "enum" = ["unaugmented", "velocity", "spin", "gradient"],
+        "enum" = ["unaugmented", "velocity", "spin", "gradient", "material"],
         "x-needs" = "`boundary_segment`, `boundary` or `boundary_stl_mesh`", "default" = "spin",
-        "examples" = ["velocity"]
+        "examples" = ["material"]
     ))]
     pub boundary_follows: Option<String>,
     /// Particles per cell and axis, at most 100.

@@ -8,15 +8,15 @@
 //! action of the force to the vertex, from which the weights alone leave it a tenth of a cell away.
 
 use super::mirrors::Mirrors;
+use super::reach::{Reach, StencilNode, base_of, scaled, stencil_nodes};
 use super::surface::{Patch, velocity_at};
-use crate::grid::{GHOSTS_BELOW, GridShape, Line};
+use crate::grid::{GridShape, Line};
 use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
 use crate::particles::ParticleSet;
 use crate::simulation::BodyRun;
 use crate::team::Team;
-use crate::weights::{axis_weights_at, base_offset};
 use nalgebra::SMatrix;
 use std::array;
 use std::ops::Range;
@@ -36,15 +36,6 @@ pub(super) struct Around<const D: usize> {
     near: Vec<usize>,
 }
 
-/// A node of the stencil of a particle.
-#[derive(Clone, Copy, Debug)]
-struct StencilNode<const D: usize> {
-    /// Place along each axis, counted from the base.
-    at: [usize; D],
-    /// Index in the grid less that of the base.
-    offset: usize,
-}
-
 /// A node that a vertex hangs on.
 #[derive(Clone, Copy, Debug)]
 struct Host<const D: usize> {
@@ -58,12 +49,7 @@ struct Host<const D: usize> {
 /// A particle near a boundary.
 #[derive(Clone, Debug)]
 struct Near<const D: usize> {
-    /// Index of its base in the grid.
-    base: usize,
-    /// Whether it reaches a ghost, so that it has an image.
-    mirrored: bool,
-    /// Weights along each axis, and their slopes \[1/m\].
-    axes: [([f64; 4], [f64; 4]); D],
+    reach: Reach<D>,
     /// What it gives to hosts.
     shares: Range<usize>,
 }
@@ -108,65 +94,6 @@ impl<const D: usize> NodalGradients<'_, D> {
     }
 }
 
-impl<const D: usize> Near<D> {
-    /// Index of a node of the stencil in the grid, ghost or not.
-    fn node(&self, node: &StencilNode<D>) -> usize {
-        self.base + node.offset
-    }
-
-    /// The node that has its velocity, with -1 for each axis along which it is its mirror image.
-    fn inside(
-        &self,
-        node: &StencilNode<D>,
-        shape: &GridShape,
-        mirrors: &Mirrors,
-    ) -> (usize, PointIn<D>) {
-        let node = self.node(node);
-        if !self.mirrored {
-            return (node, PointIn::repeat(1.0));
-        }
-        let (at, sides) = mirrors.inside(shape, shape.indices(node));
-        (shape.index(at), sides)
-    }
-
-    /// Weight on a node of the stencil.
-    fn weight(&self, StencilNode { at, .. }: &StencilNode<D>) -> f64 {
-        (1..D).fold(self.axes[0].0[at[0]], |w, axis| {
-            w * self.axes[axis].0[at[axis]]
-        })
-    }
-
-    /// Its gradient \[1/m\].
-    fn slope(&self, StencilNode { at, .. }: &StencilNode<D>) -> PointIn<D> {
-        PointIn::from_fn(|direction, _| {
-            let of = |axis: usize| {
-                let (w, g) = &self.axes[axis];
-                if axis == direction {
-                    g[at[axis]]
-                } else {
-                    w[at[axis]]
-                }
-            };
-            (1..D).fold(of(0), |product, axis| product * of(axis))
-        })
-    }
-}
-
-/// Nodes of a stencil with so many nodes per axis, the last axis fastest.
-fn stencil_nodes<const D: usize>(stencil: usize, shape: &GridShape) -> Vec<StencilNode<D>> {
-    let node = |k: usize| {
-        let at: [usize; D] =
-            array::from_fn(|axis| k / stencil.pow((D - 1 - axis) as u32) % stencil);
-        let mut storage = [0; 3];
-        for axis in 0..D {
-            storage[shape.direction(axis)] = at[axis];
-        }
-        let offset = shape.index(storage);
-        StencilNode { at, offset }
-    };
-    (0..stencil.pow(D as u32)).map(node).collect()
-}
-
 /// A gradient beyond planes of symmetry from that on this side, or the other way round.
 fn reflected<const D: usize>(
     gradient: &SMatrix<f64, D, D>,
@@ -190,47 +117,15 @@ impl<const D: usize> Around<D> {
         self.find_hosts(patches, shape, mirrors, stencil);
         let bases = shape.bases();
         let mapping = &body.mapping;
-        let offset = base_offset(stencil);
-        let scaled = |p: usize| -> [f64; D] {
-            array::from_fn(|axis| {
-                set.columns[Layout::POSITION + axis][p] * mapping.inverse_cell[axis]
-            })
-        };
-        let base_of = |xi: &[f64; D]| {
-            let mut base = [0; 3];
-            for axis in 0..D {
-                base[shape.direction(axis)] =
-                    ((xi[axis] - offset).floor() + GHOSTS_BELOW as f64) as usize;
-            }
-            base
-        };
         let is_near = &self.is_near;
         let reaches: Vec<bool> = team.collect(0..set.len(), |p| {
-            is_near[place(base_of(&scaled(p)), bases)]
+            let base = base_of(&scaled::<D>(set, p, mapping), stencil, shape);
+            is_near[place(base, bases)]
         });
         let found: Vec<usize> = (0..set.len()).filter(|&p| reaches[p]).collect();
-        self.particles = team.search(0..found.len(), |i| {
-            let p = found[i];
-            let xi = scaled(p);
-            let base = base_of(&xi);
-            Near {
-                base: shape.index(base),
-                mirrored: mirrors.reached_from::<D>(shape, base, stencil),
-                axes: array::from_fn(|axis| {
-                    let l = mapping
-                        .half_length_column
-                        .map_or(mapping.half_length[axis], |c| set.columns[c + axis][p]);
-                    let (w, g) = if stencil == 3 {
-                        let (_, w, g) = axis_weights_at::<3>(mapping.family, xi[axis], l);
-                        ([w[0], w[1], w[2], 0.0], [g[0], g[1], g[2], 0.0])
-                    } else {
-                        let (_, w, g) = axis_weights_at::<4>(mapping.family, xi[axis], l);
-                        (w, g)
-                    };
-                    (w, g.map(|g| g * mapping.inverse_cell[axis]))
-                }),
-                shares: 0..0,
-            }
+        self.particles = team.search(0..found.len(), |i| Near {
+            reach: Reach::of((set, found[i]), mapping, shape, mirrors, stencil),
+            shares: 0..0,
         });
         self.share(&found, set, shape, mirrors);
     }
@@ -298,11 +193,11 @@ impl<const D: usize> Around<D> {
             let first = self.shares.len();
             let m_p = set.columns[Layout::MASS][p];
             for node in &self.stencil {
-                let weight = particle.weight(node);
+                let weight = particle.reach.weight(node);
                 if weight == 0.0 {
                     continue;
                 }
-                let (inside, sides) = particle.inside(node, shape, mirrors);
+                let (inside, sides) = particle.reach.inside(node, shape, mirrors);
                 let slot = self.slots[inside];
                 if slot > 0 {
                     let host = slot as usize - 1;
@@ -328,8 +223,8 @@ impl<const D: usize> Around<D> {
             let particle = &self.particles[i];
             let mut gradient = SMatrix::<f64, D, D>::zeros();
             for node in &self.stencil {
-                let v = velocity_at(&lines[particle.node(node)]);
-                gradient += v * particle.slope(node).transpose();
+                let v = velocity_at(&lines[particle.reach.node(node)]);
+                gradient += v * particle.reach.slope(node).transpose();
             }
             gradient
         };
@@ -400,12 +295,11 @@ impl<const D: usize> Around<D> {
                 sum + reflected(&moments[share.host], &share.sides) * share.mass
             });
             for node in &self.stencil {
-                let mut force = moment * particle.slope(node);
-                if particle.mirrored {
-                    let at = shape.indices(particle.node(node));
-                    force.component_mul_assign(&mirrors.prescribed(shape, at));
+                let mut force = moment * particle.reach.slope(node);
+                if particle.reach.mirrored {
+                    force.component_mul_assign(&particle.reach.prescribed(node, shape, mirrors));
                 }
-                let (inside, _) = particle.inside(node, shape, mirrors);
+                let (inside, _) = particle.reach.inside(node, shape, mirrors);
                 for axis in 0..D {
                     lines[inside][4 + axis] += force[axis];
                 }

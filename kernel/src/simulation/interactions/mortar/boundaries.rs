@@ -2,6 +2,7 @@
 
 use super::mirrors::Mirrors;
 use super::pair::MortarPair;
+use super::tied::stays;
 use super::surface::{
     Carrier, Patch, Surface, force_at, from_vector, in_scene, nodes_of_patch, velocity_at, velocity_of,
 };
@@ -54,6 +55,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             kick: zeros.clone(),
             force: zeros,
             patches: vec![],
+            tied: None,
         });
     }
 
@@ -148,6 +150,10 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     continue;
                 }
             };
+            if follow == Follow::Material {
+                surface.weigh_tied(index, hosts, kick)?;
+                continue;
+            }
             let Some(field) = hosts.work.grid.own_field(index) else {
                 continue;
             };
@@ -294,9 +300,14 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Time step that the stiffness of all contacts allows \[s\]; `nodes` is memory.
-    pub(super) fn time_step(&self, nodes: &mut NodalStiffness) -> f64 {
+    pub(super) fn time_step(&mut self, nodes: &mut NodalStiffness, hosts: &Simulation) -> f64 {
         let mut most = f64::INFINITY;
-        for (s, surface) in self.surfaces.iter().enumerate() {
+        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.decided.scene));
+        for (s, surface) in self.surfaces.iter_mut().enumerate() {
+            let field = surface.body().and_then(|index| hosts.work.grid.own_field(index));
+            let tied = surface.tied.as_mut().filter(|_| stays(&surface.carrier));
+            let tied = tied.zip(field);
+            let mut of_vertices = vec![0.0; if tied.is_some() { surface.start.len() } else { 0 }];
             nodes.clear();
             for pair in &self.pairs {
                 for (of, stiffness) in [
@@ -306,10 +317,16 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     if of != s {
                         continue;
                     }
+                    for (sum, k) in of_vertices.iter_mut().zip(stiffness) {
+                        *sum += k;
+                    }
                     for (patch, k) in surface.patches.iter().zip(stiffness) {
                         nodes.add(&patch.nodes, &patch.weights.weights, &patch.masses, *k);
                     }
                 }
+            }
+            if let Some((tied, field)) = tied {
+                tied.stiffen(nodes, &of_vertices, field.nodes.lines(), shape, &mirrors);
             }
             most = most.min(nodes.time_step());
         }
@@ -349,6 +366,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     }
                 }
             }
+            if let Some(tied) = surface.anchor() {
+                tied.load(lines, &forces, shape, mirrors);
+            }
             if let Some(around) = &surface.around {
                 around.load(lines, &surface.patches, &forces, follow, shape, mirrors);
             }
@@ -387,6 +407,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         continue;
                     };
                     let lines = field.nodes.lines();
+                    if let Some(tied) = surface.anchor() {
+                        let team = &hosts.work.grid.team;
+                        surface.moved = surface.moved_with_ties(tied, lines, way, team);
+                        surface.advance(&way.mesh_shift);
+                        continue;
+                    }
                     let around = surface.around.as_ref();
                     let gradients = around
                         .map(|around| around.gradients(lines, &hosts.work.grid.team));
@@ -407,12 +433,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     surface.moved = hosts.work.grid.team.search(0..surface.patches.len(), moved);
                 }
             }
-            for (x, moved) in surface.boundary.points_mut().iter_mut().zip(&surface.moved) {
-                *x += moved;
-                if let Some(mesh) = &mesh {
-                    *x -= mesh;
-                }
-            }
+            surface.advance(&way.mesh_shift);
         }
     }
 }

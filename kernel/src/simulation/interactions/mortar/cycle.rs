@@ -6,7 +6,7 @@ use super::surface::Surface;
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Way};
 use crate::simulation::conditions::Acting;
-use crate::simulation::error::StepError;
+use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{Interaction, Remembered};
 
@@ -20,6 +20,18 @@ impl Interaction for MortarState {
         let plane = self.plane.surfaces.iter().filter_map(Surface::body);
         let space = self.space.surfaces.iter().filter_map(Surface::body);
         plane.chain(space).collect()
+    }
+
+    fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
+        let origin = simulation.origin();
+        self.plane.refuse_untied(&origin)?;
+        self.space.refuse_untied(&origin)
+    }
+
+    /// Ties vertices to their particles before anything has moved.
+    fn sorted(&mut self, simulation: &Simulation) {
+        self.plane.tie(simulation);
+        self.space.tie(simulation);
     }
 
     fn motion_changed(&mut self, simulation: &Simulation, body: usize) {

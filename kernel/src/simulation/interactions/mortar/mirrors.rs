@@ -33,6 +33,27 @@ impl Mirrors {
         self.planes[axis].map(|condition| condition != PlaneCondition::Free)
     }
 
+    /// The planes along an axis with cells of that size \[m\]: where they are, and how displacements beyond them are those
+    /// on this side.
+    pub(super) fn along<const D: usize>(
+        &self,
+        axis: usize,
+        cell: f64,
+    ) -> impl Iterator<Item = (f64, PointIn<D>)> {
+        let places = [0.0, self.cells[axis] as f64 * cell];
+        let planes = places.into_iter().zip(self.planes[axis]);
+        planes.filter_map(move |(place, condition)| {
+            let signs = match condition {
+                PlaneCondition::Free => return None,
+                PlaneCondition::Fixed => PointIn::repeat(-1.0),
+                PlaneCondition::Sliding => {
+                    PointIn::from_fn(|along, _| if along == axis { -1.0 } else { 1.0 })
+                }
+            };
+            Some((place, signs))
+        })
+    }
+
     /// Whether a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
     fn at(&self, axis: usize, lower: i64, upper: i64) -> [bool; 2] {
         let [below, above] = self.mirrors(axis);

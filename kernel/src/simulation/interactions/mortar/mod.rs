@@ -1,8 +1,8 @@
 //! Mortar contact in the cycle: boundaries that move with bodies and rigid lines, and the part of a step in which
 //! contact is found before its time step is chosen.
 //!
-//! Each body with a boundary has a velocity field to itself. A step goes: mapping to the nodes, augmented weights of the
-//! vertices, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
+//! Each body with a boundary has a velocity field to itself. A step goes: mapping to the nodes, places of the vertices on
+//! their particles or their augmented weights on the nodes, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
 
 mod around;
 mod boundaries;
@@ -10,9 +10,12 @@ mod change;
 mod cycle;
 mod mirrors;
 mod pair;
+mod reach;
 mod remembered;
 mod setup;
 mod surface;
+mod tied;
+mod ties;
 mod vertices;
 mod words;
 
@@ -22,7 +25,7 @@ pub(super) const MORTAR: Kind = Kind {
     make: MortarState::of,
 };
 
-pub use vertices::{BoundaryVertex, VertexState};
+pub use vertices::{BoundaryVertex, Drift, VertexState};
 
 use super::Kind;
 use crate::simulation::Simulation;
@@ -69,8 +72,8 @@ impl MortarState {
         self.plane.meet_all(ahead, &origin, team)?;
         self.space.meet_all(ahead, &origin, team)?;
         let nodes = &mut self.stiffness;
-        let plane = self.plane.time_step(nodes);
-        self.time_step = plane.min(self.space.time_step(nodes));
+        let plane = self.plane.time_step(nodes, simulation);
+        self.time_step = plane.min(self.space.time_step(nodes, simulation));
         self.closing_step = self.plane.closing_step().min(self.space.closing_step());
         Ok(())
     }

@@ -1,8 +1,10 @@
 //! A boundary in motion, and the nodes that its vertices hang on.
 
 use super::around::Around;
+use super::tied::Tied;
 use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
+use crate::mortar::elements::Elements;
 use crate::mortar::motion::Follow;
 use crate::mortar::weights::{VertexWeights, in_patch};
 use crate::scene::{History, Vector};
@@ -62,6 +64,8 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(super) patches: Vec<Patch<D, N>>,
     /// The particles around them, where vertices follow more than velocities.
     pub(super) around: Option<Around<D>>,
+    /// What ties the vertices of a body to its particles.
+    pub(super) tied: Option<Tied<D>>,
 }
 
 /// The nodes that a vertex hangs on.
@@ -81,6 +85,21 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         match self.carrier {
             Carrier::Body { index, .. } => Some(index),
             Carrier::Prescribed(_) => None,
+        }
+    }
+
+    /// Moves the vertices by what they move in this step, relative to a mesh that moves too \[m\].
+    pub(super) fn advance<const T: usize>(&mut self, mesh_shift: &Vector)
+    where
+        B: Elements<D, T>,
+    {
+        let mesh: PointIn<D> = from_vector(mesh_shift);
+        let moves = *mesh_shift != [0.0; 3];
+        for (x, moved) in self.boundary.points_mut().iter_mut().zip(&self.moved) {
+            *x += moved;
+            if moves {
+                *x -= mesh;
+            }
         }
     }
 

@@ -49,7 +49,41 @@ pub struct BoundaryVertex {
     pub force: Vector,
 }
 
+/// How far a vertex is off its body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift {
+    /// Identifier of the body.
+    pub body: i64,
+    /// Number of the vertex in the boundary, from 0.
+    pub vertex: usize,
+    /// Distance from where the material says that the vertex is \[m\].
+    pub distance: f64,
+    /// The same over the smallest size of a cell.
+    pub in_cells: f64,
+}
+
 impl Simulation {
+    /// The vertex that drifted farthest off its body, of those of bodies that move freely; `None` where there is none.
+    ///
+    /// Where the material says that a vertex is follows from the particles that were around it at the start, by weights that
+    /// reproduce every affine field ([`affine_weights`](crate::mortar::tie::affine_weights)): in a rigid motion, rotations
+    /// included, and in a uniform strain, however large, a vertex that goes with its body has no drift. Where the strain
+    /// varies, that place is known up to the second order in the size of a cell.
+    #[must_use]
+    pub fn boundary_drift(&self) -> Option<Drift> {
+        let state = self.mortar()?;
+        let cells = &self.scene().mesh.cell[..self.plan().axes];
+        let h = cells.iter().copied().fold(f64::INFINITY, f64::min);
+        let found = [state.plane.farthest_off(self), state.space.farthest_off(self)];
+        let found = found.into_iter().flatten().next();
+        found.map(|(body, vertex, distance)| Drift {
+            body,
+            vertex,
+            distance,
+            in_cells: distance / h,
+        })
+    }
+
     /// Whether anything has a boundary: a body, or a rigid line or surface.
     #[must_use]
     pub fn has_boundaries(&self) -> bool {

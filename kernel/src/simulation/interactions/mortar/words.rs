@@ -21,6 +21,7 @@ pub(in crate::simulation) fn words(scene: &Scene, list: &mut Words) {
                     "its vertices follow velocities and velocity gradients of the nodes, and forces on them turn and \
                      stretch these too"
                 }
+                Follow::Material => "its vertices stay on the particles that are around them at the start, which take their forces",
             },
         );
     }

@@ -1,0 +1,154 @@
+//! The nodes that a particle near a boundary reaches.
+
+use super::mirrors::Mirrors;
+use crate::grid::{GHOSTS_BELOW, GridShape};
+use crate::layout::Layout;
+use crate::mortar::PointIn;
+use crate::particles::ParticleSet;
+use crate::stage::Mapping;
+use crate::weights::{axis_weights_at, base_offset};
+use std::array;
+
+/// A node of the stencil of a particle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StencilNode<const D: usize> {
+    /// Place along each axis, counted from the base.
+    at: [usize; D],
+    /// Index in the grid less that of the base.
+    offset: usize,
+}
+
+/// Nodes of a stencil with so many nodes per axis, the last axis fastest.
+pub(super) fn stencil_nodes<const D: usize>(
+    stencil: usize,
+    shape: &GridShape,
+) -> Vec<StencilNode<D>> {
+    let node = |k: usize| {
+        let at: [usize; D] =
+            array::from_fn(|axis| k / stencil.pow((D - 1 - axis) as u32) % stencil);
+        let mut storage = [0; 3];
+        for axis in 0..D {
+            storage[shape.direction(axis)] = at[axis];
+        }
+        let offset = shape.index(storage);
+        StencilNode { at, offset }
+    };
+    (0..stencil.pow(D as u32)).map(node).collect()
+}
+
+/// Position of a particle in cells of the mesh.
+pub(super) fn scaled<const D: usize>(set: &ParticleSet, p: usize, mapping: &Mapping) -> [f64; D] {
+    array::from_fn(|axis| set.columns[Layout::POSITION + axis][p] * mapping.inverse_cell[axis])
+}
+
+/// Storage indices of the base of a particle at a place in cells.
+pub(super) fn base_of<const D: usize>(
+    xi: &[f64; D],
+    stencil: usize,
+    shape: &GridShape,
+) -> [usize; 3] {
+    let offset = base_offset(stencil);
+    let mut base = [0; 3];
+    for axis in 0..D {
+        base[shape.direction(axis)] = ((xi[axis] - offset).floor() + GHOSTS_BELOW as f64) as usize;
+    }
+    base
+}
+
+/// What a particle has on the nodes of its stencil.
+#[derive(Clone, Debug)]
+pub(super) struct Reach<const D: usize> {
+    /// Index of its base in the grid.
+    base: usize,
+    /// Whether it reaches a ghost, so that it has an image.
+    pub(super) mirrored: bool,
+    /// Weights along each axis, and their slopes \[1/m\].
+    axes: [([f64; 4], [f64; 4]); D],
+}
+
+impl<const D: usize> Reach<D> {
+    /// That of a particle of a set where it is now.
+    pub(super) fn of(
+        (set, p): (&ParticleSet, usize),
+        mapping: &Mapping,
+        shape: &GridShape,
+        mirrors: &Mirrors,
+        stencil: usize,
+    ) -> Self {
+        let xi = scaled::<D>(set, p, mapping);
+        let base = base_of(&xi, stencil, shape);
+        Self {
+            base: shape.index(base),
+            mirrored: mirrors.reached_from::<D>(shape, base, stencil),
+            axes: array::from_fn(|axis| {
+                let l = mapping
+                    .half_length_column
+                    .map_or(mapping.half_length[axis], |c| set.columns[c + axis][p]);
+                let (w, g) = if stencil == 3 {
+                    let (_, w, g) = axis_weights_at::<3>(mapping.family, xi[axis], l);
+                    ([w[0], w[1], w[2], 0.0], [g[0], g[1], g[2], 0.0])
+                } else {
+                    let (_, w, g) = axis_weights_at::<4>(mapping.family, xi[axis], l);
+                    (w, g)
+                };
+                (w, g.map(|g| g * mapping.inverse_cell[axis]))
+            }),
+        }
+    }
+
+    /// Index of a node of the stencil in the grid, ghost or not.
+    pub(super) fn node(&self, node: &StencilNode<D>) -> usize {
+        self.base + node.offset
+    }
+
+    /// The node that has its velocity, with -1 for each axis along which it is its mirror image.
+    pub(super) fn inside(
+        &self,
+        node: &StencilNode<D>,
+        shape: &GridShape,
+        mirrors: &Mirrors,
+    ) -> (usize, PointIn<D>) {
+        let node = self.node(node);
+        if !self.mirrored {
+            return (node, PointIn::repeat(1.0));
+        }
+        let (at, sides) = mirrors.inside(shape, shape.indices(node));
+        (shape.index(at), sides)
+    }
+
+    /// -1 along axes in which a node of the stencil has the velocity of the node inside the other way round.
+    pub(super) fn prescribed(
+        &self,
+        node: &StencilNode<D>,
+        shape: &GridShape,
+        mirrors: &Mirrors,
+    ) -> PointIn<D> {
+        if self.mirrored {
+            mirrors.prescribed(shape, shape.indices(self.node(node)))
+        } else {
+            PointIn::repeat(1.0)
+        }
+    }
+
+    /// Weight on a node of the stencil.
+    pub(super) fn weight(&self, StencilNode { at, .. }: &StencilNode<D>) -> f64 {
+        (1..D).fold(self.axes[0].0[at[0]], |w, axis| {
+            w * self.axes[axis].0[at[axis]]
+        })
+    }
+
+    /// Its gradient \[1/m\].
+    pub(super) fn slope(&self, StencilNode { at, .. }: &StencilNode<D>) -> PointIn<D> {
+        PointIn::from_fn(|direction, _| {
+            let of = |axis: usize| {
+                let (w, g) = &self.axes[axis];
+                if axis == direction {
+                    g[at[axis]]
+                } else {
+                    w[at[axis]]
+                }
+            };
+            (1..D).fold(of(0), |product, axis| product * of(axis))
+        })
+    }
+}
