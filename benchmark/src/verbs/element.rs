@@ -60,10 +60,10 @@ pub struct Element {
         allow_negative_numbers = true
     )]
     time: f64,
-    /// Write all states into this folder, a table (CSV) for each material and test
+    /// Write all states into this folder, made if it is not there: a table (CSV) for each material and test
     #[arg(long, value_name = "DIR")]
     csv: Option<PathBuf>,
-    /// Write curves into this folder, two pictures for each material and test
+    /// Write curves into this folder, made if it is not there: two pictures for each material and test
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
 }
@@ -291,6 +291,15 @@ fn csv(states: &[State], material: &Material) -> String {
     text
 }
 
+/// Writes a text whole into a folder that is made if it is not there.
 fn write_to(path: &Path, text: &str) -> Result<(), Failure> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|error| {
+            Failure::BadInput(format!(
+                "cannot make the folder {}: {error}",
+                folder.display()
+            ))
+        })?;
+    }
     atomic::write(path, |file| file.write_all(text.as_bytes())).map_err(Failure::bad_input)
 }
