@@ -208,6 +208,8 @@ fn every_case_has_a_study_or_a_reason_why_not() {
         without,
         [
             "incompressible-box",
+            "plastic-wave",
+            "yielding-column",
             "shear-and-turn",
             "bar-energy",
             "angular-momentum",

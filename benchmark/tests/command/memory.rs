@@ -106,7 +106,7 @@ fn greedy() -> Vec<(&'static str, Value, &'static str, &'static str)> {
                 scene["body"][0]["boundary_segment"] = json!(1e-6);
             }),
             "boundary_segment",
-            "5.7 GiB",
+            "10.2 GiB",
         ),
     ]
 }

@@ -77,6 +77,21 @@ impl Build<'_> {
             self.missing(key("type"), "`isotropic` or `at_rest`");
             None
         };
+        for (name, given, of_rest) in [
+            ("value", raw.value, false),
+            ("ratio", raw.ratio, true),
+            ("level", raw.level, true),
+            ("surcharge", raw.surcharge, true),
+        ] {
+            if given.is_some() && kind == Some(!of_rest) {
+                let [other, own] = [of_rest, !of_rest].map(|at_rest| words[usize::from(at_rest)].0);
+                self.add(
+                    key(name),
+                    format!("`{name}`, which means nothing for the type {own:?}"),
+                    format!("no `{name}`, or `type` {other:?}"),
+                );
+            }
+        }
         match kind {
             None => InitialStress::None,
             Some(false) => {

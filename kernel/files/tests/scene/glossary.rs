@@ -66,6 +66,15 @@ fn with_body(scene: &mut Value, keys: &Value) {
     }
 }
 
+/// The block of a material with more keys.
+fn of_material(axes: usize, keys: &Value) -> Value {
+    let mut scene = block(axes);
+    for (key, value) in keys.as_object().expect("keys") {
+        scene["material"][0][key] = value.clone();
+    }
+    scene
+}
+
 /// Two blocks that touch.
 fn two(axes: usize, more: &Value) -> Value {
     let mut scene = with(axes, &json!({}), more);
@@ -107,6 +116,23 @@ fn bases() -> Vec<Value> {
                 "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 2}], "contact_manager": {},
             })),
             with(axes, &json!({"boundary_segment": 0.25}), &none),
+            with(axes, &json!({"initial_stress": {"type": "isotropic", "value": -1}}), &none),
+            with(
+                axes,
+                &json!({"initial_stress": {"type": "at_rest", "ratio": 0.5, "level": 1}}),
+                &json!({"gravity": corner(axes, -10.0)}),
+            ),
+            of_material(axes, &json!({"type": "von_mises", "yield_stress": 1e6})),
+            of_material(axes, &json!({"type": "tresca", "cohesion": 1e6})),
+            of_material(axes, &json!({"type": "drucker_prager", "friction": 30, "cohesion": 1e6})),
+            of_material(axes, &json!({"type": "mohr_coulomb", "friction": 30, "cohesion": 1e6})),
+            of_material(
+                axes,
+                &json!({
+                    "type": "mohr_coulomb", "friction": 30, "cohesion": 1e6, "softening": "linear",
+                    "softening.linear.to": 0.1
+                }),
+            ),
         ]);
     }
     let mut spelt = block(3);

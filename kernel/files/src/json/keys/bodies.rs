@@ -121,7 +121,9 @@ pub(in crate::json) struct RawBody {
     #[schemars(extend("x-unit" = "m/s", "x-default" = "zero", "examples" = [[1, 0], [1, 0, 0]]))]
     pub initial_velocity: Option<Vec<f64>>,
     /// Stress at the start.
-    #[schemars(extend("x-default" = "none"))]
+    #[schemars(extend(
+        "x-default" = "none", "examples" = [{"type": "at_rest", "ratio": 0.5, "level": 1}, {"type": "isotropic", "value": -1e4}]
+    ))]
     pub initial_stress: Option<RawInitialStress>,
     /// Prescribed velocity: a vector, or rows of time and velocity.
     #[schemars(extend(
