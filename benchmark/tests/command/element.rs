@@ -27,7 +27,7 @@ fn strength_is_told_beside_its_closed_form() {
             .collect();
         assert_eq!(
             numbers[0],
-            numbers[1].rsplit(" ").next().expect("a number"),
+            numbers[1].rsplit(' ').next().expect("a number"),
             "{line}"
         );
         compared += 1;

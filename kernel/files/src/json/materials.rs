@@ -5,6 +5,7 @@ use super::keys::RawScene;
 use super::material_keys::RawMaterial;
 use super::words::listed;
 use proctor_kernel::laws::{ALL, Given, Kind};
+use proctor_kernel::number::Number;
 use proctor_kernel::scene::Material;
 
 impl Build<'_> {
@@ -74,11 +75,24 @@ impl Build<'_> {
             raw.density,
             "a number greater than 0 [kg/m³]",
         );
+        let law = (kind_or_first.read)(&values, &choices);
+        // What a law has no use for, such as the residual of what does not soften, it does not keep; the check of the scene
+        // sees what it keeps.
+        for ((constant, kept), value) in law.constants().iter().zip(&values) {
+            let is_kept = kept.to_bits() == value.to_bits();
+            if !is_kept && !value.is_nan() && !constant.accepted.holds(*value) {
+                self.add(
+                    format!("{path}.{}", constant.key),
+                    Number(*value).to_string(),
+                    constant.words(),
+                );
+            }
+        }
         Material {
             name,
             id: self.id(path, raw.id, i),
             density,
-            law: (kind_or_first.read)(&values, &choices),
+            law,
         }
     }
 
