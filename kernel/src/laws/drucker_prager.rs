@@ -1,11 +1,10 @@
 //! Elasticity that yields by the criterion of Drucker and Prager, with tension cut-off.
 
-use super::plastic::{self, RELAXATION, STRAIN, WORK, Yielding, deviator, second_invariant};
+use super::plastic::{RELAXATION, Yielding, deviator, second_invariant};
 use super::principal::components;
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
-use super::{Choice, Constant, Increment, Law, LinearElastic, Particle, Readable, Unfit};
+use super::{Choice, Constant, LinearElastic, Readable, Unfit};
 use crate::lanes::Lanes;
-use crate::layout::Variable;
 
 /// Where the cone of Drucker and Prager touches the pyramid of Mohr and Coulomb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,6 +104,41 @@ impl DruckerPrager {
 }
 
 impl Yielding for DruckerPrager {
+    const CONSTANTS: &'static [Constant] = &[
+        super::YOUNG,
+        super::POISSON,
+        FRICTION,
+        COHESION,
+        DILATION,
+        TENSILE,
+        RELAXATION,
+    ];
+
+    fn name(&self) -> &'static str {
+        Self::NAME
+    }
+
+    fn values(&self) -> Vec<f64> {
+        let elasticity = self.elastic.elasticity();
+        vec![
+            elasticity.young,
+            elasticity.poisson,
+            self.friction,
+            self.cohesion,
+            self.dilation,
+            self.tensile,
+            self.relaxation,
+        ]
+    }
+
+    fn problems(&self) -> Vec<Unfit> {
+        strength::problems(self.friction, self.dilation, self.cohesion, self.tensile)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        strength::warnings(self.friction, self.dilation)
+    }
+
     fn elastic(&self) -> &LinearElastic {
         &self.elastic
     }
@@ -134,8 +168,7 @@ impl Yielding for DruckerPrager {
         if L::bits(yields) == 0 {
             return None;
         }
-        let multiplier =
-            beyond.max(zero) * L::splat(1.0 / (shear + bulk * eta * eta_psi));
+        let multiplier = beyond.max(zero) * L::splat(1.0 / (shear + bulk * eta * eta_psi));
         let on_cone = (
             radius - multiplier * L::splat(shear),
             mean - multiplier * L::splat(bulk * eta_psi),
@@ -166,70 +199,6 @@ impl Yielding for DruckerPrager {
             };
         }
         Some((out, yields))
-    }
-}
-
-impl Law for DruckerPrager {
-    const CONSTANTS: &'static [Constant] = &[
-        super::YOUNG,
-        super::POISSON,
-        FRICTION,
-        COHESION,
-        DILATION,
-        TENSILE,
-        RELAXATION,
-    ];
-    const VARIABLES: &'static [Variable] = &[STRAIN, WORK];
-
-    fn name(&self) -> &'static str {
-        Self::NAME
-    }
-
-    fn values(&self) -> Vec<f64> {
-        let elasticity = self.elastic.elasticity();
-        vec![
-            elasticity.young,
-            elasticity.poisson,
-            self.friction,
-            self.cohesion,
-            self.dilation,
-            self.tensile,
-            self.relaxation,
-        ]
-    }
-
-    fn problems(&self) -> Vec<Unfit> {
-        strength::problems(self.friction, self.dilation, self.cohesion, self.tensile)
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        strength::warnings(self.friction, self.dilation)
-    }
-
-    fn young(&self) -> f64 {
-        self.elastic.young()
-    }
-
-    fn wave_speed(&self, density: f64) -> f64 {
-        self.elastic.wave_speed(density)
-    }
-
-    #[inline(always)]
-    fn update<L: Lanes, const D: usize>(
-        &self,
-        increment: &Increment<L>,
-        stress: &mut [L; 6],
-        variables: &mut [L],
-    ) -> L {
-        plastic::update::<Self, L, D>(self, increment, stress, variables)
-    }
-
-    fn energy(&self, particle: &Particle<'_>) -> f64 {
-        self.elastic.energy(particle)
-    }
-
-    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
-        plastic::dissipated(particle)
     }
 }
 

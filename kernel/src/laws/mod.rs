@@ -5,7 +5,7 @@
 
 mod any;
 mod constants;
-mod plastic;
+pub mod plastic;
 mod point;
 pub mod principal;
 mod strain;
@@ -17,6 +17,7 @@ pub use constants::{Accepted, Choice, Constant, Given, Isotropic, Unfit};
 pub use drucker_prager::Match;
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
+pub use plastic::Yielding;
 pub use point::{Point, PointFault};
 pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};

@@ -4,14 +4,17 @@
 //! (backward Euler) rule, sigma = sigma_trial - C : de_p. A particle that does not yield keeps the bits of the trial stress.
 
 use super::principal::components;
-use super::{Constant, Given, Increment, Isotropic, Law, LinearElastic, Particle};
+use super::{Constant, Given, Increment, Isotropic, Law, LinearElastic, Particle, Unfit};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
+use std::fmt;
 
-/// Internal variables of every law with a yield surface, in this order, before its own.
-pub(super) const STRAIN: Variable = Variable::scalar("plastic strain", "");
+/// Plastic deviatoric strain, the sum of sqrt(2/3 e : e) over the deviators e of plastic strain increments.
+pub const STRAIN: Variable = Variable::scalar("plastic strain", "");
 /// Plastic work per initial volume.
-pub(super) const WORK: Variable = Variable::scalar("plastic work", "J/m³");
+pub const WORK: Variable = Variable::scalar("plastic work", "J/m³");
+/// Plastic volume strain.
+pub const VOLUME_STRAIN: Variable = Variable::scalar("plastic volume strain", "");
 
 /// Time over which a stress outside the yield surface returns to it; zero returns it at once.
 pub(super) const RELAXATION: Constant = Constant {
@@ -22,12 +25,33 @@ pub(super) const RELAXATION: Constant = Constant {
     given: Given::Or(0.0),
 };
 
-/// A law with a yield surface.
-pub(super) trait Yielding {
+/// A law with a yield surface. Whoever has it is a [`Law`]: elastic until its trial stress lies beyond the surface.
+pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
+    /// See [`Law::CONSTANTS`].
+    const CONSTANTS: &'static [Constant];
+
+    /// See [`Law::VARIABLES`]. The first two are the plastic strain and the plastic work ([`STRAIN`], [`WORK`]); a third one
+    /// is the plastic volume strain ([`VOLUME_STRAIN`]).
+    const VARIABLES: &'static [Variable] = &[STRAIN, WORK];
+
+    /// See [`Law::name`].
+    fn name(&self) -> &'static str;
+
+    /// See [`Law::values`].
+    fn values(&self) -> Vec<f64>;
+
+    /// See [`Law::problems`].
+    fn problems(&self) -> Vec<Unfit>;
+
+    /// See [`Law::warnings`].
+    fn warnings(&self) -> Vec<String>;
+
     /// Its elasticity.
     fn elastic(&self) -> &LinearElastic;
+
     /// Relaxation time \[s\], 0 for none.
     fn relaxation(&self) -> f64;
+
     /// The stress that the trial stress returns to, and where it does: `None` where no lane yields. Ordered as a law is
     /// given a stress. `variables` are those before the step. Must be `#[inline(always)]`.
     fn returned<L: Lanes, const D: usize>(
@@ -37,38 +61,76 @@ pub(super) trait Yielding {
     ) -> Option<([L; 6], L::Mask)>;
 }
 
-/// [`Law::update`] of a law with a yield surface. Returns the square of the elastic wave speed, which is the fastest.
-#[inline(always)]
-pub(super) fn update<Y: Yielding, L: Lanes, const D: usize>(
-    law: &Y,
-    increment: &Increment<L>,
-    stress: &mut [L; 6],
-    variables: &mut [L],
-) -> L {
-    let speed_squared = law.elastic().update::<L, D>(increment, stress, &mut []);
-    if let Some((mut returned, yields)) = law.returned::<L, D>(stress, variables) {
-        let tau = law.relaxation();
-        if tau > 0.0 {
-            // Implicit in time: sigma = (sigma_trial + (dt/tau) sigma_returned)/(1 + dt/tau).
-            let share = L::splat(increment.dt / (tau + increment.dt));
+impl<Y: Yielding> Law for Y {
+    const CONSTANTS: &'static [Constant] = Y::CONSTANTS;
+    const VARIABLES: &'static [Variable] = Y::VARIABLES;
+
+    fn name(&self) -> &'static str {
+        Yielding::name(self)
+    }
+
+    fn values(&self) -> Vec<f64> {
+        Yielding::values(self)
+    }
+
+    fn problems(&self) -> Vec<Unfit> {
+        Yielding::problems(self)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        Yielding::warnings(self)
+    }
+
+    fn young(&self) -> f64 {
+        self.elastic().young()
+    }
+
+    fn wave_speed(&self, density: f64) -> f64 {
+        self.elastic().wave_speed(density)
+    }
+
+    /// The square of the elastic wave speed, which is the fastest.
+    #[inline(always)]
+    fn update<L: Lanes, const D: usize>(
+        &self,
+        increment: &Increment<L>,
+        stress: &mut [L; 6],
+        variables: &mut [L],
+    ) -> L {
+        let speed_squared = self.elastic().update::<L, D>(increment, stress, &mut []);
+        if let Some((mut returned, yields)) = self.returned::<L, D>(stress, variables) {
+            let tau = self.relaxation();
+            if tau > 0.0 {
+                // Implicit in time: sigma = (sigma_trial + (dt/tau) sigma_returned)/(1 + dt/tau).
+                let share = L::splat(increment.dt / (tau + increment.dt));
+                for slot in 0..components(D) {
+                    returned[slot] = share.mul_add(returned[slot] - stress[slot], stress[slot]);
+                }
+            }
+            let elasticity = self.elastic().elasticity();
+            let way = way_back::<L, D>(&elasticity, stress, &returned);
+            let volume = increment.volume / increment.mass * L::splat(increment.density);
+            let zero = L::splat(0.0);
+            variables[0] = variables[0] + L::select(yields, way.strain, zero);
+            variables[1] = variables[1] + L::select(yields, way.work * volume, zero);
+            if let Some(dilation) = variables.get_mut(2) {
+                *dilation = *dilation + L::select(yields, way.dilation, zero);
+            }
             for slot in 0..components(D) {
-                returned[slot] = share.mul_add(returned[slot] - stress[slot], stress[slot]);
+                stress[slot] = L::select(yields, returned[slot], stress[slot]);
             }
         }
-        let elasticity = law.elastic().elasticity();
-        let way = way_back::<L, D>(&elasticity, stress, &returned);
-        let volume = increment.volume / increment.mass * L::splat(increment.density);
-        let zero = L::splat(0.0);
-        variables[0] = variables[0] + L::select(yields, way.strain, zero);
-        variables[1] = variables[1] + L::select(yields, way.work * volume, zero);
-        if let Some(dilation) = variables.get_mut(2) {
-            *dilation = *dilation + L::select(yields, way.dilation, zero);
-        }
-        for slot in 0..components(D) {
-            stress[slot] = L::select(yields, returned[slot], stress[slot]);
-        }
+        speed_squared
     }
-    speed_squared
+
+    fn energy(&self, particle: &Particle<'_>) -> f64 {
+        self.elastic().energy(particle)
+    }
+
+    /// The plastic work.
+    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
+        particle.variables[1] * particle.mass / particle.density
+    }
 }
 
 /// What lies between a trial stress and the stress after it.
@@ -138,9 +200,4 @@ pub(super) fn second_invariant<L: Lanes, const D: usize>(s: &[L; 6]) -> L {
         sum = entry.mul_add(*entry, sum);
     }
     sum
-}
-
-/// Plastic work done in a particle so far \[J\].
-pub(super) fn dissipated(particle: &Particle<'_>) -> f64 {
-    particle.variables[1] * particle.mass / particle.density
 }

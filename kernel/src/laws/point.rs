@@ -47,31 +47,37 @@ impl Point {
             ..Optional::default()
         };
         let layout = Layout::new(3, wanted, law.variables());
-        let mut columns = vec![vec![0.0]; layout.columns];
-        columns[Layout::MASS][0] = density;
-        columns[Layout::VOLUME][0] = 1.0;
-        for (i, value) in stress.into_iter().enumerate() {
-            columns[Layout::stress(3) + i][0] = value;
-        }
-        if let Some(first) = layout.deformation {
-            for (i, value) in UNDEFORMED.into_iter().flatten().enumerate() {
-                columns[first + i][0] = value;
-            }
-        }
-        let mut at = layout.variables;
-        for variable in law.variables() {
-            for _ in 0..variable.components {
-                columns[at][0] = variable.initial;
-                at += 1;
-            }
-        }
-        Self {
+        let mut point = Self {
             law: law.clone(),
             layout,
-            columns,
+            columns: vec![vec![0.0]; layout.columns],
             density,
             lanes: Selected::any(),
             time: 0.0,
+        };
+        point.begin(stress);
+        point
+    }
+
+    /// Begins anew, at rest under another initial stress.
+    pub fn begin(&mut self, stress: [f64; 6]) {
+        self.time = 0.0;
+        self.columns[Layout::MASS][0] = self.density;
+        self.columns[Layout::VOLUME][0] = 1.0;
+        for (i, value) in stress.into_iter().enumerate() {
+            self.columns[Layout::stress(3) + i][0] = value;
+        }
+        if let Some(first) = self.layout.deformation {
+            for (i, value) in UNDEFORMED.into_iter().flatten().enumerate() {
+                self.columns[first + i][0] = value;
+            }
+        }
+        let mut at = self.layout.variables;
+        for variable in self.layout.law {
+            for column in &mut self.columns[at..at + variable.components] {
+                column[0] = variable.initial;
+            }
+            at += variable.components;
         }
     }
 

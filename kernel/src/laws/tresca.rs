@@ -1,8 +1,8 @@
 //! Elasticity that yields by the criterion of Tresca: Mohr and Coulomb without friction.
 
-use super::plastic::RELAXATION;
+use super::plastic::{RELAXATION, Yielding};
 use super::strength::{COHESION, TENSILE};
-use super::{Constant, Increment, Law, MohrCoulomb, Particle, Readable, Unfit};
+use super::{Constant, LinearElastic, MohrCoulomb, Readable, Unfit};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 
@@ -36,48 +36,43 @@ impl Tresca {
     }
 }
 
-impl Law for Tresca {
+impl Yielding for Tresca {
     const CONSTANTS: &'static [Constant] =
         &[super::YOUNG, super::POISSON, COHESION, TENSILE, RELAXATION];
-    const VARIABLES: &'static [Variable] = MohrCoulomb::VARIABLES;
+    const VARIABLES: &'static [Variable] = <MohrCoulomb as Yielding>::VARIABLES;
 
     fn name(&self) -> &'static str {
         Self::NAME
     }
 
     fn values(&self) -> Vec<f64> {
-        let of = self.0.values();
+        let of = Yielding::values(&self.0);
         vec![of[0], of[1], of[3], of[5], of[7]]
     }
 
     fn problems(&self) -> Vec<Unfit> {
-        self.0.problems()
+        Yielding::problems(&self.0)
     }
 
-    fn young(&self) -> f64 {
-        self.0.young()
+    fn warnings(&self) -> Vec<String> {
+        Yielding::warnings(&self.0)
     }
 
-    fn wave_speed(&self, density: f64) -> f64 {
-        self.0.wave_speed(density)
+    fn elastic(&self) -> &LinearElastic {
+        self.0.elastic()
+    }
+
+    fn relaxation(&self) -> f64 {
+        self.0.relaxation()
     }
 
     #[inline(always)]
-    fn update<L: Lanes, const D: usize>(
+    fn returned<L: Lanes, const D: usize>(
         &self,
-        increment: &Increment<L>,
-        stress: &mut [L; 6],
-        variables: &mut [L],
-    ) -> L {
-        self.0.update::<L, D>(increment, stress, variables)
-    }
-
-    fn energy(&self, particle: &Particle<'_>) -> f64 {
-        self.0.energy(particle)
-    }
-
-    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
-        self.0.dissipated(particle)
+        trial: &[L; 6],
+        variables: &[L],
+    ) -> Option<([L; 6], L::Mask)> {
+        self.0.returned::<L, D>(trial, variables)
     }
 }
 

@@ -1,12 +1,9 @@
 //! Elasticity that yields by the criterion of von Mises, with isotropic hardening.
 
-use super::plastic::{self, RELAXATION, STRAIN, WORK, Yielding, deviator, second_invariant};
+use super::plastic::{RELAXATION, Yielding, deviator, second_invariant};
 use super::principal::components;
-use super::{
-    Accepted, Constant, Given, Increment, Law, LinearElastic, Particle, Readable, Unfit,
-};
+use super::{Accepted, Constant, Given, LinearElastic, Readable, Unfit};
 use crate::lanes::{Lanes, functions};
-use crate::layout::Variable;
 
 /// Von Mises: sqrt(3 J_2) <= Y(k) with the yield stress Y(k) = Y_0 + H k + Q (1 - exp(-b k)) of the plastic strain k
 /// (Voce 1955 where Q > 0).
@@ -84,6 +81,78 @@ impl VonMises {
 const ITERATIONS: usize = 3;
 
 impl Yielding for VonMises {
+    const CONSTANTS: &'static [Constant] = &[
+        super::YOUNG,
+        super::POISSON,
+        Constant {
+            key: "yield_stress",
+            meaning: "Stress at which it yields in uniaxial tension",
+            unit: "Pa",
+            accepted: Accepted::Positive,
+            given: Given::Needed,
+        },
+        Constant {
+            key: "hardening",
+            meaning: "Growth of the yield stress with the plastic strain; negative where it softens",
+            unit: "Pa",
+            accepted: Accepted::Finite,
+            given: Given::Or(0.0),
+        },
+        Constant {
+            key: "hardening.saturation",
+            meaning: "Growth of the yield stress that saturates with the plastic strain (Voce)",
+            unit: "Pa",
+            accepted: Accepted::NotNegative,
+            given: Given::Or(0.0),
+        },
+        Constant {
+            key: "hardening.rate",
+            meaning: "How fast it saturates: it lacks exp(-rate times plastic strain) of its end",
+            unit: "",
+            accepted: Accepted::NotNegative,
+            given: Given::Or(0.0),
+        },
+        RELAXATION,
+    ];
+
+    fn name(&self) -> &'static str {
+        Self::NAME
+    }
+
+    fn values(&self) -> Vec<f64> {
+        let elasticity = self.elastic.elasticity();
+        vec![
+            elasticity.young,
+            elasticity.poisson,
+            self.yield_stress,
+            self.hardening,
+            self.saturation,
+            self.rate,
+            self.relaxation,
+        ]
+    }
+
+    fn problems(&self) -> Vec<Unfit> {
+        let steepest = -3.0 * self.elastic.elasticity().shear;
+        if self.hardening <= steepest {
+            vec![Unfit {
+                key: "hardening",
+                found: format!("{}, softening that no point can bear", self.hardening),
+                accepted: format!("a number greater than -3 G = {steepest} [Pa]"),
+            }]
+        } else {
+            vec![]
+        }
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        if self.hardening < 0.0 {
+            vec![super::strength::NOT_CONVERGED.to_owned()]
+        } else {
+            vec![]
+        }
+    }
+
     fn elastic(&self) -> &LinearElastic {
         &self.elastic
     }
@@ -125,107 +194,6 @@ impl Yielding for VonMises {
             };
         }
         Some((out, yields))
-    }
-}
-
-impl Law for VonMises {
-    const CONSTANTS: &'static [Constant] = &[
-        super::YOUNG,
-        super::POISSON,
-        Constant {
-            key: "yield_stress",
-            meaning: "Stress at which it yields in uniaxial tension",
-            unit: "Pa",
-            accepted: Accepted::Positive,
-            given: Given::Needed,
-        },
-        Constant {
-            key: "hardening",
-            meaning: "Growth of the yield stress with the plastic strain; negative where it softens",
-            unit: "Pa",
-            accepted: Accepted::Finite,
-            given: Given::Or(0.0),
-        },
-        Constant {
-            key: "hardening.saturation",
-            meaning: "Growth of the yield stress that saturates with the plastic strain (Voce)",
-            unit: "Pa",
-            accepted: Accepted::NotNegative,
-            given: Given::Or(0.0),
-        },
-        Constant {
-            key: "hardening.rate",
-            meaning: "How fast it saturates: it lacks exp(-rate times plastic strain) of its end",
-            unit: "",
-            accepted: Accepted::NotNegative,
-            given: Given::Or(0.0),
-        },
-        RELAXATION,
-    ];
-    const VARIABLES: &'static [Variable] = &[STRAIN, WORK];
-
-    fn name(&self) -> &'static str {
-        Self::NAME
-    }
-
-    fn values(&self) -> Vec<f64> {
-        let elasticity = self.elastic.elasticity();
-        vec![
-            elasticity.young,
-            elasticity.poisson,
-            self.yield_stress,
-            self.hardening,
-            self.saturation,
-            self.rate,
-            self.relaxation,
-        ]
-    }
-
-    fn problems(&self) -> Vec<Unfit> {
-        let steepest = -3.0 * self.elastic.elasticity().shear;
-        if self.hardening <= steepest {
-            vec![Unfit {
-                key: "hardening",
-                found: format!("{}, softening that no point can bear", self.hardening),
-                accepted: format!("a number greater than -3 G = {steepest} [Pa]"),
-            }]
-        } else {
-            vec![]
-        }
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        if self.hardening < 0.0 {
-            vec![super::strength::NOT_CONVERGED.to_owned()]
-        } else {
-            vec![]
-        }
-    }
-
-    fn young(&self) -> f64 {
-        self.elastic.young()
-    }
-
-    fn wave_speed(&self, density: f64) -> f64 {
-        self.elastic.wave_speed(density)
-    }
-
-    #[inline(always)]
-    fn update<L: Lanes, const D: usize>(
-        &self,
-        increment: &Increment<L>,
-        stress: &mut [L; 6],
-        variables: &mut [L],
-    ) -> L {
-        plastic::update::<Self, L, D>(self, increment, stress, variables)
-    }
-
-    fn energy(&self, particle: &Particle<'_>) -> f64 {
-        self.elastic.energy(particle)
-    }
-
-    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
-        plastic::dissipated(particle)
     }
 }
 

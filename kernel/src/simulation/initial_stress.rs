@@ -5,7 +5,7 @@ use crate::laws::Point;
 use crate::layout::Layout;
 use crate::number::Number;
 use crate::particles::ParticleSet;
-use crate::scene::{InitialStress, Material, Scene, Vector};
+use crate::scene::{InitialStress, Scene, Vector};
 
 /// Sets the stress of a body, by its index, at the start.
 ///
@@ -18,12 +18,13 @@ pub(super) fn set(set: &mut ParticleSet, scene: &Scene, index: usize) -> Result<
     }
     let material = &scene.materials[body.material];
     let axes = set.layout.axes;
+    let mut point = Point::new(&material.law, material.density, [0.0; 6]);
     let mut worst: Option<Beyond> = None;
     for p in 0..set.len() {
         let local = set.position(p);
         let x: Vector = std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]);
         let stress = (body.initial_stress).at(&x, &scene.gravity, material.density);
-        let beyond = beyond(material, &stress);
+        let beyond = beyond(&mut point, &stress);
         if beyond > worst.as_ref().map_or(0.0, |worst| worst.by) {
             worst = Some(Beyond {
                 by: beyond,
@@ -69,11 +70,11 @@ struct Beyond {
     stress: [f64; 6],
 }
 
-/// How far a law moves a stress where nothing strains \[Pa\]: 0 where it bears it.
-fn beyond(material: &Material, stress: &[f64; 6]) -> f64 {
+/// How far the law of a point moves a stress where nothing strains \[Pa\]: 0 where it bears it.
+fn beyond(point: &mut Point, stress: &[f64; 6]) -> f64 {
     // Round-off of the return to a yield surface that a stress lies on.
     const NEARLY: f64 = 1e-9;
-    let mut point = Point::new(&material.law, material.density, *stress);
+    point.begin(*stress);
     let Ok(()) = point.step(&[[0.0; 3]; 3], 1.0) else {
         return f64::INFINITY;
     };

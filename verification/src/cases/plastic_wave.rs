@@ -20,7 +20,7 @@ use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{STRESS, advance, along, l2, ratio};
 use super::judging::{error_at_most, error_gate, of_variant, order_gate, table, value_of};
-use super::yielding::{LAWS, Yielding};
+use super::yielding::{self, LAWS, Yielding, of_law};
 use super::{NO_RESULTS, body, cuboid, material, solve_scene};
 use crate::case::{Case, CaseError, Curve, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::plastic_wave::PlasticWave as Exact;
@@ -184,9 +184,7 @@ impl Case for PlasticWave {
             Size::Quick => &[50, 100, 200],
             Size::Full => &[50, 100, 200, 400],
         };
-        LAWS.into_iter()
-            .flat_map(|law| Rung::counted(law, &format!("{law} L/h"), LENGTH, counts))
-            .collect()
+        yielding::rungs("L/h", LENGTH, counts)
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
@@ -241,11 +239,7 @@ impl Case for PlasticWave {
     fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         let mut verdict = Verdict::default();
         for law in LAWS {
-            let rungs: Vec<Rung> = self
-                .rungs(size)
-                .into_iter()
-                .filter(|rung| rung.variant == law)
-                .collect();
+            let rungs = of_law(law, self.rungs(size));
             let table = table(solved, law, &[STRESS, PLASTIC, MOMENTUM, WORK]);
             let [coarse, fine] = CELLS.map(|cells| Self::label(law, cells));
             let differences =

@@ -5,6 +5,7 @@
 
 use proctor_kernel::laws::{AnyLaw, DruckerPrager, Match, MohrCoulomb, Tresca, VonMises};
 
+use crate::case::Rung;
 use crate::exact::two_slopes::TwoSlopes;
 
 /// Variants of the cases, one a law.
@@ -79,4 +80,17 @@ impl Yielding {
             _ => TwoSlopes::von_mises(young, POISSON, self.strength, HARDENING * young),
         }
     }
+}
+
+/// Rungs of all laws, with so many cells along a length \[m\] that labels call `word`.
+pub fn rungs(word: &str, length: f64, counts: &[u32]) -> Vec<Rung> {
+    LAWS.into_iter()
+        .flat_map(|law| Rung::counted(law, &format!("{law} {word}"), length, counts))
+        .collect()
+}
+
+/// Those of one law.
+pub fn of_law(law: &str, rungs: Vec<Rung>) -> Vec<Rung> {
+    let own = |rung: &Rung| rung.variant == law;
+    rungs.into_iter().filter(own).collect()
 }

@@ -23,7 +23,7 @@ use proctor_kernel::simulation::{Options, Simulation};
 use super::dynamics::{DISPLACEMENT, along, l2, ratio, step};
 use super::judging::{error_gate, of_variant, order_gate, table};
 use super::statics::{most_steps, relax};
-use super::yielding::{LAWS, Yielding};
+use super::yielding::{self, LAWS, Yielding, of_law};
 use super::{NO_RESULTS, body, cuboid, material, solve_scene};
 use crate::case::{Case, CaseError, Curve, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::yielding_column::YieldingColumn as Exact;
@@ -225,9 +225,7 @@ impl Case for YieldingColumn {
             Size::Quick => &[8, 16, 32],
             Size::Full => &[8, 16, 32, 64],
         };
-        LAWS.into_iter()
-            .flat_map(|law| Rung::counted(law, &format!("{law} H/h"), HEIGHT, counts))
-            .collect()
+        yielding::rungs("H/h", HEIGHT, counts)
     }
 
     fn scene(&self, rung: &Rung) -> Scene {
@@ -278,11 +276,7 @@ impl Case for YieldingColumn {
         let way = "one percent: no stress was higher on the way; strains of 1e-3 are not in the reference";
         let order = "1 at least: slopes have a kink where it yields";
         for law in LAWS {
-            let rungs: Vec<Rung> = self
-                .rungs(size)
-                .into_iter()
-                .filter(|rung| rung.variant == law)
-                .collect();
+            let rungs = of_law(law, self.rungs(size));
             let names = [DISPLACEMENT, VERTICAL, LATERAL, SETTLEMENT, PLASTIC];
             let table = table(solved, law, &names);
             let bounds = [

@@ -5,12 +5,12 @@ mod softening;
 
 pub use softening::{Residual, Softening};
 
-use super::plastic::{self, RELAXATION, STRAIN, WORK, Yielding, deviator, second_invariant};
+use super::plastic::{
+    RELAXATION, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator, second_invariant,
+};
 use super::principal::{components, spectrum};
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
-use super::{
-    Accepted, Choice, Constant, Given, Increment, Law, LinearElastic, Particle, Readable, Unfit,
-};
+use super::{Accepted, Choice, Constant, Given, LinearElastic, Readable, Unfit};
 use crate::lanes::{Lanes, functions};
 use crate::layout::Variable;
 use region::Strength;
@@ -34,11 +34,7 @@ pub struct MohrCoulomb {
 impl MohrCoulomb {
     /// Of Young's modulus \[Pa\], Poisson's ratio, friction \[°\], cohesion \[Pa\] and dilation \[°\].
     #[must_use]
-    pub fn new(
-        young: f64,
-        poisson: f64,
-        [friction, cohesion, dilation]: [f64; 3],
-    ) -> Self {
+    pub fn new(young: f64, poisson: f64, [friction, cohesion, dilation]: [f64; 3]) -> Self {
         Self {
             elastic: LinearElastic::new(young, poisson),
             peak: [friction, cohesion, dilation, 0.0],
@@ -128,7 +124,11 @@ impl MohrCoulomb {
     fn soften<L: Lanes>(&self, strength: &mut Strength<L>, left: L) {
         let [friction, cohesion, dilation, tensile] = self.peak;
         let two = L::splat(2.0);
-        let angle = between(friction.to_radians(), self.residual.friction.map(f64::to_radians), left);
+        let angle = between(
+            friction.to_radians(),
+            self.residual.friction.map(f64::to_radians),
+            left,
+        );
         let (sine, cosine) = functions::sine_and_cosine(angle);
         let cohesion = between(cohesion, self.residual.cohesion, left);
         strength.sine = sine;
@@ -162,6 +162,71 @@ fn between<L: Lanes>(peak: f64, residual: Option<f64>, left: L) -> L {
 }
 
 impl Yielding for MohrCoulomb {
+    const CONSTANTS: &'static [Constant] = &[
+        super::YOUNG,
+        super::POISSON,
+        FRICTION,
+        COHESION,
+        DILATION,
+        TENSILE,
+        Constant {
+            key: "dilation.until",
+            meaning: "Plastic volume strain at which dilation ends; 0 for no end",
+            unit: "",
+            accepted: Accepted::NotNegative,
+            given: Given::Or(0.0),
+        },
+        RELAXATION,
+        softening::CONSTANTS[0],
+        softening::CONSTANTS[1],
+        softening::CONSTANTS[2],
+        softening::CONSTANTS[3],
+        softening::CONSTANTS[4],
+        softening::CONSTANTS[5],
+        softening::CONSTANTS[6],
+    ];
+    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, VOLUME_STRAIN];
+
+    fn name(&self) -> &'static str {
+        Self::NAME
+    }
+
+    fn values(&self) -> Vec<f64> {
+        let elasticity = self.elastic.elasticity();
+        let [friction, cohesion, dilation, tensile] = self.peak;
+        let mut values = vec![
+            elasticity.young,
+            elasticity.poisson,
+            friction,
+            cohesion,
+            dilation,
+            tensile,
+            self.end_of_dilation,
+            self.relaxation,
+        ];
+        values.extend(softening::values(self.softening, &self.residual, self.peak));
+        values
+    }
+
+    fn problems(&self) -> Vec<Unfit> {
+        let [friction, cohesion, dilation, tensile] = self.peak;
+        let mut found = strength::problems(friction, dilation, cohesion, tensile);
+        found.extend(softening::problems(
+            self.softening,
+            &self.residual,
+            self.peak,
+        ));
+        found
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let mut all = strength::warnings(self.peak[0], self.peak[2]);
+        if self.softening != Softening::None {
+            all.push(strength::NOT_CONVERGED.to_owned());
+        }
+        all
+    }
+
     fn elastic(&self) -> &LinearElastic {
         &self.elastic
     }
@@ -213,7 +278,9 @@ fn may_yield<L: Lanes, const D: usize>(strength: &Strength<L>, trial: &[L; 6]) -
     let (mean, s) = deviator::<L, D>(trial);
     let radius = second_invariant::<L, D>(&s).sqrt();
     let sine = strength.sine;
-    let steep = (sine * sine).mul_add(L::splat(1.0 / 3.0), L::splat(1.0)).sqrt();
+    let steep = (sine * sine)
+        .mul_add(L::splat(1.0 / 3.0), L::splat(1.0))
+        .sqrt();
     let shear = radius * steep + mean * sine - L::splat(0.5) * strength.cohesive;
     let tension = radius.mul_add(L::splat(2.0 / 3.0_f64.sqrt()), mean) - strength.tension;
     // A margin for round-off: who is asked for nothing stays as it is.
@@ -231,98 +298,6 @@ fn deviatoric<L: Lanes>(from: &[L; 3], to: &[L; 3]) -> L {
         square = (entry - mean).mul_add(entry - mean, square);
     }
     square.sqrt()
-}
-
-/// The plastic volume strain, by which dilation may end.
-const DILATED: Variable = Variable::scalar("plastic volume strain", "");
-
-impl Law for MohrCoulomb {
-    const CONSTANTS: &'static [Constant] = &[
-        super::YOUNG,
-        super::POISSON,
-        FRICTION,
-        COHESION,
-        DILATION,
-        TENSILE,
-        Constant {
-            key: "dilation.until",
-            meaning: "Plastic volume strain at which dilation ends; 0 for no end",
-            unit: "",
-            accepted: Accepted::NotNegative,
-            given: Given::Or(0.0),
-        },
-        RELAXATION,
-        softening::CONSTANTS[0],
-        softening::CONSTANTS[1],
-        softening::CONSTANTS[2],
-        softening::CONSTANTS[3],
-        softening::CONSTANTS[4],
-        softening::CONSTANTS[5],
-        softening::CONSTANTS[6],
-    ];
-    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, DILATED];
-
-    fn name(&self) -> &'static str {
-        Self::NAME
-    }
-
-    fn values(&self) -> Vec<f64> {
-        let elasticity = self.elastic.elasticity();
-        let [friction, cohesion, dilation, tensile] = self.peak;
-        let mut values = vec![
-            elasticity.young,
-            elasticity.poisson,
-            friction,
-            cohesion,
-            dilation,
-            tensile,
-            self.end_of_dilation,
-            self.relaxation,
-        ];
-        values.extend(softening::values(self.softening, &self.residual, self.peak));
-        values
-    }
-
-    fn problems(&self) -> Vec<Unfit> {
-        let [friction, cohesion, dilation, tensile] = self.peak;
-        let mut found = strength::problems(friction, dilation, cohesion, tensile);
-        found.extend(softening::problems(self.softening, &self.residual, self.peak));
-        found
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        let mut all = strength::warnings(self.peak[0], self.peak[2]);
-        if self.softening != Softening::None {
-            all.push(strength::NOT_CONVERGED.to_owned());
-        }
-        all
-    }
-
-    fn young(&self) -> f64 {
-        self.elastic.young()
-    }
-
-    fn wave_speed(&self, density: f64) -> f64 {
-        self.elastic.wave_speed(density)
-    }
-
-    #[inline(always)]
-    fn update<L: Lanes, const D: usize>(
-        &self,
-        increment: &Increment<L>,
-        stress: &mut [L; 6],
-        variables: &mut [L],
-    ) -> L {
-        plastic::update::<Self, L, D>(self, increment, stress, variables)
-    }
-
-    fn energy(&self, particle: &Particle<'_>) -> f64 {
-        self.elastic.energy(particle)
-    }
-
-    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
-        plastic::dissipated(particle)
-    }
 }
 
 impl Readable for MohrCoulomb {

@@ -72,10 +72,7 @@ fn sheared<L: Lanes>(elasticity: &Isotropic, strength: &Strength<L>, s: &[L; 3])
     let both = sine * flow;
     // C : b for the flow direction b = (1 + sin psi, 0, -(1 - sin psi)).
     let swell = lambda2 * flow;
-    let (first, last) = (
-        swell + shear2 * (one + flow),
-        swell - shear2 * (one - flow),
-    );
+    let (first, last) = (swell + shear2 * (one + flow), swell - shear2 * (one - flow));
     let plane = shear4 * (one + both) + (lambda2 + lambda2) * both;
     let beyond = strength.beyond(s[0], s[2]);
 
@@ -140,10 +137,7 @@ fn sheared_and_torn<L: Lanes>(
     let flow = strength.flow;
     let t = strength.tension;
     let swell = (lambda + lambda) * flow;
-    let (first, last) = (
-        swell + shear2 * (one + flow),
-        swell - shear2 * (one - flow),
-    );
+    let (first, last) = (swell + shear2 * (one + flow), swell - shear2 * (one - flow));
     let smallest = ((one + strength.sine) * t - strength.cohesive) / (one - strength.sine);
     let determinant = first * lambda - last * confined;
     let (at_first, at_last) = (s[0] - t, s[2] - smallest);

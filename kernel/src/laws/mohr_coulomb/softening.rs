@@ -65,7 +65,10 @@ pub(super) const CHOICES: [Choice; 5] = [
     active("softening.friction.active", "Whether friction softens."),
     active("softening.cohesion.active", "Whether cohesion softens."),
     active("softening.dilation.active", "Whether dilation softens."),
-    active("softening.tensile.active", "Whether the tensile strength softens."),
+    active(
+        "softening.tensile.active",
+        "Whether the tensile strength softens.",
+    ),
 ];
 
 const fn active(key: &'static str, meaning: &'static str) -> Choice {
@@ -163,7 +166,10 @@ pub(super) fn values(softening: Softening, residual: &Residual, peak: [f64; 4]) 
         residual.dilation,
         residual.tensile,
     ];
-    let left = left.into_iter().zip(peak).map(|(left, peak)| left.unwrap_or(peak));
+    let left = left
+        .into_iter()
+        .zip(peak)
+        .map(|(left, peak)| left.unwrap_or(peak));
     [eta, from, to].into_iter().chain(left).collect()
 }
 

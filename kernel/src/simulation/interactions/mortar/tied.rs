@@ -196,8 +196,7 @@ impl<const D: usize> Tied<D> {
     }
 }
 
-impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T>
-{
+impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Ties the vertices of all bodies to their particles, once, at the start.
     pub(super) fn tie(&mut self, hosts: &Simulation) {
         let mirrors = Mirrors::of(&hosts.decided.scene);
@@ -321,8 +320,9 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let lines = field.nodes.lines();
         // A plane that is fixed to a moving base mirrors velocities relative to it.
         let base = hosts.decided.base.as_ref();
-        let base: PointIn<D> =
-            base.map_or_else(PointIn::zeros, |base| from_vector(&base.at(hosts.state.clock.time)));
+        let base: PointIn<D> = base.map_or_else(PointIn::zeros, |base| {
+            from_vector(&base.at(hosts.state.clock.time))
+        });
         let [velocities, accelerations] = tied.gathered(shape, &mirrors, team, |node| {
             let line = &lines[node];
             [velocity_at(line) - base, force_at(line) / line[0]]

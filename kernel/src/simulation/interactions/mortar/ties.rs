@@ -71,7 +71,8 @@ impl<const D: usize> Ties<D> {
             PointIn::<D>::from_fn(|axis, _| SUPPORT * 2.0 * body.particle_half_length[axis]);
         let candidates = candidates::<D>(set, body, &support, mirrors);
         let mut in_cells: HashMap<[i64; D], Vec<usize>> = HashMap::new();
-        let cell_of = |x: &PointIn<D>| std::array::from_fn(|axis| (x[axis] / support[axis]).floor() as i64);
+        let cell_of =
+            |x: &PointIn<D>| std::array::from_fn(|axis| (x[axis] / support[axis]).floor() as i64);
         for (c, candidate) in candidates.iter().enumerate() {
             in_cells.entry(cell_of(&candidate.at)).or_default().push(c);
         }
@@ -79,7 +80,14 @@ impl<const D: usize> Ties<D> {
         let last = set.id.iter().copied().max().unwrap_or(0);
         let mut ties = Self {
             first,
-            numbers: vec![UNTIED; if set.is_empty() { 0 } else { (last - first) as usize + 1 }],
+            numbers: vec![
+                UNTIED;
+                if set.is_empty() {
+                    0
+                } else {
+                    (last - first) as usize + 1
+                }
+            ],
             ..Self::default()
         };
         for x_v in vertices {
