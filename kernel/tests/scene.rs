@@ -85,7 +85,7 @@ fn every_problem_is_found_by_path() {
             s.tractions.push(Traction {
                 p1: [0.0; 3],
                 p2: [1.0, 1.0, 0.0],
-                traction: [1.0, 0.0, 0.0],
+                traction: [1.0, 0.0, 0.0].into(),
             });
         }),
     ];

@@ -211,6 +211,8 @@ fn nodal_loads(traction: &Traction, mesh: &Mesh) -> Vec<PointLoad> {
         last if i == 0 || i == last => 0.5 * mesh.cell[axis],
         _ => mesh.cell[axis],
     };
+    // No case hands over a traction that changes in time.
+    let constant = traction.traction.constant().unwrap_or_default();
     let mut loads = vec![];
     for i in 0..=cells[0] {
         for j in 0..=cells[1] {
@@ -221,7 +223,7 @@ fn nodal_loads(traction: &Traction, mesh: &Mesh) -> Vec<PointLoad> {
                     position: std::array::from_fn(|axis| {
                         traction.p1[axis] + at[axis] as f64 * mesh.cell[axis]
                     }),
-                    force: traction.traction.map(|t| t * area),
+                    force: constant.map(|t| t * area),
                 });
             }
         }

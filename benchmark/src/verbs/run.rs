@@ -168,6 +168,7 @@ fn bound_words(bound: Bound) -> &'static str {
         Bound::Multiplier => "by the scene's multiplier",
         Bound::Contact => "by the stiffness of the contact",
         Bound::Closing => "so that no gap closes by more than half the critical gap",
+        Bound::Viscosity => "by viscosity beside the stability bound",
         Bound::Damping => "by viscous damping beside the stability bound",
         Bound::Fixed => "constant, by the scene",
         Bound::OutputTime => "shortened so that frames fall on their times",

@@ -24,6 +24,33 @@ pub enum PlaneCondition {
     Sliding,
     /// Velocity zero.
     Fixed,
+    /// Tangential velocity zero, normal free: what lies beyond moves as what lies inside, turned by half a turn, as in a
+    /// long layer that shears.
+    Antisymmetric,
+}
+
+impl PlaneCondition {
+    /// Whether it prescribes the velocity along an axis of a plane with that normal.
+    #[must_use]
+    pub fn prescribes(self, along: usize, normal: usize) -> bool {
+        match self {
+            Self::Free => false,
+            Self::Sliding => along == normal,
+            Self::Fixed => true,
+            Self::Antisymmetric => along != normal,
+        }
+    }
+
+    /// Its word.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::Sliding => "sliding",
+            Self::Fixed => "fixed",
+            Self::Antisymmetric => "antisymmetric",
+        }
+    }
 }
 
 impl Mesh {

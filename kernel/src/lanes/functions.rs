@@ -81,3 +81,42 @@ pub fn sine_and_cosine<L: Lanes>(angle: L) -> (L, L) {
     }
     (sine * angle, cosine)
 }
+
+/// Natural logarithm within two units in the last place. 0 and less give that of the smallest positive number of full
+/// precision, infinity that of the largest number; NaN stays NaN.
+#[inline(always)]
+pub fn ln<L: Lanes>(x: L) -> L {
+    // ln 2 in two parts, of which the first has so few bits that n times it is exact.
+    const HIGH: f64 = 0.693_147_180_369_123_8;
+    const LOW: f64 = 1.908_214_929_270_587_7e-10;
+    const TERMS: usize = 11;
+    let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
+    // The second operand is taken where a comparison is false, and so a NaN is.
+    let x = L::splat(f64::MAX).min(L::splat(f64::MIN_POSITIVE).max(x));
+    // x = 2^n m, bit by bit of |n|: m from 1 to 2, and then from sqrt(1/2) to sqrt(2).
+    let (mut m, mut n) = (x, zero);
+    let mut bit = 512.0;
+    for power in POWERS {
+        let is_less = m.lt(L::splat(power));
+        m = m * L::select(is_less, one, L::splat(1.0 / power));
+        n = n + L::select(is_less, zero, L::splat(bit));
+        let is_small = m.lt(L::splat(2.0 / power));
+        m = m * L::select(is_small, L::splat(power), one);
+        n = n - L::select(is_small, L::splat(bit), zero);
+        bit *= 0.5;
+    }
+    let is_high = L::splat(std::f64::consts::SQRT_2).lt(m);
+    m = m * L::select(is_high, half, one);
+    n = n + L::select(is_high, one, zero);
+    // ln m = 2 artanh z with z = (m - 1)/(m + 1), |z| < 0.172: z (2 + 2 z²/3 + 2 z⁴/5 + ...).
+    let z = (m - one) / (m + one);
+    let square = z * z;
+    let mut sum = L::splat(2.0 / (2 * TERMS + 1) as f64);
+    for i in (1..TERMS).rev() {
+        sum = sum.mul_add(square, L::splat(2.0 / (2 * i + 1) as f64));
+    }
+    // m - 1 is exact near 1, where it is the larger part: ln m = (m - 1) - z ((m - 1) - z² sum).
+    let excess = m - one;
+    let rest = z * (excess - square * sum);
+    n.mul_add(L::splat(HIGH), excess - (rest - n * L::splat(LOW)))
+}

@@ -36,6 +36,19 @@ impl LinearElastic {
         }
     }
 
+    /// Of a shear modulus \[Pa\] and no resistance to a change of volume.
+    pub(super) const fn of_shear(shear: f64) -> Self {
+        Self {
+            elasticity: Isotropic {
+                young: 0.0,
+                poisson: -1.0,
+                lambda: -2.0 / 3.0 * shear,
+                shear,
+            },
+            rate: ObjectiveRate::HughesWinget,
+        }
+    }
+
     /// Objective rate.
     #[must_use]
     pub fn rate(&self) -> ObjectiveRate {
@@ -125,15 +138,20 @@ fn hypoelastic<L: Lanes, const D: usize>(
     if law.rate == ObjectiveRate::JaumannForward {
         return jaumann_forward::<L, D>(law, g, s);
     }
-    // Hughes and Winget 1980: strain increment and spin on the midpoint configuration,
-    // G_mid = 2 (f - 1)(f + 1)^-1, which is G (1 + G/2)^-1 or G (1 - G/2)^-1.
+    let g_mid = midpoint::<L, D>(g, at);
+    let rotated = rotate::<L, D>(&g_mid, s);
+    add_elastic::<L, D>(law, &g_mid, &rotated)
+}
+
+/// Velocity gradient times time step on the midpoint configuration (Hughes and Winget 1980): its symmetric part is the
+/// strain increment, the other the spin. G_mid = 2 (f - 1)(f + 1)^-1, which is G (1 + G/2)^-1 or G (1 - G/2)^-1.
+#[inline(always)]
+pub(super) fn midpoint<L: Lanes, const D: usize>(g: &Matrix<L>, at: Configuration) -> Matrix<L> {
     let half = match at {
         Configuration::Beginning => 0.5,
         Configuration::End => -0.5,
     };
-    let g_mid = product::<L, D>(g, &inverse::<L, D>(&one_plus::<L, D>(g, half)));
-    let rotated = rotate::<L, D>(&g_mid, s);
-    add_elastic::<L, D>(law, &g_mid, &rotated)
+    product::<L, D>(g, &inverse::<L, D>(&one_plus::<L, D>(g, half)))
 }
 
 /// sigma + lambda tr(e) 1 + 2 G e with e = sym(g).

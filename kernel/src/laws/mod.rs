@@ -8,6 +8,7 @@ mod constants;
 pub mod plastic;
 mod point;
 pub mod principal;
+mod state;
 mod strain;
 mod strength;
 pub mod tensor;
@@ -19,6 +20,7 @@ pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
 pub use plastic::Yielding;
 pub use point::{Point, PointFault};
+pub use state::EquationOfState;
 pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 
@@ -48,6 +50,8 @@ list! {
     tresca: Tresca,
     mohr_coulomb: MohrCoulomb,
     drucker_prager: DruckerPrager,
+    newtonian: Newtonian,
+    bingham: Bingham,
 }
 
 /// A constitutive law.
@@ -89,6 +93,18 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
 
     /// Speed of the fastest wave at rest \[m/s\] for an initial density \[kg/m³\]. The first time step depends on it.
     fn wave_speed(&self, density: f64) -> f64;
+
+    /// Longitudinal viscosity \[Pa s\], 4 mu/3, of a stress that follows the rate of deformation at once; the time step
+    /// depends on it.
+    fn viscosity(&self) -> f64 {
+        0.0
+    }
+
+    /// Volume over the volume without stress, under a mean stress at the start \[Pa\]: 1 where the stress of the start is
+    /// remembered and does not follow from the volume.
+    fn initial_volume_ratio(&self, _mean_stress: f64) -> f64 {
+        1.0
+    }
 
     /// Stress and internal variables after a strain increment; returns the square of the speed of the fastest wave
     /// \[m²/s²\], on which the next time step depends. Must be `#[inline(always)]`.

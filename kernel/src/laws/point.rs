@@ -63,7 +63,8 @@ impl Point {
     pub fn begin(&mut self, stress: [f64; 6]) {
         self.time = 0.0;
         self.columns[Layout::MASS][0] = self.density;
-        self.columns[Layout::VOLUME][0] = 1.0;
+        let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+        self.columns[Layout::VOLUME][0] = self.law.initial_volume_ratio(mean);
         for (i, value) in stress.into_iter().enumerate() {
             self.columns[Layout::stress(3) + i][0] = value;
         }

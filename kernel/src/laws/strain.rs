@@ -108,6 +108,10 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn young(&self) -> f64;
     /// See [`Law::wave_speed`].
     fn wave_speed(&self, density: f64) -> f64;
+    /// See [`Law::viscosity`].
+    fn viscosity(&self) -> f64;
+    /// See [`Law::initial_volume_ratio`].
+    fn initial_volume_ratio(&self, mean_stress: f64) -> f64;
     /// See [`Law::energy`].
     fn energy(&self, particle: &Particle<'_>) -> f64;
     /// See [`Law::dissipated`].
@@ -144,6 +148,12 @@ impl<M: Law> Strain for M {
     }
     fn wave_speed(&self, density: f64) -> f64 {
         Law::wave_speed(self, density)
+    }
+    fn viscosity(&self) -> f64 {
+        Law::viscosity(self)
+    }
+    fn initial_volume_ratio(&self, mean_stress: f64) -> f64 {
+        Law::initial_volume_ratio(self, mean_stress)
     }
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         Law::energy(self, particle)

@@ -12,6 +12,27 @@ pub struct History {
     pub values: Vec<Vector>,
 }
 
+impl History {
+    /// The value, where it is one at all times.
+    #[must_use]
+    pub fn constant(&self) -> Option<Vector> {
+        match self.values[..] {
+            [value] => Some(value),
+            _ => None,
+        }
+    }
+}
+
+impl From<Vector> for History {
+    /// A value that is one at all times.
+    fn from(value: Vector) -> Self {
+        Self {
+            times: vec![0.0],
+            values: vec![value],
+        }
+    }
+}
+
 /// Prescribed motion of one boundary plane of the mesh. Along its normal the plane takes the mesh with it, and with
 /// the mesh the plane opposite and all loads that are fixed to nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,15 +74,15 @@ pub struct PointLoad {
     pub force: Vector,
 }
 
-/// Constant traction on an axis-aligned rectangle (a segment in two dimensions) fixed in space.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Traction on an axis-aligned rectangle (a segment in two dimensions) fixed in space, uniform there.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Traction {
     /// Lower corner \[m\].
     pub p1: Vector,
     /// Upper corner \[m\]; equal to `p1` along exactly one axis, the normal.
     pub p2: Vector,
     /// Traction \[Pa\].
-    pub traction: Vector,
+    pub traction: History,
 }
 
 /// Total force spread by volume over the particles in a box at the start.

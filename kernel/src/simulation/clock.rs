@@ -5,6 +5,7 @@ use super::error::{StepError, StepErrorKind, Unstable};
 use super::interactions::Interaction;
 use super::phase::Phase;
 use super::step::Watcher;
+use crate::layout::Layout;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
 use crate::scene::{TimeStep, Vector};
 
@@ -51,6 +52,8 @@ pub enum Bound {
     Closing,
     /// The rate of viscous damping, beside the stability bound of the scheme.
     Damping,
+    /// The viscosity of a material, beside the stability bound of the scheme.
+    Viscosity,
     /// The scene's constant step.
     Fixed,
     /// Equal steps up to a time at which something is written.
@@ -82,6 +85,20 @@ pub struct StepInfo {
 fn damped_step(stable: f64, rate: f64) -> f64 {
     if rate > 0.0 {
         4.0 / (rate + (rate * rate + 16.0 / (stable * stable)).sqrt())
+    } else {
+        stable
+    }
+}
+
+/// The largest stable step where `stable` is that without viscosity \[s\], `speed` the speed of waves and particles \[m/s\]
+/// and `diffusivity` the longitudinal viscosity over density \[m²/s\]. The viscous force is that of the velocity half a step
+/// before: with w² = c² k² and a rate nu k², w² dt² + 2 nu k² dt <= 4; k is the wave number for which `stable` is 2/(c k), so
+/// that dt = (h/c)(sqrt(1 + x²) - x) with x = nu/(c h) and h = c times `stable`.
+fn viscous_step(stable: f64, speed: f64, diffusivity: f64) -> f64 {
+    if diffusivity > 0.0 {
+        let way = speed * stable;
+        let both = diffusivity * diffusivity + (speed * way) * (speed * way);
+        way * way / (diffusivity + both.sqrt())
     } else {
         stable
     }
@@ -188,15 +205,18 @@ impl Simulation {
         let h = self.smallest_cell();
         let stable = self.stability_number() * h / (wave_speed + particle_speed);
         let travel = travel_step(MOST_CELLS_PER_STEP * h, particle_speed, self.acceleration());
-        let (undamped, bound) = if travel < stable {
+        let viscous = viscous_step(stable, wave_speed + particle_speed, self.diffusivity());
+        let (undamped, bound) = if travel < viscous {
             (travel, Bound::Travel)
+        } else if viscous < stable {
+            (viscous, Bound::Viscosity)
         } else {
             (stable, Bound::Stability)
         };
         Limits {
             undamped,
             bound,
-            damped: damped_step(stable, self.viscous_rate()),
+            damped: damped_step(viscous, self.viscous_rate()),
             wave_speed,
             particle_speed,
         }
@@ -206,6 +226,21 @@ impl Simulation {
     fn viscous_rate(&self) -> f64 {
         let free = self.decided.bodies.iter().filter(|b| b.motion.is_none());
         free.map(|body| body.viscous_rate).fold(0.0, f64::max)
+    }
+
+    /// Largest longitudinal viscosity of a particle over its density \[m²/s\].
+    fn diffusivity(&self) -> f64 {
+        let mut most = 0.0_f64;
+        for (body, set) in self.decided.bodies.iter().zip(&self.state.sets) {
+            let viscosity = body.law.viscosity();
+            if viscosity > 0.0 && body.motion.is_none() {
+                let [mass, volume] =
+                    [Layout::MASS, Layout::VOLUME].map(|column| &set.columns[column]);
+                let specific = volume.iter().zip(mass).map(|(v, m)| v / m);
+                most = most.max(viscosity * specific.fold(0.0, f64::max));
+            }
+        }
+        most
     }
 
     /// What gravity and box loads accelerate a particle by, at most \[m/s²\].

@@ -35,6 +35,8 @@ pub(super) fn set(set: &mut ParticleSet, scene: &Scene, index: usize) -> Result<
         for (i, value) in stress[..set.layout.stress_components()].iter().enumerate() {
             set.columns[Layout::stress(axes) + i][p] = *value;
         }
+        let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+        compress(set, p, material.law.initial_volume_ratio(mean));
     }
     let Some(Beyond { by, x, stress }) = worst else {
         return Ok(());
@@ -61,6 +63,24 @@ pub(super) fn set(set: &mut ParticleSet, scene: &Scene, index: usize) -> Result<
             material.name
         ),
     })
+}
+
+/// Gives a particle the mass of what was pressed into its volume: `ratio` is that volume over the one without stress.
+fn compress(set: &mut ParticleSet, p: usize, ratio: f64) {
+    if ratio == 1.0 {
+        return;
+    }
+    set.columns[Layout::MASS][p] /= ratio;
+    let axes = set.layout.axes;
+    let stretch = libm::pow(ratio, 1.0 / axes as f64);
+    for axis in 0..axes {
+        if let Some(first) = set.layout.deformation {
+            set.columns[first + axis * axes + axis][p] = stretch;
+        }
+        if let Some(first) = set.layout.initial_half_length {
+            set.columns[first + axis][p] /= stretch;
+        }
+    }
 }
 
 /// A particle whose stress its law does not bear.

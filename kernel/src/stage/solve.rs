@@ -2,13 +2,15 @@
 //!
 //! Before the solve a node holds mass, momentum and force; after it mass, velocity v_I^(k+1/2) and its
 //! increment dv_I. Ghost nodes beyond a sliding plane mirror the body (normal component odd, tangential even),
-//! beyond a fixed plane all components are odd about the velocity of the plane; what particles gave to a ghost
+//! beyond a fixed plane all components are odd about the velocity of the plane, beyond an antisymmetric one the
+//! tangential components alone; what particles gave to a ghost
 //! node is folded onto its mirror node before the solve, and the ghost gets the mirrored velocity after it.
 
 mod damped;
 mod remapped;
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
+use crate::scene::PlaneCondition;
 use std::ops::{AddAssign, Range};
 
 /// A boundary plane with a condition.
@@ -18,8 +20,8 @@ pub struct Wall {
     pub axis: usize,
     /// 0 the lower, 1 the upper plane.
     pub side: usize,
-    /// Whether the tangential velocity is prescribed too.
-    pub fixed: bool,
+    /// What it prescribes.
+    pub condition: PlaneCondition,
     /// Velocity of the plane half a step before \[m/s\].
     pub before: [f64; 3],
     /// Velocity of the plane half a step after \[m/s\].
@@ -28,7 +30,7 @@ pub struct Wall {
 
 impl Wall {
     pub(crate) fn prescribes(&self, axis: usize) -> bool {
-        self.fixed || axis == self.axis
+        self.condition.prescribes(axis, self.axis)
     }
 
     /// Storage indices along the direction of the normal: ghost, plane, mirror.

@@ -138,18 +138,19 @@ fn a_plane_stress_has_the_spectrum_of_space() {
     }
 }
 
-/// e^x, sin x and cos x of a number.
+/// e^x, sin x, cos x and ln x of a number.
 struct Functions(f64);
 
 impl Kernel for Functions {
-    type Output = [f64; 3];
+    type Output = [f64; 4];
 
     #[inline(always)]
-    fn run<B: Backend>(self) -> [f64; 3] {
+    fn run<B: Backend>(self) -> [f64; 4] {
         let x = B::Native::splat(self.0);
         let (sine, cosine) = functions::sine_and_cosine(x);
-        let mut found = [0.0; 3];
-        for (found, lane) in found.iter_mut().zip([functions::exp(x), sine, cosine]) {
+        let mut found = [0.0; 4];
+        let lanes = [functions::exp(x), sine, cosine, functions::ln(x)];
+        for (found, lane) in found.iter_mut().zip(lanes) {
             let mut all = [0.0; 8];
             lane.store(&mut all);
             *found = all[0];
@@ -185,6 +186,28 @@ fn functions_of_lanes_are_those_of_a_library() {
             assert!((found[2] - x.cos()).abs() < 4.5e-16, "cos {x}");
         }
     }
+    for _ in 0..2000 {
+        let (near, far) = (1.0 + 1e-3 * next(), (700.0 * next()).exp());
+        for x in [near, far, 1.0 + next().abs(), 1.0 + 1e-9 * next()] {
+            let (found, exact) = (Selected::any().run(Functions(x))[3], libm::log(x));
+            for lanes in all_lanes() {
+                let same = lanes.run(Functions(x))[3];
+                assert_eq!(same.to_bits(), found.to_bits(), "{x}");
+            }
+            assert!(
+                (found - exact).abs() <= 4.5e-16 * exact.abs(),
+                "ln({x}) = {found} not {exact}"
+            );
+        }
+    }
+    let ln = |x: f64| Selected::any().run(Functions(x))[3];
+    assert_eq!(
+        (ln(1.0), ln(0.0), ln(-1.0)),
+        (0.0, ln(f64::MIN_POSITIVE), ln(0.0))
+    );
+    assert!((ln(f64::MIN_POSITIVE) - libm::log(f64::MIN_POSITIVE)).abs() < 2e-13);
+    assert!((ln(f64::INFINITY) - libm::log(f64::MAX)).abs() < 2e-13);
+    assert!(ln(f64::NAN).is_nan());
     let far = |x: f64| Selected::any().run(Functions(x))[0];
     assert_eq!((far(1e9), far(-1e9)), (far(708.0), far(-708.0)));
     assert!(far(f64::NAN).is_nan());

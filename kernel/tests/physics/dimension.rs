@@ -50,7 +50,7 @@ fn plate(dimension: Dimension) -> Scene {
     scene.tractions = vec![Traction {
         p1: [0.13, 0.3, 0.0],
         p2: [0.36, 0.3, thick],
-        traction: [0.0, -400.0, 0.0],
+        traction: [0.0, -400.0, 0.0].into(),
     }];
     scene
 }

@@ -51,7 +51,7 @@ proptest! {
                 let mut load = Traction {
                     p1: [f64::min(a, b), 0.5, if three { f64::min(c, d) } else { 0.0 }],
                     p2: [f64::max(a, b), 0.5, if three { f64::max(c, d) } else { 0.0 }],
-                    traction: [30.0, -70.0, if three { 20.0 } else { 0.0 }],
+                    traction: [30.0, -70.0, if three { 20.0 } else { 0.0 }].into(),
                 };
                 scene.mesh.origin = [shift, -shift, if three { shift } else { 0.0 }];
                 let origin = scene.mesh.origin;
@@ -64,8 +64,9 @@ proptest! {
                     }
                 }
                 let area = (load.p2[0] - load.p1[0]) * if three { load.p2[2] - load.p1[2] } else { 1.0 };
+                let traction = load.traction.values[0];
                 scene.tractions = vec![load];
-                let exact = load.traction.map(|t| t * area);
+                let exact = traction.map(|t| t * area);
                 let found = force(&mut simulation(&scene));
                 // At 1e6 m the edges themselves are good to 1.2e-10 m.
                 let scale = 70.0 * (area + 1.0e3 * shift.abs() * f64::EPSILON / 1.0e-12);
@@ -405,4 +406,42 @@ fn a_body_that_is_held_all_over_does_not_move() {
     let before = particles(&simulation);
     run(&mut simulation, 5);
     assert_eq!(particles(&simulation), before);
+}
+
+/// A traction that grows over two seconds and stays: the momentum of a free block is its integral, whatever the scheme.
+#[test]
+fn a_traction_that_changes_gives_its_integral() {
+    const END: f64 = 3.0e-2;
+    for scheme in SCHEMES {
+        let mut scene = aligned(Dimension::Two);
+        scene.scheme = scheme;
+        scene.tractions = vec![Traction {
+            p1: [0.2, 0.5, 0.0],
+            p2: [0.7, 0.5, 0.0],
+            traction: History {
+                times: vec![0.0, 1.0e-2, 2.0e-2],
+                values: vec![[0.0; 3], [0.0, -40.0, 0.0], [10.0, 0.0, 0.0]],
+            },
+        }];
+        let mut simulation = simulation(&scene);
+        while simulation.time() < END {
+            simulation.step(END).expect("a step");
+        }
+        let momentum = simulation.momentum();
+        // Velocities are those half a step before the end.
+        let late = simulation.velocity_time();
+        let width = 0.5;
+        let exact = [
+            width * 10.0 * (0.5e-2 + late - 2.0e-2),
+            width * -40.0 * 1.0e-2,
+            0.0,
+        ];
+        for axis in 0..2 {
+            let off = (momentum[axis] - exact[axis]).abs();
+            assert!(
+                off < 2e-3 * width * 40.0 * 1.0e-2,
+                "{scheme:?} {momentum:?} {exact:?}"
+            );
+        }
+    }
 }

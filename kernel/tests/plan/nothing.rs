@@ -192,7 +192,7 @@ fn traction(scene: &mut Scene, traction: f64) {
     scene.tractions = vec![Traction {
         p1: [0.3, 0.4, low],
         p2: [0.5, 0.4, high],
-        traction: [0.0, traction, 0.0],
+        traction: [0.0, traction, 0.0].into(),
     }];
 }
 

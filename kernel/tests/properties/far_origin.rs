@@ -234,7 +234,7 @@ fn loaded(dimension: Dimension) -> Scene {
     scene.tractions = vec![Traction {
         p1: [0.125, 0.5, 0.0],
         p2: [0.375, 0.5, deep],
-        traction: [0.0, -100.0, 0.0],
+        traction: [0.0, -100.0, 0.0].into(),
     }];
     scene.box_loads = vec![BoxLoad {
         p1: [0.0; 3],

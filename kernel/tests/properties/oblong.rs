@@ -219,7 +219,7 @@ fn a_traction_gives_area_times_traction() {
         scene.tractions = vec![Traction {
             p1: [0.25, 1.0, if three { 0.12 } else { 0.0 }],
             p2: [0.62, 1.0, if three { 0.27 } else { 0.0 }],
-            traction,
+            traction: traction.into(),
         }];
         let area = 0.37 * if three { 0.15 } else { 1.0 };
         let mut simulation = simulation(&scene);

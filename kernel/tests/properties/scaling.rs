@@ -69,7 +69,9 @@ impl Units {
         for load in &mut scaled.tractions {
             long(&mut load.p1);
             long(&mut load.p2);
-            load.traction = load.traction.map(|t| t * self.stress());
+            for value in &mut load.traction.values {
+                *value = value.map(|t| t * self.stress());
+            }
         }
         if let TimeStep::Fixed { dt, .. } = &mut scaled.time_step {
             *dt *= self.time;
@@ -163,7 +165,7 @@ proptest! {
                 scene.tractions = vec![Traction {
                     p1: [0.05, 0.2, 0.0],
                     p2: [0.25, 0.2, 0.17],
-                    traction: [0.0, -100.0, 0.0],
+                    traction: [0.0, -100.0, 0.0].into(),
                 }];
                 crate::common::calm(&mut scene);
                 compare(&scene, units, seed)?;

@@ -388,7 +388,7 @@ impl Study for StepBar {
             scene.tractions = vec![Traction {
                 p1: [LENGTH, 0.0, 0.0],
                 p2: [LENGTH, h, 0.0],
-                traction: [-STRAIN * YOUNG, 0.0, 0.0],
+                traction: [-STRAIN * YOUNG, 0.0, 0.0].into(),
             }];
         }
         scene.time_step = settings.multiplier();

@@ -2,9 +2,12 @@
 
 use super::build::Build;
 use super::keys::{RawEarthquake, RawScene};
+use super::lists::VectorOrTable;
 use super::words::{PLANES, QUANTITIES, Quantity};
 use crate::records;
-use proctor_kernel::scene::{BaseMotion, BoxLoad, HeldBox, Motion, PointLoad, Scene, Traction};
+use proctor_kernel::scene::{
+    BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Scene, Traction,
+};
 
 impl Build<'_> {
     pub(super) fn loads(&mut self, raw: &RawScene, scene: &mut Scene) {
@@ -42,7 +45,7 @@ impl Build<'_> {
             scene.tractions.push(Traction {
                 p1: self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower),
                 p2: self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper),
-                traction: self.vector(&key("traction"), raw.traction.as_ref(), "the traction [Pa]"),
+                traction: self.traction(&key("traction"), raw.traction.as_ref()),
             });
         }
         for (i, raw) in raw.box_load.iter().flatten().enumerate() {
@@ -53,6 +56,17 @@ impl Build<'_> {
                 force: self.vector(&key("force"), raw.force.as_ref(), "the total force [N]"),
             });
         }
+    }
+
+    fn traction(&mut self, path: &str, given: Option<&VectorOrTable>) -> History {
+        let Some(given) = given else {
+            self.missing(
+                path,
+                "the traction [Pa], or rows of a time [s] and a traction",
+            );
+            return [f64::NAN; 3].into();
+        };
+        self.motion(path, given)
     }
 
     /// The motion of a plane, if it is active and its record can be read.

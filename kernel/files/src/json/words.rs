@@ -55,6 +55,7 @@ pub(super) const PLANE_CONDITIONS: Words<PlaneCondition> = &[
     ("free", PlaneCondition::Free),
     ("sliding", PlaneCondition::Sliding),
     ("fixed", PlaneCondition::Fixed),
+    ("antisymmetric", PlaneCondition::Antisymmetric),
 ];
 
 /// Kinds of damping.

@@ -108,7 +108,14 @@ pub fn write(scene: &Scene) -> Result<Written, NotWritten> {
         (
             "traction",
             tractions
-                .map(|t| with(corners(&t.p1, &t.p2), "traction", &t.traction))
+                .map(|t| {
+                    let mut keys = corners(&t.p1, &t.p2);
+                    keys["traction"] = match t.traction.constant() {
+                        Some(vector) => to.vector(&vector),
+                        None => to.rows(&t.traction),
+                    };
+                    keys
+                })
                 .collect(),
         ),
         (
@@ -262,11 +269,7 @@ impl Writer {
             "initial_velocity": self.vector(&body.velocity),
         });
         if let Some(motion) = &body.motion {
-            let rows = motion.times.iter().zip(&motion.values);
-            keys["prescribed_velocity"] = rows
-                .map(|(t, v)| [&[*t], &v[..self.0]].concat())
-                .collect::<Vec<_>>()
-                .into();
+            keys["prescribed_velocity"] = self.rows(motion);
         }
         match body.initial_stress {
             InitialStress::None => {}
@@ -284,6 +287,14 @@ impl Writer {
             }
         }
         Ok(keys)
+    }
+
+    /// Rows of a time and a vector.
+    fn rows(&self, history: &History) -> Value {
+        let rows = history.times.iter().zip(&history.values);
+        rows.map(|(t, v)| [&[*t], &v[..self.0]].concat())
+            .collect::<Vec<_>>()
+            .into()
     }
 
     /// The entry of a base motion, and its record.

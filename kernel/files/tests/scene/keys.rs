@@ -152,7 +152,10 @@ fn loads_results_and_probes() {
     assert_eq!(scene.outside, Outside::Remove);
     assert_eq!(scene.threads, Some(3));
     assert_eq!(scene.tractions[0].p2, [1.0, 0.5, 1.0]);
-    assert_eq!(scene.tractions[0].traction, [0.0, 0.0, -5.0]);
+    assert_eq!(
+        scene.tractions[0].traction.constant(),
+        Some([0.0, 0.0, -5.0])
+    );
     assert_eq!(scene.box_loads[0].force, [1.0, 0.0, 0.0]);
     assert_eq!(scene.results.print, 0);
     assert_eq!(scene.results.fields, Field::ALL);

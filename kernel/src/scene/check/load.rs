@@ -159,7 +159,12 @@ fn check_traction(
     problems: &mut Collector,
 ) {
     let axes = scene.dimension.axes();
-    problems.vector(format!("{path}.traction"), &traction.traction);
+    let at = format!("{path}.traction");
+    if let Some(vector) = traction.traction.constant() {
+        problems.vector(at, &vector);
+    } else {
+        check_history(&at, &traction.traction, problems);
+    }
     if !(problems.vector(format!("{path}.point_p1"), &traction.p1)
         & problems.vector(format!("{path}.point_p2"), &traction.p2))
     {

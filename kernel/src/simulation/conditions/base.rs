@@ -2,7 +2,7 @@
 
 use super::{Acting, Condition, Kind, Made};
 use crate::grid::GridShape;
-use crate::scene::{Scene, Vector};
+use crate::scene::{PlaneCondition, Scene, Vector};
 use crate::simulation::Simulation;
 use crate::simulation::clock::StepInfo;
 use crate::simulation::event::{Event, EventKind};
@@ -51,7 +51,7 @@ impl Condition for MovingBase {
         let own = Wall {
             axis: self.axis,
             side: self.side,
-            fixed: true,
+            condition: PlaneCondition::Fixed,
             before,
             after,
         };

@@ -2,15 +2,29 @@
 
 use super::{Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
-use crate::scene::{Scene, Traction, Vector};
+use crate::scene::{History, Scene, Traction, Vector};
 use crate::simulation::error::SetupError;
 use crate::simulation::fields::SlabField;
+use crate::simulation::history::value;
 use crate::stage::solve::{EmptyNode, NodeForce};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Forces on the nodes of all fields together, one for each node, increasing.
-struct NodalLoads(Vec<NodeForce>);
+/// Forces on the nodes of all fields together.
+struct NodalLoads {
+    /// Those that stay what they are, one for each node, increasing; zero at a node that only others act on.
+    steady: Vec<NodeForce>,
+    /// Tractions that change in time.
+    changing: Vec<Changing>,
+}
+
+/// A traction that changes in time.
+struct Changing {
+    /// Traction \[Pa\].
+    traction: History,
+    /// Numbers of nodes in the steady loads, and the area of each \[m²\].
+    areas: Vec<(usize, f64)>,
+}
 
 /// Nodal loads.
 pub(super) const NODAL_LOADS: Kind = Kind {
@@ -30,8 +44,8 @@ pub(super) const NODAL_LOADS: Kind = Kind {
 
 fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
     match nodal(scene, shape) {
-        Ok(loads) if loads.is_empty() => None,
-        loads => Some(loads.map(|loads| Arc::new(NodalLoads(loads)) as _)),
+        Ok(loads) if loads.steady.is_empty() => None,
+        loads => Some(loads.map(|loads| Arc::new(loads) as _)),
     }
 }
 
@@ -51,17 +65,35 @@ impl Condition for NodalLoads {
 }
 
 impl NodalLoads {
+    /// All of them at the middle of a kick, between the times of the velocities before and after \[s\].
+    fn now(&self, [before, after]: [f64; 2]) -> Cow<'_, [NodeForce]> {
+        if self.changing.is_empty() {
+            return Cow::Borrowed(&self.steady);
+        }
+        let mut all = self.steady.clone();
+        for one in &self.changing {
+            let traction = value(&one.traction, 0.5 * (before + after));
+            for &(place, area) in &one.areas {
+                for axis in 0..3 {
+                    all[place].force[axis] += traction[axis] * area;
+                }
+            }
+        }
+        Cow::Owned(all)
+    }
+
     /// The share of a field: that of its mass in the mass of all fields of a node that move freely.
     fn share(&self, field: &FieldNodes<'_, '_>) -> Result<Cow<'_, [NodeForce]>, EmptyNode> {
         let (slab, now) = (&*field.slab, field.now);
+        let all = self.now(now.acting.half_steps);
         if slab.fields.len() == 1 {
-            return Ok(Cow::Borrowed(&self.0));
+            return Ok(all);
         }
         let shape = slab.shape();
         let first = slab.range().start * shape.plane_nodes();
         let last = slab.range().end * shape.plane_nodes();
         let mut share = vec![];
-        for load in self.0.iter().filter(|l| (first..last).contains(&l.node)) {
+        for load in all.iter().filter(|l| (first..last).contains(&l.node)) {
             let [plane, row, k] = shape.indices(load.node);
             let mass = |field: &SlabField<'_>| {
                 let free = now.prescribed(field.owner).is_none();
@@ -91,8 +123,8 @@ impl NodalLoads {
 ///
 /// # Errors
 /// A point load that is not at a node, or a traction outside the mesh.
-fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupError> {
-    let mut all = vec![];
+fn nodal(scene: &Scene, shape: &GridShape) -> Result<NodalLoads, SetupError> {
+    let (mut all, mut changing) = (vec![], vec![]);
     for (i, load) in scene.point_loads.iter().enumerate() {
         let path = format!("nodal_point_load[{i}]");
         all.push(NodeForce {
@@ -101,7 +133,15 @@ fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupError>
         });
     }
     for (i, load) in scene.tractions.iter().enumerate() {
-        traction(scene, shape, i, load, &mut all)?;
+        let areas = areas(scene, shape, i, load)?;
+        let steady = load.traction.constant();
+        all.extend(areas.iter().map(|&(node, area)| NodeForce {
+            node,
+            force: steady.unwrap_or_default().map(|t| t * area),
+        }));
+        if steady.is_none() {
+            changing.push((load.traction.clone(), areas));
+        }
     }
     all.sort_by_key(|l| l.node);
     let mut merged: Vec<NodeForce> = vec![];
@@ -115,7 +155,17 @@ fn nodal(scene: &Scene, shape: &GridShape) -> Result<Vec<NodeForce>, SetupError>
             _ => merged.push(load),
         }
     }
-    Ok(merged)
+    let place = |node: usize| merged.partition_point(|load| load.node < node);
+    let changing = changing.into_iter().map(|(traction, areas)| Changing {
+        traction,
+        areas: (areas.into_iter())
+            .map(|(node, area)| (place(node), area))
+            .collect(),
+    });
+    Ok(NodalLoads {
+        changing: changing.collect(),
+        steady: merged,
+    })
 }
 
 /// Coordinate in cells from the mesh origin; a node where it is one to round-off of the coordinates.
@@ -146,14 +196,14 @@ fn node_at(scene: &Scene, shape: &GridShape, x: &Vector, path: &str) -> Result<u
     Ok(shape.index(shape.mesh_node(at)))
 }
 
-/// Integral of a constant traction over the hats of the nodes, exact for rectangles that cut cells.
-fn traction(
+/// Nodes that a traction acts on, each with its area \[m²\]: the integral of its hat, exact for rectangles that cut cells.
+fn areas(
     scene: &Scene,
     shape: &GridShape,
     i: usize,
     load: &Traction,
-    all: &mut Vec<NodeForce>,
-) -> Result<(), SetupError> {
+) -> Result<Vec<(usize, f64)>, SetupError> {
+    let mut all = vec![];
     let axes = shape.axes;
     let mut per_axis: Vec<Vec<(usize, f64)>> = vec![];
     for axis in 0..axes {
@@ -194,15 +244,11 @@ fn traction(
         for &(y, fy) in &per_axis[1] {
             for &(z, fz) in &per_axis[2] {
                 let node = shape.index(shape.mesh_node([x, y, z]));
-                let area = fx * fy * fz;
-                all.push(NodeForce {
-                    node,
-                    force: load.traction.map(|t| t * area),
-                });
+                all.push((node, fx * fy * fz));
             }
         }
     }
-    Ok(())
+    Ok(all)
 }
 
 /// Integral of the unit hat from minus infinity to `x`.

@@ -1,4 +1,4 @@
-//! The boundary planes of the mesh, free of stress, sliding or fixed.
+//! The boundary planes of the mesh, free of stress, sliding, fixed or antisymmetric.
 //!
 //! What lies beyond them is known to the mapping too, which folds it back ([`Planes::fold`](crate::stage::solve::Planes)).
 
@@ -28,10 +28,8 @@ pub(super) const PLANES: Kind = Kind {
                 let acts = moving || condition != PlaneCondition::Free;
                 let why = if moving {
                     "its velocity is prescribed"
-                } else if condition == PlaneCondition::Fixed {
-                    "fixed"
                 } else {
-                    "sliding"
+                    condition.word()
                 };
                 list.choose("stage", &format!("plane {letter}{end}"), acts, why, "free");
             }
@@ -50,7 +48,7 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
                 walls.push(Wall {
                     axis,
                     side,
-                    fixed: condition == PlaneCondition::Fixed,
+                    condition,
                     before: [0.0; 3],
                     after: [0.0; 3],
                 });

@@ -94,7 +94,7 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
             scene.tractions = vec![Traction {
                 p1: [MIDDLE, MIDDLE, SIDE],
                 p2: [MIDDLE + 0.5 * PATCH, MIDDLE + 0.5 * PATCH, SIDE],
-                traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)],
+                traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)].into(),
             }];
         }
     }

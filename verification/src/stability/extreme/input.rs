@@ -58,7 +58,7 @@ pub fn full() -> Scene {
     scene.tractions = vec![Traction {
         p1: [2.0, 4.0, 0.0],
         p2: [4.0, 4.0, 0.0],
-        traction: [0.0, 0.1, 0.0],
+        traction: [0.0, 0.1, 0.0].into(),
     }];
     scene.box_loads = vec![BoxLoad {
         p1: [2.0, 2.0, 0.0],
@@ -139,7 +139,7 @@ const NUMBERS: &[Entry] = &[
     }),
     ("traction[0].point_p1[0]", |s, x| s.tractions[0].p1[0] = x),
     ("traction[0].traction[1]", |s, x| {
-        s.tractions[0].traction[1] = x;
+        s.tractions[0].traction.values[0][1] = x;
     }),
     ("box_load[0].force[0]", |s, x| s.box_loads[0].force[0] = x),
     ("box_load[0].point_p2[1]", |s, x| s.box_loads[0].p2[1] = x),

@@ -174,7 +174,7 @@ pub(in crate::json) struct RawInitialStress {
     pub comment: Option<Comment>,
 }
 
-/// Constant traction on a rectangle (a segment in 2D) that is fixed in space.
+/// Traction on a rectangle (a segment in 2D) that is fixed in space.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
@@ -187,11 +187,12 @@ pub(in crate::json) struct RawTraction {
     /// Upper corner, equal to `point_p1` along exactly one axis.
     #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[1, 1], [1, 1, 1]]))]
     pub point_p2: Option<Vec<f64>>,
-    /// Traction.
+    /// Traction, constant or as rows of a time and its components, linear between them and constant outside.
     #[schemars(extend(
-        "x-unit" = "Pa", "x-needed" = true, "examples" = [[0, -1000], [0, 0, -1000]]
+        "x-unit" = "Pa, or s and Pa", "x-needed" = true,
+        "examples" = [[0, -1000], [[0, 0, 0], [2, 0, -1000]], [0, 0, -1000]]
     ))]
-    pub traction: Option<Vec<f64>>,
+    pub traction: Option<VectorOrTable>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

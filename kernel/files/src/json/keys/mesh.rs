@@ -36,7 +36,7 @@ pub(in crate::json) struct RawMesh {
     pub comment: Option<Comment>,
 }
 
-/// Conditions on the planes of the mesh: `free`, `sliding` or `fixed`.
+/// Conditions on the planes of the mesh: `free`, `sliding`, `fixed` or `antisymmetric`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
@@ -46,38 +46,38 @@ pub(in crate::json) struct RawPlanes {
     /// Lower plane of x.
     #[serde(rename = "plane_X0")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub x0: Option<String>,
     /// Lower plane of y.
     #[serde(rename = "plane_Y0")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub y0: Option<String>,
     /// Lower plane of z.
     #[serde(rename = "plane_Z0")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed"], "x-needs" = "`dimension` 3", "default" = "sliding",
+        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "x-needs" = "`dimension` 3", "default" = "sliding",
         "examples" = ["fixed"]
     ))]
     pub z0: Option<String>,
     /// Upper plane of x.
     #[serde(rename = "plane_Xn")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub xn: Option<String>,
     /// Upper plane of y.
     #[serde(rename = "plane_Yn")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub yn: Option<String>,
     /// Upper plane of z.
     #[serde(rename = "plane_Zn")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed"], "x-needs" = "`dimension` 3", "default" = "sliding",
+        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "x-needs" = "`dimension` 3", "default" = "sliding",
         "examples" = ["fixed"]
     ))]
     pub zn: Option<String>,

@@ -7,7 +7,7 @@ use crate::scene::{PlaneCondition, Scene};
 use nalgebra::SMatrix;
 use std::array;
 
-/// The planes of the mesh that mirror bodies: those that are sliding or fixed.
+/// The planes of the mesh that mirror bodies: those that are not free.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mirrors {
     /// What the lower and the upper plane along each axis prescribe.
@@ -43,14 +43,7 @@ impl Mirrors {
         let places = [0.0, self.cells[axis] as f64 * cell];
         let planes = places.into_iter().zip(self.planes[axis]);
         planes.filter_map(move |(place, condition)| {
-            let signs = match condition {
-                PlaneCondition::Free => return None,
-                PlaneCondition::Fixed => PointIn::repeat(-1.0),
-                PlaneCondition::Sliding => {
-                    PointIn::from_fn(|along, _| if along == axis { -1.0 } else { 1.0 })
-                }
-            };
-            Some((place, signs))
+            (condition != PlaneCondition::Free).then(|| (place, signs(condition, axis)))
         })
     }
 
@@ -156,39 +149,46 @@ impl Mirrors {
         shape: &GridShape,
         at: [usize; 3],
     ) -> PointIn<D> {
-        let mut signs = PointIn::repeat(1.0);
+        let mut all = PointIn::<D>::repeat(1.0);
         for axis in 0..D {
             if let Some((side, _)) = self.beyond(axis, at[shape.direction(axis)]) {
-                if self.planes[axis][side] == PlaneCondition::Fixed {
-                    signs = -signs;
-                } else {
-                    signs[axis] = -signs[axis];
-                }
+                all.component_mul_assign(&signs(self.planes[axis][side], axis));
             }
         }
-        signs
+        all
     }
 
     /// 1 for the entries of the velocity gradient of a node that the body and its images have together: in a sliding plane
-    /// nothing turns or shears out of it.
+    /// nothing turns or shears out of it, and in an antisymmetric one nothing stretches.
     pub(super) fn kept<const D: usize>(
         &self,
         shape: &GridShape,
         at: [usize; 3],
     ) -> SMatrix<f64, D, D> {
-        let slides: [bool; D] = array::from_fn(|axis| {
+        let lies_in = |axis: usize, condition: PlaneCondition| {
             let index = at[shape.direction(axis)];
             let upper = GHOSTS_BELOW + self.cells[axis];
             let [below, above] = self.planes[axis];
-            (below == PlaneCondition::Sliding && index == GHOSTS_BELOW)
-                || (above == PlaneCondition::Sliding && index == upper)
-        });
+            (below == condition && index == GHOSTS_BELOW) || (above == condition && index == upper)
+        };
+        let slides: [bool; D] = array::from_fn(|axis| lies_in(axis, PlaneCondition::Sliding));
+        let turns: [bool; D] = array::from_fn(|axis| lies_in(axis, PlaneCondition::Antisymmetric));
         SMatrix::from_fn(|i, j| {
-            if i != j && slides[i] != slides[j] {
-                0.0
-            } else {
-                1.0
-            }
+            let is_lost = (i != j && slides[i] != slides[j])
+                || (0..D).any(|axis| turns[axis] && (i == axis) == (j == axis));
+            if is_lost { 0.0 } else { 1.0 }
         })
     }
+}
+
+/// Per axis -1 where what lies beyond a plane has the velocity of what lies inside the other way round, 1 where it has it as
+/// it is.
+fn signs<const D: usize>(condition: PlaneCondition, normal: usize) -> PointIn<D> {
+    PointIn::from_fn(|along, _| {
+        if condition.prescribes(along, normal) {
+            -1.0
+        } else {
+            1.0
+        }
+    })
 }

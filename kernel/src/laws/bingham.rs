@@ -1,0 +1,158 @@
+//! A weakly compressible fluid that flows where its shear stress is above a yield stress.
+
+use super::newtonian::{TENSION, VISCOSITY, VISCOUS_WORK};
+use super::plastic::{deviator, second_invariant};
+use super::principal::components;
+use super::state::{BULK, EXPONENT, EquationOfState};
+use super::{Accepted, Choice, Constant, Given, Increment, Law, LinearElastic, Particle, Readable};
+use crate::lanes::Lanes;
+use crate::layout::Variable;
+
+/// Bingham's fluid as a visco-plastic solid without regularisation: elastic in shear with a modulus G up to
+/// tau = sqrt(J_2) = tau_y, above it flowing at (tau - tau_y)/mu, implicitly in time. Steady shear at a rate g' carries
+/// tau_y + mu g'. A yield stress of 0 is Maxwell's fluid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bingham {
+    state: EquationOfState,
+    viscosity: f64,
+    yield_stress: f64,
+    elastic: LinearElastic,
+}
+
+impl Bingham {
+    /// Of a bulk modulus \[Pa\], a viscosity \[Pa s\], a yield stress in shear \[Pa\] and the shear modulus \[Pa\] of what does
+    /// not flow, with p = -K ln J, in tension too.
+    #[must_use]
+    pub const fn new(bulk: f64, viscosity: f64, yield_stress: f64, shear: f64) -> Self {
+        let state = EquationOfState {
+            bulk,
+            exponent: 0.0,
+            carries_tension: true,
+        };
+        Self {
+            state,
+            viscosity,
+            yield_stress,
+            elastic: LinearElastic::of_shear(shear),
+        }
+    }
+
+    /// The same with another pressure.
+    #[must_use]
+    pub const fn with_state(self, state: EquationOfState) -> Self {
+        Self { state, ..self }
+    }
+
+    fn shear(&self) -> f64 {
+        self.elastic.elasticity().shear
+    }
+}
+
+impl Law for Bingham {
+    const CONSTANTS: &'static [Constant] = &[
+        BULK,
+        VISCOSITY,
+        Constant {
+            key: "yield_stress",
+            meaning: "Shear stress up to which the fluid does not flow",
+            unit: "Pa",
+            accepted: Accepted::NotNegative,
+            given: Given::Needed,
+        },
+        Constant {
+            key: "shear",
+            meaning: "Shear modulus of the fluid where it does not flow; the bulk modulus where it is not given",
+            unit: "Pa",
+            accepted: Accepted::Positive,
+            given: Given::As("bulk"),
+        },
+        EXPONENT,
+    ];
+    const VARIABLES: &'static [Variable] = &[VISCOUS_WORK];
+
+    fn name(&self) -> &'static str {
+        Self::NAME
+    }
+
+    fn values(&self) -> Vec<f64> {
+        vec![
+            self.state.bulk,
+            self.viscosity,
+            self.yield_stress,
+            self.shear(),
+            self.state.exponent,
+        ]
+    }
+
+    /// The bulk modulus.
+    fn young(&self) -> f64 {
+        self.state.bulk
+    }
+
+    fn wave_speed(&self, density: f64) -> f64 {
+        (self.state.sound_squared(density) + 4.0 / 3.0 * self.shear() / density).sqrt()
+    }
+
+    fn initial_volume_ratio(&self, mean_stress: f64) -> f64 {
+        self.state.volume_ratio(mean_stress)
+    }
+
+    #[inline(always)]
+    fn update<L: Lanes, const D: usize>(
+        &self,
+        increment: &Increment<L>,
+        stress: &mut [L; 6],
+        variables: &mut [L],
+    ) -> L {
+        let j = increment.volume / increment.mass * L::splat(increment.density);
+        let (pressure, slope) = self.state.pressure(j);
+        self.elastic.update::<L, D>(increment, stress, &mut []);
+        let (_, s) = deviator::<L, D>(stress);
+        let trial = second_invariant::<L, D>(&s).sqrt();
+        let limit = L::splat(self.yield_stress);
+        // The implicit rule tau = tau_trial - G dt (tau - tau_y)/mu.
+        let remains = L::splat(self.viscosity / (self.viscosity + self.shear() * increment.dt));
+        let beyond = trial - limit;
+        let flows = limit.lt(trial);
+        let after = remains.mul_add(beyond, limit);
+        let ratio = L::select(flows, after / trial, L::splat(1.0));
+        // s : e_v with e_v = (s_trial - s)/(2 G), and s : s = 2 tau².
+        let work = after * (trial - after) * L::splat(1.0 / self.shear());
+        variables[0] = L::select(flows, work, L::splat(0.0)).mul_add(j, variables[0]);
+        for slot in 0..components(D) {
+            stress[slot] = s[slot] * ratio;
+        }
+        for entry in &mut stress[..3] {
+            *entry = *entry - pressure;
+        }
+        (slope + L::splat(4.0 / 3.0 * self.shear())) * (increment.volume / increment.mass)
+    }
+
+    fn energy(&self, particle: &Particle<'_>) -> f64 {
+        let initial = particle.mass / particle.density;
+        let s = &particle.stress;
+        let mean = (s[0] + s[1] + s[2]) / 3.0;
+        let normal: f64 = s[..3].iter().map(|x| (x - mean) * (x - mean)).sum();
+        let sheared: f64 = s[3..].iter().map(|x| x * x).sum();
+        self.state.energy_density(particle.volume / initial) * initial
+            + (normal + 2.0 * sheared) / (4.0 * self.shear()) * particle.volume
+    }
+
+    /// What the flow has dissipated.
+    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
+        particle.variables[0] * particle.mass / particle.density
+    }
+}
+
+impl Readable for Bingham {
+    const NAME: &'static str = "bingham";
+    const CHOICES: &'static [Choice] = &[TENSION];
+
+    fn read(values: &[f64], choices: &[usize]) -> Self {
+        Self::new(values[0], values[1], values[2], values[3]).with_state(EquationOfState {
+            bulk: values[0],
+            exponent: values[4],
+            carries_tension: choices[0] == 0,
+        })
+    }
+}

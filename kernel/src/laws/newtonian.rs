@@ -1,0 +1,161 @@
+//! A weakly compressible fluid whose shear stress follows its rate of deformation.
+
+use super::linear_elastic::midpoint;
+use super::plastic::{deviator, second_invariant};
+use super::principal::components;
+use super::state::{BULK, EXPONENT, EquationOfState};
+use super::{Accepted, Choice, Constant, Given, Increment, Law, Particle, Readable};
+use crate::lanes::Lanes;
+use crate::layout::Variable;
+
+/// Work that viscosity has dissipated, per initial volume.
+pub(super) const VISCOUS_WORK: Variable = Variable::scalar("viscous work", "J/m³");
+
+/// Viscosity.
+pub(super) const VISCOSITY: Constant = Constant {
+    key: "viscosity",
+    meaning: "Dynamic viscosity",
+    unit: "Pa s",
+    accepted: Accepted::NotNegative,
+    given: Given::Needed,
+};
+
+/// What becomes of a fluid that is drawn apart.
+pub(super) const TENSION: Choice = Choice {
+    key: "tension",
+    words: &["carried", "none"],
+    meaning: "Whether a fluid carries tension; one that does not parts at no pressure.",
+    elsewhere: "whether a {law} material carries tension, which its strength says",
+};
+
+/// Newton's fluid: sigma = -p(J) 1 + 2 mu dev D, with D of the velocities half way between the positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Newtonian {
+    state: EquationOfState,
+    viscosity: f64,
+}
+
+impl Newtonian {
+    /// Of a bulk modulus \[Pa\] and a viscosity \[Pa s\], with p = -K ln J, in tension too.
+    #[must_use]
+    pub const fn new(bulk: f64, viscosity: f64) -> Self {
+        let state = EquationOfState {
+            bulk,
+            exponent: 0.0,
+            carries_tension: true,
+        };
+        Self { state, viscosity }
+    }
+
+    /// The same with another pressure.
+    #[must_use]
+    pub const fn with_state(self, state: EquationOfState) -> Self {
+        Self { state, ..self }
+    }
+
+    /// Its pressure.
+    #[must_use]
+    pub const fn state(&self) -> EquationOfState {
+        self.state
+    }
+}
+
+impl Law for Newtonian {
+    const CONSTANTS: &'static [Constant] = &[BULK, VISCOSITY, EXPONENT];
+    const VARIABLES: &'static [Variable] = &[VISCOUS_WORK];
+
+    fn name(&self) -> &'static str {
+        Self::NAME
+    }
+
+    fn values(&self) -> Vec<f64> {
+        vec![self.state.bulk, self.viscosity, self.state.exponent]
+    }
+
+    /// The bulk modulus.
+    fn young(&self) -> f64 {
+        self.state.bulk
+    }
+
+    fn wave_speed(&self, density: f64) -> f64 {
+        self.state.sound_squared(density).sqrt()
+    }
+
+    /// 4 mu/3, of a wave along its own direction.
+    fn viscosity(&self) -> f64 {
+        4.0 / 3.0 * self.viscosity
+    }
+
+    fn initial_volume_ratio(&self, mean_stress: f64) -> f64 {
+        self.state.volume_ratio(mean_stress)
+    }
+
+    #[inline(always)]
+    fn update<L: Lanes, const D: usize>(
+        &self,
+        increment: &Increment<L>,
+        stress: &mut [L; 6],
+        variables: &mut [L],
+    ) -> L {
+        let j = increment.volume / increment.mass * L::splat(increment.density);
+        let (pressure, slope) = self.state.pressure(j);
+        *stress = [L::splat(0.0); 6];
+        if self.viscosity > 0.0 && increment.dt > 0.0 {
+            let e = strain::<L, D>(increment);
+            let (_, e) = deviator::<L, D>(&e);
+            let twice = L::splat(2.0 * self.viscosity / increment.dt);
+            for slot in 0..components(D) {
+                stress[slot] = twice * e[slot];
+            }
+            // s : e = (4 mu/dt) J_2(e).
+            let work = twice * L::splat(2.0) * second_invariant::<L, D>(&e);
+            variables[0] = work.mul_add(j, variables[0]);
+        }
+        for entry in &mut stress[..3] {
+            *entry = *entry - pressure;
+        }
+        slope * (increment.volume / increment.mass)
+    }
+
+    fn energy(&self, particle: &Particle<'_>) -> f64 {
+        let initial = particle.mass / particle.density;
+        self.state.energy_density(particle.volume / initial) * initial
+    }
+
+    /// What viscosity has dissipated.
+    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
+        particle.variables[0] * particle.mass / particle.density
+    }
+}
+
+impl Readable for Newtonian {
+    const NAME: &'static str = "newtonian";
+    const CHOICES: &'static [Choice] = &[TENSION];
+
+    fn read(values: &[f64], choices: &[usize]) -> Self {
+        Self::new(values[0], values[1]).with_state(EquationOfState {
+            bulk: values[0],
+            exponent: values[2],
+            carries_tension: choices[0] == 0,
+        })
+    }
+}
+
+/// The strain increment in the configuration half way, ordered as a law is given a stress.
+#[inline(always)]
+fn strain<L: Lanes, const D: usize>(increment: &Increment<L>) -> [L; 6] {
+    let g = midpoint::<L, D>(&increment.gradient, increment.configuration);
+    let half = L::splat(0.5);
+    let mut e = [L::splat(0.0); 6];
+    for i in 0..D {
+        e[i] = g[i][i];
+    }
+    if D == 2 {
+        e[3] = half * (g[0][1] + g[1][0]);
+    } else {
+        e[3] = half * (g[1][2] + g[2][1]);
+        e[4] = half * (g[0][2] + g[2][0]);
+        e[5] = half * (g[0][1] + g[1][0]);
+    }
+    e
+}

@@ -1,0 +1,140 @@
+//! Fluids in the cycle: at rest under their weight, and the step that viscosity leaves.
+
+use crate::common::{SCHEMES, body, cuboid, empty, material, options, rough, simulation};
+use proctor_kernel::laws::{EquationOfState, Newtonian};
+use proctor_kernel::scene::{
+    Dimension, DomainUpdate, InitialStress, PlaneCondition, Scene, StressScheme, TimeStep,
+    Weighting,
+};
+use proctor_kernel::simulation::{Bound, Simulation};
+
+const DENSITY: f64 = 1000.0;
+const BULK: f64 = 1.0e6;
+const GRAVITY: f64 = 10.0;
+const CELL: f64 = 0.1;
+
+/// A basin filled up to 0.3 m, at the pressure of its depth.
+fn basin(dimension: Dimension, exponent: f64) -> Scene {
+    let axes = dimension.axes();
+    let mut scene = empty(dimension, [4; 3], CELL);
+    scene.mesh.planes = [[PlaneCondition::Sliding; 2]; 3];
+    scene.gravity[axes - 1] = -GRAVITY;
+    let mut upper = [4.0 * CELL; 3];
+    upper[axes - 1] = 3.0 * CELL;
+    upper[axes..].fill(0.0);
+    let mut water = body(1, cuboid([0.0; 3], upper));
+    water.particles_per_cell[axes..].fill(1);
+    water.initial_stress = InitialStress::AtRest {
+        ratio: 1.0,
+        level: 3.0 * CELL,
+        surcharge: 0.0,
+    };
+    scene.bodies = vec![water];
+    let state = EquationOfState {
+        bulk: BULK,
+        exponent,
+        carries_tension: true,
+    };
+    let mut fluid = material(Newtonian::new(BULK, 0.0).with_state(state));
+    fluid.density = DENSITY;
+    scene.materials = vec![fluid];
+    scene
+}
+
+/// Pressed at the start, a fluid weighs what it is pressed to, and its pressure is that of the start: what moves it is only
+/// the weight that the pressure adds, p/K of it.
+#[test]
+fn water_at_rest_stays_there() {
+    for dimension in [Dimension::Two, Dimension::Three] {
+        for scheme in SCHEMES {
+            for (weighting, exponent) in [
+                (Weighting::UniformGimp, 0.0),
+                (Weighting::UniformGimp, 7.0),
+                (Weighting::ContiguousGimp(DomainUpdate::Determinant), 0.0),
+            ] {
+                let mut scene = basin(dimension, exponent);
+                (scene.scheme, scene.weighting) = (scheme, weighting);
+                let mut simulation = Simulation::new(&scene, &options()).expect("it is sound");
+                let pressed = 3.0 * CELL * DENSITY * GRAVITY / BULK;
+                let filled = DENSITY * 3.0 * CELL * (4.0 * CELL).powi(dimension.axes() as i32 - 1);
+                let excess = simulation.mass() / filled - 1.0;
+                assert!(
+                    (excess / (0.5 * pressed) - 1.0).abs() < 0.02,
+                    "{excess} {pressed}"
+                );
+                let stored = simulation.strain_energy();
+                assert!(stored > 0.0);
+                for _ in 0..50 {
+                    simulation.step(f64::INFINITY).expect("a step");
+                }
+                let fall = GRAVITY * simulation.time();
+                let set = &simulation.sets()[0];
+                let speed = (0..set.len()).flat_map(|p| set.velocity(p));
+                let speed = speed.map(f64::abs).fold(0.0, f64::max);
+                assert!(
+                    speed < pressed * fall,
+                    "{dimension:?} {scheme:?} {weighting:?}: {speed} m/s of {fall}"
+                );
+            }
+        }
+    }
+}
+
+/// A free block of a viscous fluid, disturbed by a small velocity.
+fn block(dimension: Dimension, viscosity: f64) -> Scene {
+    let axes = dimension.axes();
+    let mut scene = empty(dimension, [8; 3], CELL);
+    let (mut lower, mut upper) = ([2.0 * CELL; 3], [6.0 * CELL; 3]);
+    lower[axes..].fill(0.0);
+    upper[axes..].fill(0.0);
+    let mut one = body(1, cuboid(lower, upper));
+    one.particles_per_cell[axes..].fill(1);
+    scene.bodies = vec![one];
+    let mut fluid = material(Newtonian::new(BULK, viscosity));
+    fluid.density = DENSITY;
+    scene.materials = vec![fluid];
+    scene
+}
+
+/// Kinetic energy over that of the start after some steps of a share of the step that the kernel calls critical, where each
+/// particle begins with a small velocity of its own.
+fn growth(scene: &Scene, share: f64, steps: usize) -> f64 {
+    let mut first = simulation(scene);
+    let critical = first.step(f64::INFINITY).expect("a step").dt_critical;
+    let mut scene = scene.clone();
+    scene.time_step = TimeStep::Fixed {
+        dt: share * critical,
+        allow_unstable: true,
+    };
+    let mut options = options();
+    options.initial = Some(rough(scene.dimension, 1e-9, 0.0, 1));
+    let mut simulation = Simulation::new(&scene, &options).expect("it is sound");
+    let start = simulation.kinetic_energy();
+    for _ in 0..steps {
+        if simulation.step(f64::INFINITY).is_err() {
+            return f64::INFINITY;
+        }
+    }
+    simulation.kinetic_energy() / start
+}
+
+/// With viscosity small, equal to and large against c h rho: stable at the step that the kernel calls critical, and
+/// unstable at twice that.
+#[test]
+fn viscosity_bounds_the_step() {
+    for dimension in [Dimension::Two, Dimension::Three] {
+        for scheme in [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl] {
+            for viscosity in [30.0, 3.0e3, 1.0e5] {
+                let mut scene = block(dimension, viscosity);
+                scene.scheme = scheme;
+                let mut one = simulation(&scene);
+                let bound = one.step(f64::INFINITY).expect("a step").bound;
+                assert_eq!(bound, Bound::Viscosity);
+                let held = growth(&scene, 1.0, 400);
+                assert!(held < 1.0, "{dimension:?} {scheme:?} {viscosity}: {held}");
+                let lost = growth(&scene, 2.0, 400);
+                assert!(lost > 1.0, "{dimension:?} {scheme:?} {viscosity}: {lost}");
+            }
+        }
+    }
+}

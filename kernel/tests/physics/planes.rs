@@ -1,0 +1,72 @@
+//! Antisymmetric planes: a layer between them shears as an endless one.
+
+use crate::common::{SCHEMES, WEIGHTINGS, body, cuboid, elastic, empty, material, simulation_from};
+use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, Vector, Weighting};
+use proctor_kernel::simulation::InitialState;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+const CELL: f64 = 0.05;
+const HIGH: usize = 20;
+const SPEED: f64 = 1.0e-4;
+
+/// A layer 1 m high on a fixed floor under a fixed roof, four cells long between antisymmetric planes.
+fn layer(dimension: Dimension, weighting: Weighting) -> Scene {
+    let axes = dimension.axes();
+    let mut scene = empty(dimension, [4, if axes == 2 { HIGH } else { 2 }, HIGH], CELL);
+    scene.weighting = weighting;
+    let up = axes - 1;
+    scene.mesh.planes = [[PlaneCondition::Sliding; 2]; 3];
+    scene.mesh.planes[0] = [PlaneCondition::Antisymmetric; 2];
+    scene.mesh.planes[up] = [PlaneCondition::Fixed; 2];
+    let mut upper: Vector = std::array::from_fn(|axis| scene.mesh.cells[axis] as f64 * CELL);
+    upper[axes..].fill(0.0);
+    if axes == 2 {
+        scene.mesh.planes[2] = [PlaneCondition::Free; 2];
+    }
+    let mut one = body(1, cuboid([0.0; 3], upper));
+    one.particles_per_cell[axes..].fill(1);
+    scene.bodies = vec![one];
+    scene.materials = vec![material(elastic(1.0e6, 0.3))];
+    scene
+}
+
+/// A standing shear wave, v = V sin(pi y/H) along the layer: after half a period it goes the other way, everywhere alike
+/// along the layer, and nothing moves across it.
+#[test]
+fn a_layer_swings_in_shear_alone() {
+    let shear = 1.0e6 / 2.6;
+    let half_period = 1.0 / (shear / 1000.0_f64).sqrt();
+    for dimension in [Dimension::Two, Dimension::Three] {
+        let up = dimension.axes() - 1;
+        for weighting in WEIGHTINGS {
+            for scheme in SCHEMES {
+                let mut scene = layer(dimension, weighting);
+                scene.scheme = scheme;
+                let swings = Arc::new(move |x: &Vector| InitialState {
+                    velocity: [SPEED * (PI * x[up]).sin(), 0.0, 0.0],
+                    ..InitialState::default()
+                });
+                let mut simulation = simulation_from(&scene, swings);
+                while simulation.time() < half_period {
+                    simulation.step(half_period).expect("a step");
+                }
+                let set = &simulation.sets()[0];
+                for p in 0..set.len() {
+                    let (x, v) = (set.position(p), set.velocity(p));
+                    let exact = -SPEED * (PI * x[up]).sin();
+                    assert!(
+                        (v[0] - exact).abs() < 0.02 * SPEED,
+                        "{dimension:?} {weighting:?} {scheme:?}: {v:?} at {x:?}, not {exact}"
+                    );
+                    for across in v[1..].iter() {
+                        assert!(
+                            across.abs() < 1e-5 * SPEED,
+                            "{weighting:?} {scheme:?} {v:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
