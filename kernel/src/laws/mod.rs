@@ -4,6 +4,7 @@
 //! one list; a program adds its own by handing it to [`Scene::add_material`](crate::scene::Scene::add_material).
 
 mod any;
+mod band;
 mod constants;
 pub mod plastic;
 mod point;
@@ -14,6 +15,7 @@ mod strength;
 pub mod tensor;
 
 pub use any::{AnyLaw, Kind, Readable};
+pub use band::Band;
 pub use constants::{Accepted, Choice, Constant, Given, Isotropic, Unfit};
 pub use drucker_prager::Match;
 pub use linear_elastic::ObjectiveRate;
@@ -86,6 +88,14 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// What a scene may do with it, but not well: each a sentence.
     fn warnings(&self) -> Vec<String> {
         vec![]
+    }
+
+    /// The law in cells of that size \[m\], where it depends on it ([`Band`]).
+    fn in_cells(&self, _cell: f64) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
     }
 
     /// Young's modulus at rest \[Pa\]: the scale of stiffness, of viscous damping for one.

@@ -46,6 +46,14 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// See [`Law::warnings`].
     fn warnings(&self) -> Vec<String>;
 
+    /// See [`Law::in_cells`].
+    fn in_cells(&self, _cell: f64) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Its elasticity.
     fn elastic(&self) -> &LinearElastic;
 
@@ -79,6 +87,10 @@ impl<Y: Yielding> Law for Y {
 
     fn warnings(&self) -> Vec<String> {
         Yielding::warnings(self)
+    }
+
+    fn in_cells(&self, cell: f64) -> Option<Self> {
+        Yielding::in_cells(self, cell)
     }
 
     fn young(&self) -> f64 {

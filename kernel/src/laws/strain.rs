@@ -4,7 +4,7 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{Constant, Increment, Law, Particle, Unfit};
+use super::{AnyLaw, Constant, Increment, Law, Particle, Unfit};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -104,6 +104,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn problems(&self) -> Vec<Unfit>;
     /// See [`Law::warnings`].
     fn warnings(&self) -> Vec<String>;
+    /// See [`Law::in_cells`].
+    fn in_cells(&self, cell: f64) -> Option<AnyLaw>;
     /// See [`Law::young`].
     fn young(&self) -> f64;
     /// See [`Law::wave_speed`].
@@ -142,6 +144,9 @@ impl<M: Law> Strain for M {
     }
     fn warnings(&self) -> Vec<String> {
         Law::warnings(self)
+    }
+    fn in_cells(&self, cell: f64) -> Option<AnyLaw> {
+        Law::in_cells(self, cell).map(Into::into)
     }
     fn young(&self) -> f64 {
         Law::young(self)

@@ -66,10 +66,6 @@ pub(super) fn largest_tension(tensile: f64, sine: f64, cosine: f64, cohesion: f6
     }
 }
 
-/// What softens without a length of its own.
-pub(super) const NOT_CONVERGED: &str = "strength falls with strain: strain gathers in bands as wide as a cell, and the energy that \
-     a band takes is proportional to the cell size, so that results do not converge as cells become smaller";
-
 /// What is likely to be meant otherwise.
 pub(super) fn warnings(friction: f64, dilation: f64) -> Vec<String> {
     let mut all = vec![];

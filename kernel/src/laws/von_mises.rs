@@ -2,7 +2,7 @@
 
 use super::plastic::{RELAXATION, Yielding, deviator, second_invariant};
 use super::principal::components;
-use super::{Accepted, Constant, Given, LinearElastic, Readable, Unfit};
+use super::{Accepted, Band, Choice, Constant, Given, LinearElastic, Readable, Unfit, band};
 use crate::lanes::{Lanes, functions};
 
 /// Von Mises: sqrt(3 J_2) <= Y(k) with the yield stress Y(k) = Y_0 + H k + Q (1 - exp(-b k)) of the plastic strain k
@@ -15,6 +15,7 @@ pub struct VonMises {
     saturation: f64,
     rate: f64,
     relaxation: f64,
+    band: Band,
 }
 
 impl VonMises {
@@ -28,7 +29,14 @@ impl VonMises {
             saturation: 0.0,
             rate: 0.0,
             relaxation: 0.0,
+            band: Band::NONE,
         }
+    }
+
+    /// The same with softening that knows the width of its band.
+    #[must_use]
+    pub const fn in_band(self, band: Band) -> Self {
+        Self { band, ..self }
     }
 
     /// The same with a yield stress that also rises by `saturation` \[Pa\], as 1 - exp(-`rate` k).
@@ -59,10 +67,19 @@ impl VonMises {
         self.hardening == 0.0 && self.saturation == 0.0
     }
 
+    /// Growth of the yield stress with the plastic strain \[Pa\]; softening scales with its band.
+    fn slope(&self) -> f64 {
+        if self.hardening < 0.0 {
+            self.hardening * self.band.factor()
+        } else {
+            self.hardening
+        }
+    }
+
     /// Yield stress \[Pa\] at a plastic strain, and its slope.
     #[inline(always)]
     fn yield_stress_at<L: Lanes>(&self, strain: L) -> (L, L) {
-        let hardening = L::splat(self.hardening);
+        let hardening = L::splat(self.slope());
         let linear = hardening.mul_add(strain, L::splat(self.yield_stress));
         if self.saturation == 0.0 {
             return (linear, hardening);
@@ -113,6 +130,7 @@ impl Yielding for VonMises {
             given: Given::Or(0.0),
         },
         RELAXATION,
+        band::WIDTH,
     ];
 
     fn name(&self) -> &'static str {
@@ -129,28 +147,28 @@ impl Yielding for VonMises {
             self.saturation,
             self.rate,
             self.relaxation,
+            self.band.width,
         ]
     }
 
     fn problems(&self) -> Vec<Unfit> {
-        let steepest = -3.0 * self.elastic.elasticity().shear;
-        if self.hardening <= steepest {
-            vec![Unfit {
-                key: "hardening",
-                found: format!("{}, softening that no point can bear", self.hardening),
-                accepted: format!("a number greater than -3 G = {steepest} [Pa]"),
-            }]
-        } else {
-            vec![]
-        }
+        // q falls by 3 G per plastic strain where the stress is held.
+        let most = 3.0 * self.elastic.elasticity().shear;
+        let steep = self.band.too_steep("hardening", -self.hardening, most);
+        self.band.problems().into_iter().chain(steep).collect()
     }
 
     fn warnings(&self) -> Vec<String> {
-        if self.hardening < 0.0 {
-            vec![super::strength::NOT_CONVERGED.to_owned()]
-        } else {
-            vec![]
-        }
+        let softens = self.hardening < 0.0;
+        softens
+            .then(|| self.band.warning())
+            .flatten()
+            .into_iter()
+            .collect()
+    }
+
+    fn in_cells(&self, cell: f64) -> Option<Self> {
+        Some(self.in_band(self.band.in_cells(cell)?))
     }
 
     fn elastic(&self) -> &LinearElastic {
@@ -199,10 +217,12 @@ impl Yielding for VonMises {
 
 impl Readable for VonMises {
     const NAME: &'static str = "von_mises";
+    const CHOICES: &'static [Choice] = &[band::REGULARISATION];
 
-    fn read(values: &[f64], _: &[usize]) -> Self {
+    fn read(values: &[f64], choices: &[usize]) -> Self {
         Self::new(values[0], values[1], values[2], values[3])
             .saturating(values[4], values[5])
             .relaxing(values[6])
+            .in_band(Band::read(choices[0], values[7]))
     }
 }

@@ -137,6 +137,17 @@ impl Scene {
         }
     }
 
+    /// Size of a cell \[m\]: its side, or the mean of sides that differ, that of the cube as large.
+    #[must_use]
+    pub fn size_of_cell(&self) -> f64 {
+        let sides = &self.mesh.cell[..self.dimension.axes()];
+        if sides.iter().all(|side| *side == sides[0]) {
+            sides[0]
+        } else {
+            libm::pow(sides.iter().product(), 1.0 / sides.len() as f64)
+        }
+    }
+
     /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
     #[must_use]
     pub fn plane_acts(&self, axis: usize, side: usize) -> bool {

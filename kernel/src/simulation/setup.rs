@@ -173,7 +173,8 @@ fn fill_body(
     .map_err(refused)?;
     needs::particles(filled.count(), &room, memory).map_err(refused)?;
     let material = &scene.materials[body.material];
-    let law = material.law.clone();
+    let in_cells = material.law.in_cells(scene.size_of_cell());
+    let law = in_cells.unwrap_or_else(|| material.law.clone());
     let layout = plan.layouts[index];
     let axes = plan.axes;
     let mut set = ParticleSet::zeros(layout, first_id, filled.volume.len());

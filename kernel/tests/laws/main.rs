@@ -1,5 +1,6 @@
 //! Laws at a material point against exact solutions, and what must hold of each whatever its values.
 
+mod bands;
 mod cone;
 mod fluids;
 mod pyramid;

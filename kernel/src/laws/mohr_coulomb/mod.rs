@@ -10,7 +10,7 @@ use super::plastic::{
 };
 use super::principal::{components, spectrum};
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
-use super::{Accepted, Choice, Constant, Given, LinearElastic, Readable, Unfit};
+use super::{Accepted, Band, Choice, Constant, Given, LinearElastic, Readable, Unfit, band};
 use crate::lanes::{Lanes, functions};
 use crate::layout::Variable;
 use region::Strength;
@@ -27,6 +27,7 @@ pub struct MohrCoulomb {
     relaxation: f64,
     softening: Softening,
     residual: Residual,
+    band: Band,
     /// sin phi, 2 c cos phi \[Pa\], sin psi and t \[Pa\] at their peak.
     at_peak: [f64; 4],
 }
@@ -42,6 +43,7 @@ impl MohrCoulomb {
             relaxation: 0.0,
             softening: Softening::None,
             residual: Residual::default(),
+            band: Band::NONE,
             at_peak: [0.0; 4],
         }
         .with_tensile(0.0)
@@ -71,6 +73,12 @@ impl MohrCoulomb {
         }
     }
 
+    /// The same with softening that knows the width of its band.
+    #[must_use]
+    pub const fn in_band(self, band: Band) -> Self {
+        Self { band, ..self }
+    }
+
     /// The same with dilation that ends at a plastic volume strain.
     #[must_use]
     pub const fn dilating_until(self, end_of_dilation: f64) -> Self {
@@ -98,6 +106,38 @@ impl MohrCoulomb {
         self.softening
     }
 
+    /// Cohesion and tension that fall faster than the elasticity of a point lets its stress fall. On the plane of shear the
+    /// multiplier is F/(A + 2 c' cos phi dk), A = 4 G (1 + s d) + 4 lambda s d with the sines of friction and dilation and
+    /// dk = 2/sqrt(3) sqrt(1 + d²/3) the plastic strain per multiplier; at the tension it is (s_1 - t)/(lambda + 2 G + 2/3 t').
+    fn too_steep(&self) -> Vec<Unfit> {
+        let slope = |i: usize, left: Option<f64>| {
+            let way = self.peak[i] - left.unwrap_or(self.peak[i]);
+            self.softening.steepest() * way
+        };
+        let elasticity = self.elastic.elasticity();
+        let least = |i: usize, left: Option<f64>| {
+            strength::sine_and_cosine(left.unwrap_or(self.peak[i]).min(self.peak[i]))
+        };
+        let ((s, cosine), (d, _)) = (
+            least(0, self.residual.friction),
+            least(2, self.residual.dilation),
+        );
+        let stiffness = 4.0 * elasticity.shear * (1.0 + s * d) + 4.0 * elasticity.lambda * s * d;
+        let (flow, _) = strength::sine_and_cosine(self.peak[2]);
+        let strain = 2.0 / 3.0_f64.sqrt() * (1.0 + flow * flow / 3.0).sqrt();
+        let of_cohesion = stiffness / (2.0 * cosine * strain);
+        let of_tension = 1.5 * (elasticity.lambda + 2.0 * elasticity.shear);
+        let cohesion = slope(1, self.residual.cohesion);
+        let tensile = slope(3, self.residual.tensile);
+        [
+            (softening::CONSTANTS[4].key, cohesion, of_cohesion),
+            (softening::CONSTANTS[6].key, tensile, of_tension),
+        ]
+        .into_iter()
+        .filter_map(|(key, slope, most)| self.band.too_steep(key, slope, most))
+        .collect()
+    }
+
     /// Strength at a plastic strain, with dilation that has ended where the plastic volume strain says so.
     #[inline(always)]
     fn strength<L: Lanes>(&self, strain: L, dilated: L) -> Strength<L> {
@@ -109,7 +149,7 @@ impl MohrCoulomb {
             tension: L::splat(tension),
         };
         if self.softening != Softening::None {
-            let left = self.softening.left(strain);
+            let left = self.softening.left(strain * L::splat(self.band.factor()));
             self.soften(&mut strength, left);
         }
         if self.end_of_dilation > 0.0 {
@@ -184,6 +224,7 @@ impl Yielding for MohrCoulomb {
         softening::CONSTANTS[4],
         softening::CONSTANTS[5],
         softening::CONSTANTS[6],
+        band::WIDTH,
     ];
     const VARIABLES: &'static [Variable] = &[STRAIN, WORK, VOLUME_STRAIN];
 
@@ -205,6 +246,7 @@ impl Yielding for MohrCoulomb {
             self.relaxation,
         ];
         values.extend(softening::values(self.softening, &self.residual, self.peak));
+        values.push(self.band.width);
         values
     }
 
@@ -216,13 +258,19 @@ impl Yielding for MohrCoulomb {
             &self.residual,
             self.peak,
         ));
+        found.extend(self.band.problems());
+        found.extend(self.too_steep());
         found
+    }
+
+    fn in_cells(&self, cell: f64) -> Option<Self> {
+        Some(self.in_band(self.band.in_cells(cell)?))
     }
 
     fn warnings(&self) -> Vec<String> {
         let mut all = strength::warnings(self.peak[0], self.peak[2]);
         if self.softening != Softening::None {
-            all.push(strength::NOT_CONVERGED.to_owned());
+            all.extend(self.band.warning());
         }
         all
     }
@@ -302,7 +350,14 @@ fn deviatoric<L: Lanes>(from: &[L; 3], to: &[L; 3]) -> L {
 
 impl Readable for MohrCoulomb {
     const NAME: &'static str = "mohr_coulomb";
-    const CHOICES: &'static [Choice] = &softening::CHOICES;
+    const CHOICES: &'static [Choice] = &[
+        softening::CHOICES[0],
+        softening::CHOICES[1],
+        softening::CHOICES[2],
+        softening::CHOICES[3],
+        softening::CHOICES[4],
+        band::REGULARISATION,
+    ];
 
     fn read(values: &[f64], choices: &[usize]) -> Self {
         let (softening, residual) = softening::read(&values[8..], choices);
@@ -311,5 +366,6 @@ impl Readable for MohrCoulomb {
             .dilating_until(values[6])
             .relaxing(values[7])
             .softening(softening, residual)
+            .in_band(Band::read(choices[5], values[15]))
     }
 }

@@ -38,6 +38,17 @@ impl Softening {
     }
 }
 
+impl Softening {
+    /// The steepest that the share falls with plastic strain.
+    pub(super) fn steepest(self) -> f64 {
+        match self {
+            Self::None => 0.0,
+            Self::Exponential { eta } => eta,
+            Self::Linear { from, to } => 1.0 / (to - from),
+        }
+    }
+}
+
 /// What each of friction, cohesion, dilation and tensile strength falls to; `None` where it stays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {

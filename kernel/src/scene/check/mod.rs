@@ -27,7 +27,7 @@ impl Scene {
         self.check_method(&mut problems);
         problems.vector("gravity", &self.gravity);
         let mesh_is_sound = self.check_mesh(&mut problems);
-        self.check_materials(&mut problems);
+        self.check_materials(mesh_is_sound, &mut problems);
         body::check(self, mesh_is_sound, &mut problems);
         load::check(self, mesh_is_sound, &mut problems);
         contact::check(self, &mut problems);
@@ -129,7 +129,7 @@ impl Scene {
         problems.found.len() == before
     }
 
-    fn check_materials(&self, problems: &mut Collector) {
+    fn check_materials(&self, mesh_is_sound: bool, problems: &mut Collector) {
         if self.materials.is_empty() {
             problems.add("materials", "none", "at least one material");
         }
@@ -144,7 +144,9 @@ impl Scene {
                     _ => problems.add(path, Number(value).to_string(), constant.words()),
                 }
             }
-            for unfit in material.law.problems() {
+            let in_cells = mesh_is_sound.then(|| material.law.in_cells(self.size_of_cell()));
+            let law = in_cells.flatten().unwrap_or_else(|| material.law.clone());
+            for unfit in law.problems() {
                 problems.add(format!("{path}.{}", unfit.key), unfit.found, unfit.accepted);
             }
             if let Some(twice) = named_twice(material.law.variables()) {
