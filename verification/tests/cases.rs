@@ -19,6 +19,8 @@ mod boussinesq;
 mod cantilever;
 #[path = "cases/colliding_blocks.rs"]
 mod colliding_blocks;
+#[path = "cases/fluid.rs"]
+mod fluid;
 #[path = "cases/grains.rs"]
 mod grains;
 #[path = "cases/hertz.rs"]

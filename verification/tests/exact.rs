@@ -14,6 +14,8 @@ mod boussinesq_box;
 mod boussinesq_half_space;
 #[path = "exact/cantilever.rs"]
 mod cantilever;
+#[path = "exact/channel.rs"]
+mod channel;
 #[path = "exact/elastic_block.rs"]
 mod elastic_block;
 #[path = "exact/fe.rs"]
@@ -42,6 +44,8 @@ mod rotation;
 mod self_weight;
 #[path = "exact/sliding.rs"]
 mod sliding;
+#[path = "exact/sound.rs"]
+mod sound;
 #[path = "exact/special.rs"]
 mod special;
 #[path = "exact/step_bar.rs"]

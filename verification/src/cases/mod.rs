@@ -38,6 +38,7 @@ mod cantilever;
 mod colliding_blocks;
 mod corner_block;
 mod dynamics;
+mod fluid;
 mod grains;
 mod hertz;
 mod hertz_slab;
@@ -109,6 +110,7 @@ list! {
     sudden_weight::SuddenWeight[GIVEN],
     plastic_wave::PlasticWave[GIVEN],
     yielding_column::YieldingColumn[GIVEN],
+    fluid::Fluid[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
     staggered_start::StaggeredStart[GIVEN],
     bar_energy::BarEnergy[GIVEN],

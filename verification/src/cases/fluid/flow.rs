@@ -1,0 +1,238 @@
+//! Flow between walls.
+
+use proctor_kernel::laws::{AnyLaw, Bingham, Newtonian};
+use proctor_kernel::scene::{BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene};
+use proctor_kernel::simulation::Simulation;
+
+use super::{Fluid, Problem};
+use crate::case::{Curve, Found, Rung};
+use crate::cases::dynamics::{along, l2, ratio, run as run_until};
+use crate::cases::{NO_RESULTS, body, cuboid, material};
+use crate::exact::channel::Channel;
+use crate::settings::{Method, Settings};
+use crate::study::{Failure, Observer};
+
+/// Distance of the walls \[m\].
+const WIDTH: f64 = 1.0;
+/// Density \[kg/m³\].
+const DENSITY: f64 = 1000.0;
+/// Viscosity \[Pa s\]: a velocity crosses the channel in about 5 s.
+const VISCOSITY: f64 = 50.0;
+/// Bulk modulus \[Pa\], and the shear modulus of Bingham's fluid where it does not flow.
+const BULK: f64 = 1.0e3;
+/// Body force along the walls \[m/s²\].
+const FORCE_ALONG: f64 = 5.0e-6;
+/// Half-width of the plug over that of the channel.
+const PLUG: f64 = 0.4;
+/// Speed of the wall that moves \[m/s\].
+const SPEED: f64 = 1.0e-6;
+/// Yield stress over the viscous stress of the steady drag.
+const YIELD_OVER_DRAG: f64 = 0.5;
+/// Times over a²/nu: where the flow starts, and where it is nearly steady, but for exp(-pi² 0.5).
+const TIMES: [f64; 2] = [0.05, 0.5];
+/// Time over a²/nu at which the flow is steady, but for exp(-pi² 1.2).
+const AT_END: f64 = 1.2;
+
+/// Names of the quantities.
+const STARTING: &str = "L2(velocity), starting";
+const AT_LAST: &str = "L2(velocity), at last";
+const STRESS: &str = "L2(shear stress), at last";
+
+const PERCENT: &str = "one percent";
+
+/// Newton's fluid that a force drives (Poiseuille).
+pub(super) const FORCE: Problem = Problem {
+    variant: "force",
+    cells: &[10, 20],
+    scene: |rung| scene(rung, newtonian(), Driven::ByForce),
+    run: |case, rung, simulation, observer| {
+        let exact = channel(case, 0.0);
+        let g = case.reference_force * FORCE_ALONG;
+        flow(rung, simulation, observer, |y, time| {
+            exact.driven_by_force(g, y, time)
+        })
+    },
+    bounds: &[(STARTING, 1e-2, PERCENT), (AT_LAST, 1e-2, PERCENT)],
+    orders: &[(STARTING, 1.8), (AT_LAST, 1.8)],
+};
+
+/// Newton's fluid that a wall drags (Couette).
+pub(super) const DRAG: Problem = Problem {
+    variant: "drag",
+    cells: &[10, 20],
+    scene: |rung| scene(rung, newtonian(), Driven::ByWall),
+    run: |case, rung, simulation, observer| {
+        let exact = channel(case, 0.0);
+        let speed = case.reference_force * SPEED;
+        flow(rung, simulation, observer, |y, time| {
+            exact.dragged(speed, y, time)
+        })
+    },
+    bounds: &[(STARTING, 1e-2, PERCENT), (AT_LAST, 1e-2, PERCENT)],
+    orders: &[(STARTING, 1.8)],
+};
+
+/// Bingham's fluid that a force drives, with a plug in the middle.
+pub(super) const FORCE_OF_BINGHAM: Problem = Problem {
+    variant: "Bingham force",
+    cells: &[10, 20],
+    scene: |rung| scene(rung, bingham(plug_stress()), Driven::ByForce),
+    run: |case, rung, simulation, observer| {
+        let exact = channel(case, plug_stress());
+        let g = case.reference_force * FORCE_ALONG;
+        at_last(rung, simulation, observer, |y| {
+            (exact.driven_by_force_at_last(g, y), f64::NAN)
+        })
+    },
+    bounds: &[(AT_LAST, 1e-2, PERCENT)],
+    orders: &[(AT_LAST, 0.9)],
+};
+
+/// Bingham's fluid that a wall drags.
+pub(super) const DRAG_OF_BINGHAM: Problem = Problem {
+    variant: "Bingham drag",
+    cells: &[10, 20],
+    scene: |rung| scene(rung, bingham(drag_stress()), Driven::ByWall),
+    run: |case, rung, simulation, observer| {
+        let exact = channel(case, drag_stress());
+        let speed = case.reference_force * SPEED;
+        at_last(rung, simulation, observer, |y| {
+            (speed * y / WIDTH, exact.dragging_stress(speed))
+        })
+    },
+    bounds: &[(AT_LAST, 1e-2, PERCENT), (STRESS, 1e-2, PERCENT)],
+    orders: &[],
+};
+
+/// What drives a flow.
+#[derive(Clone, Copy, PartialEq)]
+enum Driven {
+    ByForce,
+    ByWall,
+}
+
+fn newtonian() -> AnyLaw {
+    Newtonian::new(BULK, VISCOSITY).into()
+}
+
+fn bingham(yield_stress: f64) -> AnyLaw {
+    Bingham::new(BULK, VISCOSITY, yield_stress, BULK).into()
+}
+
+/// Yield stress with which the plug is as wide as [`PLUG`] \[Pa\].
+fn plug_stress() -> f64 {
+    PLUG * DENSITY * FORCE_ALONG * 0.5 * WIDTH
+}
+
+/// Yield stress of the drag \[Pa\].
+fn drag_stress() -> f64 {
+    YIELD_OVER_DRAG * VISCOSITY * SPEED / WIDTH
+}
+
+fn channel(case: Fluid, yield_stress: f64) -> Channel {
+    Channel {
+        width: WIDTH,
+        viscosity: case.reference_viscosity * VISCOSITY,
+        density: DENSITY,
+        yield_stress,
+    }
+}
+
+/// Time in which a velocity crosses the channel, a²/nu \[s\].
+const CROSSING: f64 = WIDTH * WIDTH * DENSITY / VISCOSITY;
+
+/// The velocity of the wall: at rest at time zero, so that the first step has its jump, of which FLIP hands increments on.
+fn started() -> History {
+    History {
+        times: vec![0.0, 1e-9 * CROSSING],
+        values: vec![[0.0; 3], [SPEED, 0.0, 0.0]],
+    }
+}
+
+/// A layer across x, one cell long along it.
+fn scene(rung: &Rung, law: AnyLaw, driven: Driven) -> Scene {
+    let h = rung.cell;
+    let cells = (WIDTH / h).round() as usize;
+    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [1, cells, 1]);
+    mesh.planes[0] = [PlaneCondition::Antisymmetric; 2];
+    mesh.planes[1] = [PlaneCondition::Fixed; 2];
+    let mut scene = Scene::new(Dimension::Two, mesh, AT_END * CROSSING);
+    scene.name = String::from("fluid_flow");
+    scene.results = NO_RESULTS;
+    scene.materials = material("fluid", DENSITY, law);
+    scene.bodies = vec![body("fluid", 1, cuboid([0.0; 3], [h, WIDTH, 0.0]))];
+    match driven {
+        Driven::ByForce => scene.gravity = [FORCE_ALONG, 0.0, 0.0],
+        Driven::ByWall => {
+            scene.base_motion = Some(BaseMotion {
+                axis: 1,
+                side: 1,
+                motion: Motion::Velocity(started()),
+            });
+        }
+    }
+    Settings::new(Method::DEFAULT).apply(&mut scene);
+    scene
+}
+
+/// Relative error of the velocity along the walls, exact by the distance from the one at rest.
+fn error_of_velocity(simulation: &Simulation, exact: impl Fn(f64) -> f64) -> Option<f64> {
+    let set = &simulation.sets()[0];
+    l2(simulation, |p, x| {
+        Some(([set.velocity(p)[0]], [exact(x[1])]))
+    })
+}
+
+/// Runs to both times; velocities are exact by the distance from the wall at rest and the time.
+fn flow(
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+    exact: impl Fn(f64, f64) -> f64,
+) -> Result<Found, Failure> {
+    let mut errors = [None; 2];
+    for (error, time) in errors.iter_mut().zip(TIMES) {
+        run_until(simulation, time * CROSSING, observer, |_| {})?;
+        let time = simulation.velocity_time();
+        *error = error_of_velocity(simulation, |y| exact(y, time));
+    }
+    let quantities = vec![ratio(STARTING, errors[0]), ratio(AT_LAST, errors[1])];
+    let time = simulation.velocity_time();
+    let curve = profile(rung, simulation, |y| exact(y, time));
+    Ok(Found::new(quantities, curve))
+}
+
+/// Runs to the end; velocity and shear stress are exact by the distance from the wall at rest.
+fn at_last(
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+    exact: impl Fn(f64) -> (f64, f64),
+) -> Result<Found, Failure> {
+    run_until(simulation, AT_END * CROSSING, observer, |_| {})?;
+    let velocity = error_of_velocity(simulation, |y| exact(y).0);
+    let set = &simulation.sets()[0];
+    let mut quantities = vec![ratio(AT_LAST, velocity)];
+    if exact(0.0).1.is_finite() {
+        let stress = l2(simulation, |p, x| {
+            Some(([set.stress(p)[5]], [exact(x[1]).1]))
+        });
+        quantities.push(ratio(STRESS, stress));
+    }
+    let curve = profile(rung, simulation, |y| exact(y).0);
+    Ok(Found::new(quantities, curve))
+}
+
+/// Velocity over the channel.
+fn profile(rung: &Rung, simulation: &Simulation, exact: impl Fn(f64) -> f64) -> Option<Curve> {
+    let set = &simulation.sets()[0];
+    let points = along(simulation, 1, |p, y| {
+        [1e6 * set.velocity(p)[0], 1e6 * exact(y)]
+    })?;
+    Some(Curve {
+        title: format!("velocity over the channel, {}", rung.label),
+        abscissa: "distance from the wall at rest (m)",
+        ordinate: "velocity (µm/s)",
+        points,
+    })
+}

@@ -1,0 +1,113 @@
+//! A column of water at rest.
+
+use std::f64::consts::PI;
+
+use proctor_kernel::laws::Newtonian;
+use proctor_kernel::scene::{Damping, Dimension, Mesh, PlaneCondition, Scene, Weighting};
+use proctor_kernel::simulation::Simulation;
+
+use super::{Fluid, Problem};
+use crate::case::{Curve, Found, Rung};
+use crate::cases::dynamics::{DISPLACEMENT, along, l2, ratio};
+use crate::cases::statics::{most_steps, relax};
+use crate::cases::{NO_RESULTS, body, cuboid, material};
+use crate::exact::self_weight::{Law, SelfWeightColumn};
+use crate::settings::{Method, Settings};
+use crate::study::{Failure, Observer};
+
+/// Height \[m\].
+const HEIGHT: f64 = 1.0;
+/// Density \[kg/m³\].
+const DENSITY: f64 = 1000.0;
+/// Gravity \[m/s²\].
+const GRAVITY: f64 = 10.0;
+/// Bulk modulus \[Pa\]: a hundred times the pressure at the base.
+const BULK: f64 = 1.0e6;
+/// Damping over that at which the column no longer swings: it remembers nothing, and may swing a little.
+const DAMPED: f64 = 0.7;
+/// Norm of the unbalanced force over the weight at which it is at rest.
+const RESIDUAL: f64 = 1e-7;
+/// B-splines, which have a stress that varies within a cell.
+const METHOD: Method = Method {
+    weighting: Weighting::QuadraticBSpline,
+    ..Method::DEFAULT
+};
+/// Name of the quantity.
+const PRESSURE: &str = "L2(pressure)";
+
+/// The column at rest.
+pub(super) const REST: Problem = Problem {
+    variant: "rest",
+    cells: &[16, 32, 64],
+    scene,
+    run,
+    bounds: &[
+        (PRESSURE, 2e-3, "two in a thousand: it is the weight above"),
+        (DISPLACEMENT, 2e-3, "the volume follows from the pressure"),
+    ],
+    orders: &[(PRESSURE, 0.9), (DISPLACEMENT, 1.8)],
+};
+
+fn scene(rung: &Rung) -> Scene {
+    let h = rung.cell;
+    let cells = (HEIGHT / h).round() as usize;
+    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [1, cells + 1, 1]);
+    mesh.planes[1][1] = PlaneCondition::Free;
+    let mut scene = Scene::new(Dimension::Two, mesh, 1.0);
+    scene.name = String::from("fluid_at_rest");
+    scene.gravity = [0.0, -GRAVITY, 0.0];
+    // The rate of viscous damping is alpha sqrt(K/rho)/h; a quarter wave swings with pi c/2H.
+    scene.damping = Damping::Viscous {
+        alpha: DAMPED * PI * h / HEIGHT,
+    };
+    scene.results = NO_RESULTS;
+    scene.materials = material("water", DENSITY, Newtonian::new(BULK, 0.0));
+    scene.bodies = vec![body("column", 1, cuboid([0.0; 3], [h, HEIGHT, 0.0]))];
+    Settings::new(METHOD).apply(&mut scene);
+    scene
+}
+
+fn run(
+    case: Fluid,
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    let weight = DENSITY * GRAVITY * HEIGHT * rung.cell;
+    let most = most_steps(&Settings::new(METHOD), HEIGHT / rung.cell);
+    relax(simulation, weight, RESIDUAL, most, observer)?;
+    let exact = SelfWeightColumn {
+        law: Law::RateElastic,
+        height: HEIGHT,
+        density: DENSITY,
+        gravity: case.reference_force * GRAVITY,
+        lambda: BULK,
+        mu: 0.0,
+    };
+    let set = &simulation.sets()[0];
+    let pressure = |p: usize| {
+        let s = set.stress(p);
+        -(s[0] + s[1] + s[2]) / 3.0
+    };
+    let pressures = l2(simulation, |p, x| {
+        Some(([pressure(p)], [-exact.vertical_stress(x[1])]))
+    });
+    let displacement = l2(simulation, |p, x| {
+        let u = [0.0, exact.position(x[1]) - x[1], 0.0];
+        Some((simulation.displacement(0, p)?, u))
+    });
+    let points = along(simulation, 1, |p, y| {
+        [pressure(p) / 1e3, -exact.vertical_stress(y) / 1e3]
+    });
+    let curve = points.map(|points| Curve {
+        title: format!("pressure over the column, {}", rung.label),
+        abscissa: "initial height (m)",
+        ordinate: "pressure (kPa)",
+        points,
+    });
+    let quantities = vec![
+        ratio(PRESSURE, pressures),
+        ratio(DISPLACEMENT, displacement),
+    ];
+    Ok(Found::new(quantities, curve))
+}

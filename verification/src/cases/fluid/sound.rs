@@ -1,0 +1,142 @@
+//! A standing wave of sound that viscosity takes.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use libm::{log, sin};
+use proctor_kernel::laws::Newtonian;
+use proctor_kernel::scene::{Dimension, Mesh, Scene, TimeStep, Vector};
+use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
+
+use super::{Fluid, Problem};
+use crate::case::{Found, Quantity, Rung};
+use crate::cases::dynamics::step;
+use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, material};
+use crate::exact::sound::DampedSound;
+use crate::settings::{Method, Settings};
+use crate::study::{Failure, Observer, Phase};
+
+/// Length between the walls \[m\].
+const LENGTH: f64 = 1.0;
+/// Density \[kg/m³\].
+const DENSITY: f64 = 1000.0;
+/// Speed of sound \[m/s\].
+const SPEED: f64 = 10.0;
+/// Decay of the amplitude over the frequency.
+const DECAY: f64 = 0.05;
+/// Largest velocity over the speed of sound at the start.
+const AMPLITUDE: f64 = 1e-6;
+/// Periods until it is looked at, where the velocity is largest.
+const PERIODS: f64 = 2.0;
+/// `c dt/h` with ten cells; it falls with h.
+const COURANT: f64 = 0.2;
+/// Cells of which it is that.
+const CELLS: f64 = 10.0;
+/// Name of the quantity.
+const RATE: &str = "rate of decay";
+
+/// The standing wave.
+pub(super) const SOUND: Problem = Problem {
+    variant: "sound",
+    cells: &[20, 40],
+    scene,
+    run,
+    bounds: &[(RATE, 1e-2, "one percent")],
+    orders: &[(RATE, 1.8)],
+};
+
+/// Longitudinal viscosity over density \[m²/s\].
+fn diffusivity() -> f64 {
+    2.0 * DECAY * SPEED * LENGTH / PI
+}
+
+fn exact(case: Fluid) -> DampedSound {
+    DampedSound {
+        speed: SPEED,
+        diffusivity: case.reference_viscosity * diffusivity(),
+        wave_number: PI / LENGTH,
+    }
+}
+
+/// The velocity at the start, where a rung has one.
+pub(super) fn initial(rung: &Rung) -> Option<InitialField> {
+    (rung.variant == SOUND.variant).then(|| {
+        Arc::new(|x: &Vector| InitialState {
+            velocity: [AMPLITUDE * SPEED * sin(PI * x[0] / LENGTH), 0.0, 0.0],
+            ..AT_REST
+        }) as InitialField
+    })
+}
+
+fn scene(rung: &Rung) -> Scene {
+    let h = rung.cell;
+    let cells = (LENGTH / h).round() as usize;
+    let mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells, 1, 1]);
+    let end = PERIODS * 2.0 * LENGTH / SPEED;
+    let mut scene = Scene::new(Dimension::Two, mesh, end);
+    scene.name = String::from("fluid_sound");
+    scene.results = NO_RESULTS;
+    let viscosity = 0.75 * DENSITY * diffusivity();
+    let law = Newtonian::new(DENSITY * SPEED * SPEED, viscosity);
+    scene.materials = material("fluid", DENSITY, law);
+    scene.bodies = vec![body("fluid", 1, cuboid([0.0; 3], [LENGTH, h, 0.0]))];
+    Settings::new(Method::DEFAULT).apply(&mut scene);
+    let steps = (end * SPEED / (COURANT * h * CELLS * h / LENGTH)).ceil();
+    scene.time_step = TimeStep::Fixed {
+        dt: end / steps,
+        allow_unstable: false,
+    };
+    scene
+}
+
+/// Steps to the end; the decay of the mode in the velocities.
+fn run(
+    case: Fluid,
+    _: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    let amplitude = |simulation: &Simulation| {
+        let set = &simulation.sets()[0];
+        let (mut sum, mut norm) = (0.0, 0.0);
+        for p in 0..set.len() {
+            let x = simulation
+                .initial_position(0, p)
+                .ok_or("no initial positions")?[0];
+            let shape = sin(PI * x / LENGTH);
+            sum += shape * set.velocity(p)[0];
+            norm += shape * shape;
+        }
+        Ok::<f64, Failure>(sum / norm)
+    };
+    let end = simulation.scene().time;
+    let mut all = vec![amplitude(simulation)?];
+    observer.phase(Phase::Stepping);
+    while simulation.time() < end * (1.0 - 1e-9) {
+        step(simulation, end, observer)?;
+        all.push(amplitude(simulation)?);
+    }
+    observer.phase(Phase::Comparing);
+    let exact = exact(case).decay();
+    // The first velocity is half a step from the next, all others are a whole one apart.
+    let rate = decay(&all[1..], end / simulation.steps() as f64);
+    let quantity = Quantity::compared(RATE, rate, exact, "1/s");
+    Ok(Found::new(vec![quantity], None))
+}
+
+/// Rate of decay of a swing by its values `dt` (s) apart (Prony): those a quarter period apart are related by
+/// x_(n+1) = a x_n - b x_(n-1) with b = exp(-2 rate quarter), here in the sense of least squares.
+fn decay(values: &[f64], dt: f64) -> f64 {
+    let quarter = ((values.len() as f64) / (4.0 * PERIODS)).round() as usize;
+    let (mut xx, mut xy, mut yy, mut xz, mut yz) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for n in quarter..values.len().saturating_sub(quarter) {
+        let [x, y, z] = [values[n], values[n - quarter], values[n + quarter]];
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        xz += x * z;
+        yz += y * z;
+    }
+    let b = -(yz * xx - xz * xy) / (xx * yy - xy * xy);
+    -log(b) / (2.0 * quarter as f64 * dt)
+}
