@@ -51,6 +51,8 @@ mod self_weight;
 mod shear_and_turn;
 #[path = "cases/slipping_disk.rs"]
 mod slipping_disk;
+#[path = "cases/softening_bar.rs"]
+mod softening_bar;
 #[path = "cases/sphere_on_terrain.rs"]
 mod sphere_on_terrain;
 #[path = "cases/spinning_collision.rs"]

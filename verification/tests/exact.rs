@@ -44,6 +44,8 @@ mod rotation;
 mod self_weight;
 #[path = "exact/sliding.rs"]
 mod sliding;
+#[path = "exact/softening_bar.rs"]
+mod softening_bar;
 #[path = "exact/sound.rs"]
 mod sound;
 #[path = "exact/special.rs"]

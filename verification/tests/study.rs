@@ -210,6 +210,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "incompressible-box",
             "plastic-wave",
             "yielding-column",
+            "softening-bar",
             "fluid",
             "shear-and-turn",
             "bar-energy",

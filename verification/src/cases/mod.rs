@@ -61,6 +61,7 @@ mod self_weight;
 mod shear_and_turn;
 mod slab;
 mod slipping_disk;
+mod softening_bar;
 mod sphere_on_terrain;
 mod spinning_collision;
 mod staggered_start;
@@ -110,6 +111,7 @@ list! {
     sudden_weight::SuddenWeight[GIVEN],
     plastic_wave::PlasticWave[GIVEN],
     yielding_column::YieldingColumn[GIVEN],
+    softening_bar::SofteningBar[GIVEN],
     fluid::Fluid[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
     staggered_start::StaggeredStart[GIVEN],

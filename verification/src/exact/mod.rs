@@ -24,6 +24,7 @@ pub mod rolling_disk;
 pub mod rotation;
 pub mod self_weight;
 pub mod sliding;
+pub mod softening_bar;
 pub mod sound;
 pub mod special;
 pub mod step_bar;
