@@ -26,6 +26,8 @@ mod hertz;
 mod hertz_layer;
 #[path = "exact/hertz_sphere.rs"]
 mod hertz_sphere;
+#[path = "exact/homogeneous.rs"]
+mod homogeneous;
 #[path = "exact/indented_block.rs"]
 mod indented_block;
 #[path = "exact/objective_rate.rs"]
@@ -54,6 +56,8 @@ mod special;
 mod step_bar;
 #[path = "exact/sudden_weight.rs"]
 mod sudden_weight;
+#[path = "exact/turned.rs"]
+mod turned;
 #[path = "exact/two_slopes.rs"]
 mod two_slopes;
 #[path = "exact/vortex.rs"]
