@@ -29,6 +29,8 @@ mod hertz;
 mod hertz_slab;
 #[path = "cases/hertz_sphere.rs"]
 mod hertz_sphere;
+#[path = "cases/homogeneous.rs"]
+mod homogeneous;
 #[path = "cases/inclined_block.rs"]
 mod inclined_block;
 #[path = "cases/inclined_two_blocks.rs"]

@@ -212,6 +212,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "yielding-column",
             "softening-bar",
             "fluid",
+            "homogeneous",
             "shear-and-turn",
             "bar-energy",
             "angular-momentum",

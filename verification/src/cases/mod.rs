@@ -43,6 +43,7 @@ mod grains;
 mod hertz;
 mod hertz_slab;
 mod hertz_sphere;
+mod homogeneous;
 mod incline;
 mod inclined_block;
 mod inclined_two_blocks;
@@ -113,6 +114,7 @@ list! {
     yielding_column::YieldingColumn[GIVEN],
     softening_bar::SofteningBar[GIVEN],
     fluid::Fluid[GIVEN],
+    homogeneous::Homogeneous[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
     staggered_start::StaggeredStart[GIVEN],
     bar_energy::BarEnergy[GIVEN],

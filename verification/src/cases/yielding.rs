@@ -6,6 +6,7 @@
 use proctor_kernel::laws::{AnyLaw, DruckerPrager, Match, MohrCoulomb, Tresca, VonMises};
 
 use crate::case::Rung;
+use crate::exact::homogeneous::Surface;
 use crate::exact::two_slopes::TwoSlopes;
 
 /// Variants of the cases, one a law.
@@ -45,6 +46,14 @@ pub struct Yielding {
 }
 
 impl Yielding {
+    /// Poisson's ratio.
+    pub fn poisson(&self) -> f64 {
+        match self.variant {
+            MOHR_COULOMB | DRUCKER_PRAGER => POISSON_OF_SOIL,
+            _ => POISSON,
+        }
+    }
+
     /// Friction, cohesion and dilation.
     fn soil(&self) -> [f64; 3] {
         [ANGLES[0], COHESION * self.strength, ANGLES[1]]
@@ -61,6 +70,24 @@ impl Yielding {
             MOHR_COULOMB => MohrCoulomb::new(self.young, POISSON_OF_SOIL, self.soil()).into(),
             DRUCKER_PRAGER => self.drucker_prager().into(),
             _ => VonMises::new(self.young, POISSON, self.strength, HARDENING * self.young).into(),
+        }
+    }
+
+    /// The law with the strength that it has at first: von Mises does not harden.
+    pub fn perfect(&self) -> AnyLaw {
+        match self.variant {
+            VON_MISES => VonMises::new(self.young, POISSON, self.strength, 0.0).into(),
+            _ => self.law(),
+        }
+    }
+
+    /// Where the law that does not harden yields, and how it flows.
+    pub fn surface(&self) -> Surface {
+        match self.variant {
+            TRESCA => Surface::MohrCoulomb([0.0, SHEAR_STRENGTH * self.strength, 0.0]),
+            MOHR_COULOMB => Surface::MohrCoulomb(self.soil()),
+            DRUCKER_PRAGER => Surface::Cone(self.drucker_prager().cone()),
+            _ => Surface::Cone([0.0, self.strength / 3.0_f64.sqrt(), 0.0]),
         }
     }
 

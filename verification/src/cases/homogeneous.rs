@@ -1,0 +1,470 @@
+//! Does a specimen in the tests of the laboratory have the stress and the volume of its law, through the whole cycle?
+//!
+//! Source: soil notes, 2.1 to 2.3. A square or a cube stands on a roller between rollers and is pressed from above by a
+//! smooth plane. In the oedometer there are rollers all round; in biaxial (plane strain) and triaxial compression the sides
+//! opposite to the rollers are free, or bear a constant pressure that the specimen has within from the start. Stress and
+//! strain are the same everywhere, so that each particle is compared with the path of its law (`exact/homogeneous.rs`).
+//!
+//! What presses is a plane of nodes: all of them get one velocity v along the axis and keep those across, so that the
+//! logarithmic axial strain of what lies below grows by v/H per time. There is no damping. Where it yields a specimen widens
+//! faster at once, by the speed of the plane, and so the plane comes to rest there: it strains the specimen to the yield
+//! surface and then beyond it, each time from rest to rest and in some hundred times that of a wave through it. Strains are
+//! 1e-5, with strengths in proportion, so that particles stay in their cells and pressed sides on the nodes at which the
+//! pressure acts: what the laws do is the same at any size. `proctor verify homogeneous`.
+
+use std::sync::Arc;
+
+use proctor_kernel::scene::{
+    Dimension, InitialStress, Mesh, PlaneCondition, Scene, Traction, Weighting,
+};
+use proctor_kernel::simulation::{Condition, FieldNodes, Options, Simulation};
+
+use super::dynamics::at_intervals;
+use super::judging::error_at_most;
+use super::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
+use super::{NO_RESULTS, body, cuboid, material, solve_scene};
+use crate::case::{
+    Case, CaseError, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict,
+};
+use crate::exact::homogeneous::{Specimen, State, Surface, Test};
+use crate::settings::{Method, Settings};
+use crate::study::{Failure, Observer, Study};
+
+/// Height and width \[m\].
+const HEIGHT: f64 = 1.0;
+/// Young's modulus \[Pa\].
+const YOUNG: f64 = 10e6;
+/// Yield stress of von Mises \[Pa\]; the others yield at about the same stress.
+const STRENGTH: f64 = 50.0;
+/// Pressure on the sides where there is one \[Pa\].
+const PRESSURE: f64 = 25.0;
+/// Density \[kg/m³\].
+const DENSITY: f64 = 2000.0;
+/// Axial strain at the end over that at which the law yields.
+const BEYOND: f64 = 5.0;
+/// Duration of a test \[s\]: a wave takes some 14 ms through the specimen.
+const TIME: f64 = 4.5;
+/// Share of it until the law yields: beyond it the plane has four times as far to go and accelerates as much.
+const FIRST: f64 = 1.0 / 3.0;
+/// States of a path that are compared.
+const STATES: u32 = 60;
+/// Empty cells beside free sides.
+const AIR: usize = 1;
+
+/// Names of the quantities.
+const STRESS: &str = "stress off by, over the strength";
+const VOLUME: &str = "volume strain off by, over the largest";
+
+/// What a rung runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Variant {
+    name: &'static str,
+    test: Test,
+    law: &'static str,
+    /// Whether the free sides bear a pressure.
+    pressed: bool,
+}
+
+const fn variant(name: &'static str, test: Test, law: &'static str, pressed: bool) -> Variant {
+    Variant {
+        name,
+        test,
+        law,
+        pressed,
+    }
+}
+
+const VARIANTS: [Variant; 16] = {
+    use Test::{Biaxial, Oedometer, Triaxial};
+    [
+        variant("oedometer, von Mises", Oedometer, VON_MISES, false),
+        variant("oedometer, Tresca", Oedometer, TRESCA, false),
+        variant("oedometer, Mohr-Coulomb", Oedometer, MOHR_COULOMB, false),
+        variant(
+            "oedometer, Drucker-Prager",
+            Oedometer,
+            DRUCKER_PRAGER,
+            false,
+        ),
+        variant("biaxial, von Mises", Biaxial, VON_MISES, false),
+        variant("biaxial, Tresca", Biaxial, TRESCA, false),
+        variant("biaxial, Mohr-Coulomb", Biaxial, MOHR_COULOMB, false),
+        variant("biaxial, Drucker-Prager", Biaxial, DRUCKER_PRAGER, false),
+        variant(
+            "biaxial, Mohr-Coulomb, pressed",
+            Biaxial,
+            MOHR_COULOMB,
+            true,
+        ),
+        variant(
+            "biaxial, Drucker-Prager, pressed",
+            Biaxial,
+            DRUCKER_PRAGER,
+            true,
+        ),
+        variant("triaxial, von Mises", Triaxial, VON_MISES, false),
+        variant("triaxial, Tresca", Triaxial, TRESCA, false),
+        variant("triaxial, Mohr-Coulomb", Triaxial, MOHR_COULOMB, false),
+        variant("triaxial, Drucker-Prager", Triaxial, DRUCKER_PRAGER, false),
+        variant(
+            "triaxial, Mohr-Coulomb, pressed",
+            Triaxial,
+            MOHR_COULOMB,
+            true,
+        ),
+        variant(
+            "triaxial, Drucker-Prager, pressed",
+            Triaxial,
+            DRUCKER_PRAGER,
+            true,
+        ),
+    ]
+};
+
+impl Variant {
+    fn of(rung: &Rung) -> Self {
+        let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
+        found.unwrap_or(VARIANTS[0])
+    }
+
+    fn solid(self) -> Yielding {
+        Yielding {
+            variant: self.law,
+            young: YOUNG,
+            strength: STRENGTH,
+        }
+    }
+
+    fn dimension(self) -> Dimension {
+        match self.test {
+            Test::Triaxial => Dimension::Three,
+            _ => Dimension::Two,
+        }
+    }
+
+    /// Axes whose upper side is free.
+    fn free(self) -> &'static [usize] {
+        match self.test {
+            Test::Oedometer => &[],
+            Test::Biaxial => &[0],
+            Test::Triaxial => &[0, 2],
+        }
+    }
+
+    fn pressure(self) -> f64 {
+        if self.pressed { PRESSURE } else { 0.0 }
+    }
+
+    /// uGIMP, as what chooses nothing; linear functions where nodes bear a pressure: a domain that reaches past these nodes,
+    /// by however little, has others without a load there, and its particle comes to rest without stress.
+    fn weighting(self) -> Weighting {
+        if self.pressed {
+            Weighting::Linear
+        } else {
+            Weighting::UniformGimp
+        }
+    }
+
+    /// Corners of the specimen \[m\].
+    fn corners(self) -> [[f64; 3]; 2] {
+        let mut upper = [HEIGHT, HEIGHT, 0.0];
+        upper[..self.dimension().axes()].fill(HEIGHT);
+        [[0.0; 3], upper]
+    }
+
+    /// The pressure on the free sides.
+    fn tractions(self) -> Vec<Traction> {
+        let on = |&axis: &usize| {
+            let [mut p1, p2] = self.corners();
+            p1[axis] = p2[axis];
+            let mut traction = [0.0; 3];
+            traction[axis] = -PRESSURE;
+            let traction = traction.into();
+            Traction { p1, p2, traction }
+        };
+        let sides = if self.pressed { self.free() } else { &[] };
+        sides.iter().map(on).collect()
+    }
+}
+
+/// The smooth plane that presses: nodes at the top of the specimen. It strains the specimen to the yield surface and then
+/// beyond it, each time from rest to rest.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    /// Cell size \[m\].
+    cell: f64,
+    /// Axial strain at which the specimen yields.
+    yields: f64,
+}
+
+impl Plane {
+    /// Strain and rate of strain \[1/s\] at a time \[s\]: both parts as 10 s³ - 15 s⁴ + 6 s⁵.
+    fn strain(&self, time: f64) -> [f64; 2] {
+        let first = FIRST * TIME;
+        let (from, by, begins, takes) = if time < first {
+            (0.0, self.yields, 0.0, first)
+        } else {
+            let more = (BEYOND - 1.0) * self.yields;
+            (self.yields, more, first, TIME - first)
+        };
+        let s = ((time - begins) / takes).clamp(0.0, 1.0);
+        let share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+        let rate = 30.0 * s * s * (1.0 - s) * (1.0 - s) / takes;
+        [from + by * share, by * rate]
+    }
+
+    /// Velocity at a time \[s\], downwards \[m/s\].
+    fn velocity(&self, time: f64) -> f64 {
+        -HEIGHT * self.strain(time)[1]
+    }
+}
+
+impl Condition for Plane {
+    /// As boundary planes do: particles feel how the plane changes its velocity, and the force of the specimen works.
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let (time, kick) = (field.time(), field.kick());
+        let [before, after] = [time - kick, time].map(|time| self.velocity(time));
+        field.for_each(|node| {
+            if (node.position()[1] - HEIGHT).abs() > 1e-6 * self.cell {
+                return;
+            }
+            let (velocity, change) = (node.velocity(), node.change());
+            let mut old: [f64; 3] = std::array::from_fn(|axis| velocity[axis] - change[axis]);
+            let mut new = velocity;
+            (old[1], new[1]) = (before, after);
+            node.prescribe(old, new);
+            let force = node.mass() * (after - before - change[1]) / kick;
+            node.add_power(force * after);
+        });
+    }
+}
+
+/// Homogeneous tests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Homogeneous {
+    /// Strength of the exact specimen over that of the scene. Anything but 1 is a wrong reference, to prove that the gates
+    /// notice.
+    pub reference_strength: f64,
+    /// Dilation of the exact specimen over that of the scene, for the same reason.
+    pub reference_dilation: f64,
+    /// Axial strain of the exact specimen over that of the scene, for the same reason.
+    pub reference_strain: f64,
+}
+
+/// By how much particles are off along a path, at most.
+struct Off {
+    /// Volumes at the start \[m³\].
+    volumes: Vec<f64>,
+    /// What stresses \[Pa\] and volume strains are compared with.
+    scales: [f64; 2],
+    /// Stress and volume strain, over their scales.
+    most: [f64; 2],
+}
+
+impl Off {
+    /// Nothing yet, of a specimen at the start, with the strength at the end of the exact path and the largest volume strain
+    /// on it.
+    fn new(simulation: &Simulation, path: &[(f64, State)]) -> Self {
+        let end = path.last().map_or_else(State::default, |(_, end)| *end);
+        let volumes = path.iter().map(|(_, state)| state.volume.abs());
+        Self {
+            volumes: (0..simulation.sets()[0].len())
+                .map(|p| simulation.mass_and_volume(0, p).1)
+                .collect(),
+            scales: [
+                (end.stress[1] - end.stress[0]).abs(),
+                volumes.fold(0.0, f64::max),
+            ],
+            most: [0.0; 2],
+        }
+    }
+
+    /// Compares all particles with a state.
+    fn compare(&mut self, simulation: &Simulation, state: &State) {
+        for (p, volume) in self.volumes.iter().enumerate() {
+            let grown = libm::log(simulation.mass_and_volume(0, p).1 / volume);
+            keep(&mut self.most[1], (grown - state.volume) / self.scales[1]);
+            let stress = simulation.sets()[0].stress(p);
+            // There is no shear.
+            let exact = state.stress.into_iter().chain([0.0; 3]);
+            for (s, exact) in stress.into_iter().zip(exact) {
+                keep(&mut self.most[0], (s - exact) / self.scales[0]);
+            }
+        }
+    }
+
+    fn quantities(&self) -> Vec<Quantity> {
+        let named = [STRESS, VOLUME].into_iter().zip(self.most);
+        named
+            .map(|(name, off)| Quantity::of_zero(name, off))
+            .collect()
+    }
+}
+
+/// Keeps the larger size; what is no number stays.
+fn keep(most: &mut f64, off: f64) {
+    if off.abs() > *most || off.is_nan() {
+        *most = off.abs();
+    }
+}
+
+impl Homogeneous {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_strength: 1.0,
+        reference_dilation: 1.0,
+        reference_strain: 1.0,
+    };
+
+    /// The exact specimen, as the case refers to it.
+    fn exact(self, variant: Variant) -> Specimen {
+        let solid = Yielding {
+            strength: self.reference_strength * STRENGTH,
+            ..variant.solid()
+        };
+        let surface = match solid.surface() {
+            Surface::MohrCoulomb([friction, cohesion, dilation]) => {
+                Surface::MohrCoulomb([friction, cohesion, self.reference_dilation * dilation])
+            }
+            Surface::Cone([eta, limit, flow]) => {
+                Surface::Cone([eta, limit, self.reference_dilation * flow])
+            }
+        };
+        Specimen {
+            young: YOUNG,
+            poisson: solid.poisson(),
+            surface,
+            test: variant.test,
+            pressure: variant.pressure(),
+        }
+    }
+
+    fn plane(rung: &Rung) -> Plane {
+        Plane {
+            cell: rung.cell,
+            yields: Self::GIVEN.exact(Variant::of(rung)).yields_at(),
+        }
+    }
+
+    /// Axial strains and states of the exact specimen at equal shares of the time.
+    fn path(self, rung: &Rung) -> Vec<(f64, State)> {
+        let plane = Self::plane(rung);
+        let strain = |k| plane.strain(TIME * f64::from(k) / f64::from(STATES))[0];
+        let strains: Vec<f64> = (0..=STATES).map(strain).collect();
+        let wrong: Vec<f64> = strains.iter().map(|e| self.reference_strain * e).collect();
+        let states = self.exact(Variant::of(rung)).path(&wrong);
+        strains.into_iter().zip(states).collect()
+    }
+
+    /// Runs the test and compares the states on its way.
+    fn press(
+        self,
+        rung: &Rung,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        let path = self.path(rung);
+        let mut off = Off::new(simulation, &path);
+        let mut points = vec![];
+        let look = |simulation: &Simulation, k: usize| {
+            let (strain, state) = path[k];
+            off.compare(simulation, &state);
+            let stress = simulation.sets()[0].stress(0);
+            points.push(CurvePoint {
+                at: 1e6 * strain,
+                computed: stress[0] - stress[1],
+                exact: state.stress[0] - state.stress[1],
+            });
+            Ok(())
+        };
+        at_intervals(simulation, TIME / f64::from(STATES), observer, |_| {}, look)?;
+        let curve = Curve {
+            title: format!("stress over strain, {}", rung.label),
+            abscissa: "axial strain (1e-6)",
+            ordinate: "axial less lateral compression (Pa)",
+            points,
+        };
+        Ok(Found::new(off.quantities(), Some(curve)))
+    }
+}
+
+impl Case for Homogeneous {
+    fn name(&self) -> &'static str {
+        "homogeneous"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does a specimen in the tests of the laboratory have the stress and the volume of its law?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let counts: &[u32] = match size {
+            Size::Quick => &[2],
+            Size::Full => &[2, 4],
+        };
+        VARIANTS
+            .iter()
+            .flat_map(|v| Rung::counted(v.name, &format!("{}, H/h", v.name), HEIGHT, counts))
+            .collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let (h, variant) = (rung.cell, Variant::of(rung));
+        let dimension = variant.dimension();
+        let cells = (HEIGHT / h).round() as usize;
+        let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], [1; 3]);
+        mesh.cells[..dimension.axes()].fill(cells);
+        for axis in variant.free().iter().copied().chain([1]) {
+            mesh.cells[axis] += AIR;
+            mesh.planes[axis][1] = PlaneCondition::Free;
+        }
+        let mut scene = Scene::new(dimension, mesh, TIME);
+        scene.name = String::from("homogeneous");
+        scene.results = NO_RESULTS;
+        scene.materials = material(variant.law, DENSITY, variant.solid().perfect());
+        let [lower, upper] = variant.corners();
+        let mut specimen = body("specimen", 1, cuboid(lower, upper));
+        if variant.pressed {
+            specimen.initial_stress = InitialStress::Isotropic(-PRESSURE);
+        }
+        scene.bodies = vec![specimen];
+        scene.tractions = variant.tractions();
+        let method = Method {
+            weighting: variant.weighting(),
+            ..Method::DEFAULT
+        };
+        Settings::new(method).apply(&mut scene);
+        scene
+    }
+
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Err("stress and strain are the same everywhere, so that no cell size has a say")
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let mut options = options.clone();
+        options.conditions.push(Arc::new(Self::plane(rung)));
+        solve_scene(self, rung, &options, |simulation| {
+            self.press(rung, simulation, &mut |share| progress(share))
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let mut verdict = Verdict::default();
+        for rung in self.rungs(size) {
+            for (name, bound, reason) in [
+                (STRESS, 5e-3, "half a percent: no stress varies in space"),
+                (VOLUME, 1e-2, "one percent: Hooke's law and dilation"),
+            ] {
+                let gate = error_at_most(solved, &rung.label, name, bound, reason);
+                verdict.gates.push(gate);
+            }
+        }
+        verdict
+    }
+}
