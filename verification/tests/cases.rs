@@ -57,6 +57,8 @@ mod slipping_disk;
 mod softening_bar;
 #[path = "cases/sphere_on_terrain.rs"]
 mod sphere_on_terrain;
+#[path = "cases/spin.rs"]
+mod spin;
 #[path = "cases/spinning_collision.rs"]
 mod spinning_collision;
 #[path = "cases/staggered_start.rs"]

@@ -214,6 +214,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "fluid",
             "homogeneous",
             "shear-and-turn",
+            "spin",
             "bar-energy",
             "angular-momentum",
             "grains"

@@ -64,6 +64,7 @@ mod slab;
 mod slipping_disk;
 mod softening_bar;
 mod sphere_on_terrain;
+mod spin;
 mod spinning_collision;
 mod staggered_start;
 mod statics;
@@ -116,6 +117,7 @@ list! {
     fluid::Fluid[GIVEN],
     homogeneous::Homogeneous[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
+    spin::Spin[GIVEN],
     staggered_start::StaggeredStart[GIVEN],
     bar_energy::BarEnergy[GIVEN],
     angular_momentum::AngularMomentum[GIVEN],

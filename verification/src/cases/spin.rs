@@ -1,0 +1,386 @@
+//! Does the stress of a body that has yielded turn with it, without any more yielding?
+//!
+//! Source: soil notes, 2.1 and rank 6 of section 3. A block is strained until it has yielded, by a velocity gradient whose
+//! principal axes are none of the mesh, and then spun as a rigid body: in the plane about z, in space about an axis that is
+//! none of the mesh. All nodes move as prescribed, as in *shear-and-turn*; a body that spins freely would not be in
+//! equilibrium with one stress.
+//!
+//! A state on a yield surface is the one that every error of a rotation brings beyond it: where a rate lets the stress
+//! grow with the square of the step, or takes chords of circles for strain, the block flows in each step. The midpoint rule
+//! of Hughes and Winget makes no strain of equal chords and turns by their angle, so that what is left is round-off: the
+//! stress is `R sigma R^T`, its principal values stay, and so do plastic strain and plastic work. `proctor verify spin`.
+
+use std::sync::Arc;
+
+use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, TimeStep};
+use proctor_kernel::simulation::{Condition, FieldNodes, InitialState, Options, Simulation};
+
+use super::dynamics::step;
+use super::judging::error_at_most;
+use super::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
+use super::{AT_REST, NO_RESULTS, body, cuboid, material, solve_scene};
+use crate::case::{Case, CaseError, Found, Quantity, Rung, Size, Solved, Verdict};
+use crate::exact::turned::{Matrix, Tensor, invariants, length, rotation, turn, turned};
+use crate::study::{Failure, Observer, Phase, Study};
+
+/// Young's modulus \[Pa\] and density \[kg/m³\]: waves run at 1.1 m/s.
+const YOUNG: f64 = 1.0;
+const DENSITY: f64 = 1.0;
+/// Yield stress of von Mises \[Pa\].
+const STRENGTH: f64 = 2e-3;
+/// Cells are so many times as large as a wave runs in a step, about.
+const CELLS_PER_STEP: f64 = 10.0;
+/// Cells along the body, and empty ones on each side of it.
+const WIDE: usize = 2;
+const MARGIN: usize = 2;
+/// Steps in which the body is strained.
+const STRAINING: u32 = 64;
+/// Strain before the spin, five times that at which it yields: compression with shear.
+const STRAIN: [Matrix; 2] = [
+    [[-1e-2, 3e-3, 0.0], [3e-3, 2e-3, 0.0], [0.0; 3]],
+    [
+        [-9e-3, 3e-3, 2e-3],
+        [3e-3, 3e-3, -1e-3],
+        [2e-3, -1e-3, -2e-3],
+    ],
+];
+/// The stress is compared so many times in a turn.
+const LOOKS: u32 = 16;
+
+/// Names of the quantities.
+const TURNED: &str = "stress that has turned off by, over it";
+const PRINCIPAL: &str = "principal values off by, over the stress";
+const MULTIPLIER: &str = "plastic strain that was added, over it";
+const WORK: &str = "plastic work that was added, over it";
+
+/// What a rung runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Variant {
+    name: &'static str,
+    law: &'static str,
+    dimension: Dimension,
+}
+
+const fn variant(name: &'static str, law: &'static str, dimension: Dimension) -> Variant {
+    Variant {
+        name,
+        law,
+        dimension,
+    }
+}
+
+const VARIANTS: [Variant; 8] = [
+    variant("von Mises", VON_MISES, Dimension::Two),
+    variant("Tresca", TRESCA, Dimension::Two),
+    variant("Mohr-Coulomb", MOHR_COULOMB, Dimension::Two),
+    variant("Drucker-Prager", DRUCKER_PRAGER, Dimension::Two),
+    variant("von Mises 3D", VON_MISES, Dimension::Three),
+    variant("Tresca 3D", TRESCA, Dimension::Three),
+    variant("Mohr-Coulomb 3D", MOHR_COULOMB, Dimension::Three),
+    variant("Drucker-Prager 3D", DRUCKER_PRAGER, Dimension::Three),
+];
+
+impl Variant {
+    fn of(rung: &Rung) -> Self {
+        let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
+        found.unwrap_or(VARIANTS[0])
+    }
+
+    /// Axis of the spin.
+    fn axis(self) -> [f64; 3] {
+        match self.dimension {
+            Dimension::Two => [0.0, 0.0, 1.0],
+            Dimension::Three => [2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0],
+        }
+    }
+
+    fn strain(self) -> Matrix {
+        match self.dimension {
+            Dimension::Two => STRAIN[0],
+            Dimension::Three => STRAIN[1],
+        }
+    }
+
+    /// Corners of the body \[m\].
+    fn corners(self, cell: f64) -> [[f64; 3]; 2] {
+        [MARGIN, MARGIN + WIDE].map(|cells| {
+            let mut corner = [0.0; 3];
+            corner[..self.dimension.axes()].fill(cells as f64 * cell);
+            corner
+        })
+    }
+}
+
+/// Steps in a turn; cells of a rung are as large as one of them.
+fn steps_per_turn(rung: &Rung) -> u32 {
+    (CELLS_PER_STEP / rung.cell).round() as u32
+}
+
+/// Length of a step \[s\]: a turn takes one second.
+fn time_step(rung: &Rung) -> f64 {
+    1.0 / f64::from(steps_per_turn(rung))
+}
+
+/// Number of looks at the body in its spin: ten turns, where the whole ladder is run.
+fn looks(rung: &Rung) -> u32 {
+    LOOKS * if steps_per_turn(rung) < 500 { 1 } else { 10 }
+}
+
+/// All nodes move by a velocity gradient \[1/s\] about a point \[m\], by another one from a time \[s\] on.
+#[derive(Clone, Copy, Debug)]
+struct Driven {
+    about: [f64; 3],
+    strains: Matrix,
+    until: f64,
+    spins: Matrix,
+}
+
+impl Driven {
+    fn velocity(&self, x: [f64; 3], time: f64) -> [f64; 3] {
+        let gradient = if time < self.until {
+            &self.strains
+        } else {
+            &self.spins
+        };
+        gradient.map(|row| (0..3).map(|i| row[i] * (x[i] - self.about[i])).sum())
+    }
+}
+
+impl Condition for Driven {
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let time = field.time();
+        field.for_each(|node| node.set_velocity(self.velocity(node.position(), time)));
+    }
+}
+
+/// State of a particle when the spin begins.
+#[derive(Clone, Copy, Debug)]
+struct Yielded {
+    stress: Tensor,
+    /// Plastic strain.
+    strain: f64,
+    /// Plastic work \[J/m³\].
+    work: f64,
+}
+
+/// The states of all particles.
+fn yielded(simulation: &Simulation) -> Result<Vec<Yielded>, Failure> {
+    let set = &simulation.sets()[0];
+    let state = |p| match set.variables(p)[..] {
+        [strain, work, ..] => Ok(Yielded {
+            stress: set.stress(p),
+            strain,
+            work,
+        }),
+        _ => Err("the law keeps no plastic strain and work".into()),
+    };
+    (0..set.len()).map(state).collect()
+}
+
+/// Largest of what was off so far, in the order of the quantities.
+type Off = [f64; 4];
+
+/// Keeps what is farther off, and what is no number.
+fn keep(off: &mut Off, now: Off) {
+    for (most, now) in off.iter_mut().zip(now) {
+        if now > *most || now.is_nan() {
+            *most = now;
+        }
+    }
+}
+
+/// By how much a particle is off that began to spin with a state.
+fn off_by(start: &Yielded, now: &Yielded, rotation: &Matrix) -> Off {
+    let size = length(start.stress);
+    let exact = turned(start.stress, rotation);
+    let apart = length(std::array::from_fn(|i| now.stress[i] - exact[i]));
+    let [before, after] = [start, now].map(|state| invariants(state.stress));
+    let invariant = (before.iter().zip(after)).map(|(a, b)| (a - b).abs());
+    let principal = invariant.fold(
+        0.0,
+        |most: f64, x| if x > most || x.is_nan() { x } else { most },
+    );
+    [
+        apart / size,
+        principal / size,
+        (now.strain / start.strain - 1.0).abs(),
+        (now.work / start.work - 1.0).abs(),
+    ]
+}
+
+/// A body that has yielded and spins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spin {
+    /// Angle of the exact spin over that of the scene. Anything but 1 is a wrong reference, to prove that the gates notice.
+    pub reference_angle: f64,
+    /// Compression along x per turn while the body spins, which a rigid one has not, for the same reason.
+    pub strained: f64,
+}
+
+impl Spin {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_angle: 1.0,
+        strained: 0.0,
+    };
+
+    /// How all nodes move.
+    fn motion(self, rung: &Rung) -> Driven {
+        let (variant, dt) = (Variant::of(rung), time_step(rung));
+        let [lower, upper] = variant.corners(rung.cell);
+        let steps = f64::from(steps_per_turn(rung));
+        let step = turn(variant.axis(), std::f64::consts::TAU / steps);
+        let mut spins = step.map(|row| row.map(|x| x / dt));
+        spins[0][0] -= self.strained;
+        let straining = f64::from(STRAINING) * dt;
+        Driven {
+            about: std::array::from_fn(|i| 0.5 * (lower[i] + upper[i])),
+            strains: variant.strain().map(|row| row.map(|e| e / straining)),
+            until: straining,
+            spins,
+        }
+    }
+
+    /// Does steps of the scene up to a number.
+    fn advance(
+        simulation: &mut Simulation,
+        steps: u64,
+        observer: &dyn Observer,
+    ) -> Result<(), Failure> {
+        let end = simulation.scene().time;
+        while simulation.steps() < steps {
+            step(simulation, end, observer)?;
+        }
+        Ok(())
+    }
+
+    /// Strains and spins the body, and looks at it on the way.
+    fn spin(
+        self,
+        rung: &Rung,
+        simulation: &mut Simulation,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, Failure> {
+        observer.phase(Phase::Stepping);
+        let variant = Variant::of(rung);
+        Self::advance(simulation, u64::from(STRAINING), observer)?;
+        let starts = yielded(simulation)?;
+        let (all, mut off) = (looks(rung), [0.0; 4]);
+        for look in 1..=all {
+            let steps = look * steps_per_turn(rung) / LOOKS;
+            Self::advance(simulation, u64::from(STRAINING + steps), observer)?;
+            observer.progress(f64::from(look) / f64::from(all));
+            let turns = f64::from(steps) / f64::from(steps_per_turn(rung));
+            let angle = self.reference_angle * turns.fract() * std::f64::consts::TAU;
+            let rotation = rotation(variant.axis(), angle);
+            for (start, now) in starts.iter().zip(yielded(simulation)?) {
+                keep(&mut off, off_by(start, &now, &rotation));
+            }
+        }
+        observer.phase(Phase::Comparing);
+        let names = [TURNED, PRINCIPAL, MULTIPLIER, WORK];
+        let quantities = names.into_iter().zip(off);
+        let quantities = quantities.map(|(name, off)| Quantity::of_zero(name, off));
+        Ok(Found::new(quantities.collect(), None))
+    }
+}
+
+impl Case for Spin {
+    fn name(&self) -> &'static str {
+        "spin"
+    }
+
+    fn question(&self) -> &'static str {
+        "Does the stress of a body that has yielded turn with it, without any more yielding?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let steps: &[u32] = match size {
+            Size::Quick => &[256],
+            Size::Full => &[256, 1024],
+        };
+        VARIANTS
+            .iter()
+            .flat_map(|v| {
+                let word = format!("{}, steps in a turn", v.name);
+                Rung::counted(v.name, &word, CELLS_PER_STEP, steps)
+            })
+            .collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let (h, variant) = (rung.cell, Variant::of(rung));
+        let axes = variant.dimension.axes();
+        let mut mesh = Mesh::new(variant.dimension, [0.0; 3], [h; 3], [1; 3]);
+        mesh.cells[..axes].fill(WIDE + 2 * MARGIN);
+        mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
+        let spinning = looks(rung) * steps_per_turn(rung) / LOOKS;
+        let dt = time_step(rung);
+        let mut scene = Scene::new(
+            variant.dimension,
+            mesh,
+            f64::from(STRAINING + spinning) * dt,
+        );
+        scene.name = String::from("spin");
+        scene.time_step = TimeStep::Fixed {
+            dt,
+            allow_unstable: false,
+        };
+        scene.results = NO_RESULTS;
+        let solid = Yielding {
+            variant: variant.law,
+            young: YOUNG,
+            strength: STRENGTH,
+        };
+        scene.materials = material(variant.law, DENSITY, solid.law());
+        let [lower, upper] = variant.corners(h);
+        let mut block = body("block", 1, cuboid(lower, upper));
+        block.particles_per_cell[..axes].fill(2);
+        scene.bodies = vec![block];
+        scene
+    }
+
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Err(
+            "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
+        )
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let motion = self.motion(rung);
+        let mut options = Options {
+            initial: Some(Arc::new(move |x| InitialState {
+                velocity: motion.velocity(*x, 0.0),
+                ..AT_REST
+            })),
+            ..options.clone()
+        };
+        options.conditions.push(Arc::new(motion));
+        solve_scene(self, rung, &options, |simulation| {
+            self.spin(rung, simulation, &mut |share| progress(share))
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let mut verdict = Verdict::default();
+        let turns = "turned by the midpoint rule; round-off of some thousand steps is left";
+        let flows = "no strain that would load it; round-off is left";
+        for rung in self.rungs(size) {
+            let bounds = [
+                (TURNED, turns),
+                (PRINCIPAL, turns),
+                (MULTIPLIER, flows),
+                (WORK, flows),
+            ];
+            let gates = bounds
+                .map(|(name, reason)| error_at_most(solved, &rung.label, name, 1e-10, reason));
+            verdict.gates.extend(gates);
+        }
+        verdict
+    }
+}
