@@ -107,7 +107,7 @@ impl<'a> Report<'a> {
         if slots.is_empty() {
             return Ok(());
         }
-        writeln!(f, "{title}\n")?;
+        writeln!(f, "{title}")?;
         let stages = slots[0].stage.is_some();
         let what = if stages { "stage" } else { "method" };
         let mut table = Table::new([

@@ -110,6 +110,23 @@ pub fn shortened(name: &str, characters: usize) -> String {
     format!("{head}…{tail}")
 }
 
+/// A sentence in so many characters, of whole words where it is longer.
+#[must_use]
+pub fn in_words(sentence: &str, characters: usize) -> String {
+    if sentence.chars().count() <= characters {
+        return sentence.to_owned();
+    }
+    let mut short = String::new();
+    for word in sentence.split(' ') {
+        if short.chars().count() + word.chars().count() + 2 > characters {
+            break;
+        }
+        short.push_str(word);
+        short.push(' ');
+    }
+    short + "…"
+}
+
 /// Columns of text: the first to the left, the others to the right.
 pub struct Table {
     lines: Vec<Vec<String>>,
@@ -200,6 +217,14 @@ mod tests {
         assert!(name.starts_with(head) && name.ends_with(tail), "{short}");
         assert!(head.len().abs_diff(tail.len()) <= 1, "{short}");
         assert_eq!(shortened("short", 29), "short");
+    }
+
+    #[test]
+    fn long_sentences_end_after_a_word() {
+        let sentence = "stress less that of the closed form, over it";
+        assert_eq!(in_words(sentence, 32), "stress less that of the closed …");
+        assert_eq!(in_words(sentence, 31), "stress less that of the …");
+        assert_eq!(in_words("short", 5), "short");
     }
 
     #[test]

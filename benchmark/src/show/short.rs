@@ -1,14 +1,12 @@
 //! Studies of error against run time in a few lines, all of them together.
 
-use super::Table;
 use crate::precision::findings::LEVELS;
 use crate::precision::{Findings, Studied};
-use proctor_verification::settings::Method;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Combinations that are named.
-const SHOWN: usize = 2;
+/// Combinations that are named for each error.
+const SHOWN: usize = 3;
 
 /// Which combination brings how many of the errors to 1 % and to 0.1 % in the shortest time.
 ///
@@ -33,31 +31,28 @@ pub fn studies(all: &[Studied], out: &mut dyn Write) -> io::Result<()> {
     let runs: usize = all.iter().map(|studied| studied.runs.len()).sum();
     writeln!(
         out,
-        "Error against run time: {errors} errors of {} cases in {runs} runs. How many a method brings below 1 % and 0.1 % in the \
-         least run time",
+        "Error against run time: {errors} errors of {} cases in {runs} runs. The fewest seconds to an error had most often,",
         all.len()
     )?;
-    let mut ranked: Vec<(String, [usize; LEVELS.len()])> = first.into_iter().collect();
-    // Names in their order where the counts are the same.
-    ranked.sort_by_key(|(_, counts)| std::cmp::Reverse(counts.iter().sum::<usize>()));
-    let mut table = Table::new(["", "1 %", "0.1 %"]);
-    let cells = |name: String, counts: [usize; LEVELS.len()]| {
-        std::iter::once(name).chain(counts.map(|count| count.to_string()))
-    };
-    let default = Method::DEFAULT.to_string();
-    for (name, counts) in ranked.iter().take(SHOWN) {
-        let mark = if *name == default {
-            ", the default"
-        } else {
-            ""
-        };
-        table.push(cells(format!("by {name}{mark}"), *counts));
+    for (level, bound) in LEVELS.into_iter().enumerate() {
+        let mut ranked: Vec<(&String, usize)> = first
+            .iter()
+            .map(|(name, counts)| (name, counts[level]))
+            .filter(|(_, count)| *count > 0)
+            .collect();
+        // Names in their order where the counts are the same.
+        ranked.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let named = ranked.iter().take(SHOWN);
+        let named: Vec<String> = named
+            .map(|(name, count)| format!("{name} {count}×"))
+            .collect();
+        writeln!(
+            out,
+            "  {:<5} {}; no method came so far for {}",
+            format!("{} %:", 100.0 * bound),
+            named.join(", "),
+            never[level]
+        )?;
     }
-    if let Some(others) = ranked.get(SHOWN..).filter(|others| !others.is_empty()) {
-        let sum = |level: usize| others.iter().map(|(_, counts)| counts[level]).sum();
-        let name = format!("by {} other combinations", others.len());
-        table.push(cells(name, std::array::from_fn(sum)));
-    }
-    table.push(cells("not reached by any".to_owned(), never));
-    write!(out, "{table}")
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! Cases that were run, one line each, and the verdict over all of them.
 
 use super::paint::{Mark, Paint};
-use super::{case as full, percent, seconds, shortened};
+use super::{case as full, in_words, percent, seconds};
 use crate::measure;
 use crate::record::details::{GateDetail, gate};
 use crate::record::{CaseState, Record};
@@ -56,7 +56,7 @@ impl Lines {
         let held = gates.iter().filter(|gate| gate.passed).count();
         let tightest = gates.iter().map(GateDetail::used).reduce(f64::max);
         let (of, error) = headline(ran).map_or_else(Default::default, |(name, error)| {
-            (shortened(name, HEADLINE), percent(error))
+            (in_words(name, HEADLINE), percent(error))
         });
         let time: f64 = ran.rungs.iter().map(|r| r.spent().wall.as_secs_f64()).sum();
         let mark = if ran.passed() {

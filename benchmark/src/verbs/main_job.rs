@@ -284,7 +284,6 @@ impl Job<'_> {
         }
         if amount.more_than_the_verdict() && !amount.all() && !all.is_empty() {
             self.tell(|out| {
-                writeln!(out)?;
                 short::studies(&all, out)?;
                 writeln!(out)
             })?;

@@ -59,7 +59,7 @@ fn a_layer_swings_in_shear_alone() {
                         (v[0] - exact).abs() < 0.02 * SPEED,
                         "{dimension:?} {weighting:?} {scheme:?}: {v:?} at {x:?}, not {exact}"
                     );
-                    for across in v[1..].iter() {
+                    for across in &v[1..] {
                         assert!(
                             across.abs() < 1e-5 * SPEED,
                             "{weighting:?} {scheme:?} {v:?}"

@@ -42,9 +42,9 @@ impl Mirrors {
     ) -> impl Iterator<Item = (f64, PointIn<D>)> {
         let places = [0.0, self.cells[axis] as f64 * cell];
         let planes = places.into_iter().zip(self.planes[axis]);
-        planes.filter_map(move |(place, condition)| {
-            (condition != PlaneCondition::Free).then(|| (place, signs(condition, axis)))
-        })
+        planes
+            .filter(|(_, condition)| *condition != PlaneCondition::Free)
+            .map(move |(place, condition)| (place, signs(condition, axis)))
     }
 
     /// Whether a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
