@@ -106,6 +106,33 @@ const TEMPLATES: &[Template] = &[
         ],
     },
     Template {
+        name: "sand",
+        what: "a column of sand collapses and spreads on rough ground: Mohr-Coulomb",
+        text: include_str!("../../templates/sand.json"),
+        beside: None,
+        field: "Velocity",
+        change: &[
+            ("friction", "20 instead of 30: it runs farther"),
+            ("cohesion", "5000: the column stands"),
+            ("point_p2", "a column twice as high, in a longer mesh"),
+        ],
+    },
+    Template {
+        name: "dam",
+        what: "a column of water is let go and runs along the ground: a dam breaks",
+        text: include_str!("../../templates/dam.json"),
+        beside: None,
+        field: "Velocity",
+        change: &[
+            ("viscosity", "500 instead of 0.001: it creeps"),
+            (
+                "type",
+                "\"bingham\" with a `yield_stress` of 2000: mud comes to rest",
+            ),
+            ("cells_dimension", "half of it, and twice `cells_number`"),
+        ],
+    },
+    Template {
         name: "beam",
         what: "a soft beam, fixed at one end, bends under its own weight: large strains",
         text: include_str!("../../templates/beam.json"),

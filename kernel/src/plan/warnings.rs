@@ -1,8 +1,8 @@
 //! What a scene may do, but not well.
 
 use crate::scene::{
-    Damping, MOST_CREEP, Material, MortarContact, Scene, StressScheme, Transfer, TransferKind,
-    VolumetricStrain,
+    Body, Damping, MOST_CREEP, Material, MortarContact, Scene, StressScheme, Transfer,
+    TransferKind, VolumetricStrain,
 };
 
 /// Normal stiffness times cell over Young's modulus above which the layer of a mortar contact is stiffer than the cells
@@ -18,6 +18,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(stiff_contacts(scene));
     all.extend(creeping_contacts(scene));
     all.extend(gains_in_turns(scene));
+    all.extend(compressed_by_speed(scene));
     for material in &scene.materials {
         let own = material.law.warnings().into_iter();
         all.extend(own.map(|warning| format!("{}: {warning}", material.name)));
@@ -46,6 +47,27 @@ fn gains_in_turns(scene: &Scene) -> Option<String> {
              particles per cell, 7 % with B-splines; APIC and TPIC do not gain, nor does FLIP with USL"
                 .to_owned()
         })
+}
+
+/// Speed of sound over that of a flow below which the density of a fluid changes by more than one percent.
+const HARDLY_COMPRESSED: f64 = 10.0;
+
+/// Fluids that begin so fast that they are not nearly incompressible: the density changes by half of (v/c)².
+fn compressed_by_speed(scene: &Scene) -> Vec<String> {
+    let of = |body: &Body| {
+        let material = scene.materials.get(body.material)?;
+        let is_fluid = material.law.initial_volume_ratio(-material.law.young()) != 1.0;
+        let sound = material.law.wave_speed(material.density);
+        let speed = body.velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
+        (is_fluid && sound < HARDLY_COMPRESSED * speed).then(|| {
+            format!(
+                "{}: sound runs at {sound:.3} m/s in {}, less than {HARDLY_COMPRESSED} times as fast as the body at {speed:.3} \
+                 m/s: its density changes by more than one percent",
+                body.name, material.name
+            )
+        })
+    };
+    scene.bodies.iter().filter_map(of).collect()
 }
 
 /// Materials so nearly incompressible that their bodies do not bend and settle as they should.

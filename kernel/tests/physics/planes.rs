@@ -2,7 +2,7 @@
 
 use crate::common::{SCHEMES, WEIGHTINGS, body, cuboid, elastic, empty, material, simulation_from};
 use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, Vector, Weighting};
-use proctor_kernel::simulation::InitialState;
+use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -67,6 +67,42 @@ fn a_layer_swings_in_shear_alone() {
                     }
                 }
             }
+        }
+    }
+}
+
+/// What lies beyond a plane repeats what lies inside, and is not counted again.
+#[test]
+fn nodes_have_the_kinetic_energy_of_the_body() {
+    const SPEED: f64 = 0.5;
+    for dimension in [Dimension::Two, Dimension::Three] {
+        for weighting in WEIGHTINGS {
+            let axes = dimension.axes();
+            let mut scene = empty(dimension, [8; 3], CELL);
+            scene.weighting = weighting;
+            scene.mesh.planes = [[PlaneCondition::Free; 2]; 3];
+            scene.mesh.planes[axes - 1][0] = PlaneCondition::Sliding;
+            let (mut lower, mut upper) = ([2.0 * CELL; 3], [5.0 * CELL; 3]);
+            (lower[axes - 1], upper[axes - 1]) = (0.0, 3.0 * CELL);
+            lower[axes..].fill(0.0);
+            upper[axes..].fill(0.0);
+            let mut one = body(1, cuboid(lower, upper));
+            one.particles_per_cell[axes..].fill(1);
+            one.velocity = [SPEED, 0.0, 0.0];
+            scene.bodies = vec![one];
+            scene.materials = vec![material(elastic(1.0e6, 0.3))];
+            let options = Options {
+                measure: true,
+                ..crate::common::options()
+            };
+            let mut simulation = Simulation::new(&scene, &options).expect("the scene is sound");
+            let info = simulation.step(1.0).expect("a step");
+            let (kinetic, _) = info.measured.expect("it was asked for");
+            let exact = 0.5 * simulation.mass() * SPEED * SPEED;
+            assert!(
+                (kinetic / exact - 1.0).abs() < 1e-12,
+                "{dimension:?} {weighting:?}: {kinetic} J, not {exact}"
+            );
         }
     }
 }
