@@ -127,7 +127,7 @@ pub fn jobs(
         _ => &nonlinear::METHODS,
     };
     for scene in scenes {
-        let can = scene.methods().into_iter();
+        let can = scene.methods(size).into_iter();
         let tried = can.filter(|method| methods.contains(method));
         all.extend(tried.map(|method| Job::Nonlinear(scene, method, size)));
     }

@@ -56,6 +56,8 @@ pub struct Nonlinear {
     set: fn() -> Set,
     /// Whether USF can run it.
     usf: bool,
+    /// With how many of its methods a quick run tries it.
+    quick: usize,
 }
 
 /// All of them, in the order in which they are shown.
@@ -65,66 +67,98 @@ pub static ALL: &[Nonlinear] = &[
         what: "a neo-Hookean block swings by 40 %",
         set: scenes::large_strain,
         usf: true,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "hypoelastic",
         what: "the same with the rate of Hughes and Winget",
         set: scenes::hypoelastic,
         usf: true,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "rotation",
         what: "a block spins, its corners at a tenth of the wave speed",
         set: scenes::rotation,
         usf: true,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "rotation-jaumann",
         what: "the same with the Jaumann rate of the manuals",
         set: scenes::rotation_jaumann,
         usf: true,
+        quick: METHODS.len(),
+    },
+    Nonlinear {
+        name: "von-mises",
+        what: "a block is drawn and pressed beyond yield, then swings",
+        set: scenes::von_mises,
+        usf: true,
+        quick: 2,
+    },
+    Nonlinear {
+        name: "mohr-coulomb",
+        what: "the same with friction, cohesion and dilation",
+        set: scenes::mohr_coulomb,
+        usf: true,
+        quick: 2,
+    },
+    Nonlinear {
+        name: "newtonian",
+        what: "a block of a fluid so viscous that this bounds the step",
+        set: scenes::newtonian,
+        usf: true,
+        quick: 2,
     },
     Nonlinear {
         name: "grid-contact",
         what: "two blocks collide with friction on the grid",
         set: scenes::grid_contact,
         usf: true,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "mortar-barrier",
         what: "two blocks collide with friction by mortar contact",
         set: scenes::mortar_barrier,
         usf: false,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "mortar-penalty",
         what: "the same with a penalty",
         set: scenes::mortar_penalty,
         usf: false,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "mortar-line",
         what: "a block falls on a rigid line",
         set: scenes::mortar_line,
         usf: false,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "rigid-surface",
         what: "a block falls on triangles (3D)",
         set: scenes::rigid_surface,
         usf: true,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "rigid-penalty",
         what: "the same with a stiff penalty beside",
         set: scenes::rigid_penalty,
         usf: true,
+        quick: METHODS.len(),
     },
     Nonlinear {
         name: "moving-base",
         what: "a column on a base that shakes along its normal",
         set: scenes::moving_base,
         usf: true,
+        quick: METHODS.len(),
     },
 ];
 
@@ -142,11 +176,15 @@ pub struct Limit {
 }
 
 impl Nonlinear {
-    /// The methods that can run it.
+    /// The methods that can run it, and that a run of this size tries.
     #[must_use]
-    pub fn methods(&self) -> Vec<Method> {
+    pub fn methods(&self, size: Size) -> Vec<Method> {
+        let most = match size {
+            Size::Quick => self.quick,
+            Size::Full => METHODS.len(),
+        };
         let can = |method: &&Method| self.usf || method.scheme != StressScheme::Usf;
-        METHODS.iter().filter(can).copied().collect()
+        METHODS.iter().filter(can).take(most).copied().collect()
     }
 
     /// Finds the limit with a method.
@@ -261,4 +299,47 @@ fn run(
 /// Kinetic and strain energy, and what contact stores \[J\].
 fn energy(simulation: &Simulation) -> f64 {
     simulation.kinetic_energy() + simulation.strain_energy() + simulation.mortar_energy()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proctor_kernel::simulation::Bound;
+
+    fn start(set: fn() -> Set) -> (Simulation, f64) {
+        let Set {
+            mut scene,
+            initial,
+            time,
+        } = set();
+        Settings::new(Method::DEFAULT).apply(&mut scene);
+        scene.time = time;
+        let options = Options {
+            threads: Some(1),
+            initial,
+            ..Options::default()
+        };
+        (scene.simulate(&options).expect("a simulation"), time)
+    }
+
+    /// Without this they would be rows of elasticity.
+    #[test]
+    fn laws_that_yield_do_so() {
+        for set in [scenes::von_mises, scenes::mohr_coulomb] {
+            let (mut simulation, time) = start(set);
+            let begin = energy(&simulation);
+            while simulation.time() < 0.1 * time {
+                simulation.step(time).expect("a step");
+            }
+            let share = simulation.plastic_work() / begin;
+            assert!((0.5..1.0).contains(&share), "{share} of the energy");
+        }
+    }
+
+    #[test]
+    fn viscosity_bounds_the_step_of_the_fluid() {
+        let (mut simulation, time) = start(scenes::newtonian);
+        let info = simulation.step(time).expect("a step");
+        assert_eq!(info.bound, Bound::Viscosity);
+    }
 }

@@ -5,6 +5,7 @@ use proctor_verification::case::{Gate, Size};
 use proctor_verification::settings::Method;
 use proctor_verification::stability::block::{Choice, Form, Place};
 use proctor_verification::stability::map::{SCHEMES, TRANSFERS, WEIGHTINGS, choices};
+use proctor_verification::stability::measured::Class;
 use proctor_verification::stability::nonlinear;
 use proctor_verification::stability::predicted::growth;
 
@@ -149,6 +150,9 @@ fn scenes_that_are_not_linear_hold_at_the_kernels_step() {
     for name in [
         "large-strain",
         "rotation",
+        "von-mises",
+        "mohr-coulomb",
+        "newtonian",
         "grid-contact",
         "mortar-line",
         "moving-base",
@@ -160,5 +164,23 @@ fn scenes_that_are_not_linear_hold_at_the_kernels_step() {
         assert!(gate.passed(), "{name}: {limit:?}");
         let unstable = limit.measured.unstable.expect("a limit in the range");
         assert!(unstable > 1.0, "{name}: {limit:?}");
+    }
+}
+
+/// A gate that no step could fail would say nothing: steps of a few times the kernel's own find energy from nowhere where
+/// laws yield and where viscosity bounds the step, with every method.
+#[test]
+fn laws_that_dissipate_show_their_limits() {
+    for name in ["von-mises", "mohr-coulomb", "newtonian"] {
+        let scene = nonlinear::ALL.iter().find(|scene| scene.name == name);
+        let scene = scene.expect("a scene of that name");
+        assert_eq!(scene.methods(Size::Quick).len(), 2);
+        for method in scene.methods(Size::Full) {
+            let limit = scene.solve(method, Size::Full).expect("a limit");
+            assert!(scene.gate(method, &limit).passed(), "{name}: {limit:?}");
+            let unstable = limit.measured.unstable.expect("a limit in the range");
+            assert!((1.0..4.0).contains(&unstable), "{name} {method}: {limit:?}");
+            assert_eq!(limit.measured.class, Some(Class::TimeStep));
+        }
     }
 }

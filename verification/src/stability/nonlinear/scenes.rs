@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean, ObjectiveRate};
+use proctor_kernel::laws::{
+    AnyLaw, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, ObjectiveRate, VonMises,
+};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{Chain, Side};
 use proctor_kernel::mortar::motion::Follow;
@@ -19,6 +21,13 @@ use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, material};
 /// Young's modulus \[Pa\] and Poisson's ratio: a confined modulus of 1.01 Pa.
 const YOUNG: f64 = 0.75;
 const POISSON: f64 = 0.3;
+/// Yield stress \[Pa\], a tenth of what elasticity would make of the strains at the start; cohesion is half of it.
+const YIELD: f64 = 0.02;
+/// Friction and dilation of a soil \[°\].
+const SOIL: [f64; 2] = [30.0, 5.0];
+/// Bulk modulus \[Pa\] and viscosity \[Pa s\] of a fluid: (4 mu/3)/(rho c h) is 1, so that the step is bounded by both.
+const BULK: f64 = 1.0;
+const VISCOSITY: f64 = 0.75;
 /// Speed at which bodies meet \[m/s\].
 const SPEED: f64 = 0.05;
 /// Friction.
@@ -97,6 +106,25 @@ pub fn rotation() -> Set {
 pub fn rotation_jaumann() -> Set {
     let law = LinearElastic::with_rate(YOUNG, POISSON, ObjectiveRate::JaumannForward);
     lone(law.into(), spinning, 200.0)
+}
+
+fn shearing(x: &Vector) -> Vector {
+    [0.06 * (x[0] - CENTER), -0.06 * (x[1] - CENTER), 0.0]
+}
+
+pub fn von_mises() -> Set {
+    let law = VonMises::new(YOUNG, POISSON, YIELD, 0.0);
+    lone(law.into(), shearing, 200.0)
+}
+
+pub fn mohr_coulomb() -> Set {
+    let [friction, dilation] = SOIL;
+    let law = MohrCoulomb::new(YOUNG, POISSON, [friction, 0.5 * YIELD, dilation]);
+    lone(law.into(), shearing, 200.0)
+}
+
+pub fn newtonian() -> Set {
+    lone(Newtonian::new(BULK, VISCOSITY).into(), breathing, 200.0)
 }
 
 /// Two blocks, one a little higher, that meet.
