@@ -295,10 +295,10 @@ impl Case for SofteningBar {
         let energy = |rung: &Rung| value_of(solved, &rung.label, ENERGY);
         let gates = |variant: &'static str, low: f64, high: f64, reason| {
             own(variant).flat_map(move |rung| {
-                let name = format!("{ENERGY}, {}", rung.label);
+                let name = |word| format!("{word} {ENERGY}, {}", rung.label);
                 [
-                    Gate::at_least(name.clone(), energy(rung), low, reason),
-                    Gate::at_most(name, energy(rung), high, reason),
+                    Gate::at_least(name("least"), energy(rung), low, reason),
+                    Gate::at_most(name("most"), energy(rung), high, reason),
                 ]
             })
         };
