@@ -1,6 +1,8 @@
 //! A material point without a grid on the paths of the laboratory: strains are driven, stresses are held, and what the law
 //! makes of it is kept, by the law's own code.
 
+pub mod path;
+
 use proctor_kernel::laws::{
     AnyLaw, DruckerPrager, MohrCoulomb, Point, PointFault, Softening, Tresca, VonMises,
 };

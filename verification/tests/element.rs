@@ -4,6 +4,7 @@
 use proctor_kernel::laws::{
     AnyLaw, DruckerPrager, LinearElastic, Match, MohrCoulomb, Residual, Softening, Tresca, VonMises,
 };
+use proctor_verification::element::path::{Path, Row, follow};
 use proctor_verification::element::{Control, State, Test, run};
 
 const YOUNG: f64 = 1e7;
@@ -130,4 +131,78 @@ fn a_path_that_cannot_be_held_says_so() {
     }
     let error = ended.expect_err("it cannot be held");
     assert!(error.to_string().starts_with("step "), "{error}");
+}
+
+/// A row that drives what the oedometer drives takes the same steps.
+#[test]
+fn a_table_can_repeat_the_oedometer() {
+    for law in laws() {
+        let controls = Test::Oedometer.controls(0.05);
+        let (wanted, _) = run(&law, 2000.0, PRESSURE, &controls, 200, 1.0 / 200.0);
+        let path = Path {
+            stress: [false; 6],
+            rows: vec![Row {
+                time: 1.0,
+                values: [0.0, 0.0, -0.05, 0.0, 0.0, 0.0],
+            }],
+        };
+        let (times, found, ended) = follow(&law, 2000.0, PRESSURE, &path, 200);
+        ended.expect("it goes through");
+        assert_eq!((found.len(), times.last()), (201, Some(&1.0)));
+        for (a, b) in wanted.iter().zip(&found) {
+            let size = a.stress[2].abs();
+            for (a, b) in a.stress.iter().zip(b.stress) {
+                assert!((a - b).abs() <= 1e-12 * size, "{law:?}: {a} {b}");
+            }
+        }
+    }
+}
+
+/// No stress at the sides: s_zz = E eps_zz, eps_xx = -nu eps_zz, there and back; and three stresses that differ.
+#[test]
+fn stresses_of_a_table_are_met() {
+    let law: AnyLaw = LinearElastic::new(YOUNG, POISSON).into();
+    let row = |time, zz| Row {
+        time,
+        values: [0.0, 0.0, zz, 0.0, 0.0, 0.0],
+    };
+    let path = Path {
+        stress: [true, true, false, false, false, false],
+        rows: vec![row(1.0, 0.01), row(3.0, -0.02)],
+    };
+    let (times, states, ended) = follow(&law, 2000.0, 0.0, &path, 50);
+    ended.expect("it goes through");
+    assert!((times[75] - 2.0).abs() < 1e-12);
+    for k in [50, 75, 100] {
+        let state = &states[k];
+        let zz = [0.01, -0.005, -0.02][(k - 50) / 25];
+        assert!((state.strain[2] - zz).abs() < 1e-12);
+        assert!((state.stress[2] - YOUNG * zz).abs() < 1e-8 * YOUNG * zz.abs());
+        assert!((state.strain[0] + POISSON * zz).abs() < 1e-8 * zz.abs());
+    }
+    let values = [-2e4, -3e4, -5e4, 0.0, 1e4, 0.0];
+    let path = Path {
+        stress: [true; 6],
+        rows: vec![Row { time: 1.0, values }],
+    };
+    let (_, states, ended) = follow(&law, 2000.0, 0.0, &path, 10);
+    ended.expect("it goes through");
+    let last = states.last().expect("a state");
+    for (found, wanted) in last.stress.iter().zip(values) {
+        assert!((found - wanted).abs() < 1e-8 * 5e4, "{:?}", last.stress);
+    }
+    // Laws that yield reach their strength in the same way as by the test of that name.
+    let law: AnyLaw = MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e4, 0.0]).into();
+    let path = Path {
+        stress: [true, true, false, false, false, false],
+        rows: vec![Row {
+            time: 1.0,
+            values: [-PRESSURE, -PRESSURE, -0.05, 0.0, 0.0, 0.0],
+        }],
+    };
+    let (_, states, ended) = follow(&law, 2000.0, PRESSURE, &path, 200);
+    ended.expect("it goes through");
+    let exact = Test::Triaxial.strength(&law, PRESSURE).expect("a strength");
+    let found = states.last().expect("a state").deviator();
+    assert!((found / exact - 1.0).abs() < 1e-8, "{found} {exact}");
 }
