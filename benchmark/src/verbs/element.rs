@@ -1,5 +1,7 @@
 //! `proctor element`: a material on the paths of the laboratory, without a grid.
 
+mod table;
+
 use super::{names, scene};
 use crate::exit::{Failure, Outcome};
 use crate::show::{Table, figures, number};
@@ -7,7 +9,8 @@ use clap::Args;
 use proctor_files::output::atomic;
 use proctor_kernel::scene::{Material, Scene};
 use proctor_verification::case::{Curve, CurvePoint};
-use proctor_verification::element::{State, Test, exact_deviator, run};
+use proctor_verification::element::path::{Path as Steps, follow};
+use proctor_verification::element::{ElementError, State, Test, exact_deviator, run};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -24,10 +27,16 @@ const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "yz", "xz", "xy"];
 /// biaxial, shear, isotropic, extension; z is its axis. The law is that of the scene, with its own code. Where a path has an
 /// end in closed form it is told beside what was found. Stresses are positive in tension; p and q = sqrt(3 J2) are not
 /// negative under pressure.
+///
+/// With --table the path is one's own: a CSV file with a header. Column `time` [s] increases; `strain_xx`, `strain_yy`,
+/// `strain_zz`, `strain_yz`, `strain_xz`, `strain_xy` are totals (of the tensor; logarithmic where axes stay), `stress_xx` ...
+/// [Pa] instead of the strain of a component drives its stress. What has no column keeps a strain of 0. The path begins at
+/// time 0 without strain, under the pressure, and goes straight from row to row.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor element fixtures/scenes/soil_element.json --pressure 1e5\n\
-    One test, with its curve: proctor element fixtures/scenes/soil_element.json --test shear --pressure 1e5 --svg curves"
+    One test, with its curve: proctor element fixtures/scenes/soil_element.json --test shear --pressure 1e5 --svg curves\n\
+    A path of one's own: proctor element fixtures/scenes/soil_element.json --table path.csv"
 )]
 pub struct Element {
     /// Scene file (JSON) with the material; - for standard input
@@ -35,6 +44,9 @@ pub struct Element {
     /// Only these tests: oedometer, triaxial, undrained, biaxial, shear, isotropic, extension
     #[arg(long = "test", value_name = "TEST")]
     tests: Vec<String>,
+    /// A path of one's own instead: columns time, strain_xx ... strain_xy, or stress_xx ... instead of a strain (CSV)
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tests", "strain", "time"])]
+    table: Option<PathBuf>,
     /// Only the material of this id
     #[arg(long, value_name = "ID")]
     material: Option<i64>,
@@ -49,7 +61,7 @@ pub struct Element {
     /// Strain at the end: along the axis, the angle in shear, of the volume in isotropic
     #[arg(long, default_value_t = 0.05, allow_negative_numbers = true)]
     strain: f64,
-    /// Number of steps
+    /// Number of steps; with --table from each row to the next
     #[arg(long, default_value_t = 200)]
     steps: usize,
     /// Seconds that the path takes; only materials with a relaxation time ask for it
@@ -71,12 +83,22 @@ pub struct Element {
 impl Element {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         self.check()?;
-        let tests = names::chosen(&self.tests, &Test::ALL, "test", Test::word)?;
+        let path = match &self.table {
+            Some(file) => Some(self.steps_of(file)?),
+            None => None,
+        };
+        let asked: Vec<Asked<'_>> = match &path {
+            Some(path) => vec![Asked::Table(path)],
+            None => names::chosen(&self.tests, &Test::ALL, "test", Test::word)?
+                .into_iter()
+                .map(Asked::Test)
+                .collect(),
+        };
         let (scene, _) = scene(&self.scene)?;
         let mut broken = false;
         for material in self.materials(&scene)? {
-            for test in &tests {
-                broken |= !self.one(material, *test, out)?;
+            for asked in &asked {
+                broken |= !self.one(material, *asked, out)?;
             }
         }
         Ok(if broken {
@@ -111,6 +133,19 @@ impl Element {
         Ok(())
     }
 
+    /// The path of a table, not longer than any other may be.
+    fn steps_of(&self, file: &Path) -> Result<Steps, Failure> {
+        let path = table::read(file, self.pressure)?;
+        if path.rows.len() > MOST_STEPS / self.steps {
+            return Err(Failure::BadInput(format!(
+                "--steps: found {} for each of {} rows; accepted: at most {MOST_STEPS} together",
+                self.steps,
+                path.rows.len()
+            )));
+        }
+        Ok(path)
+    }
+
     fn materials<'a>(&self, scene: &'a Scene) -> Result<Vec<&'a Material>, Failure> {
         let Some(id) = self.material else {
             return Ok(scene.materials.iter().collect());
@@ -127,7 +162,12 @@ impl Element {
     }
 
     /// One test of one material; whether it went through to its end.
-    fn one(&self, material: &Material, test: Test, out: &mut dyn Write) -> Result<bool, Failure> {
+    fn one(
+        &self,
+        material: &Material,
+        asked: Asked<'_>,
+        out: &mut dyn Write,
+    ) -> Result<bool, Failure> {
         let law = &material.law;
         if law.needs_deformation() && self.pressure > 0.0 {
             return Err(Failure::BadInput(format!(
@@ -137,26 +177,15 @@ impl Element {
                 law.name()
             )));
         }
-        let controls = test.controls(self.strain);
-        let dt = self.time / self.steps as f64;
-        let (states, ended) = run(
-            law,
-            material.density,
-            self.pressure,
-            &controls,
-            self.steps,
-            dt,
-        );
-        writeln!(
-            out,
-            "{} ({}): {} test from {} Pa",
-            material.name,
-            law.name(),
-            test.word(),
-            number(self.pressure)
-        )?;
-        write!(out, "{}", self.table(&states, material))?;
-        if let (Some(exact), Some(last)) = (test.strength(law, self.pressure), states.last()) {
+        let ran = self.take(material, asked);
+        let states = &ran.states;
+        writeln!(out, "{}", self.title(material, asked))?;
+        write!(out, "{}", self.table_of(&ran, material))?;
+        let strength = match asked {
+            Asked::Test(test) => test.strength(law, self.pressure),
+            Asked::Table(_) => None,
+        };
+        if let (Some(exact), Some(last)) = (strength, states.last()) {
             writeln!(
                 out,
                 "  strength q: {} Pa at the end, {} Pa in closed form",
@@ -164,38 +193,87 @@ impl Element {
                 number(exact)
             )?;
         }
-        let name = format!("{}-{}", file_name(material), test.word());
+        if law.viscosity() > 0.0 {
+            writeln!(
+                out,
+                "  a fluid: its shear stress follows the rate of strain, and so how fast the path is gone"
+            )?;
+        }
+        let name = format!("{}-{}", file_name(material), asked.word());
         if let Some(folder) = &self.csv {
             let path = folder.join(format!("{name}.csv"));
-            write_to(&path, &csv(&states, material))?;
+            write_to(&path, &csv(&ran, material))?;
             writeln!(out, "  states in {}", path.display())?;
         }
         if let Some(folder) = &self.svg {
-            for (word, curve) in self.curves(&states, material, test) {
+            for (word, curve) in self.curves(&ran, material, asked) {
                 let path = folder.join(format!("{name}-{word}.svg"));
                 write_to(&path, &figures::curve(&curve).to_svg())?;
                 writeln!(out, "  curve in {}", path.display())?;
             }
         }
-        if let Err(error) = &ended {
+        if let Err(error) = &ran.ended {
             writeln!(out, "  ended early: {error}")?;
         }
         writeln!(out)?;
-        Ok(ended.is_ok())
+        Ok(ran.ended.is_ok())
     }
 
-    fn table(&self, states: &[State], material: &Material) -> Table {
+    fn title(&self, material: &Material, asked: Asked<'_>) -> String {
+        let what = match asked {
+            Asked::Test(test) => format!("{} test", test.word()),
+            Asked::Table(_) => "path of the table".to_owned(),
+        };
+        let (name, law) = (&material.name, material.law.name());
+        format!("{name} ({law}): {what} from {} Pa", number(self.pressure))
+    }
+
+    /// Goes the way that is asked.
+    fn take(&self, material: &Material, asked: Asked<'_>) -> Ran {
+        let (law, density) = (&material.law, material.density);
+        match asked {
+            Asked::Test(test) => {
+                let controls = test.controls(self.strain);
+                let dt = self.time / self.steps as f64;
+                let (states, ended) = run(law, density, self.pressure, &controls, self.steps, dt);
+                let share = |i: usize| i as f64 / self.steps as f64;
+                Ran {
+                    at: (0..states.len()).map(|i| share(i) * self.strain).collect(),
+                    of_table: false,
+                    whole: self.steps,
+                    states,
+                    ended,
+                }
+            }
+            Asked::Table(path) => {
+                let (at, states, ended) = follow(law, density, self.pressure, path, self.steps);
+                Ran {
+                    at,
+                    of_table: true,
+                    whole: self.steps * path.rows.len(),
+                    states,
+                    ended,
+                }
+            }
+        }
+    }
+
+    fn table_of(&self, ran: &Ran, material: &Material) -> Table {
         let variables = names_of_variables(material);
-        let headings = ["strain", "p (Pa)", "q (Pa)", "volume"].map(str::to_owned);
+        let first = if ran.of_table { "time (s)" } else { "strain" };
+        let headings = [first, "p (Pa)", "q (Pa)", "volume"].map(str::to_owned);
         let mut table = Table::new(headings.into_iter().chain(variables));
-        let every = (self.steps / ROWS).max(1);
-        for (i, state) in states.iter().enumerate() {
-            if i % every != 0 && i + 1 != states.len() {
+        let every = (ran.whole / ROWS).max(1);
+        for (i, (state, at)) in ran.states.iter().zip(&ran.at).enumerate() {
+            if i % every != 0 && i + 1 != ran.states.len() {
                 continue;
             }
-            let share = i as f64 / self.steps as f64;
             let own = [
-                format!("{} %", number(100.0 * share * self.strain)),
+                if ran.of_table {
+                    number(*at)
+                } else {
+                    format!("{} %", number(100.0 * at))
+                },
                 number(state.pressure()),
                 number(state.deviator()),
                 format!("{} %", number(100.0 * state.volume_strain())),
@@ -209,32 +287,34 @@ impl Element {
     /// q and the volume strain over the strain, each with the word of its file.
     fn curves(
         &self,
-        states: &[State],
+        ran: &Ran,
         material: &Material,
-        test: Test,
+        asked: Asked<'_>,
     ) -> [(&'static str, Curve); 2] {
-        let at = |i: usize| 100.0 * self.strain * i as f64 / self.steps as f64;
+        let (abscissa, scale) = if ran.of_table {
+            ("time (s)", 1.0)
+        } else {
+            ("strain (%)", 100.0)
+        };
         let of = |ordinate, value: &dyn Fn(&State) -> f64, exact: &dyn Fn(f64) -> f64| Curve {
-            title: format!(
-                "{} ({}): {} test from {} Pa",
-                material.name,
-                material.law.name(),
-                test.word(),
-                number(self.pressure)
-            ),
-            abscissa: "strain (%)",
+            title: self.title(material, asked),
+            abscissa,
             ordinate,
-            points: (states.iter().enumerate())
-                .map(|(i, state)| CurvePoint {
-                    at: at(i),
+            points: (ran.states.iter().zip(&ran.at))
+                .map(|(state, at)| CurvePoint {
+                    at: scale * at,
                     computed: value(state),
-                    exact: exact(at(i) / 100.0),
+                    exact: exact(*at),
                 })
                 .collect(),
         };
         // Hooke's line begins at no difference of stresses, which the isotropic start is.
-        let exact =
-            |strain| exact_deviator(test, &material.law, self.pressure, strain).unwrap_or(f64::NAN);
+        let exact = |strain| match asked {
+            Asked::Test(test) => {
+                exact_deviator(test, &material.law, self.pressure, strain).unwrap_or(f64::NAN)
+            }
+            Asked::Table(_) => f64::NAN,
+        };
         [
             ("q", of("q (Pa)", &State::deviator, &exact)),
             (
@@ -247,6 +327,33 @@ impl Element {
             ),
         ]
     }
+}
+
+/// A way to go.
+#[derive(Clone, Copy)]
+enum Asked<'a> {
+    Test(Test),
+    Table(&'a Steps),
+}
+
+impl Asked<'_> {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Test(test) => test.word(),
+            Self::Table(_) => "table",
+        }
+    }
+}
+
+/// A way that was gone.
+struct Ran {
+    /// The strain of a test after each step, or the time of a table \[s\].
+    at: Vec<f64>,
+    of_table: bool,
+    /// Steps to its end.
+    whole: usize,
+    states: Vec<State>,
+    ended: Result<(), ElementError>,
 }
 
 /// Names of the internal variables of a material's law.
@@ -264,18 +371,20 @@ fn file_name(material: &Material) -> String {
 }
 
 /// All states as a table.
-fn csv(states: &[State], material: &Material) -> String {
+fn csv(ran: &Ran, material: &Material) -> String {
     let strains = COMPONENTS.map(|c| format!("strain_{c}"));
     let stresses = COMPONENTS.map(|c| format!("stress_{c}"));
     let rest = ["p", "q", "volume_ratio", "stored", "dissipated"].map(str::to_owned);
     let variables = names_of_variables(material)
         .into_iter()
         .map(|name| name.replace(' ', "_"));
-    let header: Vec<String> = (strains.into_iter().chain(stresses).chain(rest))
+    let time = ran.of_table.then(|| "time".to_owned());
+    let header: Vec<String> = (time.into_iter().chain(strains).chain(stresses).chain(rest))
         .chain(variables)
         .collect();
     let mut text = header.join(",") + "\n";
-    for state in states {
+    for (state, at) in ran.states.iter().zip(&ran.at) {
+        let time = ran.of_table.then_some(*at);
         let own = [
             state.pressure(),
             state.deviator(),
@@ -283,8 +392,12 @@ fn csv(states: &[State], material: &Material) -> String {
             state.stored,
             state.dissipated,
         ];
-        let numbers =
-            (state.strain.iter().chain(&state.stress).chain(&own)).chain(&state.variables);
+        let numbers = (time
+            .iter()
+            .chain(&state.strain)
+            .chain(&state.stress)
+            .chain(&own))
+        .chain(&state.variables);
         let cells: Vec<String> = numbers.map(|x| format!("{x:?}")).collect();
         text += &(cells.join(",") + "\n");
     }
