@@ -155,6 +155,14 @@ impl Yielding for VonMises {
         // q falls by 3 G per plastic strain where the stress is held.
         let most = 3.0 * self.elastic.elasticity().shear;
         let steep = self.band.too_steep("hardening", -self.hardening, most);
+        let steep = steep.map(|unfit| match unfit.key {
+            "hardening" => Unfit {
+                found: format!("{}, softening that no point can bear", self.hardening),
+                accepted: format!("a number greater than -3 G = {} [Pa]", -most),
+                ..unfit
+            },
+            _ => unfit,
+        });
         self.band.problems().into_iter().chain(steep).collect()
     }
 

@@ -67,7 +67,7 @@ fn nothing_passes_through_a_thin_plate_unseen() {
 /// A driven body has been as fast before a step as in it: one that runs through another is seen like any other.
 #[test]
 fn a_driven_body_that_would_pass_through_another_is_refused() {
-    let mut scene = two(Dimension::Two, 0.2, [400.0, 0.0]);
+    let mut scene = two(Dimension::Two, 0.2, [400.0, -400.0]);
     scene.mesh.cells[0] = 30;
     scene.bodies[0].motion = Some([400.0, 0.0, 0.0].into());
     let mut simulation = simulation(&scene);

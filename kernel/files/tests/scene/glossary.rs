@@ -75,6 +75,17 @@ fn of_material(axes: usize, keys: &Value) -> Value {
     scene
 }
 
+/// The block of a fluid with more keys.
+fn of_fluid(axes: usize, keys: &Value) -> Value {
+    let mut scene = block(axes);
+    scene["material"][0] =
+        json!({"type": "newtonian", "id": 1, "bulk": 1e6, "viscosity": 1, "density": 1000});
+    for (key, value) in keys.as_object().expect("keys") {
+        scene["material"][0][key] = value.clone();
+    }
+    scene
+}
+
 /// Two blocks that touch.
 fn two(axes: usize, more: &Value) -> Value {
     let mut scene = with(axes, &json!({}), more);
@@ -123,6 +134,12 @@ fn bases() -> Vec<Value> {
                 &json!({"gravity": corner(axes, -10.0)}),
             ),
             of_material(axes, &json!({"type": "von_mises", "yield_stress": 1e6})),
+            of_material(axes, &json!({
+                "type": "von_mises", "yield_stress": 1e6, "hardening": -100, "regularisation": "crack_band",
+                "regularisation.width": 0.2,
+            })),
+            of_fluid(axes, &none),
+            of_fluid(axes, &json!({"type": "bingham", "yield_stress": 10})),
             of_material(axes, &json!({"type": "tresca", "cohesion": 1e6})),
             of_material(axes, &json!({"type": "drucker_prager", "friction": 30, "cohesion": 1e6})),
             of_material(axes, &json!({"type": "mohr_coulomb", "friction": 30, "cohesion": 1e6})),
