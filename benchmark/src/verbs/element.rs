@@ -180,7 +180,7 @@ impl Element {
         let ran = self.take(material, asked);
         let states = &ran.states;
         writeln!(out, "{}", self.title(material, asked))?;
-        write!(out, "{}", self.table_of(&ran, material))?;
+        write!(out, "{}", Self::table_of(&ran, material))?;
         let strength = match asked {
             Asked::Test(test) => test.strength(law, self.pressure),
             Asked::Table(_) => None,
@@ -258,7 +258,7 @@ impl Element {
         }
     }
 
-    fn table_of(&self, ran: &Ran, material: &Material) -> Table {
+    fn table_of(ran: &Ran, material: &Material) -> Table {
         let variables = names_of_variables(material);
         let first = if ran.of_table { "time (s)" } else { "strain" };
         let headings = [first, "p (Pa)", "q (Pa)", "volume"].map(str::to_owned);
