@@ -193,7 +193,7 @@ impl Element {
                 number(exact)
             )?;
         }
-        if law.viscosity() > 0.0 {
+        if law.is_fluid() {
             writeln!(
                 out,
                 "  a fluid: its shear stress follows the rate of strain, and so how fast the path is gone"

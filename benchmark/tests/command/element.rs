@@ -210,7 +210,7 @@ fn fluids_go_every_path() {
     let mut scene: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let fluid = |law: &str, more: serde_json::Value| {
         let mut all = serde_json::json!({
-            "type": law, "id": 1, "name": law, "bulk": 1e6, "viscosity": 10.0, "density": 1000.0
+            "type": law, "id": 1, "bulk": 1e6, "viscosity": 10.0, "density": 1000.0
         });
         for (key, value) in more.as_object().expect("keys") {
             all[key] = value.clone();
@@ -221,14 +221,12 @@ fn fluids_go_every_path() {
         fluid("newtonian", serde_json::json!({})),
         fluid("bingham", serde_json::json!({ "yield_stress": 100.0 })),
     ] {
-        let key = if scene.get("material").is_some() {
-            "material"
-        } else {
-            "materials"
-        };
-        scene[key][0] = material;
+        scene["material"] = serde_json::json!({ "fluid": material });
+        if let Some(column) = scene["body"]["column"].as_object_mut() {
+            column.remove("initial_stress");
+        }
         let path = desk.scene("fluid.json", &scene);
-        let output = proctor(&["element", &path, "--material", "1", "--strain", "0.01"]);
+        let output = proctor(&["element", &path, "--strain", "0.01"]);
         assert!(
             matches!(output.status.code(), Some(0 | 1)),
             "{}",

@@ -58,7 +58,10 @@ fn each_is_written_planned_and_run_without_a_warning() {
         assert_eq!(warnings.next(), None, "{kind}");
         for doubt in ["attention", "event"] {
             let text = stdout(&output);
-            let doubtful = text.lines().any(|line| line.starts_with(doubt));
+            let mut lines = text
+                .lines()
+                .filter(|line| !line.contains("the machine was busy"));
+            let doubtful = lines.any(|line| line.starts_with(doubt));
             assert!(!doubtful, "{kind}: {text}");
         }
         // Seconds on any machine, however busy it is: a step of a particle takes a microsecond or less.

@@ -24,6 +24,12 @@ impl Deref for AnyLaw {
 }
 
 impl AnyLaw {
+    /// Whether it is a fluid: its pressure follows from its volume, and no shear stress lasts.
+    #[must_use]
+    pub fn is_fluid(&self) -> bool {
+        self.initial_volume_ratio(-self.young()) != 1.0
+    }
+
     /// The law itself, if it is one of this type.
     #[must_use]
     pub fn downcast<M: Law>(&self) -> Option<&M> {

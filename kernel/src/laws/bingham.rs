@@ -10,7 +10,7 @@ use crate::layout::Variable;
 
 /// Bingham's fluid as a visco-plastic solid without regularisation: elastic in shear with a modulus G up to
 /// tau = sqrt(J_2) = tau_y, above it flowing at (tau - tau_y)/mu, implicitly in time. Steady shear at a rate g' carries
-/// tau_y + mu g'. A yield stress of 0 is Maxwell's fluid.
+/// tau_y + mu g'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bingham {
     state: EquationOfState,
@@ -56,7 +56,7 @@ impl Law for Bingham {
             key: "yield_stress",
             meaning: "Shear stress up to which the fluid does not flow",
             unit: "Pa",
-            accepted: Accepted::NotNegative,
+            accepted: Accepted::Positive,
             given: Given::Needed,
         },
         Constant {

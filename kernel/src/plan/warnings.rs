@@ -56,10 +56,9 @@ const HARDLY_COMPRESSED: f64 = 10.0;
 fn compressed_by_speed(scene: &Scene) -> Vec<String> {
     let of = |body: &Body| {
         let material = scene.materials.get(body.material)?;
-        let is_fluid = material.law.initial_volume_ratio(-material.law.young()) != 1.0;
         let sound = material.law.wave_speed(material.density);
         let speed = body.velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
-        (is_fluid && sound < HARDLY_COMPRESSED * speed).then(|| {
+        (material.law.is_fluid() && sound < HARDLY_COMPRESSED * speed).then(|| {
             format!(
                 "{}: sound runs at {sound:.3} m/s in {}, less than {HARDLY_COMPRESSED} times as fast as the body at {speed:.3} \
                  m/s: its density changes by more than one percent",
