@@ -30,6 +30,8 @@ const SHORT_HEAD: usize = 12;
 /// A paragraph of text; what stands between two backticks is code.
 #[must_use]
 pub fn paragraph(text: &str) -> String {
+    // A number is not parted from its sign of percent.
+    let text = &text.replace(" %", "\u{a0}%");
     let parts: Vec<String> = text.split('`').map(escape).collect();
     if parts.len().is_multiple_of(2) {
         return format!("<p>{}</p>\n", escape(text));

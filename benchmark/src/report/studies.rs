@@ -96,7 +96,8 @@ fn failure(record: &Record, study: &StudyDetail, name: &str) -> Option<String> {
         n => format!(" ({n} runs; this is the finest)"),
     };
     Some(format!(
-        "h = {} m: {reason}{more}",
-        crate::show::number(*cell)
+        "h = {} m: {}{more}",
+        crate::show::number(*cell),
+        crate::show::rounded(reason)
     ))
 }

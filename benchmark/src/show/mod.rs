@@ -127,6 +127,29 @@ pub fn in_words(sentence: &str, characters: usize) -> String {
     short + "…"
 }
 
+/// A sentence with its long numbers in four significant digits: what a program writes to its last bit, for a person.
+#[must_use]
+pub fn rounded(sentence: &str) -> String {
+    let of_number = |c: char| c.is_ascii_digit() || ".e-+".contains(c);
+    let mut text = String::new();
+    let mut rest = sentence;
+    while let Some(begin) = rest.find(|c: char| c.is_ascii_digit()) {
+        text.push_str(&rest[..begin]);
+        let length = rest[begin..].find(|c| !of_number(c));
+        let whole = &rest[begin..begin + length.unwrap_or(rest.len() - begin)];
+        let word = whole.trim_end_matches(['.', 'e', '-', '+']);
+        match word.parse::<f64>() {
+            Ok(x) if word.contains('.') && word.len() > LONG => text.push_str(&number(x)),
+            _ => text.push_str(word),
+        }
+        rest = &rest[begin + word.len()..];
+    }
+    text + rest
+}
+
+/// Characters from which on a number is a long one.
+const LONG: usize = 10;
+
 /// Columns of text: the first to the left, the others to the right.
 pub struct Table {
     lines: Vec<Vec<String>>,
@@ -206,6 +229,23 @@ mod tests {
         assert_eq!(percent(-0.123_4), "-12.3 %");
         assert_eq!(percent(-1e-9), "-1.0e-7 %");
         assert_eq!(percent(f64::NAN), "-");
+    }
+
+    #[test]
+    fn long_numbers_of_a_sentence_are_rounded_and_nothing_else() {
+        let said = "step 49, time 23.5 s: 2 closes on 1 by 0.023364106467191550 m, since 6.99999999999999e-3 s.";
+        assert_eq!(
+            rounded(said),
+            "step 49, time 23.5 s: 2 closes on 1 by 0.02336 m, since 0.007 s."
+        );
+        for kept in [
+            "12345678901234 particles",
+            "h=0.25, v1.2.3-rc, 1e-5",
+            "",
+            "none",
+        ] {
+            assert_eq!(rounded(kept), kept);
+        }
     }
 
     #[test]

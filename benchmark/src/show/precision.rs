@@ -195,17 +195,18 @@ fn best(findings: &Findings, level: usize, name: &str) -> String {
         return format!("{name}: not reached by any combination");
     };
     let gain = match findings.speed_up(level) {
+        Some(gain) if (gain - 1.0).abs() < 5e-3 => "as fast as the default".to_owned(),
         Some(gain) => format!(
             "{} times as fast as the default",
             number((gain * 100.0).round() / 100.0)
         ),
         None => "the default does not reach it".to_owned(),
     };
-    format!(
-        "{name}: best with {}, {}; {gain}",
-        line.method,
-        words(line.costs[level])
-    )
+    let time = match line.costs[level] {
+        Cost::AtMost(time) => format!("at most {}", seconds(time)),
+        cost => words(cost),
+    };
+    format!("{name}: best with {}, {time}; {gain}", line.method)
 }
 
 /// What there is to say of other solvers: what their lines mean, which of their runs failed, or why there are none.

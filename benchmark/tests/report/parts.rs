@@ -73,6 +73,16 @@ fn a_method_that_failed_has_its_reason_in_its_row() {
 }
 
 #[test]
+fn reasons_are_for_people() {
+    let reason = "step 285, time 0.6449955376776585 s: strained by 1.808";
+    let page = MadeUp::new()
+        .with_case("bar", 0.004, 0.01)
+        .with_failed_study("bar", reason)
+        .page();
+    assert!(page.contains("time 0.645 s: strained by 1.808"));
+}
+
+#[test]
 fn cells_carry_their_headings_for_narrow_pages() {
     let page = whole().page();
     let row = between(&page, "error of L2(u)</th>", "</tr>");

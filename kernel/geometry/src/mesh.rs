@@ -41,6 +41,12 @@ impl PlaneCondition {
         }
     }
 
+    /// The axes along which it prescribes the velocity of a plane with that normal.
+    #[must_use]
+    pub fn prescribed(self, normal: usize) -> [bool; 3] {
+        std::array::from_fn(|along| self.prescribes(along, normal))
+    }
+
     /// Its word.
     #[must_use]
     pub const fn word(self) -> &'static str {

@@ -10,7 +10,6 @@ mod damped;
 mod remapped;
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
-use crate::scene::PlaneCondition;
 use std::ops::{AddAssign, Range};
 
 /// A boundary plane with a condition.
@@ -20,8 +19,8 @@ pub struct Wall {
     pub axis: usize,
     /// 0 the lower, 1 the upper plane.
     pub side: usize,
-    /// What it prescribes.
-    pub condition: PlaneCondition,
+    /// Axes along which it prescribes the velocity.
+    pub prescribed: [bool; 3],
     /// Velocity of the plane half a step before \[m/s\].
     pub before: [f64; 3],
     /// Velocity of the plane half a step after \[m/s\].
@@ -30,7 +29,7 @@ pub struct Wall {
 
 impl Wall {
     pub(crate) fn prescribes(&self, axis: usize) -> bool {
-        self.condition.prescribes(axis, self.axis)
+        self.prescribed[axis]
     }
 
     /// Storage indices along the direction of the normal: ghost, plane, mirror.

@@ -235,8 +235,9 @@ impl Case for AngularMomentum {
             } else {
                 let drift = value_of(solved, &rung.label, DRIFT_STATED);
                 verdict.for_the_record.push(format!(
-                    "{}: {:.2e} of the angular momentum is lost in a turn",
-                    rung.label, drift
+                    "{}: {:.2} % of the angular momentum is lost in a turn",
+                    rung.label,
+                    100.0 * drift
                 ));
             }
             let gain = value_of(solved, &rung.label, GAIN);

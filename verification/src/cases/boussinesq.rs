@@ -25,7 +25,7 @@ use crate::case::{Case, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
 use crate::guest::{self, Guest};
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer, Study};
-use compare::{Comparison, LEFT_OUT, half_space_table};
+use compare::{Comparison, LEFT_OUT, half_space_lines};
 use model::{Loading, POISSON, QUARTER_LOAD, SIDE};
 
 /// Name of the settlement at the centre of the box among the quantities.
@@ -147,7 +147,7 @@ impl Case for Boussinesq {
         }
         // The half-space solution needs no run, only the exact box with the material's own constants.
         if let Ok(exact) = model::exact(Loading::Node, POISSON) {
-            verdict.for_the_record = half_space_table(&exact);
+            verdict.for_the_record = half_space_lines(&exact);
         }
         verdict
     }

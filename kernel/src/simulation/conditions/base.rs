@@ -51,7 +51,7 @@ impl Condition for MovingBase {
         let own = Wall {
             axis: self.axis,
             side: self.side,
-            condition: PlaneCondition::Fixed,
+            prescribed: PlaneCondition::Fixed.prescribed(self.axis),
             before,
             after,
         };

@@ -48,7 +48,7 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
                 walls.push(Wall {
                     axis,
                     side,
-                    condition,
+                    prescribed: condition.prescribed(axis),
                     before: [0.0; 3],
                     after: [0.0; 3],
                 });

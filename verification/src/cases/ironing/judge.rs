@@ -86,13 +86,13 @@ pub fn verdict(case: Ironing, size: Size, solved: &[(Rung, Solved)]) -> Verdict 
             .iter()
             .filter(|(rung, _)| rung.variant != pressed::VARIANT)
             .map(|(rung, s)| {
-                let pressed = format!("{}: {:.4e} N at 60 s", rung.label, s.value(PRESSED));
+                let pressed = format!("{}: {:.1} N at 60 s", rung.label, s.value(PRESSED));
                 // A short run ends before the plateau.
                 if s.value(MEAN).is_nan() {
                     return pressed;
                 }
                 format!(
-                    "{pressed}; from 120 to 180 s {:.4e} N down and {:.3e} N along, ripple {:.2} %",
+                    "{pressed}; from 120 to 180 s {:.1} N down and {:.2} N along, ripple {:.2} %",
                     s.value(MEAN),
                     s.value(ACROSS),
                     100.0 * s.value(RIPPLE),
