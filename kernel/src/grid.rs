@@ -86,7 +86,12 @@ impl GridShape {
     /// Position of a node relative to the mesh origin \[m\].
     #[must_use]
     pub fn position(&self, node: usize) -> [f64; 3] {
-        let storage = self.indices(node);
+        self.position_of(self.indices(node))
+    }
+
+    /// Position of the node at the storage indices, relative to the mesh origin \[m\].
+    #[must_use]
+    pub fn position_of(&self, storage: [usize; 3]) -> [f64; 3] {
         let mut x = [0.0; 3];
         for axis in 0..self.axes {
             x[axis] =

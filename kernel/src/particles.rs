@@ -3,7 +3,7 @@
 use crate::grid::{ActiveRows, GridShape};
 use crate::layout::Layout;
 use crate::team::Team;
-use crate::weights::base_offset;
+use crate::weights::base_node;
 use std::ops::Range;
 
 /// The particles of one body.
@@ -207,7 +207,7 @@ struct Numbering {
     per_metre: [f64; 3],
     /// What one cell along each axis adds to the number.
     strides: [usize; 3],
-    offset: f64,
+    stencil: usize,
 }
 
 impl Numbering {
@@ -217,7 +217,7 @@ impl Numbering {
         Self {
             per_metre: std::array::from_fn(|axis| 1.0 / shape.cell[axis]),
             strides: std::array::from_fn(|axis| of_direction[shape.direction(axis)]),
-            offset: base_offset(stencil),
+            stencil,
         }
     }
 
@@ -227,7 +227,7 @@ impl Numbering {
         let mut key = 0;
         for axis in 0..set.layout.axes {
             let xi = set.columns[Layout::POSITION + axis][p] * self.per_metre[axis];
-            key += ((xi - self.offset).floor() + 1.0) as usize * self.strides[axis];
+            key += (base_node(xi, self.stencil) + 1.0) as usize * self.strides[axis];
         }
         key as u32
     }

@@ -37,6 +37,21 @@ pub const fn base_offset(nodes: usize) -> f64 {
     if nodes == 3 { 0.5 } else { 1.0 }
 }
 
+/// Base node of a place in cells: the largest whole number that is not above it less the offset of the stencil.
+///
+/// Without `f64::floor`, which is a call of the C library in what is not compiled for an instruction set.
+#[inline]
+#[must_use]
+pub fn base_node(xi: f64, nodes: usize) -> f64 {
+    let x = xi - base_offset(nodes);
+    let toward_zero = x as i64 as f64;
+    if toward_zero > x {
+        toward_zero - 1.0
+    } else {
+        toward_zero
+    }
+}
+
 /// Weights and derivatives d/dxi at the `N` nodes of one axis.
 ///
 /// `f` is the coordinate from the base node in cells, in [1/2, 3/2) for `N` = 3 and [1, 2) for `N` = 4; `l` is
@@ -203,7 +218,7 @@ pub fn weights_at<const N: usize, const D: usize>(
             (w_out, g_out)
         }
     }
-    let base = xi.map(|xi| (xi - base_offset(N)).floor());
+    let base = xi.map(|xi| base_node(xi, N));
     let mut within = [0.0; 8];
     for axis in 0..D {
         within[axis] = xi[axis] - base[axis];

@@ -3,6 +3,8 @@
 //! They are written in the language of scene files, so that any other program that reads it can run the same scene.
 //! A new one is one more entry of [`BUILT_IN`].
 
+mod touching;
+
 use proctor_kernel::scene::Vector;
 use proctor_verification::exact::sudden_weight::SuddenWeight;
 use proctor_verification::random::Random;
@@ -19,6 +21,8 @@ const POISSON: f64 = 0.3;
 const COURANT: f64 = 0.3;
 /// Steps after which a scene is over: what moves stays clear of the walls until then.
 const STEPS: f64 = 40.0;
+/// Particles of a scene in which there is little to share out.
+const TINY: usize = 1000;
 /// Empty cells around a body that must not touch a wall.
 const MARGIN: usize = 3;
 
@@ -39,53 +43,103 @@ pub struct BuiltIn {
     pub name: &'static str,
     /// What it is.
     pub what: &'static str,
+    /// Numbers of axes in which it can be made.
+    pub axes: &'static [usize],
+    /// Its number of particles, where it has one of its own.
+    pub particles: Option<usize>,
     make: fn(&Block) -> Made,
+}
+
+/// A scene in the plane and in space, of as many particles as are wanted.
+const fn built_in(name: &'static str, what: &'static str, make: fn(&Block) -> Made) -> BuiltIn {
+    BuiltIn {
+        name,
+        what,
+        axes: &[2, 3],
+        particles: None,
+        make,
+    }
 }
 
 /// All built-in scenes.
 pub const BUILT_IN: &[BuiltIn] = &[
+    built_in("rest", "a block at rest, clear of all walls", rest),
+    built_in(
+        "moving",
+        "a block that flies through four cells in 40 steps",
+        moving,
+    ),
+    built_in(
+        "disordered",
+        "the moving block, its particles sheared and jittered by half of their distance",
+        disordered,
+    ),
+    built_in(
+        "sheared",
+        "a block on a fixed base, sheared by its weight sideways",
+        sheared,
+    ),
+    built_in(
+        "sparse",
+        "the moving block in a mesh 64 times too large",
+        sparse,
+    ),
+    built_in(
+        "column",
+        "a confined column whose weight acts suddenly; exact solution known",
+        column,
+    ),
+    built_in(
+        "contact",
+        "a block on a fixed base and one that slides on it",
+        touching::contact,
+    ),
     BuiltIn {
-        name: "rest",
-        what: "a block at rest, clear of all walls",
-        make: rest,
+        particles: Some(TINY),
+        ..built_in("tiny", "the moving block of a thousand particles", moving)
     },
+    built_in(
+        "mixed",
+        "a block on a fixed base, and two on it that touch each other and slide",
+        touching::mixed,
+    ),
     BuiltIn {
-        name: "moving",
-        what: "a block that flies through four cells in 40 steps",
-        make: moving,
+        axes: &[3],
+        ..built_in(
+            "stl",
+            "a block that slides on a rigid surface of triangles",
+            touching::stl,
+        )
     },
-    BuiltIn {
-        name: "disordered",
-        what: "the moving block, its particles sheared and jittered by half of their distance",
-        make: disordered,
-    },
-    BuiltIn {
-        name: "sheared",
-        what: "a block on a fixed base, sheared by its weight sideways",
-        make: sheared,
-    },
-    BuiltIn {
-        name: "sparse",
-        what: "the moving block in a mesh 64 times too large",
-        make: sparse,
-    },
-    BuiltIn {
-        name: "column",
-        what: "a confined column whose weight acts suddenly; exact solution known",
-        make: column,
-    },
-    BuiltIn {
-        name: "contact",
-        what: "a block on a fixed base and one that slides on it",
-        make: contact,
-    },
+    built_in(
+        "mortar",
+        "a block on a fixed base and one that slides on it, in mortar contact",
+        touching::mortar,
+    ),
+];
+
+/// Scenes without a configuration: each shows another cost. Single stages are measured in the first.
+pub const USUAL: [&str; 12] = [
+    "moving-3d",
+    "rest-3d",
+    "disordered-3d",
+    "sheared-3d",
+    "sparse-3d",
+    "tiny-3d",
+    "mixed-3d",
+    "stl-3d",
+    "mortar-3d",
+    "moving-2d",
+    "disordered-2d",
+    "mortar-2d",
 ];
 
 /// Names of all built-in scenes with their dimension.
 pub fn names() -> impl Iterator<Item = String> {
-    BUILT_IN
-        .iter()
-        .flat_map(|scene| [2, 3].map(|axes| format!("{}-{axes}d", scene.name)))
+    BUILT_IN.iter().flat_map(|scene| {
+        let axes = scene.axes.iter();
+        axes.map(|axes| format!("{}-{axes}d", scene.name))
+    })
 }
 
 /// The built-in scene of a name such as `moving-3d`, and its number of axes.
@@ -96,14 +150,17 @@ pub fn find(name: &str) -> Option<(&'static BuiltIn, usize)> {
         (name, "3d") => (name, 3),
         _ => return None,
     };
-    let scene = BUILT_IN.iter().find(|scene| scene.name == name)?;
+    let made = |scene: &&BuiltIn| scene.name == name && scene.axes.contains(&axes);
+    let scene = BUILT_IN.iter().find(made)?;
     Some((scene, axes))
 }
 
 impl BuiltIn {
-    /// The scene with about `particles` particles, two per cell and axis, in `axes` dimensions.
+    /// The scene with about `particles` particles, or as many as it always has, two per cell and axis, in `axes`
+    /// dimensions.
     #[must_use]
     pub fn make(&self, axes: usize, particles: usize) -> Made {
+        let particles = self.particles.unwrap_or(particles);
         let slender = if self.name == "column" { 4.0 } else { 1.0 };
         (self.make)(&Block::new(axes, particles, slender))
     }
@@ -276,43 +333,4 @@ fn column(block: &Block) -> Made {
         scene,
         exact: Some(("sudden weight, d'Alembert", exact)),
     }
-}
-
-/// Coefficient of friction between the two blocks, and the speed of the upper one \[m/s\].
-const FRICTION: f64 = 0.3;
-const SLIDE: f64 = 2.0;
-
-fn contact(block: &Block) -> Made {
-    let up = block.axes - 1;
-    let mut cells = block.cells.clone();
-    // Each of the two is one cell high at least.
-    cells[up] = cells[up].max(2);
-    let block = &Block {
-        axes: block.axes,
-        cells,
-    };
-    let (mut below, above) = ([MARGIN; 3], [MARGIN; 3]);
-    below[up] = 0;
-    let mut slide = vec![0.0; block.axes];
-    slide[0] = SLIDE;
-    let mut scene = block.scene(&below, &above, 1, &slide);
-    let mut gravity = vec![0.0; block.axes];
-    gravity[up] = -10.0;
-    scene["gravity"] = gravity.into();
-    let plane = ["plane_Y0", "plane_Z0"][up - 1];
-    scene["mesh"]["boundary_conditions"] = json!({ plane: "fixed" });
-    let middle = (block.cells[up] / 2) as f64 * H;
-    let mut upper = scene["body"][0].clone();
-    upper["id"] = 2.into();
-    upper["point_p1"][up] = middle.into();
-    let lower = &mut scene["body"][0];
-    lower["point_p2"][up] = middle.into();
-    lower["initial_velocity"] = vec![0.0; block.axes].into();
-    if let Some(bodies) = scene["body"].as_array_mut() {
-        bodies.push(upper);
-    }
-    scene["contact"] = json!([{
-        "id": 1, "friction": FRICTION, "master_id": 1, "slave_id": 2, "normal_type": "collinear",
-    }]);
-    Made { scene, exact: None }
 }

@@ -76,10 +76,32 @@ impl<'a> Report<'a> {
         Self { session, record }
     }
 
-    /// Whole steps alone, and what failed.
+    /// Whole steps alone, in a few lines, and what failed.
     #[must_use]
     pub fn short(&self) -> impl fmt::Display + '_ {
         Short(self)
+    }
+
+    /// Times of a scene: "moving-3d 118 on 1 thread, 150 on 2 (38 %)", the thread left out where there is one number of them.
+    fn in_words(&self, of_scene: &[&Slot]) -> String {
+        let times: Vec<String> = (of_scene.iter())
+            .map(|slot| {
+                let samples = self.samples(slot);
+                let found = median(&samples.all("cpu_ns_per_particle_step"));
+                let Some(cpu) = found else {
+                    return samples.instead().to_owned();
+                };
+                let wall = median(&samples.all("wall_ns_per_particle_step"));
+                let efficiency = wall.map_or_else(String::new, |wall| self.efficiency(slot, wall));
+                match (slot.work.threads, efficiency.as_str()) {
+                    _ if of_scene.len() == 1 => ns(cpu),
+                    (1, _) => format!("{} on 1 thread", ns(cpu)),
+                    (threads, "") => format!("{} on {threads}", ns(cpu)),
+                    (threads, share) => format!("{} on {threads} (efficiency {share})", ns(cpu)),
+                }
+            })
+            .collect();
+        format!("{} {}", of_scene[0].scene, times.join(", "))
     }
 
     fn samples(&self, slot: &Slot) -> Samples<'a> {
@@ -349,12 +371,38 @@ fn ns(x: f64) -> String {
     format!("{x:.decimals$}")
 }
 
+/// Width of lines of words.
+const WIDTH: usize = 124;
+
 /// What a report tells in short.
 struct Short<'a>(&'a Report<'a>);
 
 impl fmt::Display for Short<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.times(f, &self.0.steps(), STEPS)?;
+        let steps = self.0.steps();
+        let scenes: Vec<String> = (steps.chunk_by(|a, b| a.work.name == b.work.name))
+            .map(|of_scene| self.0.in_words(of_scene))
+            .collect();
+        let counts = (steps.iter()).flat_map(|slot| self.0.samples(slot).all("particles"));
+        let counts: BTreeSet<u64> = counts.map(|n| n as u64).collect();
+        let counts = match (counts.first(), counts.last()) {
+            (Some(&least), Some(&most)) if least < most => {
+                format!("{} to {} particles: ", grouped(least), grouped(most))
+            }
+            (Some(&one), _) => format!("{} particles: ", grouped(one)),
+            _ => String::new(),
+        };
+        let mut line = format!("  {counts}");
+        for (number, scene) in scenes.iter().enumerate() {
+            let last = number + 1 == scenes.len();
+            let word = format!("{scene}{}", if last { "" } else { ", " });
+            if line.chars().count() + word.trim_end().chars().count() > WIDTH {
+                writeln!(f, "{}", line.trim_end())?;
+                line = "    ".to_owned();
+            }
+            line.push_str(&word);
+        }
+        writeln!(f, "{line}")?;
         self.0.failures(f)
     }
 }

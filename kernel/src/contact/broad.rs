@@ -4,7 +4,7 @@ use super::Pair;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::weights::base_offset;
+use crate::weights::base_node;
 
 /// Nodes along an axis of the scene that the particles of a body can reach until the next sort, first and last.
 ///
@@ -22,7 +22,7 @@ pub fn reach(set: &ParticleSet, shape: &GridShape, stencil: usize, axis: usize) 
         (base(first), base(last))
     } else {
         let x = &set.columns[Layout::POSITION + axis];
-        let base = |x: f64| (x * (1.0 / shape.cell[axis]) - base_offset(stencil)).floor();
+        let base = |x: f64| base_node(x * (1.0 / shape.cell[axis]), stencil);
         (
             base(x.iter().copied().fold(f64::INFINITY, f64::min)),
             base(x.iter().copied().fold(f64::NEG_INFINITY, f64::max)),

@@ -5,7 +5,7 @@ use super::{Pair, broad};
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape};
 use crate::layout::Layout;
 use crate::particles::{ParticleSet, rows_of_some};
-use crate::weights::base_offset;
+use crate::weights::base_node;
 use std::ops::Range;
 
 /// First and last node along each axis that both bodies of a pair can reach.
@@ -89,7 +89,7 @@ fn reaches(
             layer as f64 - GHOSTS_BELOW as f64
         } else {
             let x = set.columns[Layout::POSITION + axis][p];
-            (x * (1.0 / shape.cell[axis]) - base_offset(stencil)).floor()
+            base_node(x * (1.0 / shape.cell[axis]), stencil)
         };
         base - 1.0 <= nodes[axis].1 && base + stencil as f64 >= nodes[axis].0
     })

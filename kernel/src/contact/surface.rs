@@ -10,7 +10,7 @@ use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{ContactNormal, Vector};
 use crate::stage::solve::{Planes, Wall};
-use crate::weights::base_offset;
+use crate::weights::base_node;
 use std::ops::Range;
 
 /// Mass gradient times cell over mass below which it is no normal: deep in a body it cancels to what the unevenness of
@@ -119,6 +119,10 @@ impl Probe {
     /// through the node, meets first: the surface of the body as seen from the node.
     fn see(&mut self, d: &Vector, radius: f64) {
         let along: f64 = (0..3).map(|k| d[k] * self.direction[k]).sum();
+        // Its rank is no larger than this.
+        if along < self.rank {
+            return;
+        }
         let aside: f64 = (0..3)
             .map(|k| (d[k] - along * self.direction[k]).powi(2))
             .sum();
@@ -183,7 +187,7 @@ impl Search<'_> {
         for axis in 0..shape.axes {
             let direction = shape.direction(axis);
             let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
-            let base = ((xi - base_offset(self.stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+            let base = (base_node(xi, self.stencil) + GHOSTS_BELOW as f64) as usize;
             let range = base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
             if range.is_empty() {
                 return;
@@ -201,7 +205,7 @@ impl Search<'_> {
                     let slot = surface[row + k][MARK] as usize;
                     if slot > 0 {
                         let probe = &mut probes[slot - 1];
-                        let node = shape.position(shape.index([i, j, k]));
+                        let node = shape.position_of([i, j, k]);
                         probe.see(&std::array::from_fn(|a| x[a] - node[a]), radius);
                     }
                 }

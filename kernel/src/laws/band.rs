@@ -107,7 +107,8 @@ impl Band {
     /// Softening of a strength, by `slope` per plastic strain \[Pa\], where a point bears less than `most`: beyond, its
     /// stress would have to fall faster than its elasticity lets it (snap-back).
     pub(super) fn too_steep(self, key: &'static str, slope: f64, most: f64) -> Option<Unfit> {
-        if !self.is_placed() || slope * self.factor() < most {
+        // A strength that falls over no strain is refused for its marks.
+        if !self.is_placed() || !slope.is_finite() || slope * self.factor() < most {
             return None;
         }
         Some(if self.factor() == 1.0 {

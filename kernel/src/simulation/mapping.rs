@@ -11,7 +11,7 @@ use crate::scene::Vector;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
-use crate::weights::{Family, axis_weights_at, base_offset, mean_of_hat};
+use crate::weights::{Family, axis_weights_at, base_node, mean_of_hat};
 use std::ops::{Deref, Range};
 
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
@@ -245,7 +245,7 @@ pub(super) fn node_weights_touching(
         let parts = (l / cells(half)).round().max(1.0);
         let l_part = l / parts;
         let off = cells(offset).clamp(-l_part, l_part);
-        let at = xi - (xi - base_offset(stencil)).floor() + off;
+        let at = xi - base_node(xi, stencil) + off;
         let middle = 0.5 * (parts - 1.0);
         std::array::from_fn(|n| {
             let weight = |part: usize| {
@@ -280,7 +280,7 @@ fn weights_of(
                 set.columns[column + axis][p]
             });
         let direction = shape.direction(axis);
-        base[direction] = ((xi - base_offset(stencil)).floor() + GHOSTS_BELOW as f64) as usize;
+        base[direction] = (base_node(xi, stencil) + GHOSTS_BELOW as f64) as usize;
         weights[direction] = along(axis, xi, l);
     }
     let reached = |direction: usize| {

@@ -28,14 +28,6 @@ const PARTICLE: f64 = 300.0;
 const LONGEST_TIMEOUT: f64 = 3.2e7;
 /// Steps before the clock starts: the first sorts and fills the caches.
 const WARM_UP: usize = 3;
-/// Scenes without a configuration: each shows another cost. Single stages are measured in the first.
-const SCENES: [&str; 5] = [
-    "moving-3d",
-    "rest-3d",
-    "sheared-3d",
-    "sparse-3d",
-    "moving-2d",
-];
 
 /// Collects problems, defaults and warnings.
 pub(super) struct Check<'a> {
@@ -315,7 +307,7 @@ impl<'a> Check<'a> {
         } else if raw.executables.is_some() {
             vec!["moving-3d".into()]
         } else {
-            SCENES.map(str::to_owned).to_vec()
+            scenes::USUAL.map(str::to_owned).to_vec()
         };
         let given = raw.scenes.as_ref().map(|list| list.0.clone());
         let names = self.value("scenes", given, usual);

@@ -79,7 +79,7 @@ impl SceneChoice {
     /// Whether it can be made for a wanted number of particles.
     #[must_use]
     pub fn scales(&self) -> bool {
-        matches!(self, Self::BuiltIn(..))
+        matches!(self, Self::BuiltIn(scene, _) if scene.particles.is_none())
     }
 
     /// The scene in JSON for a wanted number of particles, with a method.

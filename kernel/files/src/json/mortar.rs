@@ -64,17 +64,18 @@ impl Build<'_> {
         for (i, (name, rigid)) in raw.rigid_surface.iter().flat_map(|l| &l.0).enumerate() {
             let path = entry_path("rigid_surface", i, name.as_deref());
             let key = |key: &str| join(&path, key);
-            let Some(file) = &rigid.stl_mesh else {
-                self.missing(key("stl_mesh"), "the path of an STL file");
-                continue;
-            };
             let motion = rigid
                 .prescribed_velocity
                 .as_ref()
                 .map(|given| self.motion(&key("prescribed_velocity"), given));
-            let Some(surface) = self.triangles(key("stl_mesh"), file) else {
+            let (file, triangles) = (rigid.stl_mesh.as_deref(), rigid.triangles.as_deref());
+            let Some(surface) = self.facets(&path, file, triangles) else {
                 continue;
             };
+            if file.is_none() {
+                let checked = format!("rigid_surface[{}].stl_mesh", scene.mortar.facets.len());
+                self.spelt(checked, key("triangles"));
+            }
             self.spelt(
                 format!("rigid_surface[{}]", scene.mortar.facets.len()),
                 path.clone(),

@@ -1,6 +1,6 @@
 //! Rigid surfaces from their keys.
 
-use super::build::Build;
+use super::build::{Build, join};
 use super::keys::{RawScene, RawTerrainContact};
 use super::lists::Terrains;
 use crate::stl;
@@ -63,18 +63,71 @@ impl Build<'_> {
             .prescribed_velocity
             .as_ref()
             .map(|given| self.motion(&key("prescribed_velocity"), given));
-        let Some(file) = &raw.stl_mesh else {
-            self.missing(key("stl_mesh"), "the path of an STL file");
-            return None;
-        };
+        let surface = self.facets(path, raw.stl_mesh.as_deref(), raw.triangles.as_deref())?;
         Some(RigidSurface {
-            name: file.clone(),
-            surface: self.triangles(key("stl_mesh"), file)?,
+            name: raw.stl_mesh.clone().unwrap_or_else(|| path.to_owned()),
+            surface,
             friction: raw.friction.unwrap_or(0.0),
             distance_threshold: raw.distance_threshold.unwrap_or(smallest),
             penalty_stiffness: penalty,
             motion,
         })
+    }
+
+    /// The surface of a block: that of its STL file, or of the triangles that stand in it.
+    pub(super) fn facets(
+        &mut self,
+        path: &str,
+        file: Option<&str>,
+        triangles: Option<&[Vec<Vec<f64>>]>,
+    ) -> Option<Arc<Surface>> {
+        match (file, triangles) {
+            (Some(file), None) => self.triangles(join(path, "stl_mesh"), file),
+            (None, Some(given)) => self.given_triangles(&join(path, "triangles"), given),
+            (None, None) => {
+                self.missing(
+                    join(path, "stl_mesh"),
+                    "the path of an STL file, or `triangles`",
+                );
+                None
+            }
+            (Some(_), Some(_)) => {
+                let found = "`stl_mesh` and `triangles` together";
+                self.add(join(path, "triangles"), found, "one of them");
+                None
+            }
+        }
+    }
+
+    /// The surface of triangles that are given as lists of three corners.
+    fn given_triangles(&mut self, path: &str, given: &[Vec<Vec<f64>>]) -> Option<Arc<Surface>> {
+        let mut corners = vec![];
+        for (i, triangle) in given.iter().enumerate() {
+            let path = format!("{path}[{i}]");
+            let found = match triangle.as_slice() {
+                [a, b, c] => [a, b, c].map(|point| <[f64; 3]>::try_from(point.as_slice()).ok()),
+                _ => [None; 3],
+            };
+            if let [Some(a), Some(b), Some(c)] = found {
+                corners.push([a, b, c]);
+            } else {
+                self.add(
+                    path,
+                    "no triangle",
+                    "a list of three corners, each three numbers [m]",
+                );
+            }
+        }
+        if corners.len() < given.len() {
+            return None;
+        }
+        match Surface::new(&corners) {
+            Ok(surface) => Some(Arc::new(surface)),
+            Err(error) => {
+                self.add(path, error.kind.to_string(), error.kind.accepted());
+                None
+            }
+        }
     }
 
     /// The surface in an STL file named by a key.

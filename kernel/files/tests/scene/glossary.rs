@@ -187,6 +187,7 @@ fn bases() -> Vec<Value> {
     for i in [0, 1] {
         pushed["body"][i]["boundary_segment"] = json!(0.25);
     }
+    let triangles = json!([[[0, 0, 0], [2, 0, 0], [0, 2, 0]]]);
     bases.extend([
         spelt,
         mortar,
@@ -194,7 +195,9 @@ fn bases() -> Vec<Value> {
         with(2, &json!({"boundary": outline}), &none),
         with(2, &none, &json!({"rigid_line": [{"id": 9, "points": [[1.5, 0], [1, 0.5], [0, 0]]}]})),
         with(3, &none, &json!({"rigid_surface": [{"id": 9, "stl_mesh": "floor.stl"}]})),
+        with(3, &none, &json!({"rigid_surface": [{"id": 9, "triangles": triangles}]})),
         with(3, &none, &json!({"terrain_contact": {"active": true, "stl_mesh": "floor.stl"}})),
+        with(3, &none, &json!({"terrain_contact": {"active": true, "triangles": triangles}})),
         with(3, &none, &json!({"earthquake": {"active": true, "file": "record.csv"}})),
         shaped(2, &json!({"type": "disc", "center": [1, 1], "radius": 0.5})),
         shaped(3, &json!({"type": "sphere", "center": [1, 1, 1], "radius": 0.5})),

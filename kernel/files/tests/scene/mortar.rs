@@ -7,6 +7,7 @@ use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::plan::Demands;
 use proctor_kernel::scene::{Contact, ContactNormal, Enforcement, Scene, SceneError, Vertices};
 use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::surface::Surface;
 use std::path::Path;
 
 const FILE: &str = "../../fixtures/scenes/rolling_disc_2d.json";
@@ -205,9 +206,62 @@ fn triangles_come_from_files() {
     assert_eq!(scene.mortar.facets[0].surface.triangle_count(), 2);
 }
 
+/// The triangles of the plane of the ball, as its STL file has them.
+const TRIANGLES: &str = r#""triangles": [[[-0.8, -0.8, 0], [2.8, -0.8, 0], [2.8, 0.8, 0]],
+    [[-0.8, -0.8, 0], [2.8, 0.8, 0], [-0.8, 0.8, 0]]]"#;
+const OF_FILE: &str = r#""stl_mesh": "../surfaces/plane.stl""#;
+
+fn corners(surface: &Surface) -> Vec<[[f64; 3]; 3]> {
+    let all = 0..surface.triangle_count();
+    all.map(|triangle| surface.corners(triangle)).collect()
+}
+
+#[test]
+fn triangles_may_stand_in_the_scene() {
+    let of_file = changed_ball(OF_FILE, OF_FILE).unwrap_or_else(|e| panic!("{e}"));
+    let in_scene = changed_ball(OF_FILE, TRIANGLES).unwrap_or_else(|e| panic!("{e}"));
+    let facets = |scene: &Scene| corners(&scene.mortar.facets[0].surface);
+    assert_eq!(facets(&in_scene), facets(&of_file));
+    let rigid = |surface: &str| {
+        let block =
+            format!(r#""terrain_contact": {{"active": true, {surface}}}, "transfer": "APIC""#);
+        let scene = changed_ball(r#""transfer": "APIC""#, &block);
+        scene.unwrap_or_else(|e| panic!("{e}")).surfaces
+    };
+    let (of_file, in_scene) = (rigid(OF_FILE), rigid(TRIANGLES));
+    assert_eq!(corners(&in_scene[0].surface), corners(&of_file[0].surface));
+    assert_eq!(in_scene[0].name, "terrain_contact");
+}
+
 #[test]
 fn bad_triangles_are_named() {
+    let both = format!("{OF_FILE}, {TRIANGLES}");
     for (from, to, expected) in [
+        (
+            OF_FILE,
+            both.as_str(),
+            "rigid_surface.plane.triangles: found `stl_mesh` and `triangles` together",
+        ),
+        (
+            OF_FILE,
+            r#""triangles": [[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 0], [1, 0], [0, 1, 0]]]"#,
+            "rigid_surface.plane.triangles[1]: found no triangle",
+        ),
+        (
+            OF_FILE,
+            r#""triangles": [[[0, 0, 0], [1, 0, 0]]]"#,
+            "a list of three corners, each three numbers [m]",
+        ),
+        (
+            OF_FILE,
+            r#""triangles": []"#,
+            "rigid_surface.plane.triangles: found no triangle",
+        ),
+        (
+            OF_FILE,
+            r#""triangles": [[[0, 0, 0], [1, 0, 0], [2, 0, 0]]]"#,
+            "rigid_surface.plane.triangles: found",
+        ),
         (
             r#""boundary_segment": 0.1"#,
             r#""boundary_segment": 0.1, "boundary_stl_mesh": "../surfaces/cube.stl""#,

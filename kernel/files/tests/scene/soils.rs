@@ -181,6 +181,20 @@ fn what_does_not_go_together_has_its_place() {
 }
 
 /// What is doubtful is run, and said.
+/// Over no strain the strength would fall infinitely fast: that follows from the marks, and is not said beside them.
+#[test]
+fn softening_over_no_strain_is_refused_for_its_marks_alone() {
+    let keys = r#""type": "mohr_coulomb", "friction": 30, "cohesion": 1000, "softening": "linear",
+        "softening.cohesion.active": true, "softening.cohesion.residual": 100, "regularisation": "crack_band",
+        "regularisation.width": 0.1"#;
+    let error = read(keys).expect_err("is bad input");
+    let paths: Vec<&str> = error.problems.iter().map(|p| p.path.as_str()).collect();
+    assert!(
+        matches!(&paths[..], [only] if only.ends_with("softening.linear.to")),
+        "{error}"
+    );
+}
+
 #[test]
 fn what_is_doubtful_is_warned_of() {
     for (keys, words) in [

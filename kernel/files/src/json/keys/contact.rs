@@ -108,9 +108,15 @@ pub(in crate::json) struct RawRigidSurface {
     /// STL file with the triangles, touched from the side to which their normals point; a path relative to the folder
     /// of the scene.
     #[schemars(extend(
-        "x-unit" = "m", "x-needed" = true, "x-file" = true, "examples" = ["floor.stl"]
+        "x-unit" = "m", "x-default" = "needed without `triangles`", "x-file" = true, "examples" = ["floor.stl"]
     ))]
     pub stl_mesh: Option<String>,
+    /// The triangles themselves, three corners each, touched from the side from which the corners run counter-clockwise.
+    #[schemars(extend(
+        "x-unit" = "m", "x-default" = "those of `stl_mesh`",
+        "examples" = [[[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]]
+    ))]
+    pub triangles: Option<Vec<Vec<Vec<f64>>>>,
     /// Prescribed velocity: a vector, or rows of time and velocity.
     #[schemars(extend(
         "x-unit" = "m/s; s, m/s", "x-default" = "at rest", "examples" = [[0, 0, 0.1]]
@@ -157,9 +163,15 @@ pub(in crate::json) struct RawTerrainContact {
     pub active: Option<bool>,
     /// File of the surface, STL, ASCII or binary; a path relative to the folder of the scene.
     #[schemars(extend(
-        "x-unit" = "m", "x-needed" = true, "x-file" = true, "examples" = ["floor.stl"]
+        "x-unit" = "m", "x-default" = "needed without `triangles`", "x-file" = true, "examples" = ["floor.stl"]
     ))]
     pub stl_mesh: Option<String>,
+    /// The triangles themselves, three corners each, touched from the side from which the corners run counter-clockwise.
+    #[schemars(extend(
+        "x-unit" = "m", "x-default" = "those of `stl_mesh`",
+        "examples" = [[[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]]
+    ))]
+    pub triangles: Option<Vec<Vec<Vec<f64>>>>,
     /// Coefficient of friction. The default is that of the manuals' program.
     #[schemars(extend("x-unit" = "1", "default" = 0.0, "minimum" = 0, "examples" = [0.3]))]
     pub friction: Option<f64>,

@@ -6,7 +6,7 @@ use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::particles::ParticleSet;
 use crate::stage::Mapping;
-use crate::weights::{axis_weights_at, base_offset};
+use crate::weights::{axis_weights_at, base_node};
 use std::array;
 
 /// A node of the stencil of a particle.
@@ -47,10 +47,9 @@ pub(super) fn base_of<const D: usize>(
     stencil: usize,
     shape: &GridShape,
 ) -> [usize; 3] {
-    let offset = base_offset(stencil);
     let mut base = [0; 3];
     for axis in 0..D {
-        base[shape.direction(axis)] = ((xi[axis] - offset).floor() + GHOSTS_BELOW as f64) as usize;
+        base[shape.direction(axis)] = (base_node(xi[axis], stencil) + GHOSTS_BELOW as f64) as usize;
     }
     base
 }
