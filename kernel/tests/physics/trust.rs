@@ -1,10 +1,13 @@
 //! A run that went wrong says so, and a good one does not.
 
 use crate::common::{
-    FLIP, body, cuboid, elastic, empty, material, rough, simulation, simulation_from,
+    APIC, FLIP, body, cuboid, elastic, empty, material, rough, simulation, simulation_from,
 };
 use proctor_kernel::scene::{Dimension, OnImbalance, Scene, Shape, StressScheme, TimeStep};
-use proctor_kernel::simulation::{Reason, Simulation, StepErrorKind};
+use proctor_kernel::simulation::{
+    Condition, FieldNodes, Options, Reason, Simulation, StepErrorKind,
+};
+use std::sync::Arc;
 
 /// A disc in the air that swings, with steps of `multiplier` times h/(c + |v|).
 fn swinging(multiplier: f64) -> Scene {
@@ -133,4 +136,39 @@ fn a_step_that_strains_too_far_is_told_at_once() {
         (Reason::Increment, 1),
         "{doubt}"
     );
+}
+
+/// Has all nodes move faster and faster, and says by how much, or that they always did.
+struct Carried {
+    says_so: bool,
+}
+
+impl Condition for Carried {
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let (after, kick) = (field.time(), field.kick());
+        let before = if self.says_so { after - kick } else { after };
+        field.for_each(|node| node.prescribe([before, 0.0, 0.0], [after, 0.0, 0.0]));
+    }
+}
+
+/// Momentum that no change at the nodes accounts for is told at the first look.
+#[test]
+fn momentum_from_nowhere_is_told() {
+    let mut scene = swinging(0.3);
+    scene.transfer = APIC;
+    let carried = |says_so: bool| {
+        let options = Options {
+            conditions: vec![Arc::new(Carried { says_so })],
+            ..Options::default()
+        };
+        run(Simulation::new(&scene, &options).expect("sound"), 300)
+    };
+    assert_eq!(carried(true).trust().doubt, None);
+    let doubt = carried(false).trust().doubt.expect("momentum from nowhere");
+    assert_eq!(
+        (doubt.reason, doubt.step),
+        (Reason::Momentum, 16),
+        "{doubt}"
+    );
+    assert!(doubt.to_string().contains("momentum"), "{doubt}");
 }
