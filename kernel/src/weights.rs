@@ -39,11 +39,15 @@ pub const fn base_offset(nodes: usize) -> f64 {
 
 /// Base node of a place in cells: the largest whole number that is not above it less the offset of the stencil.
 ///
-/// Without `f64::floor`, which is a call of the C library in what is not compiled for an instruction set.
+/// `f64::floor` is a call of the C library where the compiler may not take the instruction for it; the same number
+/// without it.
 #[inline]
 #[must_use]
 pub fn base_node(xi: f64, nodes: usize) -> f64 {
     let x = xi - base_offset(nodes);
+    if cfg!(target_feature = "sse4.1") {
+        return x.floor();
+    }
     let toward_zero = x as i64 as f64;
     if toward_zero > x {
         toward_zero - 1.0

@@ -398,7 +398,7 @@ impl fmt::Display for Short<'_> {
             let word = format!("{scene}{}", if last { "" } else { ", " });
             if line.chars().count() + word.trim_end().chars().count() > WIDTH {
                 writeln!(f, "{}", line.trim_end())?;
-                line = "    ".to_owned();
+                line = String::from("    ");
             }
             line.push_str(&word);
         }
