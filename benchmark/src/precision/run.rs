@@ -3,6 +3,7 @@
 use super::choices::{Choice, Effort, Plan};
 use super::peers::PeerLine;
 use crate::measure::Spent;
+use crate::show::percent;
 use cpu_time::ProcessTime;
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::Size;
@@ -107,9 +108,12 @@ impl Run {
         if error <= USELESS {
             Ok(error)
         } else {
-            Err(format!(
-                "unstable or not converging: relative error {error:.1e}"
-            ))
+            let size = if error.is_finite() {
+                percent(error)
+            } else {
+                error.to_string()
+            };
+            Err(format!("unstable or not converging: an error of {size}"))
         }
     }
 

@@ -201,12 +201,15 @@ impl Table {
     }
 }
 
-/// Whether a cell begins with a number, and is to be aligned as one.
+/// Whether a cell is a number, with its unit or out of another, and is to be aligned as one.
 fn is_number(cell: &str) -> bool {
     let first = cell.split_whitespace().next().unwrap_or_default();
     let of_number = |c: char| c.is_ascii_digit() || ".,+-e×%".contains(c);
+    let words = cell.split_whitespace();
+    let others = words.filter(|word| !word.chars().all(of_number)).count();
     first.contains(|c: char| c.is_ascii_digit())
         && first.chars().all(of_number)
+        && others <= 1
         && cell.len() < SHORT
 }
 
@@ -306,7 +309,15 @@ mod tests {
         for cell in ["3", "-1.5", "6 of 6", "1.2e-9 %", "2.7×", "+50.0 %"] {
             assert!(is_number(cell), "{cell}");
         }
-        for cell in ["3D", "2D, plane strain", "", "-", "e", "at most 2"] {
+        for cell in [
+            "3D",
+            "2D, plane strain",
+            "",
+            "-",
+            "e",
+            "at most 2",
+            "1 of kinks, less 0.1",
+        ] {
             assert!(!is_number(cell), "{cell}");
         }
     }

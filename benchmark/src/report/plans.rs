@@ -3,6 +3,7 @@
 use super::html::{Section, Table, folded, paragraph};
 use crate::record::Record;
 use crate::record::details::PlanDetail;
+use crate::show::rounded;
 
 /// What stands above plans.
 const WHAT: &str = "A scene pays for what it uses: what is left out is never called, and its fields are never allocated.";
@@ -57,7 +58,7 @@ fn one(detail: &PlanDetail) -> String {
             let cells = [
                 format!("{}: {}", said("group"), said("name")),
                 word.to_owned(),
-                said("because"),
+                rounded(&said("because")),
             ];
             if class.is_empty() {
                 table.push(cells);

@@ -1,6 +1,6 @@
 //! Weighting functions: what makes them a basis, everywhere and on the seams between their pieces.
 
-use proctor_kernel::weights::{self, Family, axis_weights_at};
+use proctor_kernel::weights::{self, Family, axis_weights_at, base_node, base_offset};
 use proptest::prelude::*;
 
 /// Weights and derivatives at the nodes around a point, with the index of the first node.
@@ -272,6 +272,20 @@ proptest! {
         prop_assert!((sum - 1.0).abs() < 1e-14);
         if half > 1e-3 {
             prop_assert!((whole - mean_of_hat(at, half)).abs() < 1e-12);
+        }
+    }
+}
+
+/// The base node is the floor, also where the compiler has no instruction for it, at whole numbers and a bit beside them.
+#[test]
+fn the_base_node_is_the_floor() {
+    for nodes in [3, 4] {
+        let offset = base_offset(nodes);
+        for number in -2..40 {
+            let whole = f64::from(number) + offset;
+            for xi in [whole, whole.next_down(), whole.next_up(), whole + 0.3] {
+                assert_eq!(base_node(xi, nodes), (xi - offset).floor(), "{xi}");
+            }
         }
     }
 }
