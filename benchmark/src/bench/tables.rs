@@ -6,7 +6,7 @@ use super::plan::Slot;
 use super::rows::name;
 use super::session::Session;
 use crate::record::{Record, Row};
-use crate::show::{Table, bytes, grouped, number, seconds};
+use crate::show::{Table, bytes, filled, grouped, number, seconds};
 use crate::statistics::{Summary, median};
 use proctor_kernel::simulation::Phase;
 use std::collections::BTreeSet;
@@ -83,7 +83,7 @@ impl<'a> Report<'a> {
     }
 
     /// Times of a scene: "moving-3d 118 on 1 thread, 150 on 2 (38 %)", the thread left out where there is one number of them.
-    fn in_words(&self, of_scene: &[&Slot]) -> String {
+    fn told(&self, of_scene: &[&Slot]) -> String {
         let times: Vec<String> = (of_scene.iter())
             .map(|slot| {
                 let samples = self.samples(slot);
@@ -372,7 +372,7 @@ fn ns(x: f64) -> String {
 }
 
 /// Width of lines of words.
-const WIDTH: usize = 124;
+const WIDTH: usize = 120;
 
 /// What a report tells in short.
 struct Short<'a>(&'a Report<'a>);
@@ -381,7 +381,7 @@ impl fmt::Display for Short<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let steps = self.0.steps();
         let scenes: Vec<String> = (steps.chunk_by(|a, b| a.work.name == b.work.name))
-            .map(|of_scene| self.0.in_words(of_scene))
+            .map(|of_scene| self.0.told(of_scene))
             .collect();
         let counts = (steps.iter()).flat_map(|slot| self.0.samples(slot).all("particles"));
         let counts: BTreeSet<u64> = counts.map(|n| n as u64).collect();
@@ -392,17 +392,11 @@ impl fmt::Display for Short<'_> {
             (Some(&one), _) => format!("{} particles: ", grouped(one)),
             _ => String::new(),
         };
-        let mut line = format!("  {counts}");
-        for (number, scene) in scenes.iter().enumerate() {
-            let last = number + 1 == scenes.len();
-            let word = format!("{scene}{}", if last { "" } else { ", " });
-            if line.chars().count() + word.trim_end().chars().count() > WIDTH {
-                writeln!(f, "{}", line.trim_end())?;
-                line = String::from("    ");
-            }
-            line.push_str(&word);
-        }
-        writeln!(f, "{line}")?;
+        // A scene and its times are not parted.
+        let mut words = scenes.join(",\n");
+        words.insert_str(0, &counts);
+        let lines = filled(words.split('\n'), WIDTH);
+        writeln!(f, "  {}", lines.join("\n    "))?;
         self.0.failures(f)
     }
 }

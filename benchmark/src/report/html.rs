@@ -32,20 +32,33 @@ const SHORT_HEAD: usize = 12;
 pub fn paragraph(text: &str) -> String {
     // A number is not parted from its sign of percent.
     let text = &text.replace(" %", "\u{a0}%");
-    let parts: Vec<String> = text.split('`').map(escape).collect();
+    let parts: Vec<&str> = text.split('`').collect();
     if parts.len().is_multiple_of(2) {
-        return format!("<p>{}</p>\n", escape(text));
+        return format!("<p>{}</p>\n", prose(text));
     }
     let mut html = String::from("<p>");
-    for (number, part) in parts.iter().enumerate() {
+    for (number, part) in parts.into_iter().enumerate() {
         if number.is_multiple_of(2) {
-            html.push_str(part);
+            html.push_str(&prose(part));
         } else {
-            let _ = write!(html, "<code>{part}</code>");
+            let _ = write!(html, "<code>{}</code>", escape(part));
         }
     }
     html.push_str("</p>\n");
     html
+}
+
+/// Escaped text, in which no line ends between the sign of an exponent and its digits.
+fn prose(text: &str) -> String {
+    let words = text.split(' ').map(|word| {
+        let number = word.trim_matches(|c: char| c.is_ascii_punctuation());
+        if number.contains("e-") && number.parse::<f64>().is_ok() {
+            format!("<span class=\"whole\">{}</span>", escape(word))
+        } else {
+            escape(word)
+        }
+    });
+    words.collect::<Vec<_>>().join(" ")
 }
 
 /// A part of the page that can be linked to.
@@ -302,6 +315,19 @@ mod tests {
             assert!(!html.contains(tag), "{html}");
         }
         assert!(html.contains("<td class=\"number\" data-label=\"\">-1.5</td>"));
+    }
+
+    #[test]
+    fn a_number_is_not_parted_from_its_exponent() {
+        let whole = |word: &str| format!("<span class=\"whole\">{word}</span>");
+        assert_eq!(
+            paragraph("below 1.5e-9 of it, (2e-3), at 3 % a one-way e-bike `1e-9`"),
+            format!(
+                "<p>below {} of it, {} at 3\u{a0}% a one-way e-bike <code>1e-9</code></p>\n",
+                whole("1.5e-9"),
+                whole("(2e-3),"),
+            )
+        );
     }
 
     #[test]

@@ -5,7 +5,6 @@ use crate::record::details::Figure;
 use crate::record::{Record, Row};
 use crate::show::{figures, grouped, number};
 use crate::statistics::median;
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// Whole steps of one scene on one number of threads: medians of the samples.
@@ -28,16 +27,20 @@ pub struct Speed {
 const FLOORS: [&str; 2] = ["arithmetic", "memory"];
 
 impl Speed {
-    /// All whole steps of a record, by name.
+    /// All whole steps of a record, in the order in which it first has them.
     #[must_use]
     pub fn all(record: &Record) -> Vec<Self> {
-        let mut steps: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
+        let mut steps: Vec<(&str, Vec<&Row>)> = vec![];
         for row in &record.rows {
-            if row.error.is_none() && row.labels.get("stage").is_some_and(|s| s == "step") {
-                steps.entry(&row.name).or_default().push(row);
+            if row.error.is_some() || row.labels.get("stage").is_none_or(|s| s != "step") {
+                continue;
+            }
+            match steps.iter_mut().find(|(name, _)| *name == row.name) {
+                Some((_, rows)) => rows.push(row),
+                None => steps.push((&row.name, vec![row])),
             }
         }
-        steps.values().map(|rows| Self::of(rows)).collect()
+        steps.iter().map(|(_, rows)| Self::of(rows)).collect()
     }
 
     fn of(rows: &[&Row]) -> Self {
@@ -93,11 +96,20 @@ fn share(share: f64) -> String {
     format!("{:.0} %", 100.0 * share)
 }
 
-/// The speed on the fewest threads in a number and a sentence.
+/// The scene that stands for all, which a record has first, and the others.
+fn first_and_others(all: &[Speed]) -> (Vec<&Speed>, Vec<&Speed>) {
+    all.iter().partition(|speed| speed.scene == all[0].scene)
+}
+
+/// The speed of the first scene on the fewest threads in a number and a sentence.
 #[must_use]
 pub fn headline(all: &[Speed]) -> Option<[String; 2]> {
-    let one = all.iter().min_by_key(|speed| speed.threads)?;
+    let (first, others) = first_and_others(all);
+    let one = first.into_iter().min_by_key(|speed| speed.threads)?;
     let mut text = format!("per particle and step on {}", one.threads());
+    if !others.is_empty() {
+        let _ = write!(text, ", {}", one.scene);
+    }
     let floors: Vec<String> = one
         .floors()
         .into_iter()
@@ -110,52 +122,60 @@ pub fn headline(all: &[Speed]) -> Option<[String; 2]> {
     Some([format!("{:.1} ns", one.wall), text])
 }
 
-/// The panel of the first screen: each measured time with the two floors below it.
+/// The panel of the first screen: each measured time of the first scene with the two floors below it, and the other scenes
+/// in a line each.
 #[must_use]
 pub fn panel(all: &[Speed]) -> Option<String> {
-    let longest = all.iter().map(|speed| speed.wall).fold(0.0, f64::max);
-    if longest <= 0.0 {
+    let (first, others) = first_and_others(all);
+    let longest = |of: &[&Speed]| of.iter().map(|speed| speed.wall).fold(0.0, f64::max);
+    let scale = longest(&first);
+    if scale <= 0.0 {
         return None;
     }
-    let head = ["", "ns", ""];
-    let caption = "Time by the clock per particle and step";
-    let mut table = Table::new(caption, &head);
-    let first = &all[0];
-    let one_scene = all.iter().all(|speed| speed.scene == first.scene);
-    for speed in all {
-        let mut name = speed.threads();
-        if !one_scene {
-            name = format!("{}, {name}", speed.scene);
-        }
+    let mut table = Table::new("Time by the clock per particle and step", &["", "ns", ""]);
+    for speed in &first {
         let cells: [Cell; 3] = [
-            name.into(),
-            Cell::with_share(number(speed.wall), speed.wall / longest),
+            speed.threads().into(),
+            Cell::with_share(number(speed.wall), speed.wall / scale),
             format!("{:.1} million particle steps/s", 1e-6 * speed.rate).into(),
         ];
         table.push(cells);
         for (floor, of, ns) in speed.floors() {
             let cells: [Cell; 3] = [
                 format!("{floor} alone").into(),
-                Cell::with_share(number(ns), ns / longest),
+                Cell::with_share(number(ns), ns / scale),
                 format!("{} of the time", share(of)).into(),
             ];
             table.push_as("soft", cells);
         }
     }
     let mut html = table.html();
-    let mut note = String::from(
-        "Alone: what the least operations, or bytes, of a step would take at the machine's peaks, measured in the same run.",
-    );
-    if one_scene {
-        let _ = write!(
-            note,
-            " The scene is {}, {} particles, with {}.",
-            first.scene,
-            grouped(first.particles as u64),
-            first.method
-        );
+    let one = first[0];
+    html.push_str(&paragraph(&format!(
+        "Alone: what the least operations, or bytes, of a step would take at the machine's peaks, measured in the same run. \
+         The scene is {}, {} particles, with {}.",
+        one.scene,
+        grouped(one.particles as u64),
+        one.method
+    )));
+    if !others.is_empty() {
+        let scale = longest(&others);
+        let mut table = Table::new("The other scenes", &["", "ns", "particles"]);
+        for speed in others {
+            let name = if speed.threads == 1 {
+                speed.scene.clone()
+            } else {
+                format!("{}, {}", speed.scene, speed.threads())
+            };
+            let cells: [Cell; 3] = [
+                name.into(),
+                Cell::with_share(number(speed.wall), speed.wall / scale),
+                grouped(speed.particles as u64).into(),
+            ];
+            table.push(cells);
+        }
+        html.push_str(&table.html());
     }
-    html.push_str(&paragraph(&note));
     Some(html)
 }
 
@@ -182,7 +202,8 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
         &head,
     );
     for speed in &all {
-        bars.push((format!("{}, {}", speed.scene, speed.threads()), speed.wall));
+        let scene = format!("{}, {}", speed.scene, speed.threads());
+        bars.push((scene, speed.wall));
         let floors = speed.floors();
         bars.extend(
             floors

@@ -1,6 +1,6 @@
 //! A comparison of two records, as text and as Markdown.
 
-use super::{Table, shortened};
+use super::{Table, paragraph, shortened};
 use crate::judge::{CaseVerdict, Comparison, Finding, Tally, Verdict};
 use crate::record::Record;
 use std::fmt::Write as _;
@@ -8,8 +8,6 @@ use std::io::{self, Write};
 
 /// Characters of a case's name in the table on a terminal; the reasons below it name the case in full.
 const NAME: usize = 29;
-/// Characters of a line.
-const WIDTH: usize = 100;
 
 /// The table of a comparison on a terminal, the reasons, the verdict.
 ///
@@ -246,26 +244,6 @@ pub(crate) fn compared(comparison: &Comparison) -> String {
         );
     }
     text
-}
-
-/// Text in lines that fit, broken at blanks, all of them indented.
-///
-/// # Errors
-/// If `out` cannot be written.
-pub fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<()> {
-    let mut line = String::new();
-    for word in text.split(' ') {
-        let length = line.chars().count() + 1 + word.chars().count();
-        if !line.is_empty() && indent + length > WIDTH {
-            writeln!(out, "{:indent$}{line}", "")?;
-            line.clear();
-        }
-        if !line.is_empty() {
-            line.push(' ');
-        }
-        line.push_str(word);
-    }
-    writeln!(out, "{:indent$}{line}", "")
 }
 
 /// The verdict in a word.

@@ -13,6 +13,7 @@ pub mod stability;
 pub mod summary;
 
 use std::fmt::{self, Write as _};
+use std::io::{self, Write};
 
 /// A whole number in groups of three digits.
 #[must_use]
@@ -127,6 +128,37 @@ pub fn in_words(sentence: &str, characters: usize) -> String {
     short + "…"
 }
 
+/// Words joined by blanks, in as many lines of so many characters as they need. A word that is longer has a line alone.
+pub fn filled<'a>(words: impl IntoIterator<Item = &'a str>, characters: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words {
+        let line = lines.last_mut().expect("one at least");
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() > characters {
+            lines.push(word.to_owned());
+        } else {
+            line.push(' ');
+            line.push_str(word);
+        }
+    }
+    lines
+}
+
+/// Characters of a line of text.
+const WIDTH: usize = 100;
+
+/// Text in lines that fit, broken at blanks, all of them indented.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<()> {
+    for line in filled(text.split(' '), WIDTH - indent) {
+        writeln!(out, "{:indent$}{line}", "")?;
+    }
+    Ok(())
+}
+
 /// A sentence with its long numbers in four significant digits: what a program writes to its last bit, for a person.
 #[must_use]
 pub fn rounded(sentence: &str) -> String {
@@ -229,6 +261,18 @@ mod tests {
         assert_eq!(percent(-0.123_4), "-12.3 %");
         assert_eq!(percent(-1e-9), "-1.0e-7 %");
         assert_eq!(percent(f64::NAN), "-");
+    }
+
+    #[test]
+    fn text_is_broken_at_blanks_alone() {
+        let words = "a word that is longer than a line";
+        assert_eq!(
+            filled(words.split(' '), 6),
+            ["a word", "that", "is", "longer", "than a", "line"]
+        );
+        assert_eq!(filled(words.split(' '), 100), [words]);
+        assert_eq!(filled(["of two words", "of two words"], 5).len(), 2);
+        assert_eq!(filled([], 5), [""]);
     }
 
     #[test]

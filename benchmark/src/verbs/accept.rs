@@ -5,7 +5,7 @@ use crate::judge::change::{Change, Moved};
 use crate::judge::ledger::{Ledger, Line};
 use crate::judge::{self, Rules};
 use crate::record::Record;
-use crate::show::comparison::paragraph;
+use crate::show::paragraph;
 use clap::Args;
 use std::io::Write;
 use std::path::PathBuf;

@@ -109,6 +109,25 @@ fn the_cheapest_method_is_told_by_case_with_its_gain_the_largest_first() {
 }
 
 #[test]
+fn the_first_scene_of_the_record_stands_for_the_speed_and_the_others_have_a_line_each() {
+    let several = whole()
+        .with_step_of("air", 900.0, 0.5, 0.25)
+        .with_step_of("clay", 300.0, 0.5, 0.25);
+    let page = several.page();
+    let answers = text(between(first(&page), "<dl class=\"answers\">", "</dl>")[0]);
+    let headline = "Speed 200.0 ns per particle and step on 1 thread, block";
+    assert!(answers.contains(headline), "{answers}");
+    let panel = panel(&page, "fast");
+    for line in [
+        "1 thread 200 5.0 million particle steps/s arithmetic alone 50 25 % of the time",
+        "The other scenes ns particles air 900 64 clay 300 64",
+    ] {
+        assert!(panel.contains(line), "{panel}");
+    }
+    assert_eq!(panel.matches("arithmetic alone").count(), 1, "{panel}");
+}
+
+#[test]
 fn floors_of_the_speed_come_from_the_peaks_of_the_same_run() {
     let panel = panel(&whole().page(), "fast");
     for line in [

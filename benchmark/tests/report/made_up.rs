@@ -88,11 +88,16 @@ impl MadeUp {
     }
 
     /// A whole step: its time by the clock \[ns\], and the shares of the machine's peaks.
-    pub fn with_step(mut self, ns: f64, arithmetic: f64, memory: f64) -> Self {
-        let name = "whole-step/block/threads:1";
+    pub fn with_step(self, ns: f64, arithmetic: f64, memory: f64) -> Self {
+        self.with_step_of("block", ns, arithmetic, memory)
+    }
+
+    /// The same of a scene of that name.
+    pub fn with_step_of(mut self, scene: &str, ns: f64, arithmetic: f64, memory: f64) -> Self {
+        let name = format!("whole-step/{scene}/threads:1");
         self.rows.push(json!({
             "name": name, "run_name": name, "run_type": "iteration", "repetition_index": 0, "threads": 1, "iterations": 1,
-            "real_time": 1.0, "cpu_time": 1.0, "time_unit": "ms", "stage": "step", "scene": "block",
+            "real_time": 1.0, "cpu_time": 1.0, "time_unit": "ms", "stage": "step", "scene": scene,
             "particles": 64.0, "wall_ns_per_particle_step": ns, "cpu_ns_per_particle_step": ns,
             "particle_steps_per_second": 1e9 / ns, "share_of_arithmetic": arithmetic, "share_of_bandwidth": memory,
         }));
