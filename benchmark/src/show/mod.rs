@@ -130,18 +130,19 @@ pub fn in_words(sentence: &str, characters: usize) -> String {
 
 /// Words joined by blanks, in as many lines of so many characters as they need. A word that is longer has a line alone.
 pub fn filled<'a>(words: impl IntoIterator<Item = &'a str>, characters: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
+    let mut lines = vec![];
+    let mut line = String::new();
     for word in words {
-        let line = lines.last_mut().expect("one at least");
         if line.is_empty() {
             line.push_str(word);
         } else if line.chars().count() + 1 + word.chars().count() > characters {
-            lines.push(word.to_owned());
+            lines.push(std::mem::replace(&mut line, word.to_owned()));
         } else {
             line.push(' ');
             line.push_str(word);
         }
     }
+    lines.push(line);
     lines
 }
 
