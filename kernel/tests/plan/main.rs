@@ -5,6 +5,7 @@
 mod common;
 
 mod nothing;
+mod steps;
 
 use common::{
     BLEND, DIMENSIONS, NEO_HOOKEAN, SCHEMES, WEIGHTINGS, block, body, cuboid, material, options,

@@ -140,6 +140,31 @@ fn bytes_of(values: impl IntoIterator<Item = f64>) -> Vec<u8> {
     values.into_iter().flat_map(f64::to_le_bytes).collect()
 }
 
+/// Lines have two points each: what a reader finds between two offsets.
+#[test]
+fn lines_end_after_two_points_each() {
+    let lines = [[0, 1], [1, 2], [2, 0]];
+    let frame = Frame {
+        lines: lines.to_vec(),
+        ..frame(3)
+    };
+    let arrays = arrays(&written(&frame, Compression::None));
+    let words = |name: &str| -> Vec<usize> {
+        let (_, components, bytes) = &arrays[name];
+        assert_eq!(*components, 1);
+        (0..bytes.len() / 8).map(|i| word(bytes, i)).collect()
+    };
+    let points = words("connectivity");
+    let mut begin = 0;
+    let mut found = vec![];
+    for end in words("offsets") {
+        found.push(points[begin..end].to_vec());
+        begin = end;
+    }
+    assert_eq!(found, lines.map(|line| line.map(|point| point as usize).to_vec()));
+    assert_eq!(begin, points.len());
+}
+
 #[test]
 fn offsets_and_bytes_are_as_declared() {
     // 0; a few; more than one block of a compressed array (1 MiB); a number of bytes that fills its blocks.
