@@ -3,7 +3,7 @@
 use crate::common::{SCHEMES, block, body, cuboid, empty, run_towards, simulation};
 use crate::mortar::{collision, contact, line, run_until};
 use proctor_kernel::scene::{
-    BaseMotion, Dimension, History, Motion, Scene, StressScheme, Weighting,
+    BaseMotion, Dimension, History, Motion, PlaneCondition, Scene, StressScheme, Weighting,
 };
 
 /// The work of gravity is the weight times the way in the scene, whatever way the mesh takes meanwhile.
@@ -100,6 +100,41 @@ fn a_base_that_falls_with_the_body_strains_nothing() {
         assert!(most < 1e-6, "{scheme:?}: {most} Pa");
         let fast = simulation.center(0).2[0] / (PULL * simulation.velocity_time());
         assert!((fast - 1.0).abs() < 1e-12, "{scheme:?}: {fast}");
+    }
+}
+
+/// A block from the base to the plane opposite, which moves along with the mesh, falls as the base does.
+#[test]
+fn what_falls_between_the_base_and_the_plane_opposite_is_not_strained() {
+    for scheme in SCHEMES {
+        for weighting in [Weighting::UniformGimp, Weighting::QuadraticBSpline] {
+            let mut scene = empty(Dimension::Two, [8, 6, 1], 0.1);
+            scene.scheme = scheme;
+            scene.weighting = weighting;
+            scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+            scene.bodies = vec![body(1, cuboid([0.2, 0.0, 0.0], [0.5, 0.6, 0.0]))];
+            scene.gravity = [0.0, -PULL, 0.0];
+            scene.base_motion = Some(BaseMotion {
+                axis: 1,
+                side: 0,
+                motion: Motion::Velocity(History {
+                    times: vec![0.0, 1.0],
+                    values: vec![[0.0; 3], [0.0, -PULL, 0.0]],
+                }),
+            });
+            let mut simulation = simulation(&scene);
+            run_towards(&mut simulation, 20, 1.0);
+            let set = &simulation.sets()[0];
+            let most = (0..set.len())
+                .flat_map(|p| set.stress(p))
+                .fold(0.0, |most: f64, s| most.max(s.abs()));
+            assert!(most < 1e-6, "{scheme:?} {weighting:?}: {most} Pa");
+            let fast = simulation.center(0).2[1] / (-PULL * simulation.velocity_time());
+            assert!(
+                (fast - 1.0).abs() < 1e-12,
+                "{scheme:?} {weighting:?}: {fast}"
+            );
+        }
     }
 }
 

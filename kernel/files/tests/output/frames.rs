@@ -161,7 +161,10 @@ fn lines_end_after_two_points_each() {
         found.push(points[begin..end].to_vec());
         begin = end;
     }
-    assert_eq!(found, lines.map(|line| line.map(|point| point as usize).to_vec()));
+    assert_eq!(
+        found,
+        lines.map(|line| line.map(|point| point as usize).to_vec())
+    );
     assert_eq!(begin, points.len());
 }
 
