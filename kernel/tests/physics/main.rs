@@ -26,6 +26,7 @@ mod mortar_space;
 mod moving_base;
 mod own_law;
 mod planes;
+mod reach;
 mod rotation;
 mod stages;
 mod start;

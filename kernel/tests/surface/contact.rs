@@ -1,13 +1,10 @@
 //! Contact with rigid surfaces in the cycle.
 
-use crate::slide::start;
+use crate::slide::{raise, start};
 use crate::slope::{GRAVITY, H, Slope, dot};
 use proctor_kernel::plan::{Demands, Plan};
-use proctor_kernel::scene::{
-    Damping, History, ParticleSeed, Scene, Shape, StressScheme, Transfer, TransferKind,
-};
+use proctor_kernel::scene::{Damping, History, StressScheme, Transfer, TransferKind};
 use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, StepErrorKind};
-use std::sync::Arc;
 
 const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
 
@@ -281,18 +278,6 @@ fn a_surface_that_moves() {
     assert!(energy.external_work > energy.kinetic);
 }
 
-/// Raises the particles of the block along the normal of the slope \[m\].
-fn raise(scene: &mut Scene, slope: &Slope, by: f64) {
-    let way = slope.normal().map(|n| by * n);
-    if let Shape::Particles(seeds) = &mut scene.bodies[0].shape {
-        let moved = seeds.iter().map(|seed| ParticleSeed {
-            position: std::array::from_fn(|axis| seed.position[axis] + way[axis]),
-            ..*seed
-        });
-        *seeds = Arc::new(moved.collect());
-    }
-}
-
 /// A surface that comes from three cells away to a body at rest takes it along: it is found though nothing but the surface
 /// has moved.
 #[test]
@@ -321,65 +306,13 @@ fn a_surface_that_comes_from_afar() {
     assert!(speed > 0.9, "{speed}");
 }
 
-/// A body at rest that was pressed into a slope without friction, and how deep \[m\].
-fn pressed_in(stiffness: f64) -> (Slope, Scene, f64) {
-    let slope = Slope {
-        gravity: 0.0,
-        speed: 0.0,
-        end: 0.05,
-        ..Slope::new(StressScheme::Usl, 0.0)
-    };
-    let mut scene = slope.scene();
-    // 0.9 % of a cell, which is let pass as the round-off of a careless input.
-    let depth = 0.009 * H;
-    scene.surfaces[0].penalty_stiffness = Some(stiffness);
-    raise(&mut scene, &slope, -depth);
-    (slope, scene, depth)
-}
-
-/// The penalty force alone is k times the penetration; a body that was pressed in is pushed out.
-#[test]
-fn a_penalty_force_pushes_out() {
-    let stiffness = 1e4;
-    let (slope, scene, depth) = pressed_in(stiffness);
-    let mut simulation = start(&scene, 1);
-    simulation.step(slope.end).expect("a step");
-    let force = dot(&simulation.contact_force(0), &slope.normal());
-    let expected = 32.0 * stiffness * depth;
-    assert!((force / expected - 1.0).abs() < 1e-9, "{force} {expected}");
-    while simulation.time() < slope.end {
-        simulation.step(slope.end).expect("a step");
-    }
-    assert!(dot(&simulation.center(0).2, &slope.normal()) > 0.0);
-}
-
-/// However stiff, it pushes a body out within one step at most: it does not shoot it off.
-#[test]
-fn a_stiff_penalty_force_shoots_nothing_off() {
-    let (slope, scene, depth) = pressed_in(1e12);
-    let mut simulation = start(&scene, 1);
-    let info = simulation.step(slope.end).expect("a step");
-    let speed = dot(&simulation.center(0).2, &slope.normal());
-    assert!(speed > 0.0);
-    assert!(
-        speed <= depth / info.dt * (1.0 + 1e-9),
-        "{speed}, {depth} deep"
-    );
-}
-
 /// A body that starts inside a surface is named with depth and place.
 #[test]
 fn overlap_at_the_start() {
     let slope = Slope::new(StressScheme::Usl, 0.0);
     let mut scene = slope.scene();
     scene.bodies[0].velocity = [0.0; 3];
-    if let Shape::Particles(seeds) = &mut scene.bodies[0].shape {
-        let lowered = seeds.iter().map(|seed| ParticleSeed {
-            position: std::array::from_fn(|axis| seed.position[axis] - 0.02 * slope.normal()[axis]),
-            ..*seed
-        });
-        *seeds = Arc::new(lowered.collect());
-    }
+    raise(&mut scene, &slope, -0.02);
     match Simulation::new(&scene, &Options::default()) {
         Err(SetupError::Body { body, reason }) => {
             assert_eq!(body, "block");

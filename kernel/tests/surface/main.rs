@@ -2,6 +2,7 @@
 
 mod beside_contact;
 mod contact;
+mod penalty;
 mod pressed;
 mod search;
 mod slide;

@@ -1,8 +1,9 @@
-//! How the block on the slope slides, and simulations of it.
+//! How the block on the slope slides, where it starts, and simulations of it.
 
 use crate::slope::Slope;
-use proctor_kernel::scene::Scene;
+use proctor_kernel::scene::{ParticleSeed, Scene, Shape};
 use proctor_kernel::simulation::{Options, Simulation};
+use std::sync::Arc;
 
 impl Slope {
     /// g (sin 30 - mu cos 30).
@@ -23,4 +24,16 @@ pub fn start(scene: &Scene, threads: usize) -> Simulation {
         ..Options::default()
     };
     Simulation::new(scene, &options).expect("a scene that can start")
+}
+
+/// Raises the particles of the block along the normal of the slope \[m\].
+pub fn raise(scene: &mut Scene, slope: &Slope, by: f64) {
+    let way = slope.normal().map(|n| by * n);
+    if let Shape::Particles(seeds) = &mut scene.bodies[0].shape {
+        let moved = seeds.iter().map(|seed| ParticleSeed {
+            position: std::array::from_fn(|axis| seed.position[axis] + way[axis]),
+            ..*seed
+        });
+        *seeds = Arc::new(moved.collect());
+    }
 }
