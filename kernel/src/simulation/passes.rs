@@ -81,9 +81,8 @@ impl Simulation {
         let stale = self.state.travel > SORT_AFTER
             || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
         if stale {
-            self.work
-                .grid
-                .sort(&mut self.state.sets, self.state.stencil);
+            let (sets, stencil) = (&mut self.state.sets, self.state.stencil);
+            self.work.grid.sort(sets, stencil, self.decided.lanes);
             self.state.travel = 0.0;
             self.state.groups = Groups::default();
             self.sorted();
