@@ -9,7 +9,7 @@ use proctor_kernel::contact::coulomb::{Coulomb, Law, Member, Touch};
 use proctor_kernel::scene::{
     Contact, ContactNormal, Dimension, PlaneCondition, Scene, StressScheme, Vector,
 };
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_kernel::simulation::{Options, Phase, Simulation};
 use proptest::prelude::*;
 
 const NORMALS: [ContactNormal; 3] = [
@@ -378,6 +378,43 @@ proptest! {
         prop_assert!(state(&scene, 3) == reference, "threads change the bits");
         scene.bodies.reverse();
         prop_assert!(state(&scene, 1) == reference, "the order of the bodies changes the bits");
+    }
+}
+
+/// Contact in the one slab of one thread is told apart, and amid the phase in which it acts; the slabs of several threads
+/// are visited at once, and no phase of theirs is. Watching changes no bit.
+#[test]
+fn a_watcher_is_told_of_contact_apart() {
+    for scheme in SCHEMES {
+        let mut scene = pair(Dimension::Two, 0.1, 0.3, 10.0, ContactNormal::Master);
+        scene.mesh.cells[0] = 40;
+        scene.scheme = scheme;
+        let mut alone = flying(&scene, 1);
+        crate::common::run(&mut alone, 10);
+        for threads in [1, 3] {
+            let mut watched = flying(&scene, threads);
+            let mut phases = vec![];
+            for _ in 0..10 {
+                phases.clear();
+                let mut note = |phase| phases.push(phase);
+                watched
+                    .step_watched(NEVER, &mut note)
+                    .expect("a sound step");
+            }
+            assert_eq!(alone.state_hash(), watched.state_hash());
+            let told = phases.contains(&Phase::Contact);
+            assert_eq!(told, threads == 1, "{scheme:?}: {phases:?}");
+            let after = phases.iter().rposition(|phase| *phase == Phase::Contact);
+            let amid = after.map(|at| (phases[at - 1], phases[at + 1]));
+            let expected = match scheme {
+                StressScheme::Usl => Phase::NodesFromParticles,
+                StressScheme::Musl | StressScheme::Usf => Phase::Remap,
+            };
+            assert!(
+                amid.is_none_or(|amid| amid == (expected, expected)),
+                "{scheme:?}: {phases:?}"
+            );
+        }
     }
 }
 
