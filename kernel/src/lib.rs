@@ -47,6 +47,8 @@ pub mod contact;
 #[doc(hidden)]
 pub mod grid;
 #[doc(hidden)]
+pub mod sorting;
+#[doc(hidden)]
 pub mod stage;
 #[doc(hidden)]
 pub mod weights;

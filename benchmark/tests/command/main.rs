@@ -7,6 +7,7 @@ mod any_input;
 mod bad_input;
 mod bench;
 mod compare;
+mod drift;
 mod element;
 mod energy;
 mod folder;

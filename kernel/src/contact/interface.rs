@@ -4,7 +4,8 @@
 use super::{Pair, broad};
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape};
 use crate::layout::Layout;
-use crate::particles::{ParticleSet, rows_of_some};
+use crate::particles::ParticleSet;
+use crate::sorting::rows_of_some;
 use crate::weights::base_node;
 use std::ops::Range;
 

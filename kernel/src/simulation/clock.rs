@@ -3,8 +3,7 @@
 use super::Simulation;
 use super::error::{StepError, StepErrorKind, Unstable};
 use super::interactions::Interaction;
-use super::phase::Phase;
-use super::step::Watcher;
+use super::phase::{Phase, Watcher};
 use crate::layout::Layout;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
 use crate::scene::{TimeStep, Vector};

@@ -6,7 +6,9 @@
 //! are cut into the same slabs, so that whoever owns a slab owns all fields of its nodes.
 
 use crate::grid::{ActiveRows, GridShape, Line, Nodes};
-use crate::particles::{ParticleSet, rows_of, sort_sets};
+use crate::lanes::Selected;
+use crate::particles::ParticleSet;
+use crate::sorting::{Sorter, rows_of};
 use crate::stage::solve::Planes;
 use crate::team::Team;
 use std::ops::Range;
@@ -74,6 +76,7 @@ pub struct Grid {
     pub joined: Vec<bool>,
     /// Who shares the slabs.
     pub team: Arc<Team>,
+    sorter: Sorter,
 }
 
 /// The part of a field that one visit owns.
@@ -133,12 +136,13 @@ impl Grid {
             joined: vec![true],
             shape,
             team: Arc::new(team),
+            sorter: Sorter::default(),
         }
     }
 
     /// Sorts the particles and cuts the planes into slabs of about equal numbers of particles.
-    pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize) {
-        self.fields[0].rows = sort_sets(sets, &self.shape, stencil, &self.team);
+    pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize, lanes: Selected) {
+        self.fields[0].rows = (self.sorter).sort(sets, &self.shape, stencil, lanes, &self.team);
         self.cut(sets);
     }
 
@@ -151,7 +155,7 @@ impl Grid {
     /// Rows in use of particles that are not to be sorted now.
     #[must_use]
     pub fn rows_of(&self, sets: &[ParticleSet], stencil: usize) -> ActiveRows {
-        rows_of(sets, &self.shape, stencil, &self.team)
+        rows_of(sets, &self.shape, stencil)
     }
 
     /// Has fields for exactly these bodies (indices in order of the identifier) beside that of the phase, with rows for

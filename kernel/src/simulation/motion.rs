@@ -4,20 +4,43 @@ use super::conditions::FieldNodes;
 use super::fields::{Owner, Slab};
 use super::interactions::{Again, Now, OnSlab};
 use super::mapping::fold;
+use super::phase::{Phase, SlabWatcher};
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
 use std::borrow::Cow;
+
+/// Has what acts between fields do something on a slab, in a phase that goes on after it.
+fn interact<'a>(
+    parts: &mut [Box<dyn OnSlab + 'a>],
+    ended: &mut SlabWatcher<'_>,
+    amid: Phase,
+    mut act: impl FnMut(&mut (dyn OnSlab + 'a)),
+) {
+    if parts.is_empty() {
+        return;
+    }
+    let mut tell = |phase| {
+        if let Some(ended) = ended {
+            ended(phase);
+        }
+    };
+    tell(amid);
+    for part in parts {
+        act(&mut **part);
+    }
+    tell(Phase::Contact);
+}
 
 /// From mapped sums to velocities that keep to the conditions and to each other; the sums of each plane.
 pub(super) fn solve(
     slab: &mut Slab<'_>,
     parts: &mut [Box<dyn OnSlab + '_>],
     now: &Now<'_>,
+    ended: &mut SlabWatcher<'_>,
 ) -> Result<Vec<PlaneSums>, EmptyNode> {
-    for part in parts.iter_mut() {
-        part.mapped(slab, now);
-    }
+    let amid = Phase::NodesFromParticles;
+    interact(parts, ended, amid, |part| part.mapped(slab, now));
     let mut sums = vec![PlaneSums::default(); slab.range().len()];
     for number in 0..slab.fields.len() {
         equation_of_motion(&mut FieldNodes {
@@ -27,9 +50,9 @@ pub(super) fn solve(
             sums: &mut sums,
         })?;
     }
-    for part in parts.iter_mut() {
-        part.correct(slab, now, &mut sums);
-    }
+    interact(parts, ended, amid, |part| {
+        part.correct(slab, now, &mut sums)
+    });
     for planes in slab.planes() {
         planes.unfold(&now.walls, true);
     }
@@ -104,6 +127,7 @@ pub(super) fn solve_remapped(
     slab: &mut Slab<'_>,
     parts: &mut [Box<dyn OnSlab + '_>],
     now: &Now<'_>,
+    ended: &mut SlabWatcher<'_>,
 ) {
     for number in 0..slab.fields.len() {
         let field = &mut slab.fields[number];
@@ -120,24 +144,27 @@ pub(super) fn solve_remapped(
         }
     }
     // Contact keeps to the planes once the fields do; the ghosts are filled after it.
-    for part in parts {
+    interact(parts, ended, Phase::Remap, |part| {
         part.correct_again(slab, now);
         for planes in slab.planes() {
             planes.constrain_remapped(&now.walls);
         }
-    }
+    });
 }
 
 /// The same for momentum that was mapped at new positions, to the lower lanes (USF).
-pub(super) fn solve_mapped(slab: &mut Slab<'_>, parts: &mut [Box<dyn OnSlab + '_>], now: &Now<'_>) {
+pub(super) fn solve_mapped(
+    slab: &mut Slab<'_>,
+    parts: &mut [Box<dyn OnSlab + '_>],
+    now: &Now<'_>,
+    ended: &mut SlabWatcher<'_>,
+) {
     now.mapping.run(slab);
     for planes in slab.planes() {
         planes.fold(&now.walls, true, false);
         planes.velocities();
     }
-    for part in parts.iter_mut() {
-        part.mapped(slab, now);
-    }
+    interact(parts, ended, Phase::Remap, |part| part.mapped(slab, now));
     for number in 0..slab.fields.len() {
         let field = &mut slab.fields[number];
         if let Some(velocities) = now.prescribed(field.owner) {
@@ -146,9 +173,9 @@ pub(super) fn solve_mapped(slab: &mut Slab<'_>, parts: &mut [Box<dyn OnSlab + '_
             conditions_again(slab, number, now);
         }
     }
-    for part in parts {
-        part.correct_again(slab, now);
-    }
+    interact(parts, ended, Phase::Remap, |part| {
+        part.correct_again(slab, now)
+    });
     for planes in slab.planes() {
         planes.unfold(&now.walls, false);
     }

@@ -6,8 +6,7 @@ use super::fields::Grid;
 use super::interactions::{Again, Interaction, Interactions, Now, Visit, on_slabs};
 use super::mapping::{bodies_onto, fold};
 use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
-use super::phase::Phase;
-use super::step::Watcher;
+use super::phase::{Phase, SlabWatcher, Watcher};
 use super::{Simulation, Work};
 use crate::stage::g2p::{self, Found, G2p, Task, dilation};
 use crate::stage::p2g::Carry;
@@ -46,6 +45,12 @@ struct Solved {
     groups: usize,
 }
 
+/// What slabs bring along, and who is told of the phases within the visit, where it is of one slab.
+fn watched<'a, P>(parts: Vec<P>, ended: Watcher<'a>) -> Vec<(P, SlabWatcher<'a>)> {
+    let mut ended = (parts.len() == 1).then_some(ended);
+    parts.into_iter().map(|part| (part, ended.take())).collect()
+}
+
 impl Simulation {
     /// Divides the simulation for a visit of the slabs: into what it reads, the grid, and the interactions.
     pub(super) fn divide<'a>(
@@ -81,9 +86,8 @@ impl Simulation {
         let stale = self.state.travel > SORT_AFTER
             || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
         if stale {
-            self.work
-                .grid
-                .sort(&mut self.state.sets, self.state.stencil);
+            let (sets, stencil) = (&mut self.state.sets, self.state.stencil);
+            self.work.grid.sort(sets, stencil, self.decided.lanes);
             self.state.travel = 0.0;
             self.state.groups = Groups::default();
             self.sorted();
@@ -118,13 +122,13 @@ impl Simulation {
         let settles = self.interactions().any(Interaction::settles);
         let (mut now, grid, interactions) = self.divide(Carry::All, acting);
         now.settles = settles;
-        let parts = on_slabs(interactions, grid, Visit::Trial);
-        let results = grid.visit_with(parts, |mut slab, mut parts| {
+        let parts = watched(on_slabs(interactions, grid, Visit::Trial), ended);
+        let results = grid.visit_with(parts, |mut slab, (mut parts, mut ended)| {
             let groups = match mapped {
                 Some(_) => 0,
                 None => now.map(&mut slab),
             };
-            let sums = solve(&mut slab, &mut parts, &now)?;
+            let sums = solve(&mut slab, &mut parts, &now, &mut ended)?;
             Ok(Solved { sums, groups })
         });
         let mut solved = vec![];
@@ -134,8 +138,11 @@ impl Simulation {
         self.work.sums = total(solved.iter().flat_map(|slab| &slab.sums));
         let groups = solved.iter().map(|slab| slab.groups).sum();
         self.state.groups.count(mapped.unwrap_or(groups));
-        let touching = self.settle(acting)?;
         ended(Phase::NodesFromParticles);
+        let touching = self.settle(acting)?;
+        if settles {
+            ended(Phase::Contact);
+        }
         Ok(touching)
     }
 
@@ -145,7 +152,7 @@ impl Simulation {
         let (now, grid, _) = self.divide(Carry::All, acting);
         grid.visit(|mut slab| {
             fold(&mut slab, &now.walls);
-            solve(&mut slab, &mut [], &now).is_ok()
+            solve(&mut slab, &mut [], &now, &mut None).is_ok()
         });
     }
 
@@ -182,13 +189,16 @@ impl Simulation {
         };
         let (now, grid, interactions) = self.divide(carry, acting);
         let now = now.again(again);
-        let parts = on_slabs(interactions, grid, Visit::Again(again));
-        grid.visit_with(parts, |mut slab, mut parts| match again {
-            Again::OldPositions => solve_remapped(&mut slab, &mut parts, &now),
-            Again::NewPositions => solve_mapped(&mut slab, &mut parts, &now),
+        let parts = watched(on_slabs(interactions, grid, Visit::Again(again)), ended);
+        grid.visit_with(parts, |mut slab, (mut parts, mut ended)| match again {
+            Again::OldPositions => solve_remapped(&mut slab, &mut parts, &now, &mut ended),
+            Again::NewPositions => solve_mapped(&mut slab, &mut parts, &now, &mut ended),
         });
-        self.settle_again(acting, again)?;
         ended(Phase::Remap);
+        self.settle_again(acting, again)?;
+        if self.interactions().any(Interaction::settles) {
+            ended(Phase::Contact);
+        }
         Ok(())
     }
 

@@ -4,7 +4,9 @@
 /// [`Simulation::step_watched`](super::Simulation::step_watched) is told when a phase has ended and may read its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Phase {
-    /// Vertices of boundaries: weights, gaps and forces of mortar contact, motion; only in scenes with boundaries.
+    /// Contact: of boundaries (weights, gaps and forces, motion of vertices), of rigid surfaces, and on the grid. The last
+    /// acts slab by slab amid the equation of motion and the second mapping, and is told apart where there is one slab, as
+    /// with one thread; of several slabs at once no clock says when their contact ended, and it is a part of those phases.
     Contact,
     /// Choice of the time step.
     TimeStep,
@@ -19,6 +21,12 @@ pub enum Phase {
     /// Driven bodies, clock and books.
     Finish,
 }
+
+/// Who is told of each phase when it has ended.
+pub(super) type Watcher<'a> = &'a mut (dyn FnMut(Phase) + Send);
+
+/// Who is told of the phases within a visit of slabs: somebody where the visit is of one slab.
+pub(super) type SlabWatcher<'a> = Option<Watcher<'a>>;
 
 impl Phase {
     /// All phases, in the order of a step.

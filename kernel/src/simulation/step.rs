@@ -4,15 +4,12 @@ use super::Simulation;
 use super::clock::StepInfo;
 use super::error::StepError;
 use super::interactions::{Again, Interaction};
-use super::phase::Phase;
+use super::phase::{Phase, Watcher};
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};
 use std::sync::Arc;
-
-/// Who is told of each phase when it has ended.
-pub(super) type Watcher<'a> = &'a mut (dyn FnMut(Phase) + Send);
 
 /// How far positions move in a step.
 #[derive(Clone, Copy, Debug)]

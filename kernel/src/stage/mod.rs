@@ -128,7 +128,7 @@ fn layer_of(cell: f64) -> usize {
 ///
 /// Whole numbers below 2^52 stand in the last bits of their sum with 2^52; a cast tests for what cannot be here.
 #[inline(always)]
-fn index_of(whole: f64) -> usize {
+pub(crate) fn index_of(whole: f64) -> usize {
     const SHIFT: f64 = 4_503_599_627_370_496.0;
     (whole.max(0.0) + SHIFT).to_bits() as u32 as usize
 }

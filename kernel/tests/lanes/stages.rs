@@ -7,6 +7,7 @@ use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
+use proctor_kernel::sorting::Sorter;
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task, dilation};
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
@@ -113,8 +114,13 @@ fn particles(shape: &GridShape, stencil: usize, wanted: Optional, order: Order) 
             column.fill(half_length(stencil));
         }
     }
-    let mut occupied = vec![None; shape.bases()[0] * shape.bases()[1]];
-    set.sort(shape, stencil, &mut occupied, &Team::ALONE);
+    Sorter::default().sort(
+        std::slice::from_mut(&mut set),
+        shape,
+        stencil,
+        Selected::any(),
+        &Team::ALONE,
+    );
     if matches!(order, Order::Stale) {
         for column in &mut set.columns[Layout::POSITION..Layout::POSITION + shape.axes] {
             for x in column {

@@ -3,9 +3,11 @@
 use proctor_kernel::contact::Pair;
 use proctor_kernel::contact::broad::{near, reach};
 use proctor_kernel::grid::GridShape;
+use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{ContactNormal, Dimension, Mesh, PlaneCondition};
+use proctor_kernel::sorting::Sorter;
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::base_node;
 use proptest::prelude::*;
@@ -29,8 +31,13 @@ fn body(at: [f64; 3], shape: &GridShape, stencil: usize) -> ParticleSet {
     for (axis, x) in at.iter().enumerate() {
         set.columns[Layout::POSITION + axis][0] = x * CELL;
     }
-    let mut occupied = vec![None; shape.bases()[0] * shape.bases()[1]];
-    set.sort(shape, stencil, &mut occupied, &Team::ALONE);
+    Sorter::default().sort(
+        std::slice::from_mut(&mut set),
+        shape,
+        stencil,
+        Selected::any(),
+        &Team::ALONE,
+    );
     set
 }
 

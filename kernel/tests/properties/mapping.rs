@@ -6,6 +6,7 @@ use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{Dimension, Weighting};
+use proctor_kernel::sorting::Sorter;
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
@@ -89,8 +90,13 @@ fn check(
     };
     let stencil = if own.is_some() && wide { 4 } else { 3 };
     let mut set = particles_of(axes, draws, full, own);
-    let mut occupied = vec![None; shape.bases()[0] * shape.bases()[1]];
-    set.sort(&shape, stencil, &mut occupied, &Team::ALONE);
+    Sorter::default().sort(
+        std::slice::from_mut(&mut set),
+        &shape,
+        stencil,
+        Selected::any(),
+        &Team::ALONE,
+    );
     let mapping = Mapping::new(&shape, family, [half_length; 3], set.layout.half_length);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
     let layers = shape.bases()[0];

@@ -10,6 +10,7 @@ use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{Dimension, Scene, StressScheme, Traction, Vector};
 use proctor_kernel::simulation::{InitialField, InitialState};
+use proctor_kernel::sorting::Sorter;
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
@@ -171,8 +172,13 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
                 }
             }
             let mass: f64 = set.columns[Layout::MASS].iter().sum();
-            let mut occupied = vec![None; shape.bases()[0] * shape.bases()[1]];
-            set.sort(&shape, stencil, &mut occupied, &Team::ALONE);
+            Sorter::default().sort(
+                std::slice::from_mut(&mut set),
+                &shape,
+                stencil,
+                Selected::any(),
+                &Team::ALONE,
+            );
             let half_length = if stencil == 3 { 0.3 } else { 0.7 };
             let mapping = Mapping::new(&shape, Family::Gimp, [half_length; 3], None);
             let mut nodes = Nodes::new(shape.nodes.iter().product());

@@ -14,6 +14,9 @@ use std::time::Duration;
 
 /// Events that are shown one by one; the summary file holds all.
 const SHOWN_EVENTS: usize = 3;
+/// Cells by which a vertex of mortar contact may be off its body before a person is told. A disc that was squeezed and has
+/// settled with half more than its pressure is off by more (`kernel/tests/physics/mortar_drift.rs`), *rings* by less.
+const FAR_OFF: f64 = 0.1;
 
 /// A short table of a run.
 pub struct Report<'a> {
@@ -93,6 +96,9 @@ impl fmt::Display for Report<'_> {
         if let Some(doubt) = &s.not_to_be_trusted {
             row(f, "attention", doubt)?;
         }
+        if let Some(text) = self.far_off() {
+            row(f, "attention", &text)?;
+        }
         for crushed in s.events.iter().filter(|event| event.kind == VOLUME_RATIO) {
             let time = crushed.time.map_or_else(String::new, number);
             let text = format!("step {}, {time} s: {}", crushed.step, crushed.message);
@@ -134,6 +140,19 @@ impl Report<'_> {
             wall: time(self.summary.wall_seconds)?,
             cpu: time(self.summary.cpu_seconds)?,
         }])
+    }
+
+    /// The vertex of mortar contact that is farthest off its body, where that is far.
+    fn far_off(&self) -> Option<String> {
+        let drift = self.summary.boundary_drift?;
+        let cells = drift.in_cells.filter(|cells| *cells > FAR_OFF)?;
+        Some(format!(
+            "vertex {} of the boundary of body {} is {} cells off the body, whose pressure may be another one there; \
+             \"boundary_follows\": \"material\" keeps it on the body",
+            drift.vertex,
+            drift.body,
+            number(cells)
+        ))
     }
 
     /// The time steps taken and what decided most of them.

@@ -1,0 +1,360 @@
+//! Sorting of particles by base cell.
+//!
+//! A stable counting sort. Threads own ranges of cells, not of particles: each looks at all keys and counts, then places,
+//! those of its own cells, so that what it writes is one piece, and the order is that of one thread. Columns go through a
+//! spare one each thread keeps. Once its lists have grown to the particles, a sort takes no memory.
+
+use crate::grid::{ActiveRows, GridShape};
+use crate::lanes::{Backend, Kernel, Lanes, Selected, load};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
+use crate::stage::index_of;
+use crate::team::Team;
+use crate::weights::{base_node, base_offset};
+use std::ops::Range;
+
+/// Cells per particle up to which counting them all is cheaper than comparing keys, and cells that are always counted.
+const COUNTED_CELLS: [usize; 2] = [8, 1024];
+
+/// How base cells are numbered, slow axis first: what is the same for all particles.
+pub(crate) struct Numbering {
+    axes: usize,
+    /// Cells per metre along each axis.
+    per_metre: [f64; 3],
+    /// What one cell along each axis adds to the number.
+    strides: [usize; 3],
+    stencil: usize,
+}
+
+impl Numbering {
+    pub(crate) fn new(shape: &GridShape, stencil: usize) -> Self {
+        let bases = shape.bases();
+        let of_direction = [bases[1] * bases[2], bases[2], 1];
+        Self {
+            axes: shape.axes,
+            per_metre: shape.cell.map(|cell| 1.0 / cell),
+            strides: std::array::from_fn(|axis| of_direction[shape.direction(axis)]),
+            stencil,
+        }
+    }
+
+    /// Number of the base cell of a particle.
+    #[inline]
+    pub(crate) fn key(&self, set: &ParticleSet, p: usize) -> u32 {
+        let mut key = 0;
+        for axis in 0..self.axes {
+            let xi = set.columns[Layout::POSITION + axis][p] * self.per_metre[axis];
+            key += (base_node(xi, self.stencil) + 1.0) as usize * self.strides[axis];
+        }
+        key as u32
+    }
+}
+
+/// The numbers of the base cells of particles from `first` on, in lanes.
+struct Keys<'a> {
+    numbering: &'a Numbering,
+    set: &'a ParticleSet,
+    first: usize,
+    keys: &'a mut [u32],
+}
+
+impl Kernel for Keys<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<B: Backend>(self) {
+        let width = <B::Native as Lanes>::WIDTH;
+        let (offset, one) = (
+            B::Native::splat(base_offset(self.numbering.stencil)),
+            B::Native::splat(1.0),
+        );
+        let end = self.first + self.keys.len();
+        for (block, keys) in self.keys.chunks_mut(width).enumerate() {
+            let at = self.first + block * width;
+            let count = (end - at).min(width);
+            let mut key = B::Native::splat(0.0);
+            for axis in 0..self.numbering.axes {
+                let column = &self.set.columns[Layout::POSITION + axis];
+                let per_metre = B::Native::splat(self.numbering.per_metre[axis]);
+                let xi = load::<B::Native>(column, at, count) * per_metre;
+                let stride = B::Native::splat(self.numbering.strides[axis] as f64);
+                key = ((xi - offset).floor() + one).mul_add(stride, key);
+            }
+            let mut lanes = [0.0; 8];
+            key.store(&mut lanes);
+            for (key, lane) in keys.iter_mut().zip(lanes) {
+                *key = index_of(lane) as u32;
+            }
+        }
+    }
+}
+
+/// Sorts particles, and keeps what it needs for that from one sort to the next.
+#[derive(Debug, Default)]
+pub struct Sorter {
+    /// Number of the base cell of each particle.
+    keys: Vec<u32>,
+    /// Which particle comes to each place.
+    order: Vec<u32>,
+    /// For each cell, where its particles end in the order.
+    ends: Vec<u32>,
+    /// First and last cell in use of each row of base cells.
+    occupied: Vec<Option<(u32, u32)>>,
+    /// Of each set, for their lengths differ.
+    spares: Vec<Spares>,
+}
+
+/// Columns of a set that are not in use.
+#[derive(Debug, Default)]
+struct Spares {
+    /// One for each thread.
+    columns: Vec<Vec<f64>>,
+    ids: Vec<u64>,
+}
+
+/// Cells that a thread owns: their numbers, and the particles that it found in them.
+struct Share<'a> {
+    cells: Range<usize>,
+    ends: &'a mut [u32],
+}
+
+impl Sorter {
+    /// Sorts all sets by base cell for a stencil of `stencil` nodes per axis, keeping the order within a cell; the rows of
+    /// nodes that particles can reach until they have crossed one cell.
+    pub fn sort(
+        &mut self,
+        sets: &mut [ParticleSet],
+        shape: &GridShape,
+        stencil: usize,
+        lanes: Selected,
+        team: &Team,
+    ) -> ActiveRows {
+        let bases = shape.bases();
+        self.occupied.clear();
+        self.occupied.resize(bases[0] * bases[1], None);
+        self.spares.resize_with(sets.len(), Spares::default);
+        for (index, set) in sets.iter_mut().enumerate() {
+            self.number(set, &Numbering::new(shape, stencil), lanes, team);
+            let sorted = self.keys.is_sorted();
+            let [per_particle, always] = COUNTED_CELLS;
+            if bases.iter().product::<usize>() <= per_particle * set.len() + always {
+                self.count(set, bases, sorted, team);
+            } else {
+                self.compare(set, bases, sorted, team);
+            }
+            if !sorted {
+                permute(set, &self.order, &mut self.spares[index], team);
+            }
+        }
+        ActiveRows::new(shape, &self.occupied, stencil)
+    }
+
+    /// Numbers the particles of a set by their base cells.
+    fn number(&mut self, set: &ParticleSet, numbering: &Numbering, lanes: Selected, team: &Team) {
+        self.keys.resize(set.len(), 0);
+        let share = set.len().div_ceil(team.count()).max(1);
+        let parts = self.keys.chunks_mut(share).enumerate().collect();
+        team.map(parts, |(part, keys)| {
+            lanes.run(Keys {
+                numbering,
+                set,
+                first: part * share,
+                keys,
+            });
+        });
+    }
+
+    /// Orders the particles by counting those of each cell. Cells few enough for that are walked without regard to how many
+    /// are empty.
+    fn count(&mut self, set: &mut ParticleSet, bases: [usize; 3], sorted: bool, team: &Team) {
+        let per_layer = bases[1] * bases[2];
+        self.ends.clear();
+        self.ends.resize(bases[0] * per_layer, 0);
+        self.order.resize(set.len(), 0);
+        let mut shares = vec![];
+        let mut rest = self.ends.as_mut_slice();
+        for layers in shares_of_layers(set, bases[0], team.count()) {
+            let cells = layers.start * per_layer..layers.end * per_layer;
+            let (ends, behind) = rest.split_at_mut(cells.len());
+            shares.push(Share { cells, ends });
+            rest = behind;
+        }
+        let keys = self.keys.as_slice();
+        let counted = team.map(shares, |share| {
+            let mut count = 0_u32;
+            for &key in keys {
+                // A cell before the first of the share is beyond its last, too.
+                if let Some(cell) = share
+                    .ends
+                    .get_mut((key as usize).wrapping_sub(share.cells.start))
+                {
+                    *cell += 1;
+                    count += 1;
+                }
+            }
+            (share, count)
+        });
+        let mut places = self.order.as_mut_slice();
+        let mut start = 0;
+        let mut placed = Vec::with_capacity(counted.len());
+        for (share, count) in counted {
+            let (own, behind) = places.split_at_mut(count as usize);
+            placed.push((share, own, start));
+            places = behind;
+            start += count;
+        }
+        team.map(placed, |(share, places, start)| {
+            if sorted {
+                let mut end = start;
+                for cell in share.ends {
+                    end += *cell;
+                    *cell = end;
+                }
+                return;
+            }
+            let mut next = start;
+            for cell in &mut *share.ends {
+                next += std::mem::replace(cell, next);
+            }
+            for (p, &key) in keys.iter().enumerate() {
+                if let Some(cell) = share
+                    .ends
+                    .get_mut((key as usize).wrapping_sub(share.cells.start))
+                {
+                    places[(*cell - start) as usize] = p as u32;
+                    *cell += 1;
+                }
+            }
+        });
+        let ends = self.ends.as_slice();
+        let mut before = 0;
+        for (row, ends) in ends.chunks(bases[2]).enumerate() {
+            let last = ends[bases[2] - 1];
+            if last > before {
+                let low = ends.partition_point(|&end| end == before) as u32;
+                let high = ends.partition_point(|&end| end < last) as u32;
+                widen(&mut self.occupied[row], low, high);
+            }
+            before = last;
+        }
+        set.layers.clear();
+        set.layers.push(0);
+        let layers = ends.chunks(per_layer).map(|layer| layer[per_layer - 1]);
+        set.layers.extend(layers.map(|end| end as usize));
+    }
+
+    /// Orders the particles by comparing their keys, where nearly all cells of a mesh are empty.
+    fn compare(&mut self, set: &mut ParticleSet, bases: [usize; 3], sorted: bool, team: &Team) {
+        let keys = self.keys.as_slice();
+        self.order.clear();
+        self.order.extend(0..set.len() as u32);
+        if !sorted {
+            team.sort_by(&mut self.order, |&a, &b| {
+                keys[a as usize].cmp(&keys[b as usize])
+            });
+        }
+        let mut at = 0;
+        set.layers.clear();
+        set.layers.push(0);
+        for layer in 0..bases[0] {
+            while let Some(&p) = self.order.get(at) {
+                let row = keys[p as usize] as usize / bases[2];
+                if row / bases[1] > layer {
+                    break;
+                }
+                let fast = (keys[p as usize] as usize % bases[2]) as u32;
+                widen(&mut self.occupied[row], fast, fast);
+                at += 1;
+            }
+            set.layers.push(at);
+        }
+    }
+}
+
+/// The layers of base cells in `count` ranges at most, with about equal numbers of particles as of the last sort.
+fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> Vec<Range<usize>> {
+    let known = set.layers.len() == layers + 1 && set.layers[layers] == set.len();
+    let end_of = |share: usize| match (share == count, known) {
+        (true, _) => layers,
+        (_, true) => (set.layers).partition_point(|&start| start * count < share * set.len()),
+        (_, false) => share * layers / count,
+    };
+    let mut from = 0;
+    let mut shares = Vec::with_capacity(count);
+    for share in 1..=count {
+        let to = end_of(share).clamp(from, layers);
+        shares.push(from..to);
+        from = to;
+    }
+    shares
+}
+
+/// Has the first and last cell in use of a row hold those from `low` to `high`, too.
+fn widen(span: &mut Option<(u32, u32)>, low: u32, high: u32) {
+    let span = span.get_or_insert((low, high));
+    span.0 = span.0.min(low);
+    span.1 = span.1.max(high);
+}
+
+/// Reorders all columns: particle `order[i]` becomes particle `i`.
+fn permute(set: &mut ParticleSet, order: &[u32], spares: &mut Spares, team: &Team) {
+    let share = set.columns.len().div_ceil(team.count()).max(1);
+    spares.columns.resize_with(team.count(), Vec::new);
+    let mut ids = Some((&mut set.id, &mut spares.ids));
+    let parts = set.columns.chunks_mut(share).zip(&mut spares.columns);
+    let parts = parts.map(|part| (part, ids.take())).collect();
+    team.map(parts, |((columns, spare), ids)| {
+        for column in columns {
+            gather(column, order, spare);
+        }
+        if let Some((ids, spare)) = ids {
+            gather(ids, order, spare);
+        }
+    });
+}
+
+/// Reorders a column by way of a spare one.
+fn gather<T: Copy>(column: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
+    spare.clear();
+    spare.extend(order.iter().map(|&p| column[p as usize]));
+    std::mem::swap(column, spare);
+}
+
+/// The active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than
+/// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
+#[must_use]
+pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
+    let numbering = Numbering::new(shape, stencil);
+    let keys = sets.iter().flat_map(|set| {
+        let numbering = &numbering;
+        (0..set.len()).map(move |p| numbering.key(set, p))
+    });
+    rows_of_keys(keys, shape, stencil)
+}
+
+/// The rows that some particles of a set can reach before the next sort.
+#[must_use]
+pub fn rows_of_some(
+    set: &ParticleSet,
+    particles: impl Iterator<Item = usize>,
+    shape: &GridShape,
+    stencil: usize,
+) -> ActiveRows {
+    let numbering = Numbering::new(shape, stencil);
+    rows_of_keys(particles.map(|p| numbering.key(set, p)), shape, stencil)
+}
+
+fn rows_of_keys(keys: impl Iterator<Item = u32>, shape: &GridShape, stencil: usize) -> ActiveRows {
+    let bases = shape.bases();
+    let mut occupied = vec![None; bases[0] * bases[1]];
+    let mut before = None;
+    for key in keys {
+        // Of sorted particles most have the cell of the one before.
+        if before.replace(key) == Some(key) {
+            continue;
+        }
+        let (row, fast) = (key as usize / bases[2], (key as usize % bases[2]) as u32);
+        widen(&mut occupied[row], fast, fast);
+    }
+    ActiveRows::new(shape, &occupied, stencil)
+}
