@@ -6,6 +6,7 @@
 mod any;
 mod band;
 mod constants;
+mod marks;
 pub mod plastic;
 mod point;
 pub mod principal;
@@ -16,7 +17,7 @@ pub mod tensor;
 
 pub use any::{AnyLaw, Kind, Readable};
 pub use band::Band;
-pub use constants::{Accepted, Choice, Constant, Given, Isotropic, Unfit};
+pub use constants::{Accepted, Choice, Constant, Curve, Given, Isotropic, Unfit};
 pub use drucker_prager::Match;
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
@@ -64,6 +65,9 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// Its constants, in the order of [`Law::values`]; a scene whose values are not accepted is refused.
     const CONSTANTS: &'static [Constant] = &[];
 
+    /// Curves that it may be given, in the order of [`Law::curves`].
+    const CURVES: &'static [Curve] = &[];
+
     /// Internal variables that each particle carries. Layout, sort, checkpoint, frames, probes and plan know them from here;
     /// no two may have the same name.
     const VARIABLES: &'static [Variable] = &[];
@@ -83,6 +87,11 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// What of its constants does not go together; each by itself is accepted.
     fn problems(&self) -> Vec<Unfit> {
         vec![]
+    /// Rows of [`Law::CURVES`], each without any where it is not given.
+    fn curves(&self) -> Vec<Vec<[f64; 2]>> {
+        vec![]
+    }
+
     }
 
     /// What a scene may do with it, but not well: each a sentence.

@@ -4,7 +4,7 @@
 //! (backward Euler) rule, sigma = sigma_trial - C : de_p. A particle that does not yield keeps the bits of the trial stress.
 
 use super::principal::components;
-use super::{Constant, Given, Increment, Isotropic, Law, LinearElastic, Particle, Unfit};
+use super::{Constant, Curve, Given, Increment, Isotropic, Law, LinearElastic, Particle, Unfit};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 use std::fmt;
@@ -30,6 +30,9 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// See [`Law::CONSTANTS`].
     const CONSTANTS: &'static [Constant];
 
+    /// See [`Law::CURVES`].
+    const CURVES: &'static [Curve] = &[];
+
     /// See [`Law::VARIABLES`]. The first two are the plastic strain and the plastic work ([`STRAIN`], [`WORK`]); a third one
     /// is the plastic volume strain ([`VOLUME_STRAIN`]).
     const VARIABLES: &'static [Variable] = &[STRAIN, WORK];
@@ -42,6 +45,11 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
 
     /// See [`Law::problems`].
     fn problems(&self) -> Vec<Unfit>;
+
+    /// See [`Law::curves`].
+    fn curves(&self) -> Vec<Vec<[f64; 2]>> {
+        vec![]
+    }
 
     /// See [`Law::warnings`].
     fn warnings(&self) -> Vec<String>;
@@ -74,6 +82,7 @@ impl<Y: Yielding> Law for Y {
     const VARIABLES: &'static [Variable] = Y::VARIABLES;
 
     fn name(&self) -> &'static str {
+    const CURVES: &'static [Curve] = Y::CURVES;
         Yielding::name(self)
     }
 
@@ -83,6 +92,10 @@ impl<Y: Yielding> Law for Y {
 
     fn problems(&self) -> Vec<Unfit> {
         Yielding::problems(self)
+    }
+
+    fn curves(&self) -> Vec<Vec<[f64; 2]>> {
+        Yielding::curves(self)
     }
 
     fn warnings(&self) -> Vec<String> {

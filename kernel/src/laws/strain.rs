@@ -4,7 +4,7 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{AnyLaw, Constant, Increment, Law, Particle, Unfit};
+use super::{AnyLaw, Constant, Curve, Increment, Law, Particle, Unfit};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -96,6 +96,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn name(&self) -> &'static str;
     /// See [`Law::CONSTANTS`].
     fn constants(&self) -> Vec<(Constant, f64)>;
+    /// See [`Law::CURVES`].
+    fn curves(&self) -> Vec<(Curve, Vec<[f64; 2]>)>;
     /// See [`Law::VARIABLES`].
     fn variables(&self) -> &'static [Variable];
     /// See [`Law::NEEDS_DEFORMATION`].
@@ -137,6 +139,9 @@ impl<M: Law> Strain for M {
         M::VARIABLES
     }
     fn needs_deformation(&self) -> bool {
+    fn curves(&self) -> Vec<(Curve, Vec<[f64; 2]>)> {
+        M::CURVES.iter().copied().zip(Law::curves(self)).collect()
+    }
         M::NEEDS_DEFORMATION
     }
     fn problems(&self) -> Vec<Unfit> {

@@ -4,6 +4,7 @@ mod bands;
 mod cone;
 mod fluids;
 mod pyramid;
+mod marks;
 mod returned;
 mod softened;
 mod spectrum;

@@ -24,6 +24,9 @@ fn laws(scale: f64) -> Vec<AnyLaw> {
         VonMises::new(young, POISSON, scale, 0.0)
             .saturating(0.5 * scale, 30.0)
             .into(),
+        VonMises::new(young, POISSON, scale, 0.0)
+            .along(&[[0.01, 1.4 * scale], [0.02, 1.2 * scale], [0.1, 2.0 * scale]])
+            .into(),
         Tresca::new(young, POISSON, scale).into(),
         Tresca::new(young, POISSON, scale)
             .with_tensile(0.3 * scale)
