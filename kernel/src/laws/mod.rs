@@ -72,6 +72,9 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// no two may have the same name.
     const VARIABLES: &'static [Variable] = &[];
 
+    /// Whether it has a yield surface, so that the work of its strain is stored, plastic or algorithmic.
+    const YIELDS: bool = false;
+
     /// Whether the stress follows from the deformation gradient, not from the stress before. Such a law is given F and
     /// J = det F but no stress, and volumes are V_0 J; any other is given the stress before, and must not use F.
     const NEEDS_DEFORMATION: bool = false;
@@ -84,14 +87,14 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
         vec![]
     }
 
-    /// What of its constants does not go together; each by itself is accepted.
-    fn problems(&self) -> Vec<Unfit> {
-        vec![]
     /// Rows of [`Law::CURVES`], each without any where it is not given.
     fn curves(&self) -> Vec<Vec<[f64; 2]>> {
         vec![]
     }
 
+    /// What of its constants does not go together; each by itself is accepted.
+    fn problems(&self) -> Vec<Unfit> {
+        vec![]
     }
 
     /// What a scene may do with it, but not well: each a sentence.
@@ -142,6 +145,13 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
 
     /// Energy that has been dissipated in a particle so far \[J\].
     fn dissipated(&self, _particle: &Particle<'_>) -> f64 {
+        0.0
+    }
+
+    /// Work of the strain so far that is neither stored nor dissipated \[J\], for a law that yields: the trapezoidal work of a
+    /// step, (sigma_n + sigma)/2 : de with sigma_n turned, is what it stores, what it dissipates, sigma : de_p, and
+    /// (sigma_n - sigma)/2 : de_p, which is of the order of the step.
+    fn algorithmic(&self, _particle: &Particle<'_>) -> f64 {
         0.0
     }
 }

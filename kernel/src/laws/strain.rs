@@ -100,6 +100,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn curves(&self) -> Vec<(Curve, Vec<[f64; 2]>)>;
     /// See [`Law::VARIABLES`].
     fn variables(&self) -> &'static [Variable];
+    /// See [`Law::YIELDS`].
+    fn yields(&self) -> bool;
     /// See [`Law::NEEDS_DEFORMATION`].
     fn needs_deformation(&self) -> bool;
     /// See [`Law::problems`].
@@ -120,6 +122,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn energy(&self, particle: &Particle<'_>) -> f64;
     /// See [`Law::dissipated`].
     fn dissipated(&self, particle: &Particle<'_>) -> f64;
+    /// See [`Law::algorithmic`].
+    fn algorithmic(&self, particle: &Particle<'_>) -> f64;
     /// Square of the speed of the fastest wave of a particle at rest \[m²/s²\].
     fn speed_squared(&self, particle: &Particle<'_>) -> f64;
     /// Whether another law is the same.
@@ -135,13 +139,16 @@ impl<M: Law> Strain for M {
     fn constants(&self) -> Vec<(Constant, f64)> {
         M::CONSTANTS.iter().copied().zip(self.values()).collect()
     }
-    fn variables(&self) -> &'static [Variable] {
-        M::VARIABLES
-    }
-    fn needs_deformation(&self) -> bool {
     fn curves(&self) -> Vec<(Curve, Vec<[f64; 2]>)> {
         M::CURVES.iter().copied().zip(Law::curves(self)).collect()
     }
+    fn variables(&self) -> &'static [Variable] {
+        M::VARIABLES
+    }
+    fn yields(&self) -> bool {
+        M::YIELDS
+    }
+    fn needs_deformation(&self) -> bool {
         M::NEEDS_DEFORMATION
     }
     fn problems(&self) -> Vec<Unfit> {
@@ -170,6 +177,9 @@ impl<M: Law> Strain for M {
     }
     fn dissipated(&self, particle: &Particle<'_>) -> f64 {
         Law::dissipated(self, particle)
+    }
+    fn algorithmic(&self, particle: &Particle<'_>) -> f64 {
+        Law::algorithmic(self, particle)
     }
     fn speed_squared(&self, particle: &Particle<'_>) -> f64 {
         Selected::any().run(AtRest(self, particle))

@@ -1,6 +1,7 @@
 //! Laws at a material point against exact solutions, and what must hold of each whatever its values.
 
 mod bands;
+mod channels;
 mod cone;
 mod fluids;
 mod pyramid;

@@ -11,7 +11,7 @@ const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;
 
 /// Laws of a stiffness and strength, all scaled.
-fn laws(scale: f64) -> Vec<AnyLaw> {
+pub(crate) fn laws(scale: f64) -> Vec<AnyLaw> {
     let young = YOUNG * scale;
     let softens = Residual {
         friction: Some(10.0),
