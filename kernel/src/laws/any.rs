@@ -1,6 +1,6 @@
 //! Laws of any type, and those that scene files name.
 
-use super::{Choice, Constant, Curve, Law, Strain};
+use super::{Choice, Constant, Curve, Law, Rows, Strain};
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -62,7 +62,7 @@ pub trait Readable: Law {
 
     /// The same with rows of [`Law::CURVES`].
     #[must_use]
-    fn with_curves(self, _curves: &[Vec<[f64; 2]>]) -> Self
+    fn with_curves(self, _curves: &[Rows]) -> Self
     where
         Self: Sized,
     {
@@ -82,7 +82,7 @@ pub struct Kind {
     /// Curves that it may be given.
     pub curves: &'static [Curve],
     /// Makes one; see [`Readable::read`] and [`Readable::with_curves`].
-    pub read: fn(&[f64], &[usize], &[Vec<[f64; 2]>]) -> AnyLaw,
+    pub read: fn(&[f64], &[usize], &[Rows]) -> AnyLaw,
 }
 
 impl Kind {

@@ -54,6 +54,9 @@ pub struct Choice {
     pub elsewhere: &'static str,
 }
 
+/// Rows of a curve.
+pub type Rows = Vec<[f64; 2]>;
+
 /// A curve that a law may be given: rows of two numbers, none where a scene does not say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve {

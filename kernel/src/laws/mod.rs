@@ -17,7 +17,7 @@ pub mod tensor;
 
 pub use any::{AnyLaw, Kind, Readable};
 pub use band::Band;
-pub use constants::{Accepted, Choice, Constant, Curve, Given, Isotropic, Unfit};
+pub use constants::{Accepted, Choice, Constant, Curve, Given, Isotropic, Rows, Unfit};
 pub use drucker_prager::Match;
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
@@ -88,7 +88,7 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Rows of [`Law::CURVES`], each without any where it is not given.
-    fn curves(&self) -> Vec<Vec<[f64; 2]>> {
+    fn curves(&self) -> Vec<Rows> {
         vec![]
     }
 

@@ -5,7 +5,9 @@
 
 use super::linear_elastic::strain;
 use super::principal::components;
-use super::{Constant, Curve, Given, Increment, Isotropic, Law, LinearElastic, Particle, Unfit};
+use super::{
+    Constant, Curve, Given, Increment, Isotropic, Law, LinearElastic, Particle, Rows, Unfit,
+};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 use std::fmt;
@@ -47,7 +49,7 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     fn values(&self) -> Vec<f64>;
 
     /// See [`Law::curves`].
-    fn curves(&self) -> Vec<Vec<[f64; 2]>> {
+    fn curves(&self) -> Vec<Rows> {
         vec![]
     }
 
@@ -94,7 +96,7 @@ impl<Y: Yielding> Law for Y {
         Yielding::values(self)
     }
 
-    fn curves(&self) -> Vec<Vec<[f64; 2]>> {
+    fn curves(&self) -> Vec<Rows> {
         Yielding::curves(self)
     }
 

@@ -4,7 +4,7 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{AnyLaw, Constant, Curve, Increment, Law, Particle, Unfit};
+use super::{AnyLaw, Constant, Curve, Increment, Law, Particle, Rows, Unfit};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -97,7 +97,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// See [`Law::CONSTANTS`].
     fn constants(&self) -> Vec<(Constant, f64)>;
     /// See [`Law::CURVES`].
-    fn curves(&self) -> Vec<(Curve, Vec<[f64; 2]>)>;
+    fn curves(&self) -> Vec<(Curve, Rows)>;
     /// See [`Law::VARIABLES`].
     fn variables(&self) -> &'static [Variable];
     /// See [`Law::YIELDS`].
@@ -139,7 +139,7 @@ impl<M: Law> Strain for M {
     fn constants(&self) -> Vec<(Constant, f64)> {
         M::CONSTANTS.iter().copied().zip(self.values()).collect()
     }
-    fn curves(&self) -> Vec<(Curve, Vec<[f64; 2]>)> {
+    fn curves(&self) -> Vec<(Curve, Rows)> {
         M::CURVES.iter().copied().zip(Law::curves(self)).collect()
     }
     fn variables(&self) -> &'static [Variable] {

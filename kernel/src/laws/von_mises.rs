@@ -3,7 +3,7 @@
 use super::marks::{CURVE, Marks};
 use super::plastic::{RELAXATION, Yielding, deviator, second_invariant};
 use super::principal::components;
-use super::{Accepted, Band, Choice, Constant, Curve, Given, LinearElastic, Readable, Unfit, band};
+use super::{Accepted, Band, Choice, Constant, Curve, Given, LinearElastic, Readable, Rows, Unfit, band};
 use crate::lanes::{Lanes, functions};
 
 /// Von Mises: sqrt(3 J_2) <= Y(k) with the yield stress Y(k) = Y_0 + H k + Q (1 - exp(-b k)) of the plastic strain k
@@ -186,7 +186,7 @@ impl Yielding for VonMises {
         ]
     }
 
-    fn curves(&self) -> Vec<Vec<[f64; 2]>> {
+    fn curves(&self) -> Vec<Rows> {
         vec![self.marks.rows().to_vec()]
     }
 
@@ -310,7 +310,7 @@ impl Readable for VonMises {
             .in_band(Band::read(choices[0], values[7]))
     }
 
-    fn with_curves(self, curves: &[Vec<[f64; 2]>]) -> Self {
+    fn with_curves(self, curves: &[Rows]) -> Self {
         curves.first().map_or(self, |rows| self.along(rows))
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Curve, Given, Kind};
+use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Curve, Given, Kind, Rows};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
@@ -22,7 +22,7 @@ pub(super) struct RawMaterial {
     pub density: Option<f64>,
     numbers: Vec<(&'static str, Option<f64>)>,
     words: Vec<(&'static str, Option<String>)>,
-    curves: Vec<(&'static str, Option<Vec<[f64; 2]>>)>,
+    curves: Vec<(&'static str, Option<Rows>)>,
 }
 
 impl RawMaterial {
@@ -39,7 +39,7 @@ impl RawMaterial {
     }
 
     /// The rows at a key of a law.
-    pub fn curve(&self, curve: &Curve) -> Option<&Vec<[f64; 2]>> {
+    pub fn curve(&self, curve: &Curve) -> Option<&Rows> {
         let given = self.curves.iter().find(|(key, _)| *key == curve.key);
         given.and_then(|(_, rows)| rows.as_ref())
     }

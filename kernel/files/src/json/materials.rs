@@ -4,7 +4,7 @@ use super::build::Build;
 use super::keys::RawScene;
 use super::material_keys::RawMaterial;
 use super::words::listed;
-use proctor_kernel::laws::{ALL, Given, Kind};
+use proctor_kernel::laws::{ALL, Given, Kind, Rows};
 use proctor_kernel::number::Number;
 use proctor_kernel::scene::Material;
 
@@ -76,7 +76,7 @@ impl Build<'_> {
             "a number greater than 0 [kg/m³]",
         );
         self.refuse_curves_of_others(path, kind_or_first, raw);
-        let curves: Vec<Vec<[f64; 2]>> = (kind_or_first.curves.iter())
+        let curves: Vec<Rows> = (kind_or_first.curves.iter())
             .map(|curve| raw.curve(curve).cloned().unwrap_or_default())
             .collect();
         let law = (kind_or_first.read)(&values, &choices, &curves);

@@ -334,7 +334,7 @@ fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
         .into_iter()
         .map(|(_, value)| value)
         .collect();
-    let curves: Vec<Vec<[f64; 2]>> = law.curves().into_iter().map(|(_, rows)| rows).collect();
+    let curves: Vec<laws::Rows> = law.curves().into_iter().map(|(_, rows)| rows).collect();
     // The words are not known to a law of any type: those are its own with which it reads the same.
     let found = laws::ALL.iter().find_map(|kind| {
         let of_kind = |words: &Vec<usize>| {
