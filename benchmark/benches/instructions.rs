@@ -1,9 +1,10 @@
 //! Instructions per particle and step, counted by valgrind: the same number on every run, whatever else the machine
 //! does.
 //!
-//! `cargo bench --bench instructions [-- [--features] [--json FILE]]`. The example `counted` of proctor-files is built
+//! `cargo bench --bench instructions [-- [--features] [--only WORD] [--json FILE]]`. The example `counted` of proctor-files is built
 //! for x86-64-v3 and run under callgrind (which runs the AVX2 lanes). Then features that do nothing are counted against the
-//! same scene without them: they may cost 0.1 % and must change no bit. `--features` does only that.
+//! same scene without them: they may cost 0.1 % and must change no bit. `--features` does only that, `--only laws` counts
+//! nothing but what has the word in its name.
 //!
 //! Exit code 0 fine, 1 if a count does not repeat or a feature costs something, and 0 with the words "left out" where
 //! valgrind is not installed.
@@ -43,11 +44,12 @@ fn main() -> ExitCode {
 
 fn run() -> Result<bool, Box<dyn Error>> {
     let mut only_features = false;
-    let mut json = None;
+    let (mut json, mut only) = (None, None);
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--features" => only_features = true,
+            "--only" => only = Some(arguments.next().ok_or("--only wants a word")?),
             "--json" => {
                 json = Some(PathBuf::from(
                     arguments.next().ok_or("--json wants a file")?,
@@ -56,9 +58,10 @@ fn run() -> Result<bool, Box<dyn Error>> {
             // Cargo says so to every bench target.
             "--bench" => {}
             other => {
-                return Err(
-                    format!("unknown argument {other}; accepted: --features, --json FILE").into(),
-                );
+                return Err(format!(
+                    "unknown argument {other}; accepted: --features, --only WORD, --json FILE"
+                )
+                .into());
             }
         }
     }
@@ -76,9 +79,11 @@ fn run() -> Result<bool, Box<dyn Error>> {
     record.context["lanes"] = "avx2".into();
     let mut sound = true;
     if !only_features {
-        sound &= counts(&counter, &mut record)?;
+        sound &= counts(&counter, only.as_deref().unwrap_or(""), &mut record)?;
     }
-    sound &= features(&counter, &mut record)?;
+    if only.is_none() {
+        sound &= features(&counter, &mut record)?;
+    }
     if let Some(path) = json {
         record.write(&path)?;
         println!("record in {}", path.display());
@@ -171,7 +176,7 @@ impl Counter {
 }
 
 /// Scenes with whole steps, methods and single parts.
-fn counts(counter: &Counter, record: &mut Record) -> Result<bool, Box<dyn Error>> {
+fn counts(counter: &Counter, word: &str, record: &mut Record) -> Result<bool, Box<dyn Error>> {
     let make = |name: &str| -> Result<Value, Box<dyn Error>> {
         let (scene, axes) = scenes::find(name).ok_or("no such scene")?;
         let mut scene = scene.make(axes, PARTICLES).scene;
@@ -209,6 +214,15 @@ fn counts(counter: &Counter, record: &mut Record) -> Result<bool, Box<dyn Error>
             part.name(),
         ));
     }
+    for axes in [2, 3] {
+        let scene = sheared_slabs(make(&format!("rest-{axes}d"))?, axes);
+        for (name, law) in laws() {
+            let mut scene = scene.clone();
+            scene["material"][0] = law;
+            items.push((format!("laws-{axes}d/{name}/step"), scene, "step"));
+        }
+    }
+    items.retain(|(name, ..)| name.contains(word));
     println!("instructions per particle and step, AVX2 lanes\n");
     let mut table = Table::new(["what", "particles", "instructions", "again"]);
     let mut sound = true;
@@ -234,6 +248,55 @@ fn counts(counter: &Counter, record: &mut Record) -> Result<bool, Box<dyn Error>
     }
     println!("{table}");
     Ok(sound)
+}
+
+/// The block of a scene cut across the first axis into slabs a cell thick that move along the second, each faster than the one
+/// before: without contact they share a velocity, and all of the block is sheared, by eight tenths of a thousandth in a step.
+fn sheared_slabs(mut scene: Value, axes: usize) -> Value {
+    let block = scene["body"][0].clone();
+    let at = |corner: &str| block[corner][0].as_f64().unwrap_or_default();
+    let h = scene["mesh"]["cells_dimension"][0]
+        .as_f64()
+        .unwrap_or_default();
+    let count = ((at("point_p2") - at("point_p1")) / h).round() as usize;
+    let slabs: Vec<Value> = (0..count)
+        .map(|i| {
+            let mut slab = block.clone();
+            let from = at("point_p1") + i as f64 * h;
+            slab["id"] = (i + 1).into();
+            slab["point_p1"][0] = from.into();
+            slab["point_p2"][0] = (from + h).into();
+            let mut velocity = vec![0.0; axes];
+            velocity[1] = (i as f64 - 0.5 * count as f64) * h;
+            slab["initial_velocity"] = velocity.into();
+            slab
+        })
+        .collect();
+    scene["body"] = slabs.into();
+    scene
+}
+
+/// Laws of one elasticity: elastic, and with a surface that no particle reaches and one that all are beyond after a step.
+fn laws() -> Vec<(String, Value)> {
+    let law = |keys: Value| {
+        let mut law = json!({ "id": 1, "young": 1e6, "density": 1000, "poisson": 0.3 });
+        for (key, value) in keys.as_object().into_iter().flatten() {
+            law[key] = value.clone();
+        }
+        law
+    };
+    let mut all = vec![("elastic".to_owned(), law(json!({ "type": "elastic" })))];
+    for (reached, strength) in [("below", 1e9), ("yields", 1.0)] {
+        for keys in [
+            json!({ "type": "von_mises", "yield_stress": strength, "hardening": 1e4 }),
+            json!({ "type": "drucker_prager", "friction": 30, "cohesion": strength, "dilation": 5 }),
+            json!({ "type": "mohr_coulomb", "friction": 30, "cohesion": strength, "dilation": 5 }),
+        ] {
+            let name = keys["type"].as_str().unwrap_or_default();
+            all.push((format!("{name}/{reached}"), law(keys.clone())));
+        }
+    }
+    all
 }
 
 /// Features that do nothing, against the scene without them.

@@ -1,7 +1,10 @@
 //! A material point without a grid on the paths of the laboratory: strains are driven, stresses are held, and what the law
 //! makes of it is kept, by the law's own code.
 
+mod closed_form;
 pub mod path;
+
+pub use closed_form::{exact_deviator, exact_pressure};
 
 use proctor_kernel::laws::{
     AnyLaw, DruckerPrager, MohrCoulomb, Point, PointFault, Softening, Tresca, VonMises,
@@ -84,7 +87,7 @@ impl Test {
     }
 
     /// Largest difference q = sqrt(3 `J_2`) \[Pa\] that a law admits on this path from a pressure \[Pa\] on, in closed form;
-    /// `None` where it has no such end: where strength changes with strain, or pressure does.
+    /// `None` where it has no such end: where strength changes with strain, or pressure does, as by dilation at constant volume.
     #[must_use]
     pub fn strength(self, law: &AnyLaw, pressure: f64) -> Option<f64> {
         if let Some(law) = law.downcast::<VonMises>() {
@@ -92,7 +95,8 @@ impl Test {
             return ends.then(|| law.yield_stress());
         }
         // Principal stresses of Mohr and Coulomb where two of them are equal: s_1 - s_3 with the one that is held.
-        let of_pyramid = |friction: f64, cohesion: f64| {
+        let root = 3.0_f64.sqrt();
+        let of_pyramid = |friction: f64, cohesion: f64, dilation: f64| {
             let (s, c) = (
                 libm::sin(friction.to_radians()),
                 libm::cos(friction.to_radians()),
@@ -100,57 +104,32 @@ impl Test {
             match self {
                 Self::Triaxial => Some(2.0 * (cohesion * c + pressure * s) / (1.0 - s)),
                 Self::Extension => Some(2.0 * (cohesion * c + pressure * s) / (1.0 + s)),
+                // The pressure stays: q is sqrt3 times the shear stress.
+                Self::Shear if dilation == 0.0 => Some(root * (cohesion * c + pressure * s)),
                 _ => None,
             }
         };
         if let Some(law) = law.downcast::<Tresca>() {
             return match self {
                 // Two equal stresses in the end, so that q is their difference to the third.
-                Self::Undrained => Some(2.0 * law.cohesion()),
-                // Shear alone: q is sqrt3 times the shear stress.
-                Self::Shear => Some(3.0_f64.sqrt() * law.cohesion()),
-                _ => of_pyramid(0.0, law.cohesion()),
+                Self::Undrained | Self::Oedometer => Some(2.0 * law.cohesion()),
+                _ => of_pyramid(0.0, law.cohesion(), 0.0),
             };
         }
         if let Some(law) = law.downcast::<MohrCoulomb>() {
-            let [friction, cohesion, ..] = law.peak();
+            let [friction, cohesion, dilation, _] = law.peak();
             return (law.softens() == Softening::None)
-                .then(|| of_pyramid(friction, cohesion))
+                .then(|| of_pyramid(friction, cohesion, dilation))
                 .flatten();
         }
-        let [eta, limit, _] = law.downcast::<DruckerPrager>()?.cone();
-        let root = 3.0_f64.sqrt();
+        let [eta, limit, flow] = law.downcast::<DruckerPrager>()?.cone();
         match self {
             Self::Triaxial => Some((limit + eta * pressure) / (1.0 / root - eta / 3.0)),
             Self::Extension => Some((limit + eta * pressure) / (1.0 / root + eta / 3.0)),
+            Self::Shear if flow == 0.0 => Some(root * (limit + eta * pressure)),
             _ => None,
         }
     }
-}
-
-/// q \[Pa\] of a law without hardening after a strain of the path, in closed form: along Hooke's line up to the strength. `None`
-/// where a test has no such path, as [`Test::strength`].
-#[must_use]
-pub fn exact_deviator(test: Test, law: &AnyLaw, pressure: f64, strain: f64) -> Option<f64> {
-    let strength = test.strength(law, pressure)?;
-    let young = law.young();
-    let shear = shear_modulus(young, law.wave_speed(1.0).powi(2));
-    let slope = match test {
-        Test::Triaxial | Test::Extension => young,
-        Test::Undrained => 3.0 * shear,
-        Test::Shear => 3.0_f64.sqrt() * shear,
-        // The pressure at the sides grows, or Hooke's line is not that of q alone.
-        Test::Oedometer | Test::Biaxial | Test::Isotropic => return None,
-    };
-    Some((slope * strain).min(strength))
-}
-
-/// Shear modulus from Young's modulus and the confined modulus \[Pa\]: with the ratio m of the latter to the former,
-/// 2 nu = (1 - m + sqrt((m - 1)(9 m - 1)))/(2 m) of (1 - nu) = m (1 + nu)(1 - 2 nu).
-fn shear_modulus(young: f64, confined: f64) -> f64 {
-    let m = confined / young;
-    let poisson = ((1.0 - m) + ((m - 1.0).max(0.0) * (9.0 * m - 1.0)).sqrt()) / (4.0 * m);
-    young / (2.0 * (1.0 + poisson))
 }
 
 /// The state of the point after a step.

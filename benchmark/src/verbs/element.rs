@@ -10,7 +10,9 @@ use proctor_files::output::atomic;
 use proctor_kernel::scene::{Material, Scene};
 use proctor_verification::case::{Curve, CurvePoint};
 use proctor_verification::element::path::{Path as Steps, follow};
-use proctor_verification::element::{ElementError, State, Test, exact_deviator, run};
+use proctor_verification::element::{
+    ElementError, State, Test, exact_deviator, exact_pressure, run,
+};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -64,7 +66,7 @@ pub struct Element {
     /// Number of steps; with --table from each row to the next
     #[arg(long, default_value_t = 200)]
     steps: usize,
-    /// Seconds that the path takes; only materials with a relaxation time ask for it
+    /// Seconds that the path takes; only materials with a relaxation time and fluids ask for it
     #[arg(
         long,
         value_name = "S",
@@ -75,7 +77,7 @@ pub struct Element {
     /// Write all states into this folder, made if it is not there: a table (CSV) for each material and test
     #[arg(long, value_name = "DIR")]
     csv: Option<PathBuf>,
-    /// Write curves into this folder, made if it is not there: two pictures for each material and test
+    /// Write curves into this folder, made if it is not there: two pictures for each material and test, three for a fluid
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
 }
@@ -284,48 +286,54 @@ impl Element {
         table
     }
 
-    /// q and the volume strain over the strain, each with the word of its file.
+    /// q and the volume strain over the strain, and the pressure of a fluid, each with the word of its file.
     fn curves(
         &self,
         ran: &Ran,
         material: &Material,
         asked: Asked<'_>,
-    ) -> [(&'static str, Curve); 2] {
+    ) -> Vec<(&'static str, Curve)> {
         let (abscissa, scale) = if ran.of_table {
             ("time (s)", 1.0)
         } else {
             ("strain (%)", 100.0)
         };
-        let of = |ordinate, value: &dyn Fn(&State) -> f64, exact: &dyn Fn(f64) -> f64| Curve {
-            title: self.title(material, asked),
-            abscissa,
-            ordinate,
-            points: (ran.states.iter().zip(&ran.at))
-                .map(|(state, at)| CurvePoint {
-                    at: scale * at,
-                    computed: value(state),
-                    exact: exact(*at),
-                })
-                .collect(),
-        };
-        // Hooke's line begins at no difference of stresses, which the isotropic start is.
-        let exact = |strain| match asked {
-            Asked::Test(test) => {
-                exact_deviator(test, &material.law, self.pressure, strain).unwrap_or(f64::NAN)
+        let of =
+            |ordinate, value: &dyn Fn(&State) -> f64, exact: &dyn Fn(f64) -> Option<f64>| Curve {
+                title: self.title(material, asked),
+                abscissa,
+                ordinate,
+                points: (ran.states.iter().zip(&ran.at))
+                    .map(|(state, at)| CurvePoint {
+                        at: scale * at,
+                        computed: value(state),
+                        exact: exact(*at).unwrap_or(f64::NAN),
+                    })
+                    .collect(),
+            };
+        let law = &material.law;
+        let (pressure, rate) = (self.pressure, self.strain / self.time);
+        let deviator = |strain| match asked {
+            // The start is an isotropic pressure: where the path has a closed form, it begins without a difference of stresses.
+            Asked::Test(test) if strain == 0.0 => {
+                exact_deviator(test, law, pressure, self.strain, rate).map(|_| 0.0)
             }
-            Asked::Table(_) => f64::NAN,
+            Asked::Test(test) => exact_deviator(test, law, pressure, strain, rate),
+            Asked::Table(_) => None,
         };
-        [
-            ("q", of("q (Pa)", &State::deviator, &exact)),
-            (
-                "volume",
-                of(
-                    "volume strain (%)",
-                    &|state| 100.0 * state.volume_strain(),
-                    &|_| f64::NAN,
-                ),
-            ),
-        ]
+        let volume = |state: &State| 100.0 * state.volume_strain();
+        let mut curves = vec![
+            ("q", of("q (Pa)", &State::deviator, &deviator)),
+            ("volume", of("volume strain (%)", &volume, &|_| None)),
+        ];
+        if law.is_fluid() {
+            let exact = |strain| match asked {
+                Asked::Test(test) => exact_pressure(test, law, pressure, strain),
+                Asked::Table(_) => None,
+            };
+            curves.push(("p", of("p (Pa)", &State::pressure, &exact)));
+        }
+        curves
     }
 }
 

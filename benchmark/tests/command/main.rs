@@ -24,6 +24,7 @@ mod restart;
 mod run;
 #[cfg(unix)]
 mod scripts;
+mod soils;
 mod stability;
 mod standard_input;
 mod support;

@@ -18,6 +18,8 @@ mod mortar;
 mod summary;
 #[path = "output/whole.rs"]
 mod whole;
+#[path = "output/yielding.rs"]
+mod yielding;
 
 use std::path::Path;
 

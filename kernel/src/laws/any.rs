@@ -1,6 +1,6 @@
 //! Laws of any type, and those that scene files name.
 
-use super::{Choice, Constant, Law, Strain};
+use super::{Choice, Constant, Curve, Law, Rows, Strain};
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -59,6 +59,15 @@ pub trait Readable: Law {
 
     /// The law of these values of [`Law::CONSTANTS`] and of these words of [`Readable::CHOICES`], by number.
     fn read(values: &[f64], choices: &[usize]) -> Self;
+
+    /// The same with rows of [`Law::CURVES`].
+    #[must_use]
+    fn with_curves(self, _curves: &[Rows]) -> Self
+    where
+        Self: Sized,
+    {
+        self
+    }
 }
 
 /// A type of law, as it stands in a list.
@@ -70,8 +79,10 @@ pub struct Kind {
     pub constants: &'static [Constant],
     /// Words that it may be given.
     pub choices: &'static [Choice],
-    /// Makes one; see [`Readable::read`].
-    pub read: fn(&[f64], &[usize]) -> AnyLaw,
+    /// Curves that it may be given.
+    pub curves: &'static [Curve],
+    /// Makes one; see [`Readable::read`] and [`Readable::with_curves`].
+    pub read: fn(&[f64], &[usize], &[Rows]) -> AnyLaw,
 }
 
 impl Kind {
@@ -82,7 +93,8 @@ impl Kind {
             name: M::NAME,
             constants: M::CONSTANTS,
             choices: M::CHOICES,
-            read: |values, choices| M::read(values, choices).into(),
+            curves: M::CURVES,
+            read: |values, choices, curves| M::read(values, choices).with_curves(curves).into(),
         }
     }
 }

@@ -54,6 +54,22 @@ pub struct Choice {
     pub elsewhere: &'static str,
 }
 
+/// Rows of a curve.
+pub type Rows = Vec<[f64; 2]>;
+
+/// A curve that a law may be given: rows of two numbers, none where a scene does not say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curve {
+    /// Key in scene files.
+    pub key: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// SI units of both columns; empty for a plain number.
+    pub units: [&'static str; 2],
+    /// Rows that it may have.
+    pub example: &'static [[f64; 2]],
+}
+
 /// A constant that does not go with the others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unfit {

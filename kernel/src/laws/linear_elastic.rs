@@ -154,6 +154,25 @@ pub(super) fn midpoint<L: Lanes, const D: usize>(g: &Matrix<L>, at: Configuratio
     product::<L, D>(g, &inverse::<L, D>(&one_plus::<L, D>(g, half)))
 }
 
+/// The strain increment in the configuration half way, ordered as a law is given a stress.
+#[inline(always)]
+pub(super) fn strain<L: Lanes, const D: usize>(increment: &Increment<L>) -> [L; 6] {
+    let g = midpoint::<L, D>(&increment.gradient, increment.configuration);
+    let half = L::splat(0.5);
+    let mut e = [L::splat(0.0); 6];
+    for i in 0..D {
+        e[i] = g[i][i];
+    }
+    if D == 2 {
+        e[3] = half * (g[0][1] + g[1][0]);
+    } else {
+        e[3] = half * (g[1][2] + g[2][1]);
+        e[4] = half * (g[0][2] + g[2][0]);
+        e[5] = half * (g[0][1] + g[1][0]);
+    }
+    e
+}
+
 /// sigma + lambda tr(e) 1 + 2 G e with e = sym(g).
 #[inline(always)]
 fn add_elastic<L: Lanes, const D: usize>(law: &LinearElastic, g: &Matrix<L>, s: &[L; 6]) -> [L; 6] {

@@ -6,6 +6,7 @@
 mod any;
 mod band;
 mod constants;
+mod marks;
 pub mod plastic;
 mod point;
 pub mod principal;
@@ -16,7 +17,7 @@ pub mod tensor;
 
 pub use any::{AnyLaw, Kind, Readable};
 pub use band::Band;
-pub use constants::{Accepted, Choice, Constant, Given, Isotropic, Unfit};
+pub use constants::{Accepted, Choice, Constant, Curve, Given, Isotropic, Rows, Unfit};
 pub use drucker_prager::Match;
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
@@ -64,9 +65,15 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// Its constants, in the order of [`Law::values`]; a scene whose values are not accepted is refused.
     const CONSTANTS: &'static [Constant] = &[];
 
+    /// Curves that it may be given, in the order of [`Law::curves`].
+    const CURVES: &'static [Curve] = &[];
+
     /// Internal variables that each particle carries. Layout, sort, checkpoint, frames, probes and plan know them from here;
     /// no two may have the same name.
     const VARIABLES: &'static [Variable] = &[];
+
+    /// Whether it has a yield surface, so that the work of its strain is stored, plastic or algorithmic.
+    const YIELDS: bool = false;
 
     /// Whether the stress follows from the deformation gradient, not from the stress before. Such a law is given F and
     /// J = det F but no stress, and volumes are V_0 J; any other is given the stress before, and must not use F.
@@ -77,6 +84,11 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
 
     /// Values of the constants.
     fn values(&self) -> Vec<f64> {
+        vec![]
+    }
+
+    /// Rows of [`Law::CURVES`], each without any where it is not given.
+    fn curves(&self) -> Vec<Rows> {
         vec![]
     }
 
@@ -133,6 +145,13 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
 
     /// Energy that has been dissipated in a particle so far \[J\].
     fn dissipated(&self, _particle: &Particle<'_>) -> f64 {
+        0.0
+    }
+
+    /// Work of the strain so far that is neither stored nor dissipated \[J\], for a law that yields: the trapezoidal work of a
+    /// step, (sigma_n + sigma)/2 : de with sigma_n turned, is what it stores, what it dissipates, sigma : de_p, and
+    /// (sigma_n - sigma)/2 : de_p, which is of the order of the step.
+    fn algorithmic(&self, _particle: &Particle<'_>) -> f64 {
         0.0
     }
 }

@@ -1,6 +1,6 @@
 //! A weakly compressible fluid whose shear stress follows its rate of deformation.
 
-use super::linear_elastic::midpoint;
+use super::linear_elastic::strain;
 use super::plastic::{deviator, second_invariant};
 use super::principal::components;
 use super::state::{BULK, EXPONENT, EquationOfState};
@@ -139,23 +139,4 @@ impl Readable for Newtonian {
             carries_tension: choices[0] == 0,
         })
     }
-}
-
-/// The strain increment in the configuration half way, ordered as a law is given a stress.
-#[inline(always)]
-fn strain<L: Lanes, const D: usize>(increment: &Increment<L>) -> [L; 6] {
-    let g = midpoint::<L, D>(&increment.gradient, increment.configuration);
-    let half = L::splat(0.5);
-    let mut e = [L::splat(0.0); 6];
-    for i in 0..D {
-        e[i] = g[i][i];
-    }
-    if D == 2 {
-        e[3] = half * (g[0][1] + g[1][0]);
-    } else {
-        e[3] = half * (g[1][2] + g[2][1]);
-        e[4] = half * (g[0][2] + g[2][0]);
-        e[5] = half * (g[0][1] + g[1][0]);
-    }
-    e
 }

@@ -3,8 +3,11 @@
 //! The elastic increment of Hughes and Winget gives a trial stress; a law returns it to its yield surface by the implicit
 //! (backward Euler) rule, sigma = sigma_trial - C : de_p. A particle that does not yield keeps the bits of the trial stress.
 
+use super::linear_elastic::strain;
 use super::principal::components;
-use super::{Constant, Given, Increment, Isotropic, Law, LinearElastic, Particle, Unfit};
+use super::{
+    Constant, Curve, Given, Increment, Isotropic, Law, LinearElastic, Particle, Rows, Unfit,
+};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 use std::fmt;
@@ -13,6 +16,8 @@ use std::fmt;
 pub const STRAIN: Variable = Variable::scalar("plastic strain", "");
 /// Plastic work per initial volume.
 pub const WORK: Variable = Variable::scalar("plastic work", "J/m³");
+/// Algorithmic work per initial volume: see [`Law::algorithmic`].
+pub const ALGORITHMIC: Variable = Variable::scalar("algorithmic work", "J/m³");
 /// Plastic volume strain.
 pub const VOLUME_STRAIN: Variable = Variable::scalar("plastic volume strain", "");
 
@@ -30,15 +35,23 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// See [`Law::CONSTANTS`].
     const CONSTANTS: &'static [Constant];
 
-    /// See [`Law::VARIABLES`]. The first two are the plastic strain and the plastic work ([`STRAIN`], [`WORK`]); a third one
-    /// is the plastic volume strain ([`VOLUME_STRAIN`]).
-    const VARIABLES: &'static [Variable] = &[STRAIN, WORK];
+    /// See [`Law::CURVES`].
+    const CURVES: &'static [Curve] = &[];
+
+    /// See [`Law::VARIABLES`]. The first three are the plastic strain, the plastic work and the algorithmic work ([`STRAIN`],
+    /// [`WORK`], [`ALGORITHMIC`]); a fourth one is the plastic volume strain ([`VOLUME_STRAIN`]).
+    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, ALGORITHMIC];
 
     /// See [`Law::name`].
     fn name(&self) -> &'static str;
 
     /// See [`Law::values`].
     fn values(&self) -> Vec<f64>;
+
+    /// See [`Law::curves`].
+    fn curves(&self) -> Vec<Rows> {
+        vec![]
+    }
 
     /// See [`Law::problems`].
     fn problems(&self) -> Vec<Unfit>;
@@ -71,7 +84,9 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
 
 impl<Y: Yielding> Law for Y {
     const CONSTANTS: &'static [Constant] = Y::CONSTANTS;
+    const CURVES: &'static [Curve] = Y::CURVES;
     const VARIABLES: &'static [Variable] = Y::VARIABLES;
+    const YIELDS: bool = true;
 
     fn name(&self) -> &'static str {
         Yielding::name(self)
@@ -79,6 +94,10 @@ impl<Y: Yielding> Law for Y {
 
     fn values(&self) -> Vec<f64> {
         Yielding::values(self)
+    }
+
+    fn curves(&self) -> Vec<Rows> {
+        Yielding::curves(self)
     }
 
     fn problems(&self) -> Vec<Unfit> {
@@ -120,12 +139,14 @@ impl<Y: Yielding> Law for Y {
                 }
             }
             let elasticity = self.elastic().elasticity();
-            let way = way_back::<L, D>(&elasticity, stress, &returned);
+            let strain = strain::<L, D>(increment);
+            let way = way_back::<L, D>(&elasticity, stress, &returned, &strain);
             let volume = increment.volume / increment.mass * L::splat(increment.density);
             let zero = L::splat(0.0);
             variables[0] = variables[0] + L::select(yields, way.strain, zero);
             variables[1] = variables[1] + L::select(yields, way.work * volume, zero);
-            if let Some(dilation) = variables.get_mut(2) {
+            variables[2] = variables[2] + L::select(yields, way.algorithmic * volume, zero);
+            if let Some(dilation) = variables.get_mut(3) {
                 *dilation = *dilation + L::select(yields, way.dilation, zero);
             }
             for slot in 0..components(D) {
@@ -143,6 +164,10 @@ impl<Y: Yielding> Law for Y {
     fn dissipated(&self, particle: &Particle<'_>) -> f64 {
         particle.variables[1] * particle.mass / particle.density
     }
+
+    fn algorithmic(&self, particle: &Particle<'_>) -> f64 {
+        particle.variables[2] * particle.mass / particle.density
+    }
 }
 
 /// What lies between a trial stress and the stress after it.
@@ -151,16 +176,20 @@ struct WayBack<L> {
     strain: L,
     /// Plastic work per volume \[J/m³\], sigma : de_p with the stress after the step.
     work: L,
+    /// (sigma_n - sigma) : de_p / 2 per volume \[J/m³\], sigma_n the stress before the step, turned with it.
+    algorithmic: L,
     /// Plastic volume strain, tr de_p.
     dilation: L,
 }
 
-/// The plastic strain increment de_p = C^-1 : (sigma_trial - sigma) in numbers.
+/// The plastic strain increment de_p = C^-1 : (sigma_trial - sigma) in numbers, for a strain increment de. What the stress
+/// was before is sigma_trial - C : de, so that (sigma_n - sigma) : de_p is (sigma_trial - sigma) : (de_p - de).
 #[inline(always)]
 fn way_back<L: Lanes, const D: usize>(
     elasticity: &Isotropic,
     trial: &[L; 6],
     after: &[L; 6],
+    strain: &[L; 6],
 ) -> WayBack<L> {
     let third = L::splat(1.0 / 3.0);
     let mut change = [L::splat(0.0); 6];
@@ -171,7 +200,7 @@ fn way_back<L: Lanes, const D: usize>(
         (change[0] + change[1] + change[2]) * third,
         (after[0] + after[1] + after[2]) * third,
     );
-    let (mut square, mut product) = (L::splat(0.0), L::splat(0.0));
+    let (mut square, mut product, mut whole) = (L::splat(0.0), L::splat(0.0), L::splat(0.0));
     for slot in 0..components(D) {
         let (e, s) = if slot < 3 {
             (change[slot] - mean_change, after[slot] - mean)
@@ -181,13 +210,16 @@ fn way_back<L: Lanes, const D: usize>(
         let twice = L::splat(if slot < 3 { 1.0 } else { 2.0 });
         square = (twice * e).mul_add(e, square);
         product = (twice * e).mul_add(s, product);
+        whole = (twice * change[slot]).mul_add(strain[slot], whole);
     }
     let shear = elasticity.shear;
     let bulk = elasticity.bulk();
     let dilation = mean_change * L::splat(1.0 / bulk);
+    let undone = square.mul_add(L::splat(1.0 / (2.0 * shear)), mean_change * dilation);
     WayBack {
         strain: square.sqrt() * L::splat((2.0_f64 / 3.0).sqrt() / (2.0 * shear)),
         work: product.mul_add(L::splat(1.0 / (2.0 * shear)), mean * dilation),
+        algorithmic: L::splat(0.5) * (undone - whole),
         dilation,
     }
 }

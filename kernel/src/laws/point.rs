@@ -185,6 +185,12 @@ impl Point {
         self.particle(|law, particle| law.dissipated(particle))
     }
 
+    /// Algorithmic work per initial volume \[J/m³\]: see [`Law::algorithmic`](super::Law::algorithmic).
+    #[must_use]
+    pub fn algorithmic(&self) -> f64 {
+        self.particle(|law, particle| law.algorithmic(particle))
+    }
+
     fn particle(&self, ask: impl Fn(&AnyLaw, &Particle<'_>) -> f64) -> f64 {
         ask(
             &self.law,

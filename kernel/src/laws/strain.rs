@@ -4,7 +4,7 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{AnyLaw, Constant, Increment, Law, Particle, Unfit};
+use super::{AnyLaw, Constant, Curve, Increment, Law, Particle, Rows, Unfit};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -96,8 +96,12 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn name(&self) -> &'static str;
     /// See [`Law::CONSTANTS`].
     fn constants(&self) -> Vec<(Constant, f64)>;
+    /// See [`Law::CURVES`].
+    fn curves(&self) -> Vec<(Curve, Rows)>;
     /// See [`Law::VARIABLES`].
     fn variables(&self) -> &'static [Variable];
+    /// See [`Law::YIELDS`].
+    fn yields(&self) -> bool;
     /// See [`Law::NEEDS_DEFORMATION`].
     fn needs_deformation(&self) -> bool;
     /// See [`Law::problems`].
@@ -118,6 +122,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn energy(&self, particle: &Particle<'_>) -> f64;
     /// See [`Law::dissipated`].
     fn dissipated(&self, particle: &Particle<'_>) -> f64;
+    /// See [`Law::algorithmic`].
+    fn algorithmic(&self, particle: &Particle<'_>) -> f64;
     /// Square of the speed of the fastest wave of a particle at rest \[m²/s²\].
     fn speed_squared(&self, particle: &Particle<'_>) -> f64;
     /// Whether another law is the same.
@@ -133,8 +139,14 @@ impl<M: Law> Strain for M {
     fn constants(&self) -> Vec<(Constant, f64)> {
         M::CONSTANTS.iter().copied().zip(self.values()).collect()
     }
+    fn curves(&self) -> Vec<(Curve, Rows)> {
+        M::CURVES.iter().copied().zip(Law::curves(self)).collect()
+    }
     fn variables(&self) -> &'static [Variable] {
         M::VARIABLES
+    }
+    fn yields(&self) -> bool {
+        M::YIELDS
     }
     fn needs_deformation(&self) -> bool {
         M::NEEDS_DEFORMATION
@@ -165,6 +177,9 @@ impl<M: Law> Strain for M {
     }
     fn dissipated(&self, particle: &Particle<'_>) -> f64 {
         Law::dissipated(self, particle)
+    }
+    fn algorithmic(&self, particle: &Particle<'_>) -> f64 {
+        Law::algorithmic(self, particle)
     }
     fn speed_squared(&self, particle: &Particle<'_>) -> f64 {
         Selected::any().run(AtRest(self, particle))

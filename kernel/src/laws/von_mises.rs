@@ -1,12 +1,13 @@
 //! Elasticity that yields by the criterion of von Mises, with isotropic hardening.
 
+use super::marks::{CURVE, Marks};
 use super::plastic::{RELAXATION, Yielding, deviator, second_invariant};
 use super::principal::components;
-use super::{Accepted, Band, Choice, Constant, Given, LinearElastic, Readable, Unfit, band};
+use super::{Accepted, Band, Choice, Constant, Curve, Given, LinearElastic, Readable, Rows, Unfit, band};
 use crate::lanes::{Lanes, functions};
 
 /// Von Mises: sqrt(3 J_2) <= Y(k) with the yield stress Y(k) = Y_0 + H k + Q (1 - exp(-b k)) of the plastic strain k
-/// (Voce 1955 where Q > 0).
+/// (Voce 1955 where Q > 0), or along straight lines between marks. It is zero where softening would make it less.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VonMises {
     elastic: LinearElastic,
@@ -16,6 +17,7 @@ pub struct VonMises {
     rate: f64,
     relaxation: f64,
     band: Band,
+    marks: Marks,
 }
 
 impl VonMises {
@@ -30,13 +32,35 @@ impl VonMises {
             rate: 0.0,
             relaxation: 0.0,
             band: Band::NONE,
+            marks: Marks::NONE,
+        }
+    }
+
+    /// The same with a yield stress that goes from its first value along straight lines through rows of plastic strain and
+    /// yield stress \[Pa\], strains rising, and on from the last with the hardening modulus. A scene is refused more than 16.
+    #[must_use]
+    pub fn along(self, rows: &[[f64; 2]]) -> Self {
+        Self {
+            marks: Marks::new(rows),
+            ..self
+        }
+        .placed()
+    }
+
+    /// The same with the pieces between its marks.
+    fn placed(self) -> Self {
+        let ends = [self.yield_stress, self.hardening];
+        let factor = self.band.factor();
+        Self {
+            marks: self.marks.placed(ends, self.stiffness(), factor),
+            ..self
         }
     }
 
     /// The same with softening that knows the width of its band.
     #[must_use]
-    pub const fn in_band(self, band: Band) -> Self {
-        Self { band, ..self }
+    pub fn in_band(self, band: Band) -> Self {
+        Self { band, ..self }.placed()
     }
 
     /// The same with a yield stress that also rises by `saturation` \[Pa\], as 1 - exp(-`rate` k).
@@ -64,7 +88,17 @@ impl VonMises {
     /// Whether the yield stress stays what it is.
     #[must_use]
     pub fn is_perfect(&self) -> bool {
-        self.hardening == 0.0 && self.saturation == 0.0
+        self.hardening == 0.0 && self.saturation == 0.0 && self.marks.is_empty()
+    }
+
+    /// By how much q falls per plastic strain where the strain is held, 3 G \[Pa\].
+    fn stiffness(&self) -> f64 {
+        3.0 * self.elastic.elasticity().shear
+    }
+
+    /// Whether the yield stress falls anywhere.
+    fn softens(&self) -> bool {
+        self.hardening < 0.0 || self.marks.steepest(self.yield_stress) > 0.0
     }
 
     /// Growth of the yield stress with the plastic strain \[Pa\]; softening scales with its band.
@@ -76,7 +110,7 @@ impl VonMises {
         }
     }
 
-    /// Yield stress \[Pa\] at a plastic strain, and its slope.
+    /// Yield stress \[Pa\] at a plastic strain, and its slope, of a law without marks.
     #[inline(always)]
     fn yield_stress_at<L: Lanes>(&self, strain: L) -> (L, L) {
         let hardening = L::splat(self.slope());
@@ -132,6 +166,7 @@ impl Yielding for VonMises {
         RELAXATION,
         band::WIDTH,
     ];
+    const CURVES: &'static [Curve] = &[CURVE];
 
     fn name(&self) -> &'static str {
         Self::NAME
@@ -151,23 +186,47 @@ impl Yielding for VonMises {
         ]
     }
 
+    fn curves(&self) -> Vec<Rows> {
+        vec![self.marks.rows().to_vec()]
+    }
+
     fn problems(&self) -> Vec<Unfit> {
-        // q falls by 3 G per plastic strain where the stress is held.
-        let most = 3.0 * self.elastic.elasticity().shear;
-        let steep = self.band.too_steep("hardening", -self.hardening, most);
-        let steep = steep.map(|unfit| match unfit.key {
-            "hardening" => Unfit {
-                found: format!("{}, softening that no point can bear", self.hardening),
-                accepted: format!("a number greater than -3 G = {} [Pa]", -most),
-                ..unfit
-            },
-            _ => unfit,
+        let most = self.stiffness();
+        let rows = self.marks.problem();
+        let falls = (rows.is_none()).then(|| self.marks.steepest(self.yield_stress));
+        let steep = |key, fall: f64| {
+            let unfit = self.band.too_steep(key, fall, most)?;
+            let slope = |slope: f64| match key {
+                "hardening" => slope.to_string(),
+                _ => format!("rows with a slope of {slope}"),
+            };
+            Some(if unfit.key == key {
+                Unfit {
+                    found: format!("{}, softening that no point can bear", slope(-fall)),
+                    accepted: format!("a number greater than -3 G = {} [Pa]", -most),
+                    ..unfit
+                }
+            } else {
+                unfit
+            })
+        };
+        let both = (!self.marks.is_empty() && self.saturation != 0.0).then(|| Unfit {
+            key: CURVE.key,
+            found: "rows beside a growth that saturates".to_owned(),
+            accepted: "no rows, or a `hardening.saturation` of 0".to_owned(),
         });
-        self.band.problems().into_iter().chain(steep).collect()
+        let found = [
+            self.band.problems(),
+            steep("hardening", -self.hardening),
+            rows,
+            falls.and_then(|fall| steep(CURVE.key, fall)),
+            both,
+        ];
+        found.into_iter().flatten().collect()
     }
 
     fn warnings(&self) -> Vec<String> {
-        let softens = self.hardening < 0.0;
+        let softens = self.softens();
         softens
             .then(|| self.band.warning())
             .flatten()
@@ -196,13 +255,27 @@ impl Yielding for VonMises {
     ) -> Option<([L; 6], L::Mask)> {
         let (mean, s) = deviator::<L, D>(trial);
         let q = (L::splat(3.0) * second_invariant::<L, D>(&s)).sqrt();
-        let (limit, slope) = self.yield_stress_at(variables[0]);
+        let zero = L::splat(0.0);
+        let (mut limit, slope) = if self.marks.is_empty() {
+            self.yield_stress_at(variables[0])
+        } else {
+            (self.marks.stress_at(variables[0]), zero)
+        };
+        // What softens has no less than no strength.
+        let ends = self.hardening < 0.0;
+        if ends {
+            limit = limit.max(zero);
+        }
         let yields = limit.lt(q);
         if L::bits(yields) == 0 {
             return None;
         }
-        let stiffness = L::splat(3.0 * self.elastic.elasticity().shear);
-        let mut strain = (q - limit) / (stiffness + slope);
+        let stiffness = L::splat(self.stiffness());
+        let mut strain = if self.marks.is_empty() {
+            (q - limit) / (stiffness + slope)
+        } else {
+            self.marks.strain_of_return(q, variables[0], stiffness)
+        };
         if self.saturation != 0.0 {
             for _ in 0..ITERATIONS {
                 let (limit, slope) = self.yield_stress_at(variables[0] + strain);
@@ -210,7 +283,10 @@ impl Yielding for VonMises {
                 strain = strain + beyond / (stiffness + slope);
             }
         }
-        let ratio = (q - stiffness * strain) / q;
+        let mut ratio = (q - stiffness * strain) / q;
+        if ends {
+            ratio = ratio.max(zero);
+        }
         let mut out = *trial;
         for slot in 0..components(D) {
             out[slot] = if slot < 3 {
@@ -232,5 +308,9 @@ impl Readable for VonMises {
             .saturating(values[4], values[5])
             .relaxing(values[6])
             .in_band(Band::read(choices[0], values[7]))
+    }
+
+    fn with_curves(self, curves: &[Rows]) -> Self {
+        curves.first().map_or(self, |rows| self.along(rows))
     }
 }

@@ -52,6 +52,20 @@ pub struct Energy {
     pub removed: f64,
     /// What no channel accounts for; negative where energy came from nowhere.
     pub remainder: f64,
+    /// What returns to yield surfaces leave of the work of the strain of the particles that are there, stored and plastic work
+    /// apart: see [`Law::algorithmic`](crate::laws::Law::algorithmic). It is no channel of its own: the remainder has it.
+    pub algorithmic: f64,
+}
+
+/// Where the work of the strain of a body that yields went \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyEnergy {
+    /// What its stress stores.
+    pub stored: f64,
+    /// Plastic work, which never falls.
+    pub plastic: f64,
+    /// What the finite step leaves of neither: see [`Law::algorithmic`](crate::laws::Law::algorithmic).
+    pub algorithmic: f64,
 }
 
 /// What the forces at the present positions do in the half step that velocities are behind.
@@ -133,6 +147,7 @@ impl Simulation {
             impact,
             plastic,
             removed: books.removed,
+            algorithmic: self.algorithmic_work(),
             remainder: dissipated - damping - friction - impact - plastic - books.removed,
         }
     }

@@ -1,7 +1,7 @@
 //! Sums over the particles: mass, momentum, energy, hash. Always in order of the particle identifier, so that
 //! they do not depend on how particles are stored.
 
-use super::Simulation;
+use super::{BodyEnergy, Simulation};
 use crate::laws::{Particle, UNDEFORMED};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -91,8 +91,37 @@ impl Simulation {
         self.of_particle(index, p, |particle| law.dissipated(particle))
     }
 
+    /// Work that returns to yield surfaces leave neither stored nor dissipated \[J\].
+    pub(super) fn algorithmic_work(&self) -> f64 {
+        self.yielding().map(|(_, energy)| energy.algorithmic).sum()
+    }
+
+    /// The bodies whose law has a yield surface, by their place in [`Simulation::sets`], and where the work of their strain
+    /// went.
+    pub fn yielding(&self) -> impl Iterator<Item = (usize, BodyEnergy)> {
+        let all = 0..self.state.sets.len();
+        all.filter_map(|index| Some((index, self.body_energy(index)?)))
+    }
+
+    /// `None` for a body whose law has no yield surface.
+    fn body_energy(&self, index: usize) -> Option<BodyEnergy> {
+        let law = &self.decided.bodies[index].law;
+        if !law.yields() {
+            return None;
+        }
+        let mut sum = BodyEnergy::default();
+        for p in in_order(&self.state.sets[index]) {
+            self.of_particle(index, p, |particle| {
+                sum.stored += law.energy(particle);
+                sum.plastic += law.dissipated(particle);
+                sum.algorithmic += law.algorithmic(particle);
+            });
+        }
+        Some(sum)
+    }
+
     /// What a law says of a particle.
-    fn of_particle(&self, index: usize, p: usize, ask: impl Fn(&Particle<'_>) -> f64) -> f64 {
+    fn of_particle<T>(&self, index: usize, p: usize, ask: impl FnOnce(&Particle<'_>) -> T) -> T {
         let (set, body) = (&self.state.sets[index], &self.decided.bodies[index]);
         let (mass, volume) = self.mass_and_volume(index, p);
         ask(&Particle {

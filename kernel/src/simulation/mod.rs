@@ -32,7 +32,7 @@ pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
-pub use energy::Energy;
+pub use energy::{BodyEnergy, Energy};
 pub use error::{Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
 pub use event::{Event, EventKind};
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};

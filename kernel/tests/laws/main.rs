@@ -1,9 +1,12 @@
 //! Laws at a material point against exact solutions, and what must hold of each whatever its values.
 
 mod bands;
+mod channels;
 mod cone;
 mod fluids;
+mod marks;
 mod pyramid;
+mod reported;
 mod returned;
 mod softened;
 mod spectrum;

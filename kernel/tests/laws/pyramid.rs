@@ -155,7 +155,7 @@ fn a_return_keeps_what_defines_it() {
                 1e-13,
                 scale * scale / YOUNG,
             );
-            close(variables[2], plastic.sum(), 1e-13, scale / YOUNG);
+            close(variables[3], plastic.sum(), 1e-13, scale / YOUNG);
             let (again, _) = returned(&law, &after);
             assert!(
                 (again - after).amax() <= 4e-15 * scale,
@@ -284,11 +284,11 @@ fn dilation_ends() {
         .into();
     let mut point = Point::new(&law, DENSITY, [-1.0, -1.0, -1.0, 0.0, 0.0, 0.0]);
     strain(&mut point, &shear(0.2), 2000);
-    let dilated = point.variables()[2];
+    let dilated = point.variables()[3];
     assert!(dilated >= end && dilated < 1.1 * end, "{dilated}");
     let before = point.stress()[5];
     strain(&mut point, &shear(0.2), 2000);
-    close(point.variables()[2], dilated, 1e-12, end);
+    close(point.variables()[3], dilated, 1e-12, end);
     // Without dilation the strength under a mean stress that stays is what it is.
     close(point.stress()[5], before, 1e-6, before);
 }

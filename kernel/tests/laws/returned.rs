@@ -11,7 +11,7 @@ const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;
 
 /// Laws of a stiffness and strength, all scaled.
-fn laws(scale: f64) -> Vec<AnyLaw> {
+pub(crate) fn laws(scale: f64) -> Vec<AnyLaw> {
     let young = YOUNG * scale;
     let softens = Residual {
         friction: Some(10.0),
@@ -23,6 +23,9 @@ fn laws(scale: f64) -> Vec<AnyLaw> {
         VonMises::new(young, POISSON, scale, 5.0 * scale).into(),
         VonMises::new(young, POISSON, scale, 0.0)
             .saturating(0.5 * scale, 30.0)
+            .into(),
+        VonMises::new(young, POISSON, scale, 0.0)
+            .along(&[[0.01, 1.4 * scale], [0.02, 1.2 * scale], [0.1, 2.0 * scale]])
             .into(),
         Tresca::new(young, POISSON, scale).into(),
         Tresca::new(young, POISSON, scale)

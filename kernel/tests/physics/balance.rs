@@ -2,6 +2,7 @@
 
 use crate::common::{FLIP, SCHEMES, block, body, cuboid, empty, run_towards, simulation};
 use crate::mortar::collision;
+use proctor_kernel::laws::VonMises;
 use proctor_kernel::scene::{
     BaseMotion, Contact, ContactNormal, Damping, Dimension, History, Motion, Outside,
     PlaneCondition, Scene, Weighting,
@@ -316,4 +317,35 @@ fn kinetic_damping_takes_what_it_stops() {
     adds_up(0.0, &energy);
     assert!(energy.damping > 0.5 * energy.strain, "{energy:?}");
     assert!(energy.remainder.abs() < 0.1 * energy.damping, "{energy:?}");
+}
+
+/// A body that yields says where the work of its strain went, and its channels are those of the whole; one that does not
+/// has none.
+#[test]
+fn a_body_that_yields_says_where_its_work_went() {
+    let mut scene = empty(Dimension::Two, [8, 4, 1], 0.1);
+    scene.mesh.planes = [[PlaneCondition::Sliding; 2]; 3];
+    let mut hard = scene.materials[0].clone();
+    hard.id += 1;
+    hard.law = VonMises::new(1e5, 0.3, 500.0, 2e4).into();
+    scene.materials.push(hard);
+    let mut flying = body(1, cuboid([0.0; 3], [0.6, 0.4, 0.0]));
+    flying.material = 1;
+    flying.velocity = [-1.0, 0.0, 0.0];
+    scene.bodies = vec![flying, body(2, cuboid([0.7, 0.0, 0.0], [0.8, 0.4, 0.0]))];
+    let mut simulation = simulation(&scene);
+    run_towards(&mut simulation, 60, 1.0);
+    let energy = simulation.energy();
+    let bodies: Vec<_> = simulation.yielding().collect();
+    let [(0, own)] = bodies[..] else {
+        panic!("{bodies:?}")
+    };
+    assert_eq!(own.plastic.to_bits(), energy.plastic.to_bits());
+    assert_eq!(own.algorithmic.to_bits(), energy.algorithmic.to_bits());
+    assert!(own.plastic > 0.0 && own.stored > 0.0, "{own:?}");
+    assert!(
+        own.algorithmic < 0.0 && own.algorithmic > -0.1 * own.plastic,
+        "{own:?}"
+    );
+    adds_up(0.5 * 1000.0 * 0.6 * 0.4, &energy);
 }

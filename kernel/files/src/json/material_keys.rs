@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Given, Kind};
+use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Curve, Given, Kind, Rows};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
@@ -22,6 +22,7 @@ pub(super) struct RawMaterial {
     pub density: Option<f64>,
     numbers: Vec<(&'static str, Option<f64>)>,
     words: Vec<(&'static str, Option<String>)>,
+    curves: Vec<(&'static str, Option<Rows>)>,
 }
 
 impl RawMaterial {
@@ -36,25 +37,37 @@ impl RawMaterial {
         let given = self.words.iter().find(|(key, _)| *key == choice.key);
         given.and_then(|(_, word)| word.as_ref())
     }
+
+    /// The rows at a key of a law.
+    pub fn curve(&self, curve: &Curve) -> Option<&Rows> {
+        let given = self.curves.iter().find(|(key, _)| *key == curve.key);
+        given.and_then(|(_, rows)| rows.as_ref())
+    }
 }
 
 /// The numbers that the laws need, each key once.
 pub(super) fn constants() -> Vec<&'static Constant> {
-    let mut all: Vec<&Constant> = vec![];
-    for constant in ALL.iter().flat_map(|law| law.constants) {
-        if all.iter().all(|known| known.key != constant.key) {
-            all.push(constant);
-        }
-    }
-    all
+    each_once(|law| law.constants, |constant| constant.key)
 }
 
 /// The words that the laws may be given, each key once.
 pub(super) fn choices() -> Vec<&'static Choice> {
-    let mut all: Vec<&Choice> = vec![];
-    for choice in ALL.iter().flat_map(|law| law.choices) {
-        if all.iter().all(|known| known.key != choice.key) {
-            all.push(choice);
+    each_once(|law| law.choices, |choice| choice.key)
+}
+
+/// The curves that the laws may be given, each key once.
+pub(super) fn curves() -> Vec<&'static Curve> {
+    each_once(|law| law.curves, |curve| curve.key)
+}
+
+fn each_once<T>(
+    of: impl Fn(&Kind) -> &'static [T],
+    key: impl Fn(&T) -> &'static str,
+) -> Vec<&'static T> {
+    let mut all: Vec<&T> = vec![];
+    for one in ALL.iter().flat_map(of) {
+        if all.iter().all(|known| key(known) != key(one)) {
+            all.push(one);
         }
     }
     all
@@ -68,8 +81,9 @@ impl<'de> Deserialize<'de> for Key {
         let key = String::deserialize(deserializer)?;
         let of_all = ["type", "id", "density"].into_iter();
         let numbers = constants().into_iter().map(|constant| constant.key);
+        let curves = curves().into_iter().map(|curve| curve.key);
         let words = choices().into_iter().map(|choice| choice.key);
-        let known: Vec<&str> = (of_all.chain(numbers).chain(words))
+        let known: Vec<&str> = (of_all.chain(numbers).chain(curves).chain(words))
             .chain(["comment"])
             .collect();
         if known.contains(&key.as_str()) {
@@ -116,7 +130,7 @@ impl<'de> Visitor<'de> for Keys {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<RawMaterial, A::Error> {
-        let (constants, choices) = (constants(), choices());
+        let (constants, choices, curves) = (constants(), choices(), curves());
         let mut material = RawMaterial::default();
         let mut seen: Vec<String> = vec![];
         while let Some(Key(key)) = map.next_key()? {
@@ -137,6 +151,8 @@ impl<'de> Visitor<'de> for Keys {
                     } else if let Some(choice) = choices.iter().find(|c| c.key == key) {
                         let word: Option<Word> = map.next_value()?;
                         material.words.push((choice.key, word.map(|word| word.0)));
+                    } else if let Some(curve) = curves.iter().find(|c| c.key == key) {
+                        material.curves.push((curve.key, map.next_value()?));
                     }
                 }
             }
@@ -205,6 +221,9 @@ impl JsonSchema for RawMaterial {
             for choice in choices() {
                 properties.insert(choice.key.to_owned(), of_choice(choice));
             }
+            for curve in curves() {
+                properties.insert(curve.key.to_owned(), of_curve(curve));
+            }
         }
         schema
     }
@@ -265,6 +284,30 @@ fn of_choice(choice: &Choice) -> Value {
     };
     needs(&mut property, |law| {
         law.choices.iter().any(|own| own.key == choice.key)
+    });
+    property
+}
+
+/// The schema of a curve that some laws may be given.
+fn of_curve(curve: &Curve) -> Value {
+    let units = curve
+        .units
+        .map(|unit| if unit.is_empty() { "1" } else { unit });
+    let mut property = json!({
+        "description": format!("{}.", curve.meaning),
+        "type": ["array", "null"],
+        "items": {
+            "type": "array",
+            "items": { "type": "number", "format": "double" },
+            "minItems": 2,
+            "maxItems": 2,
+        },
+        "x-unit": units.join(", "),
+        "x-default": "none",
+        "examples": [curve.example],
+    });
+    needs(&mut property, |law| {
+        law.curves.iter().any(|own| own.key == curve.key)
     });
     property
 }

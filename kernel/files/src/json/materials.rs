@@ -4,7 +4,7 @@ use super::build::Build;
 use super::keys::RawScene;
 use super::material_keys::RawMaterial;
 use super::words::listed;
-use proctor_kernel::laws::{ALL, Given, Kind};
+use proctor_kernel::laws::{ALL, Given, Kind, Rows};
 use proctor_kernel::number::Number;
 use proctor_kernel::scene::Material;
 
@@ -75,7 +75,11 @@ impl Build<'_> {
             raw.density,
             "a number greater than 0 [kg/m³]",
         );
-        let law = (kind_or_first.read)(&values, &choices);
+        self.refuse_curves_of_others(path, kind_or_first, raw);
+        let curves: Vec<Rows> = (kind_or_first.curves.iter())
+            .map(|curve| raw.curve(curve).cloned().unwrap_or_default())
+            .collect();
+        let law = (kind_or_first.read)(&values, &choices, &curves);
         // What a law has no use for, such as the residual of what does not soften, it does not keep; the check of the scene
         // sees what it keeps.
         for ((constant, kept), value) in law.constants().iter().zip(&values) {
@@ -104,15 +108,34 @@ impl Build<'_> {
                 continue;
             }
             let having = |other: &&Kind| other.constants.iter().any(|c| c.key == constant.key);
-            self.add(
-                format!("{path}.{}", constant.key),
-                format!(
-                    "`{}` of a {} material, which has none",
-                    constant.key, kind.name
-                ),
-                not_given_or(constant.key, ALL.iter().filter(having)),
-            );
+            self.refuse_key_of_others(path, constant.key, kind, ALL.iter().filter(having));
         }
+    }
+
+    /// A curve that only another law may be given.
+    fn refuse_curves_of_others(&mut self, path: &str, kind: &Kind, raw: &RawMaterial) {
+        for curve in super::material_keys::curves() {
+            let own = kind.curves.iter().any(|own| own.key == curve.key);
+            if own || raw.curve(curve).is_none() {
+                continue;
+            }
+            let having = |other: &&Kind| other.curves.iter().any(|c| c.key == curve.key);
+            self.refuse_key_of_others(path, curve.key, kind, ALL.iter().filter(having));
+        }
+    }
+
+    fn refuse_key_of_others<'a>(
+        &mut self,
+        path: &str,
+        key: &str,
+        kind: &Kind,
+        having: impl Iterator<Item = &'a Kind>,
+    ) {
+        self.add(
+            format!("{path}.{key}"),
+            format!("`{key}` of a {} material, which has none", kind.name),
+            not_given_or(key, having),
+        );
     }
 
     /// A word that only another law may be given.

@@ -334,10 +334,11 @@ fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
         .into_iter()
         .map(|(_, value)| value)
         .collect();
+    let curves: Vec<laws::Rows> = law.curves().into_iter().map(|(_, rows)| rows).collect();
     // The words are not known to a law of any type: those are its own with which it reads the same.
     let found = laws::ALL.iter().find_map(|kind| {
         let of_kind = |words: &Vec<usize>| {
-            kind.constants.len() == values.len() && (kind.read)(&values, words) == *law
+            kind.constants.len() == values.len() && (kind.read)(&values, words, &curves) == *law
         };
         Some((kind, choices_of(kind).into_iter().find(of_kind)?))
     });
@@ -349,6 +350,11 @@ fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
     let mut keys = json!({ "type": kind.name });
     for (constant, value) in kind.constants.iter().zip(values) {
         keys[constant.key] = value.into();
+    }
+    for (curve, rows) in kind.curves.iter().zip(curves) {
+        if !rows.is_empty() {
+            keys[curve.key] = json!(rows);
+        }
     }
     for (choice, word) in kind.choices.iter().zip(words) {
         if word > 0 {

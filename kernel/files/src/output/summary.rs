@@ -64,6 +64,9 @@ pub struct Summary {
     /// Energy at the end.
     #[serde(default)]
     pub energy: Energy,
+    /// Bodies of laws with a yield surface.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub yielding: Vec<YieldingBody>,
     /// The vertex of mortar contact that is farthest off its body at the end; left out where no body that moves freely has a
     /// boundary.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -122,6 +125,25 @@ pub struct Energy {
     /// method. Negative where energy came from nowhere.
     #[serde(default, skip_serializing_if = "no_number")]
     pub remainder: Option<f64>,
+    /// What returns to yield surfaces leave of the work of the strain, which the remainder has; left out where no body yields.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub algorithmic: Option<f64>,
+}
+
+/// Where the work of the strain of a body that yields went \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct YieldingBody {
+    /// Identifier of the body.
+    pub body: i64,
+    /// What its stress stores.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub stored: Option<f64>,
+    /// Plastic work.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub plastic: Option<f64>,
+    /// What the finite step leaves of neither.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub algorithmic: Option<f64>,
 }
 
 /// How far a vertex of mortar contact is off its body: its distance from where the particles that were around it at the

@@ -154,6 +154,10 @@ impl Files {
         if has_drift(simulation) {
             names.extend(DRIFT.map(str::to_owned));
         }
+        for (set, _) in simulation.yielding() {
+            let (body, _) = simulation.body_and_material(set);
+            names.extend(YIELDING.map(|channel| format!("body{body}_energy_{channel}")));
+        }
         names
     }
 
@@ -208,6 +212,9 @@ impl Files {
             let drift = simulation.boundary_drift();
             row.extend(drift.map_or([f64::NAN; 2], |drift| [drift.distance, drift.in_cells]));
         }
+        for (_, energy) in simulation.yielding() {
+            row.extend([energy.stored, energy.plastic, energy.algorithmic]);
+        }
         row
     }
 }
@@ -224,6 +231,9 @@ const BALANCE: [&str; 9] = [
     "energy_removed",
     "energy_remainder",
 ];
+
+/// Where the work of the strain of a body went that yields \[J\].
+const YIELDING: [&str; 3] = ["stored", "plastic", "algorithmic"];
 
 /// How far the farthest vertex of mortar contact is off its body \[m\], and over the smallest size of a cell.
 const DRIFT: [&str; 2] = ["boundary_drift", "boundary_drift_in_cells"];

@@ -19,13 +19,15 @@ mod state;
 
 pub use error::RunError;
 
-use crate::output::summary::{BoundaryDrift, Energy, Event as SummaryEvent, Status, VOLUME_RATIO};
+use crate::output::summary::{
+    BoundaryDrift, Energy, Event as SummaryEvent, Status, VOLUME_RATIO, YieldingBody,
+};
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::scene::{Scene, TimeStep};
 use proctor_kernel::simulation::{
-    Energy as Balance, Event, EventKind, Options, Simulation, StepError, StepInfo,
+    BodyEnergy, Energy as Balance, Event, EventKind, Options, Simulation, StepError, StepInfo,
 };
 use serde_json::{Value, json};
 use std::path::Path;
@@ -172,6 +174,13 @@ impl Run {
         let (dt_min, dt_max, dt_critical) = simulation.time_steps();
         let stepped = simulation.steps() > 0;
         let axes = simulation.plan().axes;
+        let of_body = |(set, energy): (usize, BodyEnergy)| YieldingBody {
+            body: simulation.body_and_material(set).0,
+            stored: Some(energy.stored),
+            plastic: Some(energy.plastic),
+            algorithmic: Some(energy.algorithmic),
+        };
+        let yielding: Vec<YieldingBody> = simulation.yielding().map(of_body).collect();
         Summary {
             scene: simulation.scene().name.clone(),
             plan: plan_value(simulation.plan()),
@@ -198,7 +207,9 @@ impl Run {
                 plastic: Some(energy.plastic),
                 removed: Some(energy.removed),
                 remainder: Some(energy.remainder),
+                algorithmic: (!yielding.is_empty()).then_some(energy.algorithmic),
             },
+            yielding,
             boundary_drift: simulation.boundary_drift().map(|drift| BoundaryDrift {
                 body: drift.body,
                 vertex: drift.vertex as u64,

@@ -2,7 +2,9 @@
 
 use std::fs;
 
-use proctor_files::output::summary::{BoundaryDrift, Energy, Event, Status, Summary, finite};
+use proctor_files::output::summary::{
+    BoundaryDrift, Energy, Event, Status, Summary, YieldingBody, finite,
+};
 use proctor_files::output::{OutputError, atomic};
 use serde_json::{Value, json};
 
@@ -36,7 +38,14 @@ fn complete() -> Summary {
             removed: Some(0.0),
             plastic: Some(0.0),
             remainder: Some(-0.9375),
+            algorithmic: Some(-0.03125),
         },
+        yielding: vec![YieldingBody {
+            body: 4,
+            stored: Some(2.0),
+            plastic: Some(1.5),
+            algorithmic: Some(-0.03125),
+        }],
         boundary_drift: Some(BoundaryDrift {
             body: 1,
             vertex: 7,
@@ -59,7 +68,7 @@ fn complete() -> Summary {
     }
 }
 
-const KEYS: [&str; 23] = [
+const KEYS: [&str; 24] = [
     "scene",
     "plan",
     "particles",
@@ -77,6 +86,7 @@ const KEYS: [&str; 23] = [
     "mass",
     "momentum",
     "energy",
+    "yielding",
     "boundary_drift",
     "not_to_be_trusted",
     "events",
@@ -151,6 +161,7 @@ fn what_is_not_finite_is_left_out() {
             removed: bad,
             plastic: bad,
             remainder: bad,
+            algorithmic: bad,
         };
         summary.events[0] = Event {
             time: bad,

@@ -134,6 +134,7 @@ fn bases() -> Vec<Value> {
                 &json!({"gravity": corner(axes, -10.0)}),
             ),
             of_material(axes, &json!({"type": "von_mises", "yield_stress": 1e6})),
+            of_material(axes, &json!({"type": "von_mises", "yield_stress": 1e6, "hardening.curve": [[0.01, 1.2e6]]})),
             of_material(axes, &json!({
                 "type": "von_mises", "yield_stress": 1e6, "hardening": -100, "regularisation": "crack_band",
                 "regularisation.width": 0.2,

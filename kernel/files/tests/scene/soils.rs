@@ -39,6 +39,12 @@ fn cases() -> Vec<(&'static str, AnyLaw)> {
                 .into(),
         ),
         (
+            r#""type": "von_mises", "yield_stress": 1e5, "hardening": 1e4, "hardening.curve": [[0.01, 1.2e5], [0.05, 1.1e5]]"#,
+            VonMises::new(YOUNG, POISSON, 1e5, 1e4)
+                .along(&[[0.01, 1.2e5], [0.05, 1.1e5]])
+                .into(),
+        ),
+        (
             r#""type": "tresca", "cohesion": 3e4, "tensile": 1e4"#,
             Tresca::new(YOUNG, POISSON, 3e4).with_tensile(1e4).into(),
         ),
@@ -164,6 +170,11 @@ fn what_does_not_go_together_has_its_place() {
             "match",
             "mohr_coulomb material",
         ),
+        (
+            r#""friction": 30, "cohesion": 1, "hardening.curve": [[0.01, 2]]"#,
+            "hardening.curve",
+            "of a mohr_coulomb material",
+        ),
     ] {
         let error = read(&format!(r#""type": "mohr_coulomb", {keys}"#)).expect_err(keys);
         let problem = (error.problems.iter()).find(|p| p.path == format!("material[0].{path}"));
@@ -173,6 +184,20 @@ fn what_does_not_go_together_has_its_place() {
             !problem.accepted.is_empty() && problem.location.is_some(),
             "{problem}"
         );
+    }
+    for (rows, found) in [
+        ("[[0.1, 2], [0.1, 3]]", "row 1, not beyond 0.1"),
+        ("[[0.1, -2]]", "a yield stress of -2 in row 0"),
+        ("[[1e-7, 3], [2e-7, 1]]", "softening that no point can bear"),
+    ] {
+        let keys = format!(r#""type": "von_mises", "yield_stress": 1, "hardening.curve": {rows}"#);
+        let error = read(&keys).expect_err(rows);
+        let [problem] = &error.problems[..] else {
+            panic!("{rows}: {error}")
+        };
+        assert_eq!(problem.path, "material[0].hardening.curve");
+        assert!(problem.found.contains(found), "{rows}: {problem}");
+        assert!(problem.location.is_some(), "{problem}");
     }
     let error = read(r#""type": "von_mises", "yield_stress": 1, "hardening": -1.2e7"#)
         .expect_err("softening that is too steep");
@@ -213,6 +238,10 @@ fn what_is_doubtful_is_warned_of() {
         ),
         (
             r#""type": "von_mises", "yield_stress": 1, "hardening": -1"#,
+            "proportional to the cell size",
+        ),
+        (
+            r#""type": "von_mises", "yield_stress": 1, "hardening.curve": [[0.1, 0.9], [0.2, 1]]"#,
             "proportional to the cell size",
         ),
         (

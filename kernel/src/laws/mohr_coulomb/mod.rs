@@ -6,7 +6,7 @@ mod softening;
 pub use softening::{Residual, Softening};
 
 use super::plastic::{
-    RELAXATION, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator, second_invariant,
+    ALGORITHMIC, RELAXATION, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator, second_invariant,
 };
 use super::principal::{components, spectrum};
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
@@ -226,7 +226,7 @@ impl Yielding for MohrCoulomb {
         softening::CONSTANTS[6],
         band::WIDTH,
     ];
-    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, VOLUME_STRAIN];
+    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, ALGORITHMIC, VOLUME_STRAIN];
 
     fn name(&self) -> &'static str {
         Self::NAME
@@ -289,7 +289,7 @@ impl Yielding for MohrCoulomb {
         trial: &[L; 6],
         variables: &[L],
     ) -> Option<([L; 6], L::Mask)> {
-        let strength = self.strength(variables[0], variables[2]);
+        let strength = self.strength(variables[0], variables[3]);
         if L::bits(may_yield::<L, D>(&strength, trial)) == 0 {
             return None;
         }
@@ -301,7 +301,7 @@ impl Yielding for MohrCoulomb {
             // Once more with the strength after the step: a fixed number of passes, so that lanes do the same.
             let way = deviatoric(&spectrum.values, &after)
                 * L::splat((2.0_f64 / 3.0).sqrt() / (2.0 * elasticity.shear));
-            let strength = self.strength(variables[0] + way, variables[2]);
+            let strength = self.strength(variables[0] + way, variables[3]);
             after = region::returned(&elasticity, &strength, &spectrum.values);
         }
         // As a correction: what the directions lack of round-off then counts for the correction alone.

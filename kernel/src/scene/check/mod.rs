@@ -11,7 +11,7 @@ mod surface;
 
 use self::collector::Collector;
 use super::{Damping, Dimension, PlaneCondition, Results, Scene, SceneError, TimeStep};
-use crate::laws::Accepted;
+use crate::laws::{Accepted, Given};
 use crate::layout::Variable;
 use crate::number::Number;
 
@@ -136,7 +136,16 @@ impl Scene {
         for (i, material) in self.materials.iter().enumerate() {
             let path = format!("materials[{i}]");
             problems.positive(format!("{path}.density"), material.density, "kg/m³");
-            for (constant, value) in material.law.constants() {
+            let constants = material.law.constants();
+            let taken_from = |key: &str| constants.iter().find(|(other, _)| other.key == key);
+            for (constant, value) in &constants {
+                // What is no more than a copy of another constant is told once, for that one.
+                if let Given::As(key) = constant.given
+                    && taken_from(key).is_some_and(|(_, other)| other.to_bits() == value.to_bits())
+                {
+                    continue;
+                }
+                let value = *value;
                 let path = format!("{path}.{}", constant.key);
                 match constant.accepted {
                     Accepted::Positive => problems.positive(path, value, constant.unit),

@@ -1,6 +1,6 @@
 //! The particle domains of cpGIMP after a strain increment.
 
-use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
+use crate::lanes::{Backend, Kernel, Lanes, Selected, functions, load, store};
 use crate::laws::tensor::{Matrix, determinant, left_stretch_diagonal, stretch_diagonal};
 use crate::layout::Layout;
 use crate::scene::DomainUpdate;
@@ -78,6 +78,6 @@ fn factors<L: Lanes, const D: usize>(update: DomainUpdate, f: &Matrix<L>) -> [L;
         DomainUpdate::Stretch => stretch_diagonal::<L, D>(f),
         DomainUpdate::LeftStretch => left_stretch_diagonal::<L, D>(f),
         DomainUpdate::Determinant if D == 2 => [determinant::<L, D>(f).sqrt(); 3],
-        DomainUpdate::Determinant => [determinant::<L, D>(f).map(libm::cbrt); 3],
+        DomainUpdate::Determinant => [functions::cbrt(determinant::<L, D>(f)); 3],
     }
 }

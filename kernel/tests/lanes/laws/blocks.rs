@@ -140,6 +140,7 @@ fn blocks_have_the_same_bits_for_all_lanes() {
     check(&Counting(LinearElastic::new(1.0e3, 0.3)));
     // Particles of the block are stressed up to 1 Pa: some of them yield, some do not.
     check(&VonMises::new(1.0e3, 0.3, 1.0, 3.0).saturating(0.5, 20.0));
+    check(&VonMises::new(1.0e3, 0.3, 1.0, 3.0).along(&[[1e-5, 1.1], [2e-5, 1.05], [1e-4, 1.2]]));
     check(&Tresca::new(1.0e3, 0.3, 0.5));
     check(&DruckerPrager::new(
         1.0e3,
