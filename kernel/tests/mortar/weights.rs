@@ -39,6 +39,10 @@ proptest! {
             prop_oneof![Just(0.0), 1e-12..1.0_f64, 1.0..10.0_f64]),
     ) {
         let raw = vertex_weights(family, &point(x, y), l);
+        // Those of a particle stay as they are on nodes with mass; what an empty node takes is lost.
+        for (k, kept) in raw.on_mass(&masses).weights.iter().enumerate() {
+            prop_assert_eq!(*kept, if masses[k] == 0.0 { 0.0 } else { raw.weights[k] });
+        }
         let reachable = (0..9).any(|k| raw.weights[k] * masses[k] > 0.0);
         match raw.augmented(&masses) {
             Err(Lost) => prop_assert!(!reachable),
