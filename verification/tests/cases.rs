@@ -21,6 +21,8 @@ mod cantilever;
 mod colliding_blocks;
 #[path = "cases/fluid.rs"]
 mod fluid;
+#[path = "cases/footing.rs"]
+mod footing;
 #[path = "cases/grains.rs"]
 mod grains;
 #[path = "cases/hertz.rs"]

@@ -39,6 +39,7 @@ mod colliding_blocks;
 mod corner_block;
 mod dynamics;
 mod fluid;
+mod footing;
 mod grains;
 mod hertz;
 mod hertz_slab;
@@ -53,6 +54,7 @@ mod judging;
 mod mortar;
 mod parts;
 mod plastic_wave;
+mod press;
 mod pressures;
 mod rings;
 mod rolling_disk;
@@ -114,6 +116,7 @@ list! {
     plastic_wave::PlasticWave[GIVEN],
     yielding_column::YieldingColumn[GIVEN],
     softening_bar::SofteningBar[GIVEN],
+    footing::Footing[GIVEN],
     fluid::Fluid[GIVEN],
     homogeneous::Homogeneous[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
