@@ -17,10 +17,14 @@ mod block_on_two_blocks;
 mod boussinesq;
 #[path = "cases/cantilever.rs"]
 mod cantilever;
+#[path = "cases/collapse.rs"]
+mod collapse;
 #[path = "cases/colliding_blocks.rs"]
 mod colliding_blocks;
 #[path = "cases/fluid.rs"]
 mod fluid;
+#[path = "cases/footing.rs"]
+mod footing;
 #[path = "cases/grains.rs"]
 mod grains;
 #[path = "cases/hertz.rs"]
@@ -53,6 +57,8 @@ mod self_weight;
 mod shear_and_turn;
 #[path = "cases/slipping_disk.rs"]
 mod slipping_disk;
+#[path = "cases/slope.rs"]
+mod slope;
 #[path = "cases/softening_bar.rs"]
 mod softening_bar;
 #[path = "cases/sphere_on_terrain.rs"]

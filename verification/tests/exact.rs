@@ -8,6 +8,8 @@ mod bar;
 mod bar_impact;
 #[path = "exact/base_column.rs"]
 mod base_column;
+#[path = "exact/bearing.rs"]
+mod bearing;
 #[path = "exact/boussinesq_box.rs"]
 mod boussinesq_box;
 #[path = "exact/boussinesq_half_space.rs"]

@@ -144,7 +144,7 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
         return Ok(stop.outcome());
     }
     if amount.more_than_the_verdict() {
-        writeln!(out, "\n{WHERE_TO_GO}")?;
+        writeln!(out, "{WHERE_TO_GO}")?;
     }
     Ok(if verdict.held() {
         Outcome::Fine
@@ -292,10 +292,7 @@ impl Job<'_> {
             all.push(studied);
         }
         if amount.more_than_the_verdict() && !amount.all() && !all.is_empty() {
-            self.tell(|out| {
-                short::studies(&all, out)?;
-                writeln!(out)
-            })?;
+            self.tell(|out| short::studies(&all, out))?;
         }
         Ok(())
     }

@@ -17,10 +17,11 @@ use std::sync::Arc;
 use proctor_kernel::scene::{
     Dimension, InitialStress, Mesh, PlaneCondition, Scene, Traction, Weighting,
 };
-use proctor_kernel::simulation::{Condition, FieldNodes, Options, Simulation};
+use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::at_intervals;
 use super::judging::error_at_most;
+use super::press::Press;
 use super::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
 use super::{NO_RESULTS, body, cuboid, material, solve_scene};
 use crate::case::{
@@ -187,19 +188,17 @@ impl Variant {
     }
 }
 
-/// The smooth plane that presses: nodes at the top of the specimen. It strains the specimen to the yield surface and then
-/// beyond it, each time from rest to rest.
+/// How the smooth plane moves that presses, nodes at the top of the specimen: it strains the specimen to the yield surface and
+/// then beyond it, each time from rest to rest.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
-    /// Cell size \[m\].
-    cell: f64,
     /// Axial strain at which the specimen yields.
     yields: f64,
 }
 
 impl Plane {
     /// Strain and rate of strain \[1/s\] at a time \[s\]: both parts as 10 s³ - 15 s⁴ + 6 s⁵.
-    fn strain(&self, time: f64) -> [f64; 2] {
+    fn strain(self, time: f64) -> [f64; 2] {
         let first = FIRST * TIME;
         let (from, by, begins, takes) = if time < first {
             (0.0, self.yields, 0.0, first)
@@ -214,28 +213,8 @@ impl Plane {
     }
 
     /// Velocity at a time \[s\], downwards \[m/s\].
-    fn velocity(&self, time: f64) -> f64 {
+    fn velocity(self, time: f64) -> f64 {
         -HEIGHT * self.strain(time)[1]
-    }
-}
-
-impl Condition for Plane {
-    /// As boundary planes do: particles feel how the plane changes its velocity, and the force of the specimen works.
-    fn after(&self, field: &mut FieldNodes<'_, '_>) {
-        let (time, kick) = (field.time(), field.kick());
-        let [before, after] = [time - kick, time].map(|time| self.velocity(time));
-        field.for_each(|node| {
-            if (node.position()[1] - HEIGHT).abs() > 1e-6 * self.cell {
-                return;
-            }
-            let (velocity, change) = (node.velocity(), node.change());
-            let mut old: [f64; 3] = std::array::from_fn(|axis| velocity[axis] - change[axis]);
-            let mut new = velocity;
-            (old[1], new[1]) = (before, after);
-            node.prescribe(old, new);
-            let force = node.mass() * (after - before - change[1]) / kick;
-            node.add_power(force * after);
-        });
     }
 }
 
@@ -341,7 +320,6 @@ impl Homogeneous {
 
     fn plane(rung: &Rung) -> Plane {
         Plane {
-            cell: rung.cell,
             yields: Self::GIVEN.exact(Variant::of(rung)).yields_at(),
         }
     }
@@ -448,7 +426,9 @@ impl Case for Homogeneous {
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
         let mut options = options.clone();
-        options.conditions.push(Arc::new(Self::plane(rung)));
+        let plane = Self::plane(rung);
+        let press = Press::smooth(HEIGHT, rung.cell, move |time| plane.velocity(time));
+        options.conditions.push(Arc::new(press));
         solve_scene(self, rung, &options, |simulation| {
             self.press(rung, simulation, &mut |share| progress(share))
         })

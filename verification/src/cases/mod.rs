@@ -35,10 +35,12 @@ mod base_acceleration;
 mod block_on_two_blocks;
 mod boussinesq;
 mod cantilever;
+mod collapse;
 mod colliding_blocks;
 mod corner_block;
 mod dynamics;
 mod fluid;
+mod footing;
 mod grains;
 mod hertz;
 mod hertz_slab;
@@ -53,15 +55,18 @@ mod judging;
 mod mortar;
 mod parts;
 mod plastic_wave;
+mod press;
 mod pressures;
 mod rings;
 mod rolling_disk;
 mod rolling_disk_slab;
 mod rotation;
+mod run_out;
 mod self_weight;
 mod shear_and_turn;
 mod slab;
 mod slipping_disk;
+mod slope;
 mod softening_bar;
 mod sphere_on_terrain;
 mod spin;
@@ -76,6 +81,7 @@ mod yielding;
 mod yielding_column;
 
 pub use grains::{apart as grains_apart, outlines as grain_outlines};
+pub use run_out::outlines as cell_outlines;
 
 use std::sync::OnceLock;
 
@@ -114,6 +120,9 @@ list! {
     plastic_wave::PlasticWave[GIVEN],
     yielding_column::YieldingColumn[GIVEN],
     softening_bar::SofteningBar[GIVEN],
+    footing::Footing[GIVEN],
+    collapse::Collapse[GIVEN],
+    slope::Slope[GIVEN],
     fluid::Fluid[GIVEN],
     homogeneous::Homogeneous[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],

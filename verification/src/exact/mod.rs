@@ -6,6 +6,7 @@ pub mod axis_aligned_mms;
 pub mod bar;
 pub mod bar_impact;
 pub mod base_column;
+pub mod bearing;
 pub mod boussinesq_box;
 pub mod boussinesq_half_space;
 pub mod cantilever;

@@ -1,0 +1,313 @@
+//! How far does a column come that is let go: of sand, and of water?
+//!
+//! Source: Lube et al. 2005 (Phys. Rev. E 72, 041301), soil notes, 3.4. A column of dry sand in plane strain, d wide and H high,
+//! stands at a smooth wall on rough ground and loses its other wall at once. What experiments found depends on H/d alone:
+//! the heap reaches 1.2 H/d widths farther up to 1.8, 1.9 (H/d)^(2/3) beyond 2.8, and is as high as the column up to 1.15,
+//! (H/d)^0.4 widths beyond. That is an experiment, not an exact answer, and shown beside what comes out; judged are the books of
+//! `run_out.rs`. *water*, twice as wide as high, is let go on smooth ground, and its front is shown beside that of Ritter,
+//! 2 sqrt(gH) of the shallow water that it is not at first.
+//!
+//! Sand: Mohr and Coulomb, 30°, no cohesion, no dilation, at rest between its walls before. E is 200 times the stress at the
+//! base, so that the column is strained by half a percent. `proctor verify collapse`.
+
+use proctor_kernel::laws::{AnyLaw, EquationOfState, MohrCoulomb, Newtonian};
+use proctor_kernel::scene::{
+    Dimension, InitialStress, Mesh, PlaneCondition, Scene, TransferKind, VolumetricStrain,
+};
+use proctor_kernel::simulation::Options;
+
+use super::judging::{run_of, value_of};
+use super::run_out::{self, FRONT, RunOut, TOP};
+use super::{NO_RESULTS, body, cuboid, material, solve_scene};
+use crate::case::{
+    Case, CaseError, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict,
+};
+use crate::settings::{Method, Settings};
+use crate::study::Study;
+
+/// Width of the columns of sand, d \[m\].
+const WIDTH: f64 = 1.0;
+/// Gravity \[m/s²\].
+const GRAVITY: f64 = 9.81;
+/// Density of sand and of water \[kg/m³\].
+const SAND: f64 = 1600.0;
+const WATER_DENSITY: f64 = 1000.0;
+/// Young's modulus over the stress at the base.
+const STIFFNESS: f64 = 200.0;
+const POISSON: f64 = 0.3;
+/// Angle of friction \[°\].
+const FRICTION: f64 = 30.0;
+/// Speed of sound in water over that of falling, sqrt(2gH).
+const SOUND: f64 = 10.0;
+/// Time of a run over that of a fall, sqrt(H/g): sand comes to rest after 3.3.
+const FALLS: f64 = 6.0;
+/// That of water, before the front reaches the end of the mesh.
+const FALLS_OF_WATER: f64 = 2.0;
+
+/// APIC, which does not ring where particles cross cells.
+const METHOD: Method = Method {
+    transfer: TransferKind::Apic,
+    ..Method::DEFAULT
+};
+
+/// How far the front came beyond the column, over the width.
+const BEYOND: &str = "run-out over width";
+/// The same by experiment, or by Ritter.
+const PUBLISHED: &str = "published run-out over width";
+/// Height of the heap over the width, and that of experiments.
+const HEIGHT: &str = "height over width";
+const PUBLISHED_HEIGHT: &str = "published height over width";
+
+/// What a rung lets go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Column {
+    variant: &'static str,
+    /// Height over width.
+    aspect: f64,
+    /// Width \[m\].
+    width: f64,
+    is_water: bool,
+    /// Cells over the width of a metre, on the short ladder and on the whole one.
+    cells: [&'static [u32]; 2],
+}
+
+const fn sand(variant: &'static str, aspect: f64, cells: [&'static [u32]; 2]) -> Column {
+    Column {
+        variant,
+        aspect,
+        width: WIDTH,
+        is_water: false,
+        cells,
+    }
+}
+
+const COLUMNS: [Column; 5] = [
+    sand("H/d=0.75", 0.75, [&[8], &[16, 32]]),
+    sand("H/d=1.5", 1.5, [&[8], &[16, 32]]),
+    sand("H/d=3", 3.0, [&[6], &[12, 24]]),
+    sand("H/d=6", 6.0, [&[4], &[8, 16]]),
+    Column {
+        width: 2.0,
+        is_water: true,
+        ..sand("water", 0.5, [&[8], &[16, 32]])
+    },
+];
+
+impl Column {
+    fn of(rung: &Rung) -> Self {
+        let found = COLUMNS.into_iter().find(|c| c.variant == rung.variant);
+        found.unwrap_or(COLUMNS[0])
+    }
+
+    /// Height \[m\].
+    fn height(&self) -> f64 {
+        self.aspect * self.width
+    }
+
+    fn time(&self) -> f64 {
+        let falls = if self.is_water { FALLS_OF_WATER } else { FALLS };
+        falls * (self.height() / GRAVITY).sqrt()
+    }
+
+    fn density(&self) -> f64 {
+        if self.is_water { WATER_DENSITY } else { SAND }
+    }
+
+    fn law(&self) -> AnyLaw {
+        if self.is_water {
+            let state = EquationOfState {
+                bulk: WATER_DENSITY * SOUND * SOUND * 2.0 * GRAVITY * self.height(),
+                exponent: 7.0,
+                carries_tension: false,
+            };
+            Newtonian::new(state.bulk, 0.0).with_state(state).into()
+        } else {
+            let young = STIFFNESS * SAND * GRAVITY * self.height();
+            MohrCoulomb::new(young, POISSON, [FRICTION, 0.0, 0.0]).into()
+        }
+    }
+
+    /// Published run-out and height over the width; between two of their regimes the mean of both, and no height of water.
+    fn published(&self) -> [f64; 2] {
+        let a = self.aspect;
+        if self.is_water {
+            return [2.0 * FALLS_OF_WATER * a, f64::NAN];
+        }
+        let [low, high] = [1.2 * a, 1.9 * libm::pow(a, 2.0 / 3.0)];
+        let far = match a {
+            _ if a < 1.8 => low,
+            _ if a > 2.8 => high,
+            _ => 0.5 * (low + high),
+        };
+        [far, if a < 1.15 { a } else { libm::pow(a, 0.4) }]
+    }
+}
+
+/// Columns that are let go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Collapse {
+    /// Share of the work of gravity that the books count. Anything but 1 is a wrong reference, to prove that the gates
+    /// notice.
+    pub reference_work: f64,
+}
+
+impl Collapse {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_work: 1.0,
+    };
+
+    fn found(rung: &Rung, mut run: RunOut) -> Found {
+        let column = Column::of(rung);
+        let [far, high] = column.published();
+        let of = |name: &str| {
+            let found = run.quantities.iter().find(|q| q.name == name);
+            found.map_or(f64::NAN, |q| q.value)
+        };
+        let beyond = of(FRONT) / column.width - 1.0;
+        let height = of(TOP) / column.width;
+        run.quantities.extend([
+            Quantity::figure(BEYOND, beyond, "1"),
+            Quantity::figure(PUBLISHED, far, "1"),
+        ]);
+        if !column.is_water {
+            run.quantities.extend([
+                Quantity::figure(HEIGHT, height, "1"),
+                Quantity::figure(PUBLISHED_HEIGHT, high, "1"),
+            ]);
+        }
+        let fall = (column.height() / GRAVITY).sqrt();
+        let points = run.places.iter().map(|place| CurvePoint {
+            at: place.time / fall,
+            computed: place.front / column.width - 1.0,
+            // Ritter's front is one of all times, the experiment's of the end.
+            exact: if column.is_water {
+                2.0 * column.aspect * place.time / fall
+            } else {
+                f64::NAN
+            },
+        });
+        let curve = Curve {
+            title: format!("front of the column, {}", rung.label),
+            abscissa: "time over sqrt(H/g)",
+            ordinate: "way of the front over width",
+            points: points.collect(),
+        };
+        Found {
+            drawings: vec![run.drawing],
+            ..Found::new(run.quantities, Some(curve))
+        }
+    }
+}
+
+impl Case for Collapse {
+    fn name(&self) -> &'static str {
+        "collapse"
+    }
+
+    fn question(&self) -> &'static str {
+        "How far does a column come that is let go: of sand, and of water?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let of = |column: &Column| {
+            let cells = column.cells[usize::from(size == Size::Full)];
+            Rung::counted(
+                column.variant,
+                &format!("{}, 1/h", column.variant),
+                WIDTH,
+                cells,
+            )
+        };
+        COLUMNS.iter().flat_map(of).collect()
+    }
+
+    fn scene(&self, rung: &Rung) -> Scene {
+        let (h, column) = (rung.cell, Column::of(rung));
+        let height = column.height();
+        // Twice as far as experiments went.
+        let long = column.width * (1.0 + 2.0 * column.published()[0]).ceil();
+        let cells = |length: f64| (length / h).ceil() as usize;
+        let mut mesh = Mesh::new(
+            Dimension::Two,
+            [0.0; 3],
+            [h; 3],
+            [cells(long), cells(height) + 2, 1],
+        );
+        mesh.planes[1][1] = PlaneCondition::Free;
+        if !column.is_water {
+            mesh.planes[1][0] = PlaneCondition::Fixed;
+        }
+        let mut scene = Scene::new(Dimension::Two, mesh, column.time());
+        scene.name.clone_from(&rung.label);
+        scene.results = NO_RESULTS;
+        scene.gravity = [0.0, -GRAVITY, 0.0];
+        scene.materials = material(column.variant, column.density(), column.law());
+        let mut what = body("column", 1, cuboid([0.0; 3], [column.width, height, 0.0]));
+        let ratio = if column.is_water {
+            1.0
+        } else {
+            POISSON / (1.0 - POISSON)
+        };
+        what.initial_stress = InitialStress::AtRest {
+            ratio,
+            level: height,
+            surcharge: 0.0,
+        };
+        scene.bodies = vec![what];
+        if column.is_water {
+            scene.volumetric_strain = VolumetricStrain::CellAverage;
+        }
+        Settings::new(METHOD).apply(&mut scene);
+        scene
+    }
+
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Err("nothing exact is known of a heap but balances, which hold whatever the settings")
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        options: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        solve_scene(self, rung, options, |simulation| {
+            let run = run_out::run(simulation, self.reference_work, &mut |share| {
+                progress(share);
+            })?;
+            Ok(Self::found(rung, run))
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let mut verdict = Verdict::default();
+        for rung in self.rungs(size) {
+            let label = &rung.label;
+            let column = Column::of(&rung);
+            let gates = run_out::gates(solved, label, !column.is_water);
+            verdict.gates.extend(gates);
+            if run_of(solved, label).is_none() {
+                continue;
+            }
+            let value = |name: &str| value_of(solved, label, name);
+            let what = if column.is_water {
+                format!(
+                    "front {:.2} of Ritter's after {FALLS_OF_WATER} sqrt(H/g)",
+                    value(BEYOND) / value(PUBLISHED)
+                )
+            } else {
+                format!(
+                    "run-out {:.2} widths, experiments {:.2}; height {:.2}, experiments {:.2}",
+                    value(BEYOND),
+                    value(PUBLISHED),
+                    value(HEIGHT),
+                    value(PUBLISHED_HEIGHT)
+                )
+            };
+            let line = run_out::said(solved, label, &what);
+            verdict.for_the_record.push(line);
+        }
+        verdict
+    }
+}

@@ -1,0 +1,92 @@
+//! A plane of nodes that presses from above.
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
+use proctor_kernel::simulation::{Condition, FieldNodes};
+
+/// Nodes of one height that get one velocity along y, as those of a boundary plane do: particles feel how it changes, and
+/// the force of what is pressed works.
+pub struct Press {
+    /// Height of the nodes \[m\].
+    height: f64,
+    /// Cell size \[m\].
+    cell: f64,
+    /// Largest x of a node that presses \[m\].
+    reach: f64,
+    /// Whether the nodes also hold what they press across.
+    rough: bool,
+    /// Velocity upwards \[m/s\] at a time \[s\].
+    velocity: Box<dyn Fn(f64) -> f64 + Send + Sync>,
+    /// Impulse of each node so far \[N s\], by its place: threads visit nodes in an order of their own.
+    impulses: Mutex<BTreeMap<[i64; 2], f64>>,
+}
+
+impl Press {
+    /// A smooth plane as wide as the mesh, by its height and cell size \[m\] and its velocity upwards \[m/s\].
+    pub fn smooth(
+        height: f64,
+        cell: f64,
+        velocity: impl Fn(f64) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        Self {
+            height,
+            cell,
+            reach: f64::INFINITY,
+            rough: false,
+            velocity: Box::new(velocity),
+            impulses: Mutex::default(),
+        }
+    }
+
+    /// The same up to a coordinate x \[m\], with the node there.
+    pub fn up_to(self, reach: f64) -> Self {
+        Self { reach, ..self }
+    }
+
+    /// The same, and what touches it cannot slide.
+    pub fn rough(self, rough: bool) -> Self {
+        Self { rough, ..self }
+    }
+
+    /// Impulse downwards that it gave so far \[N s\]; NaN where a thread was lost that kept it.
+    pub fn impulse(&self) -> f64 {
+        self.impulses
+            .lock()
+            .map_or(f64::NAN, |impulses| impulses.values().sum())
+    }
+
+    fn keep(&self, position: [f64; 3], impulse: f64) {
+        let at = [position[0], position[2]].map(|x| (x / self.cell).round() as i64);
+        if let Ok(mut impulses) = self.impulses.lock() {
+            *impulses.entry(at).or_default() += impulse;
+        }
+    }
+}
+
+impl Condition for Press {
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let (time, kick) = (field.time(), field.kick());
+        let [before, after] = [time - kick, time].map(|time| (self.velocity)(time));
+        field.for_each(|node| {
+            let position = node.position();
+            let near = 1e-6 * self.cell;
+            if (position[1] - self.height).abs() > near || position[0] > self.reach + near {
+                return;
+            }
+            let (velocity, change) = (node.velocity(), node.change());
+            let mut old: [f64; 3] = std::array::from_fn(|axis| velocity[axis] - change[axis]);
+            let mut new = velocity;
+            (old[1], new[1]) = (before, after);
+            if self.rough {
+                for axis in [0, 2] {
+                    (old[axis], new[axis]) = (0.0, 0.0);
+                }
+            }
+            node.prescribe(old, new);
+            let force = node.mass() * (after - before - change[1]) / kick;
+            node.add_power(force * after);
+            self.keep(position, -force * kick);
+        });
+    }
+}

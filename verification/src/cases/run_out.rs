@@ -1,0 +1,332 @@
+//! Soil and water that run away: how far they come, and the books that must close whatever they do.
+//!
+//! Nothing exact is known of a heap that has run out, so that these cases are judged by what holds whatever the law: no
+//! mass is lost, there is no more energy than what fell has given, no plastic work is given back, the centre of mass goes
+//! where its momentum carries it, and what has friction or cohesion comes to rest.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proctor_kernel::simulation::Simulation;
+
+use super::dynamics::step;
+use super::judging::value_of;
+use crate::case::{Drawing, Gate, Quantity, Rung, Solved};
+use crate::study::{Failure, Observer, Phase};
+
+/// Samples of a run.
+const SAMPLES: u32 = 64;
+/// Samples of which pictures are kept: at the start, early on, and at the end.
+const PICTURED: [u32; 5] = [0, 8, 16, 32, 64];
+/// Plastic strain beyond which a cell is drawn as part of a band.
+const SHEARED: f64 = 0.5;
+
+/// Names of the quantities.
+pub const LOST: &str = "mass lost, over that of the start";
+pub const GAINED: &str = "energy from nowhere, most of any sample, over what fell";
+pub const BACK: &str = "plastic work that was given back, over what fell";
+pub const ASTRAY: &str = "centre of mass off the way of its momentum, over what it fell";
+pub const MOVING: &str = "kinetic energy at the end, over what fell";
+pub const UNBOOKED: &str = "taken at planes and between particles and nodes, over what fell";
+pub const FRONT: &str = "front at the end";
+pub const TOP: &str = "highest point at the end";
+
+/// Where a run is at a time.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Time \[s\].
+    pub time: f64,
+    /// How far the heap reaches \[m\].
+    pub front: f64,
+    /// Its highest point \[m\].
+    pub top: f64,
+}
+
+/// What a run of something that falls was seen to do.
+pub struct RunOut {
+    /// At equal times, the start among them.
+    pub places: Vec<Place>,
+    /// Frames at five times below each other.
+    pub drawing: Drawing,
+    /// Books, front and top.
+    pub quantities: Vec<Quantity>,
+}
+
+/// Runs a scene to its end. The first body is what falls, from a plane on its left and on one below it. The books count
+/// `work` times what gravity did: anything but 1 is a wrong reference.
+///
+/// # Errors
+/// As [`step`].
+pub fn run(
+    simulation: &mut Simulation,
+    work: f64,
+    observer: &mut dyn Observer,
+) -> Result<RunOut, Failure> {
+    let end = simulation.scene().time;
+    let (mass, (_, start, _)) = (simulation.mass(), simulation.center(0));
+    let mut books = Books::default();
+    let mut run = RunOut {
+        places: vec![place(simulation)],
+        drawing: Drawing {
+            title: String::new(),
+            bodies: vec![],
+            lines: vec![],
+        },
+        quantities: vec![],
+    };
+    let mut times = vec![];
+    draw(simulation, &mut run.drawing, &mut times);
+    let mut carried = [0.0; 2];
+    observer.phase(Phase::Stepping);
+    for sample in 1..=SAMPLES {
+        let stop = end * f64::from(sample) / f64::from(SAMPLES);
+        while simulation.time() < stop {
+            let info = step(simulation, stop, observer)?;
+            let momentum = simulation.momentum();
+            for axis in 0..2 {
+                carried[axis] += info.dt * momentum[axis];
+            }
+        }
+        books.look(simulation, work);
+        run.places.push(place(simulation));
+        if PICTURED.contains(&sample) {
+            draw(simulation, &mut run.drawing, &mut times);
+        }
+        observer.progress(f64::from(sample) / f64::from(SAMPLES));
+    }
+    observer.phase(Phase::Comparing);
+    let (_, centre, _) = simulation.center(0);
+    let off: [f64; 2] =
+        std::array::from_fn(|axis| centre[axis] - start[axis] - carried[axis] / mass);
+    let fell = (start[1] - centre[1]).abs();
+    run.quantities = books.quantities(simulation);
+    run.quantities.push(Quantity::balance(
+        ASTRAY,
+        libm::hypot(off[0], off[1]) / fell,
+        "1",
+    ));
+    let lost = (mass - simulation.mass()).abs() / mass;
+    run.quantities.push(Quantity::balance(LOST, lost, "1"));
+    if let Some(last) = run.places.last() {
+        run.quantities
+            .push(Quantity::figure(FRONT, last.front, "m"));
+        run.quantities.push(Quantity::figure(TOP, last.top, "m"));
+    }
+    Ok(run)
+}
+
+/// Energies of the samples so far.
+#[derive(Default)]
+struct Books {
+    /// Most energy from nowhere of any sample \[J\].
+    gained: f64,
+    /// Most plastic work that was lost between two samples \[J\].
+    back: f64,
+    plastic: f64,
+    fell: f64,
+    moving: f64,
+    unbooked: f64,
+}
+
+impl Books {
+    fn look(&mut self, simulation: &mut Simulation, work: f64) {
+        let energy = simulation.energy();
+        let unbooked = energy.remainder - (1.0 - work) * energy.external_work;
+        self.gained = most(self.gained, -unbooked);
+        self.back = most(self.back, self.plastic - energy.plastic);
+        self.plastic = energy.plastic;
+        self.fell = energy.external_work;
+        self.moving = energy.kinetic;
+        self.unbooked = unbooked;
+    }
+
+    fn quantities(&self, simulation: &Simulation) -> Vec<Quantity> {
+        let share = |energy: f64| energy / self.fell;
+        let mut all = vec![
+            Quantity::balance(GAINED, share(self.gained), "1"),
+            Quantity::balance(BACK, share(self.back), "1"),
+            Quantity::figure(UNBOOKED, share(self.unbooked), "1"),
+        ];
+        // What has no strength does not come to rest.
+        let rests = simulation.sets()[0].column(STRAIN).is_some();
+        all.push(if rests {
+            Quantity::balance(MOVING, share(self.moving), "1")
+        } else {
+            Quantity::figure(MOVING, share(self.moving), "1")
+        });
+        all
+    }
+}
+
+/// The larger one; what is no number stays.
+fn most(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.max(b)
+    }
+}
+
+/// Name of the variable of laws that yield.
+const STRAIN: &str = "plastic strain";
+
+/// Particles of the first body as squares, by columns of cells from the left up to the first that is empty: right end and
+/// top of each column \[m\].
+fn columns(simulation: &Simulation) -> Vec<[f64; 2]> {
+    let mesh = &simulation.scene().mesh;
+    let half = 0.5 * mesh.cell[0] / simulation.scene().bodies[0].particles_per_cell[0] as f64;
+    let mut columns = vec![[f64::NEG_INFINITY; 2]; mesh.cells[0]];
+    for p in 0..simulation.sets()[0].len() {
+        let x = simulation.position(0, p);
+        let at = ((x[0] - mesh.origin[0]) / mesh.cell[0]) as usize;
+        if let Some(column) = columns.get_mut(at) {
+            column[0] = column[0].max(x[0] + half);
+            column[1] = column[1].max(x[1] + half);
+        }
+    }
+    let full = columns.iter().take_while(|column| column[0].is_finite());
+    full.copied().collect()
+}
+
+fn place(simulation: &Simulation) -> Place {
+    let columns = columns(simulation);
+    Place {
+        time: simulation.time(),
+        front: columns.last().map_or(f64::NAN, |column| column[0]),
+        top: columns
+            .iter()
+            .map(|column| column[1])
+            .fold(f64::NAN, f64::max),
+    }
+}
+
+/// Adds the heap as it is now, and where it is sheared, below the frames that are drawn.
+fn draw(simulation: &Simulation, drawing: &mut Drawing, times: &mut Vec<String>) {
+    let mesh = &simulation.scene().mesh;
+    let ([left, below], upper) = ([mesh.origin[0], mesh.origin[1]], mesh.upper());
+    let columns = columns(simulation);
+    let mut outline = vec![[left, below]];
+    let middle = |i: usize| left + (i as f64 + 0.5) * mesh.cell[0];
+    if let Some(first) = columns.first() {
+        outline.push([left, first[1]]);
+    }
+    outline.extend(columns.iter().enumerate().map(|(i, c)| [middle(i), c[1]]));
+    if let Some(last) = columns.last() {
+        outline.push([last[0], below]);
+    }
+    let down = 1.2 * (upper[1] - below) * times.len() as f64;
+    let moved = |line: Vec<[f64; 2]>| line.into_iter().map(|[x, y]| [x, y - down]).collect();
+    let bodies = std::iter::once(outline).chain(sheared(simulation));
+    drawing.bodies.extend(bodies.map(moved));
+    let planes = vec![[left, upper[1]], [left, below], [upper[0], below]];
+    drawing.lines.push(moved(planes));
+    times.push(format!("{:.2}", simulation.time()));
+    drawing.title = format!(
+        "{}: downwards t = {} s",
+        simulation.scene().name,
+        times.join(", ")
+    );
+}
+
+/// Outlines of the cells whose particles are sheared in the mean.
+fn sheared(simulation: &Simulation) -> Vec<Vec<[f64; 2]>> {
+    let (mesh, set) = (&simulation.scene().mesh, &simulation.sets()[0]);
+    let Some(strain) = set.column(STRAIN) else {
+        return vec![];
+    };
+    let mut sums: BTreeMap<[i64; 2], (f64, f64)> = BTreeMap::new();
+    for (p, strain) in strain.iter().enumerate() {
+        let x = set.position(p);
+        let at = [0, 1].map(|axis| (x[axis] / mesh.cell[axis]).floor() as i64);
+        let sum = sums.entry(at).or_default();
+        *sum = (sum.0 + strain, sum.1 + 1.0);
+    }
+    let cells = sums.into_iter();
+    let cells = cells.filter_map(|(at, (sum, count))| (sum > SHEARED * count).then_some(at));
+    let place = |[i, j]: [i64; 2]| {
+        [
+            mesh.origin[0] + i as f64 * mesh.cell[0],
+            mesh.origin[1] + j as f64 * mesh.cell[1],
+        ]
+    };
+    outlines(&cells.collect())
+        .into_iter()
+        .map(|outline| outline.into_iter().map(place).collect())
+        .collect()
+}
+
+/// Closed lines of corners around cells of a square mesh, with the cells on their left.
+#[must_use]
+pub fn outlines(cells: &BTreeSet<[i64; 2]>) -> Vec<Vec<[i64; 2]>> {
+    let mut edges: BTreeMap<[i64; 2], Vec<[i64; 2]>> = BTreeMap::new();
+    for &[i, j] in cells {
+        let sides = [
+            ([i, j - 1], [i, j], [i + 1, j]),
+            ([i + 1, j], [i + 1, j], [i + 1, j + 1]),
+            ([i, j + 1], [i + 1, j + 1], [i, j + 1]),
+            ([i - 1, j], [i, j + 1], [i, j]),
+        ];
+        for (beside, from, to) in sides {
+            if !cells.contains(&beside) {
+                edges.entry(from).or_default().push(to);
+            }
+        }
+    }
+    let mut closed = vec![];
+    while let Some(&start) = edges.keys().next() {
+        let (mut line, mut at) = (vec![], start);
+        while let Some(to) = edges.get_mut(&at).and_then(Vec::pop) {
+            if edges.get(&at).is_some_and(Vec::is_empty) {
+                edges.remove(&at);
+            }
+            line.push(at);
+            at = to;
+        }
+        if line.is_empty() {
+            break;
+        }
+        closed.push(line);
+    }
+    closed
+}
+
+/// What is said of a run, after `what` it came to, and judges nothing.
+pub fn said(solved: &[(Rung, Solved)], label: &str, what: &str) -> String {
+    format!(
+        "{label}: {what}; planes and the transfer took {:.0} % of what fell",
+        100.0 * value_of(solved, label, UNBOOKED)
+    )
+}
+
+/// The gates of a run, by the label of its rung: what holds whatever the law. `rests` where it must come to rest.
+pub fn gates(solved: &[(Rung, Solved)], label: &str, rests: bool) -> Vec<Gate> {
+    let at_most = |name: &str, bound: f64, reason: &'static str| {
+        let value = value_of(solved, label, name);
+        Gate::at_most(format!("{label}: {name}"), value, bound, reason)
+    };
+    let mut gates = vec![
+        at_most(LOST, 0.0, "no particle leaves"),
+        at_most(
+            GAINED,
+            1e-2,
+            "nothing gives energy but what falls; cells that are crossed ring by a share of it",
+        ),
+        at_most(
+            BACK,
+            1e-12,
+            "flow dissipates; round-off of a sum over particles",
+        ),
+        at_most(
+            ASTRAY,
+            1e-9,
+            "the motion of the particles is that of their momentum; round-off of some thousand steps",
+        ),
+    ];
+    if rests {
+        gates.push(at_most(
+            MOVING,
+            1e-3,
+            "what is left is elastic ringing within the heap",
+        ));
+    }
+    gates
+}
