@@ -51,14 +51,14 @@ impl Numbering {
 }
 
 /// The numbers of the base cells of particles from `first` on, in lanes.
-struct Keys<'a> {
+struct Number<'a> {
     numbering: &'a Numbering,
     set: &'a ParticleSet,
     first: usize,
     keys: &'a mut [u32],
 }
 
-impl Kernel for Keys<'_> {
+impl Kernel for Number<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -155,7 +155,7 @@ impl Sorter {
         let share = set.len().div_ceil(team.count()).max(1);
         let parts = self.keys.chunks_mut(share).enumerate().collect();
         team.map(parts, |(part, keys)| {
-            lanes.run(Keys {
+            lanes.run(Number {
                 numbering,
                 set,
                 first: part * share,

@@ -51,7 +51,7 @@ pub(super) fn solve(
         })?;
     }
     interact(parts, ended, amid, |part| {
-        part.correct(slab, now, &mut sums)
+        part.correct(slab, now, &mut sums);
     });
     for planes in slab.planes() {
         planes.unfold(&now.walls, true);
@@ -174,7 +174,7 @@ pub(super) fn solve_mapped(
         }
     }
     interact(parts, ended, Phase::Remap, |part| {
-        part.correct_again(slab, now)
+        part.correct_again(slab, now);
     });
     for planes in slab.planes() {
         planes.unfold(&now.walls, false);

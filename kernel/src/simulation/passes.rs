@@ -46,7 +46,7 @@ struct Solved {
 }
 
 /// What slabs bring along, and who is told of the phases within the visit, where it is of one slab.
-fn watched<'a, P>(parts: Vec<P>, ended: Watcher<'a>) -> Vec<(P, SlabWatcher<'a>)> {
+fn watched<P>(parts: Vec<P>, ended: Watcher<'_>) -> Vec<(P, SlabWatcher<'_>)> {
     let mut ended = (parts.len() == 1).then_some(ended);
     parts.into_iter().map(|part| (part, ended.take())).collect()
 }
