@@ -185,8 +185,7 @@ impl<'a> Report<'a> {
         }
         writeln!(
             f,
-            "wall ns per particle and step in each phase (p2g_solve: one visit of the nodes; with several threads contact on \
-             the grid is a part of it)\n"
+            "wall ns per particle and step in each phase (p2g_solve: one visit of the nodes; threads: grid contact, too)\n"
         )?;
         let heads = ["scene", "particles", "method", "threads"];
         let mut table = Table::new(heads.into_iter().chain(Phase::ALL.map(Phase::name)));
