@@ -30,6 +30,8 @@ const NO_STRING_INSTRUCTIONS: (&str, &str) = (
 const PARTICLES: usize = 8000;
 /// Steps, or plays of a part, that are counted.
 const TIMES: usize = 12;
+/// How scenes begin whose rows are those of laws.
+const SLABS: &str = "slabs-";
 
 fn main() -> ExitCode {
     match run() {
@@ -184,7 +186,7 @@ fn counts(counter: &Counter, word: &str, record: &mut Record) -> Result<bool, Bo
         Ok(scene)
     };
     let mut items: Vec<(String, Value, &str)> = vec![];
-    for name in scenes::names() {
+    for name in scenes::names().filter(|name| !name.starts_with(SLABS)) {
         items.push((format!("{name}/step"), make(&name)?, "step"));
     }
     let moving = make("moving-3d")?;
@@ -214,12 +216,14 @@ fn counts(counter: &Counter, word: &str, record: &mut Record) -> Result<bool, Bo
             part.name(),
         ));
     }
-    for axes in [2, 3] {
-        let scene = sheared_slabs(make(&format!("rest-{axes}d"))?, axes);
-        for (name, law) in laws() {
-            let mut scene = scene.clone();
-            scene["material"][0] = law;
-            items.push((format!("laws-{axes}d/{name}/step"), scene, "step"));
+    for name in scenes::names() {
+        // Such as slabs-von_mises-below-3d: laws of one elasticity.
+        if let Some((law, axes)) = name
+            .strip_prefix(SLABS)
+            .and_then(|name| name.rsplit_once('-'))
+        {
+            let law = law.replace('-', "/");
+            items.push((format!("laws-{axes}/{law}/step"), make(&name)?, "step"));
         }
     }
     items.retain(|(name, ..)| name.contains(word));
@@ -248,55 +252,6 @@ fn counts(counter: &Counter, word: &str, record: &mut Record) -> Result<bool, Bo
     }
     println!("{table}");
     Ok(sound)
-}
-
-/// The block of a scene cut across the first axis into slabs a cell thick that move along the second, each faster than the one
-/// before: without contact they share a velocity, and all of the block is sheared, by eight tenths of a thousandth in a step.
-fn sheared_slabs(mut scene: Value, axes: usize) -> Value {
-    let block = scene["body"][0].clone();
-    let at = |corner: &str| block[corner][0].as_f64().unwrap_or_default();
-    let h = scene["mesh"]["cells_dimension"][0]
-        .as_f64()
-        .unwrap_or_default();
-    let count = ((at("point_p2") - at("point_p1")) / h).round() as usize;
-    let slabs: Vec<Value> = (0..count)
-        .map(|i| {
-            let mut slab = block.clone();
-            let from = at("point_p1") + i as f64 * h;
-            slab["id"] = (i + 1).into();
-            slab["point_p1"][0] = from.into();
-            slab["point_p2"][0] = (from + h).into();
-            let mut velocity = vec![0.0; axes];
-            velocity[1] = (i as f64 - 0.5 * count as f64) * h;
-            slab["initial_velocity"] = velocity.into();
-            slab
-        })
-        .collect();
-    scene["body"] = slabs.into();
-    scene
-}
-
-/// Laws of one elasticity: elastic, and with a surface that no particle reaches and one that all are beyond after a step.
-fn laws() -> Vec<(String, Value)> {
-    let law = |keys: Value| {
-        let mut law = json!({ "id": 1, "young": 1e6, "density": 1000, "poisson": 0.3 });
-        for (key, value) in keys.as_object().into_iter().flatten() {
-            law[key] = value.clone();
-        }
-        law
-    };
-    let mut all = vec![("elastic".to_owned(), law(json!({ "type": "elastic" })))];
-    for (reached, strength) in [("below", 1e9), ("yields", 1.0)] {
-        for keys in [
-            json!({ "type": "von_mises", "yield_stress": strength, "hardening": 1e4 }),
-            json!({ "type": "drucker_prager", "friction": 30, "cohesion": strength, "dilation": 5 }),
-            json!({ "type": "mohr_coulomb", "friction": 30, "cohesion": strength, "dilation": 5 }),
-        ] {
-            let name = keys["type"].as_str().unwrap_or_default();
-            all.push((format!("{name}/{reached}"), law(keys.clone())));
-        }
-    }
-    all
 }
 
 /// Features that do nothing, against the scene without them.

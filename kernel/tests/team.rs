@@ -3,7 +3,9 @@
 use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::team::Team;
 use std::collections::HashSet;
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, ThreadId};
 
 mod common;
@@ -50,6 +52,44 @@ fn workers(team: &Team) -> HashSet<ThreadId> {
         a.cmp(b)
     });
     seen.into_inner().expect("no panic")
+}
+
+#[test]
+fn parts_are_taken_by_whoever_is_free() {
+    let team = Team::new(2).expect("two threads");
+    // While one thread is held by the first part, the other does all others.
+    let (done, last) = (AtomicUsize::new(0), 7);
+    let parts = team.map((0..=last).collect(), |part: usize| {
+        while part == 0 && done.load(Ordering::Acquire) < last {
+            thread::yield_now();
+        }
+        done.fetch_add(1, Ordering::Release);
+        part
+    });
+    assert!(parts.into_iter().eq(0..=last));
+}
+
+#[test]
+fn teams_within_a_team_and_fewer_parts_than_threads() {
+    let team = Team::new(3).expect("three threads");
+    let sums = team.map(vec![10, 20], |count: usize| {
+        let parts = team.map((0..count).collect(), |part: usize| part);
+        parts.into_iter().sum::<usize>()
+    });
+    assert_eq!(sums, [45, 190]);
+}
+
+#[test]
+fn a_panic_in_a_part_is_that_of_the_caller() {
+    let team = Team::new(2).expect("two threads");
+    let caught = panic::catch_unwind(AssertUnwindSafe(|| {
+        team.map((0..8).collect(), |part: usize| {
+            assert!(part != 3, "the third");
+            part
+        })
+    }));
+    assert!(caught.is_err());
+    assert_eq!(team.map(vec![1, 2], |part: usize| part), [1, 2]);
 }
 
 #[test]

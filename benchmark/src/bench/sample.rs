@@ -5,7 +5,7 @@ use super::memory;
 use crate::measure::{Spent, Stopwatch};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{InitialField, Options, Part, Phase, Simulation};
+use proctor_kernel::simulation::{InitialField, Options, Part, Phase, Simulation, StepError};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -119,31 +119,37 @@ impl Work {
     ) -> Result<Timed, String> {
         let mut timed = Timed::default();
         let mut phases = [Duration::ZERO; Phase::ALL.len()];
-        let mut cold = warm_up;
+        let end = self.scene.time;
+        let goes_on = |simulation: &Simulation| {
+            simulation.time() < end * (1.0 - 1e-9) && !stop.load(Ordering::Relaxed)
+        };
         let mut done = 0;
         while done < steps && !stop.load(Ordering::Relaxed) {
-            if simulation.time() >= self.scene.time * (1.0 - 1e-9) {
+            if !goes_on(simulation) {
                 *simulation = start()?;
-                cold = warm_up;
             }
-            if cold > 0 {
-                simulation
-                    .step(self.scene.time)
-                    .map_err(|e| e.to_string())?;
-                cold -= 1;
-                continue;
-            }
-            let stopwatch = &mut timed.stopwatch;
-            let mut before = Instant::now();
-            let mut ended = |phase: Phase| {
-                let now = Instant::now();
-                phases[phase as usize] += now - before;
-                before = now;
-            };
-            stopwatch
-                .time(|| simulation.step_watched(self.scene.time, &mut ended))
-                .map_err(|e| e.to_string())?;
-            done += 1;
+            let mut cold = warm_up;
+            let team = simulation.team();
+            team.lead(|| {
+                while done < steps && goes_on(simulation) {
+                    if cold > 0 {
+                        simulation.step(end)?;
+                        cold -= 1;
+                        continue;
+                    }
+                    let mut before = Instant::now();
+                    let mut ended = |phase: Phase| {
+                        let now = Instant::now();
+                        phases[phase as usize] += now - before;
+                        before = now;
+                    };
+                    let stopwatch = &mut timed.stopwatch;
+                    stopwatch.time(|| simulation.step_watched(end, &mut ended))?;
+                    done += 1;
+                }
+                Ok(())
+            })
+            .map_err(|e: StepError| e.to_string())?;
         }
         timed.phases = Some(phases);
         Ok(timed)

@@ -4,6 +4,7 @@
 //! A new one is one more entry of [`BUILT_IN`].
 
 mod touching;
+mod yielding;
 
 use proctor_kernel::scene::Vector;
 use proctor_verification::exact::sudden_weight::SuddenWeight;
@@ -115,6 +116,41 @@ pub const BUILT_IN: &[BuiltIn] = &[
         "mortar",
         "a block on a fixed base and one that slides on it, in mortar contact",
         touching::mortar,
+    ),
+    built_in(
+        "slabs-elastic",
+        "a block of slabs that slide along each other and share a velocity where they meet, all of it sheared",
+        |block| yielding::slabs(block, "elastic", false),
+    ),
+    built_in(
+        "slabs-von_mises-below",
+        "the slabs with a yield surface that no particle reaches",
+        |block| yielding::slabs(block, "von_mises", false),
+    ),
+    built_in(
+        "slabs-von_mises-yields",
+        "the slabs with one that all particles are beyond",
+        |block| yielding::slabs(block, "von_mises", true),
+    ),
+    built_in(
+        "slabs-drucker_prager-below",
+        "the slabs with a yield surface that no particle reaches",
+        |block| yielding::slabs(block, "drucker_prager", false),
+    ),
+    built_in(
+        "slabs-drucker_prager-yields",
+        "the slabs with one that all particles are beyond",
+        |block| yielding::slabs(block, "drucker_prager", true),
+    ),
+    built_in(
+        "slabs-mohr_coulomb-below",
+        "the slabs with a yield surface that no particle reaches",
+        |block| yielding::slabs(block, "mohr_coulomb", false),
+    ),
+    built_in(
+        "slabs-mohr_coulomb-yields",
+        "the slabs with one that all particles are beyond",
+        |block| yielding::slabs(block, "mohr_coulomb", true),
     ),
 ];
 

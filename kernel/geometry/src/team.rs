@@ -4,11 +4,20 @@ use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::cmp::Ordering;
 use std::ops::Range;
+use std::sync::atomic::{self, AtomicUsize};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Fewest items that are worth handing to another thread.
 const SHORTEST_SHARE: usize = 1 << 10;
 /// The same for items that each take a search or a system of equations.
 const SHORTEST_SHARE_OF_SEARCHES: usize = 1 << 5;
+
+/// Parts per thread of many small items.
+const PARTS_PER_THREAD: usize = 4;
+/// How long a thread that has nothing left to do stays awake for the others to end. To wake one takes a twentieth of a
+/// millisecond or more, and the next work that is shared out follows at once in most of a step.
+const PATIENCE: Duration = Duration::from_micros(200);
 
 /// Threads that work together. What they do does not depend on how many they are; one alone is the caller's, and then
 /// no other thread is ever woken.
@@ -71,7 +80,17 @@ impl Team {
     ) -> Vec<R> {
         match &self.pool {
             Some(pool) if parts.len() > 1 => {
-                pool.install(|| parts.into_par_iter().with_max_len(1).map(act).collect())
+                let helpers = self.count.min(parts.len()) - 1;
+                let work = Work::new(parts);
+                pool.install(|| {
+                    rayon::scope(|scope| {
+                        for _ in 0..helpers {
+                            scope.spawn(|_| work.help(&act));
+                        }
+                        work.help(&act);
+                    });
+                });
+                work.results()
             }
             _ => parts.into_iter().map(act).collect(),
         }
@@ -102,10 +121,15 @@ impl Team {
         value: impl Fn(usize) -> R + Send + Sync,
     ) -> Vec<R> {
         match &self.pool {
-            Some(pool) if items.len() > shortest => pool.install(|| {
-                let items = items.into_par_iter().with_min_len(shortest);
-                items.map(value).collect()
-            }),
+            Some(_) if items.len() > shortest => {
+                let most = items.len() / shortest;
+                let parts = (self.count * PARTS_PER_THREAD).min(most).max(1);
+                let end_of = |part: usize| items.start + items.len() * part / parts;
+                let parts = (0..parts).map(|part| end_of(part)..end_of(part + 1));
+                let results =
+                    self.map(parts.collect(), |part| part.map(&value).collect::<Vec<R>>());
+                results.into_iter().flatten().collect()
+            }
             _ => items.map(value).collect(),
         }
     }
@@ -123,4 +147,72 @@ impl Team {
             _ => items.sort_by(compare),
         }
     }
+}
+
+/// Parts of some work that threads take one after the other.
+struct Work<T, R> {
+    parts: Vec<Mutex<Part<T, R>>>,
+    /// The first that nobody has taken.
+    next: AtomicUsize,
+    /// How many are not done.
+    left: AtomicUsize,
+}
+
+/// A part before it is done and after.
+struct Part<T, R> {
+    given: Option<T>,
+    result: Option<R>,
+}
+
+impl<T, R> Work<T, R> {
+    fn new(parts: Vec<T>) -> Self {
+        let count = parts.len();
+        let part = |given| {
+            let given = Some(given);
+            Mutex::new(Part {
+                given,
+                result: None,
+            })
+        };
+        Self {
+            parts: parts.into_iter().map(part).collect(),
+            next: AtomicUsize::new(0),
+            left: AtomicUsize::new(count),
+        }
+    }
+
+    /// Does parts until none is left to take, and then waits a while for the others.
+    fn help(&self, act: impl Fn(T) -> R) {
+        while let Some(part) = self
+            .parts
+            .get(self.next.fetch_add(1, atomic::Ordering::Relaxed))
+        {
+            // Nobody else takes this part, so that no lock is ever waited for.
+            let given = unpoisoned(part.lock()).given.take();
+            let result = given.map(&act);
+            unpoisoned(part.lock()).result = result;
+            self.left.fetch_sub(1, atomic::Ordering::Release);
+        }
+        let mut waits_until = None;
+        while self.left.load(atomic::Ordering::Acquire) > 0 {
+            let end = *waits_until.get_or_insert_with(|| Instant::now() + PATIENCE);
+            if Instant::now() > end {
+                break;
+            }
+            std::thread::yield_now();
+        }
+    }
+
+    /// Of all parts, in order; a part whose thread panicked has none, and then this is not reached.
+    fn results(self) -> Vec<R> {
+        let results = self.parts.into_iter();
+        results
+            .filter_map(|part| unpoisoned(part.into_inner()).result)
+            .collect()
+    }
+}
+
+/// What a lock holds. No act runs while one is held, so that none is ever left behind half written.
+fn unpoisoned<G>(lock: Result<G, PoisonError<G>>) -> G {
+    lock.unwrap_or_else(PoisonError::into_inner)
 }

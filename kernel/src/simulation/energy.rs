@@ -120,10 +120,9 @@ impl Simulation {
 
     fn balance(&self, missing: &HalfStep) -> Energy {
         let books = &self.state.books;
-        let kinetic = self.kinetic_energy() + missing.kinetic;
-        let strain = self.strain_energy();
-        let external_work =
-            books.external_work + self.dead_load_potential() - books.dead_load_origin;
+        let [kinetic, strain, load] = self.energies();
+        let kinetic = kinetic + missing.kinetic;
+        let external_work = books.external_work + load - books.dead_load_origin;
         // What is stored at the start is known from the first step on.
         let at_start = if self.state.clock.step == 0 {
             missing.stored

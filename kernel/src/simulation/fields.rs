@@ -14,10 +14,20 @@ use crate::team::Team;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Fewest planes of a slab: a slab repeats the weights of the layers at its ends.
-const THINNEST_SLAB: usize = 8;
-/// Slabs per thread, so that an uneven share can move to an idle thread.
+/// Fewest planes of a slab: it makes the weights of three layers that begin before it once more.
+const THINNEST_SLAB: usize = 4;
+/// Fewest planes of the slabs at the ends: two of ghosts, that of the mesh, and that of the images of the ghosts.
+const THINNEST_END: usize = 5;
+/// Planes of a slab from which on a thread gets several, so that an uneven share can move to an idle thread.
+const THICK_SLAB: usize = 16;
+/// Most slabs per thread.
 const SLABS_PER_THREAD: usize = 3;
+/// Fewest particles of a slab: to wake a thread takes as long as a step of some of them.
+const LEAST_SHARE: usize = 2048;
+/// Shares of the particles per thread, where any cut will do.
+const SHARES_PER_THREAD: usize = 8;
+
+static ALONE: Team = Team::ALONE;
 
 /// Whose velocities a field holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +86,7 @@ pub struct Grid {
     pub joined: Vec<bool>,
     /// Who shares the slabs.
     pub team: Arc<Team>,
+    least_share: usize,
     sorter: Sorter,
 }
 
@@ -124,7 +135,7 @@ impl<'a> Slab<'a> {
 impl Grid {
     /// A grid without particles.
     #[must_use]
-    pub fn new(shape: GridShape, team: Team) -> Self {
+    pub fn new(shape: GridShape, team: Team, least_share: Option<usize>) -> Self {
         let slabs = std::iter::once(0..shape.nodes[0]).collect();
         Self {
             fields: vec![VelocityField {
@@ -136,13 +147,20 @@ impl Grid {
             joined: vec![true],
             shape,
             team: Arc::new(team),
+            least_share: least_share.unwrap_or(LEAST_SHARE).max(1),
             sorter: Sorter::default(),
         }
     }
 
     /// Sorts the particles and cuts the planes into slabs of about equal numbers of particles.
     pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize, lanes: Selected) {
-        self.fields[0].rows = (self.sorter).sort(sets, &self.shape, stencil, lanes, &self.team);
+        let particles = sets.iter().map(ParticleSet::len).sum::<usize>();
+        let team = if particles < 2 * self.least_share {
+            &ALONE
+        } else {
+            &*self.team
+        };
+        self.fields[0].rows = (self.sorter).sort(sets, &self.shape, stencil, lanes, team);
         self.cut(sets);
     }
 
@@ -167,7 +185,11 @@ impl Grid {
             (Owner::Body(body), rows)
         };
         let of_bodies: Vec<_> = bodies.iter().map(of_body).collect();
+        let before = self.fields.len();
         self.set_rows(std::iter::once(phase).chain(of_bodies).collect());
+        if (before > 1) != (self.fields.len() > 1) {
+            self.cut(sets);
+        }
     }
 
     /// Whose fields there are, and their rows in use.
@@ -236,36 +258,53 @@ impl Grid {
         (number > 0).then(|| &self.fields[number])
     }
 
-    /// Cuts the planes into slabs of about equal numbers of particles.
+    /// Who shares the particles: the caller alone where they are too few to be worth a second thread.
+    #[must_use]
+    pub fn team_of_particles(&self) -> &Team {
+        if self.slabs.len() == 1 {
+            &ALONE
+        } else {
+            &self.team
+        }
+    }
+
+    /// Most particles that one thread takes at once in a pass over particles, of so many.
+    #[must_use]
+    pub fn share_of_particles(&self, particles: usize) -> usize {
+        if self.slabs.len() == 1 {
+            return particles;
+        }
+        let shares = self.team.count() * SHARES_PER_THREAD;
+        particles.div_ceil(shares).max(self.least_share.div_ceil(4))
+    }
+
+    /// Cuts the planes into slabs of which the largest is as small as can be.
     fn cut(&mut self, sets: &[ParticleSet]) {
         let threads = self.team.count();
-        let planes = self.shape.nodes[0];
-        let most = (threads * SLABS_PER_THREAD)
-            .min(planes / THINNEST_SLAB)
-            .max(1);
-        self.slabs.clear();
-        if threads == 1 || most == 1 {
-            self.slabs.push(0..planes);
-            return;
-        }
-        let per_layer = |layer: usize| -> usize {
-            sets.iter()
-                .map(|set| set.in_layers(layer..layer + 1).len())
-                .sum()
+        let of_plane = |plane: usize| -> usize {
+            let sets = sets.iter();
+            sets.map(|set| set.in_layers(plane..plane + 1).len()).sum()
         };
-        let total: usize = sets.iter().map(ParticleSet::len).sum();
-        let share = total.div_ceil(most).max(1);
-        let (mut start, mut sum) = (0, 0);
-        for plane in 0..planes {
-            sum += per_layer(plane);
-            let thick = plane + 1 - start >= THINNEST_SLAB && planes - plane > THINNEST_SLAB;
-            if thick && sum >= share {
-                self.slabs.push(start..plane + 1);
-                start = plane + 1;
-                sum = 0;
-            }
+        let particles: Vec<usize> = if threads == 1 {
+            vec![]
+        } else {
+            (0..self.shape.nodes[0]).map(of_plane).collect()
+        };
+        let total: usize = particles.iter().sum();
+        let in_use = particles.iter().filter(|count| **count > 0).count();
+        // Where bodies may meet, some planes have more to do than others.
+        let of_thread = if self.fields.len() > 1 {
+            SLABS_PER_THREAD
+        } else {
+            (in_use / (threads * THICK_SLAB)).clamp(1, SLABS_PER_THREAD)
+        };
+        let most = (threads * of_thread).min(total / self.least_share);
+        self.slabs.clear();
+        if threads == 1 || most <= 1 {
+            self.slabs.push(0..self.shape.nodes[0]);
+        } else {
+            self.slabs = slabs_of(&work_of_planes(&particles), most);
         }
-        self.slabs.push(start..planes);
     }
 
     /// Calls `act` for every slab with all its fields, shared out among the team, and returns the results in order.
@@ -306,6 +345,53 @@ impl Grid {
         }
         self.team.map(visits, |(slab, part)| act(slab, part))
     }
+}
+
+/// Work in each plane, from the numbers of particles that begin there: they reach two more planes, and their weights are made
+/// once.
+fn work_of_planes(particles: &[usize]) -> Vec<usize> {
+    let from = |plane: usize, back: usize| -> usize {
+        plane.checked_sub(back).map_or(0, |plane| particles[plane])
+    };
+    let planes = 0..particles.len();
+    planes
+        .map(|plane| 2 * from(plane, 0) + from(plane, 1) + from(plane, 2))
+        .collect()
+}
+
+/// At most `most` ranges of planes, the most work of one as small as their thickness allows.
+fn slabs_of(work: &[usize], most: usize) -> Vec<Range<usize>> {
+    let (mut low, mut high) = (0, work.iter().sum());
+    while low < high {
+        let limit = usize::midpoint(low, high);
+        if filled(work, limit).len() <= most {
+            high = limit;
+        } else {
+            low = limit + 1;
+        }
+    }
+    filled(work, low)
+}
+
+/// The planes in slabs of at most `limit` work each, where they are as thick as slabs must be.
+fn filled(work: &[usize], limit: usize) -> Vec<Range<usize>> {
+    let mut slabs = vec![];
+    let (mut start, mut sum) = (0, 0);
+    for (plane, &count) in work.iter().enumerate() {
+        let thinnest = if start == 0 {
+            THINNEST_END
+        } else {
+            THINNEST_SLAB
+        };
+        let thick = plane - start >= thinnest && work.len() - plane >= THINNEST_END;
+        if thick && sum + count > limit {
+            slabs.push(start..plane);
+            (start, sum) = (plane, 0);
+        }
+        sum += count;
+    }
+    slabs.push(start..work.len());
+    slabs
 }
 
 /// The nodes of each slab.

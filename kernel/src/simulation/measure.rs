@@ -47,10 +47,24 @@ impl Simulation {
     /// Kinetic energy of the particles \[J\].
     #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
-        self.sum(|set, p| {
-            let v = set.velocity(p);
-            0.5 * set.columns[Layout::MASS][p] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
-        })
+        self.sum(kinetic_energy_of)
+    }
+
+    /// Kinetic energy, strain energy, and dead load times position, with the same bits as each of them alone, in one pass.
+    pub(super) fn energies(&self) -> [f64; 3] {
+        let (mut kinetic, mut strain, mut load) = (Sum::default(), 0.0, Sum::default());
+        for (index, set) in self.state.sets.iter().enumerate() {
+            let terms = |p| {
+                let strain = self.strain_energy_of(index, p);
+                [kinetic_energy_of(set, p), strain, self.dead_load(set, p)]
+            };
+            self.add_each(set, terms, |terms| {
+                kinetic.add(terms[0]);
+                strain += terms[1];
+                load.add(terms[2]);
+            });
+        }
+        [kinetic.value(), strain, load.value()]
     }
 
     /// Strain energy \[J\].
@@ -58,9 +72,11 @@ impl Simulation {
     pub fn strain_energy(&self) -> f64 {
         let mut total = 0.0;
         for (index, set) in self.state.sets.iter().enumerate() {
-            for p in in_order(set) {
-                total += self.strain_energy_of(index, p);
-            }
+            self.add_each(
+                set,
+                |p| self.strain_energy_of(index, p),
+                |term| total += term,
+            );
         }
         total
     }
@@ -79,9 +95,11 @@ impl Simulation {
             if set.layout.law.is_empty() {
                 continue;
             }
-            for p in in_order(set) {
-                total += self.plastic_work_of(index, p);
-            }
+            self.add_each(
+                set,
+                |p| self.plastic_work_of(index, p),
+                |term| total += term,
+            );
         }
         total
     }
@@ -140,23 +158,30 @@ impl Simulation {
         state_hash(&self.state.sets)
     }
 
-    /// Sum over all particles in order of the identifier, compensated (Neumaier 1974): a million equal terms
-    /// would otherwise leave 1e-11 of the sum as round-off.
-    fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64) -> f64 {
-        let (mut sum, mut lost) = (0.0_f64, 0.0);
-        for set in &self.state.sets {
-            for p in in_order(set) {
-                let x = term(set, p);
-                let next = sum + x;
-                lost += if sum.abs() >= x.abs() {
-                    (sum - next) + x
-                } else {
-                    (x - next) + sum
-                };
-                sum = next;
-            }
+    /// Adds up what `term` says of each particle of a set, in order of the identifier.
+    fn add_each<T: Send>(
+        &self,
+        set: &ParticleSet,
+        term: impl Fn(usize) -> T + Send + Sync,
+        add: impl FnMut(T),
+    ) {
+        let team = self.work.grid.team_of_particles();
+        if team.count() == 1 {
+            in_order(set).map(term).for_each(add);
+        } else {
+            let order: Vec<usize> = in_order(set).collect();
+            let terms = team.collect(0..order.len(), |place| term(order[place]));
+            terms.into_iter().for_each(add);
         }
-        sum + lost
+    }
+
+    /// Sum over all particles in order of the identifier.
+    fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64 + Sync) -> f64 {
+        let mut sum = Sum::default();
+        for set in &self.state.sets {
+            self.add_each(set, |p| term(set, p), |x| sum.add(x));
+        }
+        sum.value()
     }
 
     /// Sum of dead load times position: weight and box loads.
@@ -185,6 +210,34 @@ impl Simulation {
         let load = self.dead_load(set, p);
         self.state.books.removed += energy;
         self.state.books.dead_load_origin -= load;
+    }
+}
+
+fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
+    let v = set.velocity(p);
+    0.5 * set.columns[Layout::MASS][p] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+}
+
+/// A compensated sum (Neumaier 1974): a million equal terms would otherwise leave 1e-11 of the sum as round-off.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sum {
+    sum: f64,
+    lost: f64,
+}
+
+impl Sum {
+    fn add(&mut self, x: f64) {
+        let next = self.sum + x;
+        self.lost += if self.sum.abs() >= x.abs() {
+            (self.sum - next) + x
+        } else {
+            (x - next) + self.sum
+        };
+        self.sum = next;
+    }
+
+    fn value(self) -> f64 {
+        self.sum + self.lost
     }
 }
 

@@ -105,6 +105,8 @@ impl Default for InitialState {
 pub struct Options {
     /// Number of threads; else what the scene says, else one for every 8192 particles, at most all of the machine.
     pub threads: Option<usize>,
+    /// Fewest particles that are worth a second thread in a step, where there are several; else 2048. No bit depends on it.
+    pub least_share: Option<usize>,
     /// Lanes.
     pub lanes: LaneChoice,
     /// Keep displacements even where nothing is written.
@@ -127,6 +129,7 @@ impl fmt::Debug for Options {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Options")
             .field("threads", &self.threads)
+            .field("least_share", &self.least_share)
             .field("lanes", &self.lanes)
             .field("displacement", &self.displacement)
             .field("measure", &self.measure)

@@ -8,6 +8,7 @@ use super::mapping::{bodies_onto, fold};
 use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::{Phase, SlabWatcher, Watcher};
 use super::{Simulation, Work};
+use crate::particles::ParticleSet;
 use crate::stage::g2p::{self, Found, G2p, Task, dilation};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::{EmptyNode, PlaneSums};
@@ -43,6 +44,14 @@ impl Groups {
 struct Solved {
     sums: Vec<PlaneSums>,
     groups: usize,
+}
+
+/// `count` particles in shares of about the same size, `most` at most.
+fn shares(count: usize, most: usize) -> Vec<Range<usize>> {
+    let shares = count.div_ceil(most.max(1)).max(1);
+    let ends = (0..=shares).map(|share| count * share / shares);
+    let starts: Vec<usize> = ends.collect();
+    starts.windows(2).map(|ends| ends[0]..ends[1]).collect()
 }
 
 /// What slabs bring along, and who is told of the phases within the visit, where it is of one slab.
@@ -210,69 +219,56 @@ impl Simulation {
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
         let (lanes, stencil) = (self.decided.lanes, self.state.stencil);
         let cell_average = self.decided.plan.cell_average && task.strain.is_some();
-        let mut travel = 0.0_f64;
-        let mut faults = vec![];
-        for (index, (set, body)) in self
-            .state
-            .sets
-            .iter_mut()
-            .zip(&self.decided.bodies)
-            .enumerate()
-        {
-            if body.motion.is_some() {
+        let grid = &self.work.grid;
+        let particles = self.state.sets.iter().map(ParticleSet::len).sum();
+        let most = grid.share_of_particles(particles);
+        let mut parts = vec![];
+        for (index, set) in self.state.sets.iter_mut().enumerate() {
+            if self.decided.bodies[index].motion.is_some() {
                 continue;
             }
-            let ranges: Vec<Range<usize>> = self
-                .work
-                .grid
-                .slabs
-                .iter()
-                .map(|slab| set.in_layers(slab.clone()))
-                .collect();
+            let ranges = shares(set.len(), most);
             let layout = set.layout;
-            let nodes = self.work.grid.fields[self.work.grid.number_of(index)]
-                .nodes
-                .lines();
-            let act = |mut columns: Vec<&mut [f64]>| {
-                // Before positions move.
-                let excess = if cell_average {
-                    let upper = task.gradient_of_upper;
-                    dilation::excess(
-                        lanes,
-                        stencil,
-                        &columns,
-                        &layout,
-                        &body.mapping,
-                        nodes,
-                        upper,
-                    )
-                } else {
-                    vec![]
-                };
-                call(
-                    lanes,
-                    G2p {
-                        lanes,
-                        columns: &mut columns,
-                        layout: &layout,
-                        mapping: &body.mapping,
-                        law: &*body.law,
-                        density: body.density,
-                        domain_update: body.domain_update,
-                        nodes,
-                        beyond,
-                        excess: &excess,
-                        task,
-                    },
-                )
+            let columns = set.split_mut(&ranges).into_iter().zip(ranges);
+            parts.extend(columns.map(|(columns, range)| (index, range.start, layout, columns)));
+        }
+        let bodies = &self.decided.bodies;
+        let found = grid.team.map(parts, |(index, start, layout, mut columns)| {
+            let body = &bodies[index];
+            let nodes = grid.fields[grid.number_of(index)].nodes.lines();
+            // Before positions move.
+            let excess = if cell_average {
+                let upper = task.gradient_of_upper;
+                let mapping = &body.mapping;
+                dilation::excess(lanes, stencil, &columns, &layout, mapping, nodes, upper)
+            } else {
+                vec![]
             };
-            let parts = set.split_mut(&ranges);
-            let parts: Vec<Found> = self.work.grid.team.map(parts, act);
-            let mut all = Found::default();
-            for (part, range) in parts.into_iter().zip(&ranges) {
-                let fault = part.fault.map(|(p, kind)| (range.start + p, kind));
-                all = all.and(Found { fault, ..part });
-            }
+            let part = call(
+                lanes,
+                G2p {
+                    lanes,
+                    columns: &mut columns,
+                    layout: &layout,
+                    mapping: &body.mapping,
+                    law: &*body.law,
+                    density: body.density,
+                    domain_update: body.domain_update,
+                    nodes,
+                    beyond,
+                    excess: &excess,
+                    task,
+                },
+            );
+            let fault = part.fault.map(|(p, kind)| (start + p, kind));
+            (index, Found { fault, ..part })
+        });
+        let mut travel = 0.0_f64;
+        let mut faults = vec![];
+        for of_body in found.chunk_by(|(one, _), (other, _)| one == other) {
+            let index = of_body[0].0;
+            let parts = of_body.iter().map(|&(_, part)| part);
+            let all = parts.fold(Found::default(), Found::and);
             travel = travel.max(all.travel);
             let found = &mut self.state.found[index];
             if task.kick {
@@ -281,11 +277,9 @@ impl Simulation {
             if task.strain.is_some() {
                 found.wave_speed_squared = all.wave_speed_squared;
                 found.increment_squared = all.increment_squared;
-                found.half_length = all.half_length.max(if body.domain_update.is_some() {
-                    0.0
-                } else {
-                    found.half_length
-                });
+                let updated = bodies[index].domain_update.is_some();
+                let before = if updated { 0.0 } else { found.half_length };
+                found.half_length = all.half_length.max(before);
             }
             if let Some((p, kind)) = all.fault {
                 faults.push((index, p, kind));

@@ -90,7 +90,11 @@ impl Simulation {
         let interactions = interactions::of(scene, &bodies, &options.interactions, &mut memory)?;
         let mut simulation = Self {
             state: State::new(sets, all_found),
-            work: Work::new(Grid::new(shape, team), interactions, bodies.len()),
+            work: Work::new(
+                Grid::new(shape, team, options.least_share),
+                interactions,
+                bodies.len(),
+            ),
             decided: Decided {
                 scene: scene.clone(),
                 plan,

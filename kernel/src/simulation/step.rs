@@ -9,6 +9,7 @@ use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};
+use crate::team::Team;
 use std::sync::Arc;
 
 /// How far positions move in a step.
@@ -68,12 +69,19 @@ impl Simulation {
         result
     }
 
+    /// Who steps. Each step hands itself over to a thread of its team and waits for it; a caller that takes many steps in a
+    /// row does so within [`Team::lead`], and waits once.
+    #[must_use]
+    pub fn team(&self) -> Arc<Team> {
+        Arc::clone(&self.work.grid.team)
+    }
+
     /// Has a thread of the team do `work`; the caller does it where there is one slab, and so nothing to share.
     pub(super) fn led<R: Send>(&mut self, work: impl FnOnce(&mut Self) -> R + Send) -> R {
         if self.work.grid.slabs.len() == 1 {
             return work(self);
         }
-        let team = Arc::clone(&self.work.grid.team);
+        let team = self.team();
         team.lead(|| work(self))
     }
 

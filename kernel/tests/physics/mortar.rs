@@ -130,6 +130,7 @@ fn threads_change_no_bit() {
     let hash = |threads| {
         let options = Options {
             threads: Some(threads),
+            least_share: Some(1),
             ..options()
         };
         let mut simulation = Simulation::new(&scene, &options).expect("sound");

@@ -118,6 +118,7 @@ fn scene(dimension: Dimension, scheme: StressScheme, habit: Habit) -> Scene {
 fn adrift(scene: &Scene, threads: usize, lanes: LaneChoice) -> Simulation {
     let all = Options {
         threads: Some(threads),
+        least_share: Some(1),
         lanes,
         initial: Some(rough_drift(scene.dimension, [2.0, 1.0, 0.0], 0.1, 1.0, 3)),
         ..options()

@@ -46,6 +46,7 @@ fn hash(scene: &Scene, threads: usize, lanes: LaneChoice) -> u64 {
     let initial = Some(rough_drift(scene.dimension, [8.0, 1.0, 0.0], 0.1, 1.0, 3));
     let all = Options {
         threads: Some(threads),
+        least_share: Some(1),
         lanes,
         initial,
         ..options()

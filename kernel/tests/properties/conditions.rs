@@ -46,6 +46,7 @@ fn held_by_the_user_or_by_the_scene() {
                 let at_end = |scene: &Scene, conditions: Vec<Arc<dyn Condition>>, threads| {
                     let options = Options {
                         threads: Some(threads),
+                        least_share: Some(1),
                         initial: Some(rough(dimension, 0.1, 1.0e3, 7)),
                         conditions,
                         ..Options::default()

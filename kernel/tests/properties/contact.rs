@@ -320,6 +320,7 @@ fn flying(scene: &Scene, threads: usize) -> Simulation {
         scene,
         &Options {
             threads: Some(threads),
+            least_share: Some(1),
             initial: Some(initial),
             ..options()
         },

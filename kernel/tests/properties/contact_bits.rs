@@ -13,6 +13,7 @@ const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 fn result(touching: &Touching, threads: usize, lanes: LaneChoice) -> (u64, Vec<[u64; 3]>) {
     let all = Options {
         threads: Some(threads),
+        least_share: Some(1),
         lanes,
         ..options()
     };

@@ -81,6 +81,7 @@ fn glued_by_the_user_or_in_one_field() {
             let start = |interactions: Vec<Box<dyn Interaction>>, threads| {
                 let all = Options {
                     threads: Some(threads),
+                    least_share: Some(1),
                     initial: Some(rough(dimension, 0.1, 1.0e3, 3)),
                     interactions,
                     ..options()

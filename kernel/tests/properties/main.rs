@@ -17,6 +17,7 @@ mod oblong;
 mod rehearsal;
 mod saved;
 mod scaling;
+mod slabs;
 mod sorting;
 mod symmetry;
 mod touching;

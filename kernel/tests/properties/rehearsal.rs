@@ -12,6 +12,7 @@ fn a_watcher_sees_the_phases_in_order_and_changes_nothing() {
         scene.gravity = [1.0, 0.0, -10.0];
         let options = Options {
             threads: Some(2),
+            least_share: Some(1),
             ..Options::default()
         };
         let start = || Simulation::new(&scene, &options).expect("the scene is sound");
@@ -68,6 +69,7 @@ fn a_rehearsal_leaves_no_trace() {
             let start = || {
                 let options = Options {
                     threads: Some(2),
+                    least_share: Some(1),
                     ..Options::default()
                 };
                 let mut simulation = Simulation::new(&scene, &options).expect("a sound scene");

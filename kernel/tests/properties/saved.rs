@@ -21,6 +21,7 @@ fn a_state_taken_up_goes_on_with_the_same_bits() {
         let saved = whole.save();
         let threads = Options {
             threads: Some(2),
+            least_share: Some(1),
             ..options()
         };
         let mut resumed = Simulation::new(&touching.scene, &threads).expect("the scene is sound");

@@ -117,6 +117,7 @@ impl Stack {
         scene.check().expect("a sound scene");
         let options = Options {
             threads: Some(threads),
+            least_share: Some(1),
             initial: Some(Arc::new(initial)),
             ..Options::default()
         };

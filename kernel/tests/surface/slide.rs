@@ -21,6 +21,7 @@ pub fn start(scene: &Scene, threads: usize) -> Simulation {
     scene.check().expect("a sound scene");
     let options = Options {
         threads: Some(threads),
+        least_share: Some(1),
         ..Options::default()
     };
     Simulation::new(scene, &options).expect("a scene that can start")

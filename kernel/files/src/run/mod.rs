@@ -125,27 +125,30 @@ impl Run {
     pub fn advance(
         &mut self,
         stop: f64,
-        mut observe: impl FnMut(&StepInfo) -> Go,
+        mut observe: impl FnMut(&StepInfo) -> Go + Send,
     ) -> Result<(), StepError> {
         let slack = match self.simulation.scene().time_step {
             TimeStep::Fixed { dt, .. } => 0.5 * dt,
             _ => 0.0,
         };
-        while self.simulation.time() + slack < stop {
-            match self.simulation.step(stop) {
-                Ok(info) => {
-                    if observe(&info) == Go::Stop {
-                        self.interrupted = true;
-                        return Ok(());
+        let team = self.simulation.team();
+        team.lead(|| {
+            while self.simulation.time() + slack < stop {
+                match self.simulation.step(stop) {
+                    Ok(info) => {
+                        if observe(&info) == Go::Stop {
+                            self.interrupted = true;
+                            return Ok(());
+                        }
+                    }
+                    Err(error) => {
+                        self.failure = Some(error.clone());
+                        return Err(error);
                     }
                 }
-                Err(error) => {
-                    self.failure = Some(error.clone());
-                    return Err(error);
-                }
             }
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
     /// Writes frame, history row and checkpoint of the present state, where the run has files and the scene asks

@@ -20,6 +20,7 @@ fn scene(scheme: StressScheme) -> Scene {
 fn options(threads: usize) -> Options {
     Options {
         threads: Some(threads),
+        least_share: Some(1),
         ..Options::default()
     }
 }

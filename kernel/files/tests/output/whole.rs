@@ -44,7 +44,7 @@ fn relaxed() -> Scene {
 }
 
 /// Runs to the end, or to the output number `stops`.
-fn go(run: &mut Run, stops: usize, mut see: impl FnMut(f64, f64)) {
+fn go(run: &mut Run, stops: usize, mut see: impl FnMut(f64, f64) + Send) {
     for _ in 0..stops {
         let Some(stop) = run.next_stop() else { return };
         run.advance(stop, |info| {

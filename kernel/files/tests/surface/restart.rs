@@ -9,6 +9,7 @@ use std::path::Path;
 fn run(scene: &Scene, folder: &Path, restart: Option<&Path>) -> (u64, [f64; 3]) {
     let options = Options {
         threads: Some(2),
+        least_share: Some(1),
         ..Options::default()
     };
     let mut run = Run::start(scene, &options, Some(folder), restart).expect("a start");

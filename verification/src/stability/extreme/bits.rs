@@ -229,6 +229,7 @@ fn same() -> Result<Finding, Unexpected> {
         for several in [2, 3] {
             let more = Options {
                 threads: Some(several),
+                least_share: Some(1),
                 ..options()
             };
             threads += usize::from(run(&scene, more)?.state_hash() != hash);

@@ -37,11 +37,13 @@ pub(super) fn stencil_nodes<const D: usize>(
 }
 
 /// Position of a particle in cells of the mesh.
+#[inline]
 pub(super) fn scaled<const D: usize>(set: &ParticleSet, p: usize, mapping: &Mapping) -> [f64; D] {
     array::from_fn(|axis| set.columns[Layout::POSITION + axis][p] * mapping.inverse_cell[axis])
 }
 
 /// Storage indices of the base of a particle at a place in cells.
+#[inline]
 pub(super) fn base_of<const D: usize>(
     xi: &[f64; D],
     stencil: usize,
@@ -96,11 +98,13 @@ impl<const D: usize> Reach<D> {
     }
 
     /// Index of a node of the stencil in the grid, ghost or not.
+    #[inline]
     pub(super) fn node(&self, node: &StencilNode<D>) -> usize {
         self.base + node.offset
     }
 
     /// The node that has its velocity, with -1 for each axis along which it is its mirror image.
+    #[inline]
     pub(super) fn inside(
         &self,
         node: &StencilNode<D>,
@@ -116,6 +120,7 @@ impl<const D: usize> Reach<D> {
     }
 
     /// -1 along axes in which a node of the stencil has the velocity of the node inside the other way round.
+    #[inline]
     pub(super) fn prescribed(
         &self,
         node: &StencilNode<D>,
@@ -130,6 +135,7 @@ impl<const D: usize> Reach<D> {
     }
 
     /// Weight on a node of the stencil.
+    #[inline]
     pub(super) fn weight(&self, StencilNode { at, .. }: &StencilNode<D>) -> f64 {
         (1..D).fold(self.axes[0].0[at[0]], |w, axis| {
             w * self.axes[axis].0[at[axis]]
@@ -137,6 +143,7 @@ impl<const D: usize> Reach<D> {
     }
 
     /// Its gradient \[1/m\].
+    #[inline]
     pub(super) fn slope(&self, StencilNode { at, .. }: &StencilNode<D>) -> PointIn<D> {
         PointIn::from_fn(|direction, _| {
             let of = |axis: usize| {
