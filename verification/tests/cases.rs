@@ -21,6 +21,8 @@ mod cantilever;
 mod collapse;
 #[path = "cases/colliding_blocks.rs"]
 mod colliding_blocks;
+#[path = "cases/element.rs"]
+mod element;
 #[path = "cases/fluid.rs"]
 mod fluid;
 #[path = "cases/footing.rs"]

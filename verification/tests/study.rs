@@ -215,6 +215,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "collapse",
             "slope",
             "fluid",
+            "element",
             "homogeneous",
             "shear-and-turn",
             "spin",

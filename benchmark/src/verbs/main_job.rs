@@ -250,11 +250,10 @@ impl Job<'_> {
             .filter(|_| amount.more_than_the_verdict())
         {
             self.tell(|out| {
-                writeln!(out)?;
                 if amount.all() {
                     writeln!(
                         out,
-                        "Stability, in short: `proctor stability` has all of it.\n"
+                        "\nStability, in short: `proctor stability` has all of it.\n"
                     )?;
                     show_stability::map(detail, interrupted, out)
                 } else {

@@ -1,6 +1,7 @@
 //! Strength that falls with plastic strain.
 
-use crate::support::{DENSITY, close, first_order, point, shear, strain};
+use crate::support::{DENSITY, close, first_order, point, shear, strain, tensor};
+use nalgebra::Matrix3;
 use proctor_kernel::laws::{AnyLaw, MohrCoulomb, Point, Residual, Softening};
 
 const YOUNG: f64 = 100.0;
@@ -71,6 +72,31 @@ fn residual_strength_is_left() {
         let exact = 0.1 * cosine - mean * sine;
         close(radius, exact, 1e-9, exact);
     }
+}
+
+/// Where cohesion falls and a tensile strength stays, tension ends at the apex of what is left, c cot(phi).
+#[test]
+fn tension_is_no_more_than_the_apex_that_is_left() {
+    let (friction, left) = (30.0_f64, 0.02);
+    let residual = Residual {
+        cohesion: Some(left),
+        ..Residual::default()
+    };
+    let marks = Softening::Linear {
+        from: 0.0,
+        to: 0.05,
+    };
+    let law: AnyLaw = MohrCoulomb::new(YOUNG, POISSON, [friction, 0.5, 0.0])
+        .with_tensile(0.4)
+        .softening(marks, residual)
+        .into();
+    let mut point = Point::new(&law, DENSITY, [-1.0, -1.0, -1.0, 0.0, 0.0, 0.0]);
+    strain(&mut point, &shear(0.6), 2000);
+    strain(&mut point, &(Matrix3::identity() * 0.1), 100);
+    let apex = left / friction.to_radians().tan();
+    let stress = tensor(point.stress());
+    let off = (stress - Matrix3::identity() * apex).amax();
+    assert!(off < 1e-12, "{stress} instead of {apex}");
 }
 
 /// Half way down an exponential: the strength is that of the plastic strain which the point carries.

@@ -50,6 +50,16 @@ pub fn error_gate(
     )
 }
 
+/// Order of a quantity between the two finest rungs of a table, NaN where there is none.
+fn finest_order(table: &ConvergenceTable, quantity: &str) -> f64 {
+    let column = table.quantities().iter().position(|q| q == quantity);
+    let last = table.rows().len().checked_sub(1);
+    let order = column
+        .zip(last)
+        .and_then(|(column, last)| table.order(column, last));
+    order.unwrap_or(f64::NAN)
+}
+
 /// Gate on the order of a quantity between the two finest rungs of a table.
 pub fn order_gate(
     table: &ConvergenceTable,
@@ -57,13 +67,20 @@ pub fn order_gate(
     bound: f64,
     reason: &'static str,
 ) -> Gate {
-    let column = table.quantities().iter().position(|q| q == quantity);
-    let last = table.rows().len().checked_sub(1);
-    let order = column
-        .zip(last)
-        .and_then(|(column, last)| table.order(column, last));
     let name = format!("observed order of {quantity}");
-    Gate::at_least(name, order.unwrap_or(f64::NAN), bound, reason)
+    Gate::at_least(name, finest_order(table, quantity), bound, reason)
+}
+
+/// Gates on that order from below and from above.
+pub fn order_within(
+    table: &ConvergenceTable,
+    quantity: &str,
+    [least, most]: [f64; 2],
+    reason: &'static str,
+) -> [Gate; 2] {
+    let name = format!("observed order of {quantity}, no more");
+    let above = Gate::at_most(name, finest_order(table, quantity), most, reason);
+    [order_gate(table, quantity, least, reason), above]
 }
 
 /// Errors of the named quantities over the rungs of a variant, coarse to fine.

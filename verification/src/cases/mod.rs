@@ -39,6 +39,7 @@ mod collapse;
 mod colliding_blocks;
 mod corner_block;
 mod dynamics;
+mod element;
 mod fluid;
 mod footing;
 mod grains;
@@ -124,6 +125,7 @@ list! {
     collapse::Collapse[GIVEN],
     slope::Slope[GIVEN],
     fluid::Fluid[GIVEN],
+    element::Element[GIVEN],
     homogeneous::Homogeneous[GIVEN],
     shear_and_turn::ShearAndTurn[GIVEN],
     spin::Spin[GIVEN],

@@ -1,0 +1,427 @@
+//! Do the laws give their exact answers at a material point, whatever the state that they return?
+//!
+//! Source: soil notes, 2.1 to 2.7. No grid takes part: the kernel's own law strains one point along a path whose answer has a
+//! closed form (`exact/two_slopes.rs`, `exact/material_point.rs`). Where the direction of flow stays, an implicit return is
+//! exact for any step; elsewhere it is of order 1. Beside the paths each law returns random states far outside its surface, and
+//! those of a list of corners: the stress must lie on the surface, stay there when asked again, turn with the axes, dissipate, and
+//! have the same bits on all lanes. `proctor verify element`; `proctor element` draws such paths of a user's materials.
+
+mod returns;
+
+use proctor_kernel::laws::{
+    AnyLaw, Bingham, DruckerPrager, Match, MohrCoulomb, Point, Tresca, VonMises,
+};
+use proctor_kernel::scene::{Dimension, Mesh, Scene};
+use proctor_kernel::simulation::Options;
+
+use super::judging::{error_at_most, of_variant, order_within, table};
+use super::{NO_RESULTS, body, cuboid, material};
+use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::exact::material_point::{ShearedSoil, bingham, held_dilation, to_and_fro, turned};
+use crate::exact::two_slopes::TwoSlopes;
+use crate::study::Study;
+
+/// Density \[kg/m³\]; stresses do not ask for it.
+const DENSITY: f64 = 1.0;
+/// Young's modulus of all solids \[Pa\], and Poisson's ratios of those without friction and with it.
+const YOUNG: f64 = 100.0;
+const POISSON: f64 = 0.3;
+const POISSON_OF_SOIL: f64 = 0.2;
+/// Yield stress of von Mises, and the modulus by which it hardens \[Pa\].
+const YIELD: f64 = 0.1;
+const HARDENING: f64 = 10.0;
+/// Friction \[°\], cohesion \[Pa\], dilation \[°\] of the soil that is pressed.
+const SOIL: [f64; 3] = [20.0, 0.03, 5.0];
+/// Those of the soils that are sheared, without dilation and with it.
+const FIRM: [f64; 3] = [30.0, 0.02, 0.0];
+const DILATANT: [f64; 3] = [30.0, 0.02, 12.0];
+/// Normal stresses in the plane of shear, and across, of the soil under weight \[Pa\].
+const WEIGHT: [f64; 3] = [-0.6, -1.0, -0.75];
+/// Pressure around the soil that dilates \[Pa\].
+const PRESSURE: f64 = 1.0;
+/// Shear modulus, viscosity and yield stress of Bingham's fluid \[Pa, Pa s, Pa\], and the rate of its shear \[1/s\].
+const MUD: [f64; 3] = [500.0, 20.0, 2.0];
+const RATE: f64 = 1.5;
+/// Bulk modulus of the fluid \[Pa\].
+const BULK: f64 = 1.0e4;
+/// Strain at the end of a path over that at which it first yields.
+const BEYOND: f64 = 4.0;
+
+/// Names of the quantities of paths.
+const STRESS: &str = "stress off by, over its size";
+/// Steps of a path whose answer does not depend on them, and of one of order 1.
+const ANY: &[u32] = &[1, 10, 100];
+const LADDER: [&[u32]; 2] = [&[50, 100, 200], &[50, 100, 200, 400, 800]];
+/// Random states that each law returns.
+const STATES: [&[u32]; 2] = [&[500], &[5000]];
+/// The variant of returns.
+const RETURNS: &str = "returns";
+
+/// A path of strain and its answer.
+struct Path {
+    name: &'static str,
+    /// Whether the answer does not depend on the number of steps.
+    exact: bool,
+    law: fn() -> AnyLaw,
+    /// Stress at the start xx, yy, zz, yz, xz, xy \[Pa\].
+    start: [f64; 6],
+    /// Strains, one after the other, each reached in the steps of the rung but for the first, which is one step: it ends where
+    /// the law first yields.
+    parts: fn() -> Vec<[f64; 6]>,
+    /// Seconds of the first part and of all others; what does not depend on them has a second each.
+    times: fn() -> [f64; 2],
+    /// Stress at the end, given a factor on the shear modulus \[Pa\].
+    answer: fn(f64) -> [f64; 6],
+}
+
+/// Lamé's constants \[Pa\].
+fn lame(poisson: f64) -> [f64; 2] {
+    let shear = YOUNG / (2.0 * (1.0 + poisson));
+    [2.0 * shear * poisson / (1.0 - 2.0 * poisson), shear]
+}
+
+const fn along(e: f64) -> [f64; 6] {
+    [0.0, 0.0, e, 0.0, 0.0, 0.0]
+}
+
+/// The strain of an angle in x and y.
+const fn sheared(angle: f64) -> [f64; 6] {
+    [0.0, 0.0, 0.0, 0.0, 0.0, 0.5 * angle]
+}
+
+/// A second for each part.
+fn any_time() -> [f64; 2] {
+    [1.0, 1.0]
+}
+
+/// Compression to [`BEYOND`] times the strain at which it yields.
+fn pressed(solid: &TwoSlopes) -> Vec<[f64; 6]> {
+    let first = solid.limit / solid.confined_modulus();
+    vec![along(-first), along(-(BEYOND - 1.0) * first)]
+}
+
+/// Stress after that. The reference is stiffer by a factor beyond the limit.
+fn pressed_to(solid: &TwoSlopes, stiffer: f64) -> [f64; 6] {
+    let first = solid.limit / solid.confined_modulus();
+    let q = solid.limit + stiffer * solid.plastic_modulus * (BEYOND - 1.0) * first;
+    let across = solid.across(q);
+    [-across, -across, -q, 0.0, 0.0, 0.0]
+}
+
+fn of_mises() -> TwoSlopes {
+    TwoSlopes::von_mises(YOUNG, POISSON, YIELD, HARDENING)
+}
+
+fn of_tresca() -> TwoSlopes {
+    TwoSlopes::mohr_coulomb(YOUNG, POISSON, [0.0, 0.5 * YIELD, 0.0])
+}
+
+fn of_soil() -> TwoSlopes {
+    TwoSlopes::mohr_coulomb(YOUNG, POISSON_OF_SOIL, SOIL)
+}
+
+fn cone_of_soil() -> DruckerPrager {
+    DruckerPrager::new(YOUNG, POISSON_OF_SOIL, SOIL, Match::PlaneStrain)
+}
+
+fn of_cone() -> TwoSlopes {
+    TwoSlopes::drucker_prager(YOUNG, POISSON_OF_SOIL, cone_of_soil().cone())
+}
+
+/// Shear strength of von Mises, and the angle at which it yields.
+fn shear_limit() -> [f64; 2] {
+    let limit = YIELD / 3.0_f64.sqrt();
+    [limit, limit / lame(POISSON)[1]]
+}
+
+/// The way back in shear over the angle at which it yields: all of the elastic way and as much again.
+const BACK: f64 = 6.0;
+
+fn soil_under_weight(stiffer: f64) -> ShearedSoil {
+    let [x, y, _] = WEIGHT;
+    ShearedSoil::new(stiffer * lame(POISSON)[1], [x, y], FIRM[0], FIRM[1])
+}
+
+/// Angle to which it is sheared.
+fn angle_under_weight() -> f64 {
+    let soil = soil_under_weight(1.0);
+    soil.first() + 0.4 * soil.radius / soil.shear
+}
+
+/// The angle at which the soil that dilates yields.
+fn first_of_dilatant() -> f64 {
+    let (sine, cosine) = libm::sincos(DILATANT[0].to_radians());
+    (DILATANT[1] * cosine + PRESSURE * sine) / lame(POISSON)[1]
+}
+
+/// Times at which the mud yields, and of its flow from there on.
+fn times_of_mud() -> [f64; 2] {
+    let [shear, viscosity, limit] = MUD;
+    [limit / (shear * RATE), viscosity / shear]
+}
+
+const PATHS: [Path; 9] = [
+    Path {
+        name: "oedometer, von Mises",
+        exact: true,
+        law: || VonMises::new(YOUNG, POISSON, YIELD, HARDENING).into(),
+        start: [0.0; 6],
+        parts: || pressed(&of_mises()),
+        times: any_time,
+        answer: |stiffer| pressed_to(&of_mises(), stiffer),
+    },
+    Path {
+        name: "oedometer, Tresca",
+        exact: true,
+        law: || Tresca::new(YOUNG, POISSON, 0.5 * YIELD).into(),
+        start: [0.0; 6],
+        parts: || pressed(&of_tresca()),
+        times: any_time,
+        answer: |stiffer| pressed_to(&of_tresca(), stiffer),
+    },
+    Path {
+        name: "oedometer, Mohr-Coulomb",
+        exact: true,
+        law: || MohrCoulomb::new(YOUNG, POISSON_OF_SOIL, SOIL).into(),
+        start: [0.0; 6],
+        parts: || pressed(&of_soil()),
+        times: any_time,
+        answer: |stiffer| pressed_to(&of_soil(), stiffer),
+    },
+    Path {
+        name: "oedometer, Drucker-Prager",
+        exact: true,
+        law: || cone_of_soil().into(),
+        start: [0.0; 6],
+        parts: || pressed(&of_cone()),
+        times: any_time,
+        answer: |stiffer| pressed_to(&of_cone(), stiffer),
+    },
+    Path {
+        name: "shear to and fro, von Mises",
+        exact: true,
+        law: || VonMises::new(YOUNG, POISSON, YIELD, HARDENING).into(),
+        start: [0.0; 6],
+        parts: || {
+            let [_, first] = shear_limit();
+            let there = sheared((BEYOND - 1.0) * first);
+            vec![sheared(first), there, sheared(-BACK * first)]
+        },
+        times: any_time,
+        answer: |stiffer| {
+            let [limit, first] = shear_limit();
+            let moduli = [lame(POISSON)[1], HARDENING * stiffer];
+            let shear = to_and_fro(moduli, limit, BEYOND * first, BACK * first);
+            [0.0, 0.0, 0.0, 0.0, 0.0, shear]
+        },
+    },
+    Path {
+        name: "shear, Mohr-Coulomb that dilates",
+        exact: true,
+        law: || MohrCoulomb::new(YOUNG, POISSON, DILATANT).into(),
+        start: [-PRESSURE, -PRESSURE, -PRESSURE, 0.0, 0.0, 0.0],
+        parts: || {
+            let first = first_of_dilatant();
+            vec![sheared(first), sheared((BEYOND - 1.0) * first)]
+        },
+        times: any_time,
+        answer: |stiffer| {
+            let [lambda, shear] = lame(POISSON);
+            let angle = BEYOND * first_of_dilatant();
+            let [mean, tau] = held_dilation([stiffer * lambda, shear], -PRESSURE, DILATANT, angle);
+            // Nothing says here what the stress across the plane is.
+            [mean, mean, f64::NAN, 0.0, 0.0, tau]
+        },
+    },
+    Path {
+        name: "shear of a stressed von Mises",
+        exact: false,
+        law: || VonMises::new(YOUNG, POISSON, YIELD, 0.0).into(),
+        // On the surface, without shear.
+        start: [2.0 / 3.0 * YIELD, -YIELD / 3.0, -YIELD / 3.0, 0.0, 0.0, 0.0],
+        parts: || {
+            let [_, first] = shear_limit();
+            vec![[0.0; 6], sheared(1.5 * first)]
+        },
+        times: any_time,
+        answer: |stiffer| {
+            let [limit, first] = shear_limit();
+            let [tau, left] = turned(stiffer * lame(POISSON)[1], limit, 1.5 * first);
+            let across = -YIELD / 3.0 * left;
+            [-2.0 * across, across, across, 0.0, 0.0, tau]
+        },
+    },
+    Path {
+        name: "shear of soil under weight, Mohr-Coulomb",
+        exact: false,
+        law: || MohrCoulomb::new(YOUNG, POISSON, FIRM).into(),
+        start: [WEIGHT[0], WEIGHT[1], WEIGHT[2], 0.0, 0.0, 0.0],
+        parts: || {
+            let first = soil_under_weight(1.0).first();
+            vec![sheared(first), sheared(angle_under_weight() - first)]
+        },
+        times: any_time,
+        answer: |stiffer| {
+            let [x, y, tau] = soil_under_weight(stiffer).at(angle_under_weight());
+            [x, y, WEIGHT[2], 0.0, 0.0, tau]
+        },
+    },
+    Path {
+        name: "start of flow, Bingham",
+        exact: false,
+        law: || Bingham::new(BULK, MUD[1], MUD[2], MUD[0]).into(),
+        start: [0.0; 6],
+        parts: || times_of_mud().map(|time| sheared(RATE * time)).to_vec(),
+        times: times_of_mud,
+        answer: |stiffer| {
+            let [shear, viscosity, limit] = MUD;
+            let time = times_of_mud().iter().sum();
+            let tau = bingham([stiffer * shear, viscosity, limit], RATE, time);
+            [0.0, 0.0, 0.0, 0.0, 0.0, tau]
+        },
+    },
+];
+
+impl Path {
+    /// Stress at the end in so many steps of all parts but the first.
+    fn walk(&self, steps: u32) -> Result<[f64; 6], String> {
+        let mut point = Point::new(&(self.law)(), DENSITY, self.start);
+        let [first, others] = (self.times)();
+        for (part, strain) in (self.parts)().iter().enumerate() {
+            let (count, time) = if part == 0 {
+                (1, first)
+            } else {
+                (steps, others)
+            };
+            let count = f64::from(count);
+            let increment = strain.map(|e| e / count);
+            for _ in 0..count as u32 {
+                point
+                    .strain(&increment, time / count)
+                    .map_err(|fault| fault.to_string())?;
+            }
+        }
+        Ok(point.stress())
+    }
+}
+
+/// Laws at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Element {
+    /// Stiffness of what is referred to over that of the law. Anything but 1 is a wrong reference, to prove that the gates
+    /// notice.
+    pub reference_stiffness: f64,
+    /// Strength of the surfaces on which returned states must lie over that of the laws, for the same reason.
+    pub reference_strength: f64,
+}
+
+impl Element {
+    /// The case as it is meant.
+    pub const GIVEN: Self = Self {
+        reference_stiffness: 1.0,
+        reference_strength: 1.0,
+    };
+
+    fn off(&self, path: &Path, steps: u32) -> Result<Vec<Quantity>, String> {
+        let (found, answer) = (path.walk(steps)?, (path.answer)(self.reference_stiffness));
+        let known = || found.iter().zip(&answer).filter(|(_, s)| !s.is_nan());
+        let size = known().fold(0.0_f64, |most, (_, s)| most.max(s.abs()));
+        let off = known().map(|(found, s)| (found - s).abs());
+        let off = off.fold(0.0, |most, x| if x <= most { most } else { x });
+        Ok(vec![Quantity::of_zero(STRESS, off / size)])
+    }
+}
+
+/// Steps, or states, of a rung.
+fn count(rung: &Rung) -> u32 {
+    (1.0 / rung.cell).round() as u32
+}
+
+fn path_of(rung: &Rung) -> Option<&'static Path> {
+    PATHS.iter().find(|path| path.name == rung.variant)
+}
+
+impl Case for Element {
+    fn name(&self) -> &'static str {
+        "element"
+    }
+
+    fn question(&self) -> &'static str {
+        "Do the laws give their exact answers at a material point, whatever state they return?"
+    }
+
+    fn rungs(&self, size: Size) -> Vec<Rung> {
+        let paths = PATHS.iter().flat_map(|path| {
+            let steps = if path.exact {
+                ANY
+            } else {
+                LADDER[size as usize]
+            };
+            Rung::counted(path.name, &format!("{}, steps", path.name), 1.0, steps)
+        });
+        let word = "states of each law";
+        let states = Rung::counted(RETURNS, word, 1.0, STATES[size as usize]);
+        paths.chain(states).collect()
+    }
+
+    /// The material of the path in a block that is never stepped: a point needs no mesh.
+    fn scene(&self, rung: &Rung) -> Scene {
+        let mesh = Mesh::new(Dimension::Three, [0.0; 3], [1.0; 3], [3; 3]);
+        let mut scene = Scene::new(Dimension::Three, mesh, 1.0);
+        scene.name = String::from("element");
+        scene.results = NO_RESULTS;
+        let law = path_of(rung).map_or(PATHS[0].law, |path| path.law);
+        scene.materials = material("of the point", DENSITY, law());
+        scene.bodies = vec![body("point", 1, cuboid([1.0; 3], [2.0; 3]))];
+        scene
+    }
+
+    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
+        Err("no grid takes part, so that weighting functions, schemes and transfers have no say")
+    }
+
+    fn solve(
+        &self,
+        rung: &Rung,
+        _: &Options,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Solved, CaseError> {
+        let quantities = match path_of(rung) {
+            Some(path) => self.off(path, count(rung)),
+            None => returns::quantities(count(rung), self.reference_strength, progress),
+        };
+        let quantities = quantities.map_err(|reason| CaseError::new(self.name(), rung, &reason))?;
+        Ok(Solved {
+            particles: 1,
+            steps: u64::from(count(rung)),
+            time: 1.0,
+            quantities,
+            drawings: vec![],
+            curve: None,
+        })
+    }
+
+    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+        let mut verdict = Verdict::default();
+        let rungs = self.rungs(size);
+        for path in &PATHS {
+            if path.exact {
+                for rung in rungs.iter().filter(|rung| rung.variant == path.name) {
+                    let why = "the direction of flow stays: exact for any step";
+                    let gate = error_at_most(solved, &rung.label, STRESS, 1e-14, why);
+                    verdict.gates.push(gate);
+                }
+                continue;
+            }
+            let table = table(solved, path.name, &[STRESS]);
+            let gates = order_within(&table, STRESS, [0.95, 1.05], "an implicit return: order 1");
+            let gates = gates.map(|gate| of_variant(path.name, gate));
+            verdict.gates.extend(gates);
+            verdict.tables.push((path.name.to_owned(), table));
+        }
+        for rung in rungs.iter().filter(|rung| rung.variant == RETURNS) {
+            verdict.gates.extend(returns::gates(solved, rung));
+        }
+        verdict
+    }
+}

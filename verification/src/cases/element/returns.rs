@@ -1,0 +1,240 @@
+//! What must hold of any stress that a law returns, whatever it was before.
+
+use nalgebra::{Matrix3, Rotation3};
+use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::laws::{AnyLaw, DruckerPrager, Match, MohrCoulomb, Point, Tresca, VonMises};
+
+use super::super::judging::error_at_most;
+use super::{DENSITY, POISSON, YOUNG};
+use crate::case::{Gate, Quantity, Rung, Solved};
+use crate::random::Random;
+
+/// Strength of the laws \[Pa\]: yield stress, cohesion.
+const STRENGTH: f64 = 1.0;
+/// States are so many times the strength at most.
+const SPREAD: f64 = 6.0;
+/// Friction and dilation \[°\].
+const ANGLES: [f64; 2] = [30.0, 10.0];
+/// Tensile strength \[Pa\].
+const TENSILE: f64 = 0.4;
+const SEED: u64 = 2026;
+
+/// Names of the quantities, each the worst of all laws and states.
+const YIELD: &str = "beyond the surface, over the state before";
+const AGAIN: &str = "moved when returned again, over the state before";
+const TURNED: &str = "off when axes are turned, over the state before";
+const WORK: &str = "plastic work below zero, over that of the state before";
+const LANES: &str = "states with other bits on other lanes";
+const CORNERS: &str = "beyond the surface at corners, over the state before";
+
+/// A law that does not harden, and by how much a stress is beyond its surface \[Pa\], of the strength and the principal stresses,
+/// the largest first.
+struct Solid {
+    law: fn() -> AnyLaw,
+    beyond: fn(f64, [f64; 3]) -> f64,
+}
+
+/// sqrt(3 `J_2`) and the mean stress.
+fn invariants([a, b, c]: [f64; 3]) -> (f64, f64) {
+    let squares = (a - b).powi(2) + (b - c).powi(2) + (c - a).powi(2);
+    ((0.5 * squares).sqrt(), (a + b + c) / 3.0)
+}
+
+/// Mohr and Coulomb's plane, and tension.
+fn pyramid(friction: f64, cohesion: f64, tensile: f64, [first, _, third]: [f64; 3]) -> f64 {
+    let (sine, cosine) = libm::sincos(friction.to_radians());
+    let shear = (1.0 + sine) * first - (1.0 - sine) * third - 2.0 * cohesion * cosine;
+    shear.max(first - tensile)
+}
+
+/// The cone through the outer (`side` -1) or the inner (+1) edges of that pyramid.
+fn cone(side: f64, friction: f64, cohesion: f64, principal: [f64; 3]) -> f64 {
+    let (sine, cosine) = libm::sincos(friction.to_radians());
+    let (q, mean) = invariants(principal);
+    let part = 6.0 / (3.0_f64.sqrt() * (3.0 + side * sine));
+    q / 3.0_f64.sqrt() + part * sine * mean - part * cohesion * cosine
+}
+
+const SOLIDS: [Solid; 8] = [
+    Solid {
+        law: || VonMises::new(YOUNG, POISSON, STRENGTH, 0.0).into(),
+        beyond: |strength, s| invariants(s).0 - strength,
+    },
+    Solid {
+        law: || Tresca::new(YOUNG, POISSON, STRENGTH).into(),
+        beyond: |strength, s| pyramid(0.0, strength, f64::INFINITY, s),
+    },
+    Solid {
+        law: || {
+            let law = Tresca::new(YOUNG, POISSON, STRENGTH);
+            law.with_tensile(TENSILE).into()
+        },
+        beyond: |strength, s| pyramid(0.0, strength, TENSILE * strength, s),
+    },
+    Solid {
+        law: || {
+            let [friction, dilation] = ANGLES;
+            MohrCoulomb::new(YOUNG, POISSON, [friction, STRENGTH, dilation]).into()
+        },
+        beyond: |strength, s| pyramid(ANGLES[0], strength, f64::INFINITY, s),
+    },
+    Solid {
+        law: || {
+            let [friction, dilation] = ANGLES;
+            let law = MohrCoulomb::new(YOUNG, POISSON, [friction, STRENGTH, dilation]);
+            law.with_tensile(TENSILE).into()
+        },
+        beyond: |strength, s| pyramid(ANGLES[0], strength, TENSILE * strength, s),
+    },
+    Solid {
+        law: || MohrCoulomb::new(YOUNG, POISSON, [ANGLES[0], 0.0, 0.0]).into(),
+        beyond: |strength, s| pyramid(strength * ANGLES[0], 0.0, 0.0, s),
+    },
+    Solid {
+        law: || {
+            let [friction, dilation] = ANGLES;
+            let soil = [friction, STRENGTH, dilation];
+            DruckerPrager::new(YOUNG, POISSON, soil, Match::Outer).into()
+        },
+        beyond: |strength, s| cone(-1.0, ANGLES[0], strength, s),
+    },
+    Solid {
+        law: || DruckerPrager::new(YOUNG, POISSON, [ANGLES[0], STRENGTH, 0.0], Match::Inner).into(),
+        beyond: |strength, s| cone(1.0, ANGLES[0], strength, s),
+    },
+];
+
+/// Principal stresses over the strength on edges and at apexes, of two or three that are equal, and of none.
+const AT_CORNERS: [[f64; 3]; 11] = [
+    [1.0, 1.0, -2.0],
+    [2.0, -1.0, -1.0],
+    [1.0, 1.0, 1.0],
+    [5.0, 5.0, 5.0],
+    [5.0, 5.0, 4.999_999_999_999],
+    [-1.0, -1.0, -1.0],
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, -1.0],
+    [0.4, 0.4, -3.0],
+    [0.4, -3.0, -3.0],
+    [1.732_050_807_568_877_2; 3],
+];
+
+fn tensor([xx, yy, zz, yz, xz, xy]: [f64; 6]) -> Matrix3<f64> {
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+}
+
+fn six(s: &Matrix3<f64>) -> [f64; 6] {
+    [
+        s[(0, 0)],
+        s[(1, 1)],
+        s[(2, 2)],
+        s[(1, 2)],
+        s[(0, 2)],
+        s[(0, 1)],
+    ]
+}
+
+/// The point after a step without strain from a stress.
+fn returned(law: &AnyLaw, lanes: Option<Selected>, stress: [f64; 6]) -> Result<Point, String> {
+    let mut point = Point::new(law, DENSITY, stress);
+    if let Some(lanes) = lanes {
+        point = point.on(lanes);
+    }
+    let still = [[0.0; 3]; 3];
+    point.step(&still, 1.0).map_err(|fault| fault.to_string())?;
+    Ok(point)
+}
+
+/// Principal stresses, the largest first.
+fn principal(stress: [f64; 6]) -> [f64; 3] {
+    let mut values: [f64; 3] = tensor(stress).symmetric_eigenvalues().into();
+    values.sort_by(|a, b| b.total_cmp(a));
+    values
+}
+
+/// The larger, or what is no number.
+fn worse(most: f64, x: f64) -> f64 {
+    if x <= most { most } else { x }
+}
+
+/// Returns so many random states by each law, and those at corners.
+pub(super) fn quantities(
+    states: u32,
+    strength: f64,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Vec<Quantity>, String> {
+    let lanes: Vec<Selected> = [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
+        .into_iter()
+        .filter_map(|choice| Selected::new(choice).ok())
+        .collect();
+    let mut random = Random::new(SEED);
+    let mut number = move || 2.0 * random.unit() - 1.0;
+    let [
+        mut beyond,
+        mut again,
+        mut turned,
+        mut work,
+        mut other,
+        mut corners,
+    ] = [0.0; 6];
+    for (index, solid) in SOLIDS.iter().enumerate() {
+        progress(index as f64 / SOLIDS.len() as f64);
+        let law = (solid.law)();
+        let off = |stress: [f64; 6]| (solid.beyond)(strength, principal(stress)).max(0.0);
+        for _ in 0..states {
+            let before: [f64; 6] = std::array::from_fn(|_| SPREAD * STRENGTH * number());
+            let size = before.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+            let point = returned(&law, None, before)?;
+            let after = point.stress();
+            beyond = worse(beyond, off(after) / size);
+            // Per volume, over the energy of the stress before.
+            work = worse(work, -point.dissipated() * YOUNG / (size * size));
+            let once_more = returned(&law, None, after)?.stress();
+            let moved = (tensor(once_more) - tensor(after)).amax();
+            again = worse(again, moved / size);
+            let [a, b, c] = [(); 3].map(|()| std::f64::consts::PI * number());
+            let axes = Rotation3::from_euler_angles(a, b, c);
+            let axes = axes.matrix();
+            let there = returned(&law, None, six(&(axes * tensor(before) * axes.transpose())))?;
+            let apart = tensor(there.stress()) - axes * tensor(after) * axes.transpose();
+            turned = worse(turned, apart.amax() / size);
+            let bits = after.map(f64::to_bits);
+            for lanes in &lanes {
+                let same = returned(&law, Some(*lanes), before)?;
+                if same.stress().map(f64::to_bits) != bits {
+                    other += 1.0;
+                }
+            }
+        }
+        for corner in AT_CORNERS {
+            let [a, b, c] = corner.map(|s| s * STRENGTH);
+            let after = returned(&law, None, [a, b, c, 0.0, 0.0, 0.0])?.stress();
+            let size = a.abs().max(c.abs()).max(STRENGTH);
+            corners = worse(corners, off(after) / size);
+        }
+    }
+    Ok(vec![
+        Quantity::of_zero(YIELD, beyond),
+        Quantity::of_zero(AGAIN, again),
+        Quantity::of_zero(TURNED, turned),
+        Quantity::of_zero(WORK, work.max(0.0)),
+        Quantity::of_zero(LANES, other),
+        Quantity::of_zero(CORNERS, corners),
+    ])
+}
+
+/// What is asked of them.
+pub(super) fn gates(solved: &[(Rung, Solved)], rung: &Rung) -> Vec<Gate> {
+    let round_off = "round-off of the state before";
+    let asked = [
+        (YIELD, 1e-14, round_off),
+        (AGAIN, 1e-14, round_off),
+        (TURNED, 1e-14, round_off),
+        (WORK, 1e-14, "what flows dissipates, to round-off"),
+        (LANES, 0.0, "one set of bits"),
+        (CORNERS, 1e-14, round_off),
+    ];
+    asked
+        .map(|(name, bound, why)| error_at_most(solved, &rung.label, name, bound, why))
+        .to_vec()
+}
