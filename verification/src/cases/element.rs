@@ -16,7 +16,9 @@ use proctor_kernel::simulation::Options;
 
 use super::judging::{error_at_most, of_variant, order_within, table};
 use super::{NO_RESULTS, body, cuboid, material};
-use crate::case::{Case, CaseError, Quantity, Rung, Size, Solved, Verdict};
+use crate::case::{
+    Case, CaseError, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict,
+};
 use crate::exact::material_point::{ShearedSoil, bingham, held_dilation, to_and_fro, turned};
 use crate::exact::two_slopes::TwoSlopes;
 use crate::study::Study;
@@ -70,8 +72,8 @@ struct Path {
     parts: fn() -> Vec<[f64; 6]>,
     /// Seconds of the first part and of all others; what does not depend on them has a second each.
     times: fn() -> [f64; 2],
-    /// Stress at the end, given a factor on the shear modulus \[Pa\].
-    answer: fn(f64) -> [f64; 6],
+    /// Stress \[Pa\] after a way, given a factor on a modulus. The way is the sum of all strains or angles to and fro.
+    answer: fn(f64, f64) -> [f64; 6],
 }
 
 /// Lamé's constants \[Pa\].
@@ -100,10 +102,11 @@ fn pressed(solid: &TwoSlopes) -> Vec<[f64; 6]> {
     vec![along(-first), along(-(BEYOND - 1.0) * first)]
 }
 
-/// Stress after that. The reference is stiffer by a factor beyond the limit.
-fn pressed_to(solid: &TwoSlopes, stiffer: f64) -> [f64; 6] {
+/// Stress after a compression. The reference is stiffer by a factor beyond the limit.
+fn pressed_to(solid: &TwoSlopes, stiffer: f64, strain: f64) -> [f64; 6] {
     let first = solid.limit / solid.confined_modulus();
-    let q = solid.limit + stiffer * solid.plastic_modulus * (BEYOND - 1.0) * first;
+    let beyond = stiffer * solid.plastic_modulus * (strain - first).max(0.0);
+    let q = solid.confined_modulus() * strain.min(first) + beyond;
     let across = solid.across(q);
     [-across, -across, -q, 0.0, 0.0, 0.0]
 }
@@ -168,7 +171,7 @@ const PATHS: [Path; 9] = [
         start: [0.0; 6],
         parts: || pressed(&of_mises()),
         times: any_time,
-        answer: |stiffer| pressed_to(&of_mises(), stiffer),
+        answer: |stiffer, strain| pressed_to(&of_mises(), stiffer, strain),
     },
     Path {
         name: "oedometer, Tresca",
@@ -177,7 +180,7 @@ const PATHS: [Path; 9] = [
         start: [0.0; 6],
         parts: || pressed(&of_tresca()),
         times: any_time,
-        answer: |stiffer| pressed_to(&of_tresca(), stiffer),
+        answer: |stiffer, strain| pressed_to(&of_tresca(), stiffer, strain),
     },
     Path {
         name: "oedometer, Mohr-Coulomb",
@@ -186,7 +189,7 @@ const PATHS: [Path; 9] = [
         start: [0.0; 6],
         parts: || pressed(&of_soil()),
         times: any_time,
-        answer: |stiffer| pressed_to(&of_soil(), stiffer),
+        answer: |stiffer, strain| pressed_to(&of_soil(), stiffer, strain),
     },
     Path {
         name: "oedometer, Drucker-Prager",
@@ -195,7 +198,7 @@ const PATHS: [Path; 9] = [
         start: [0.0; 6],
         parts: || pressed(&of_cone()),
         times: any_time,
-        answer: |stiffer| pressed_to(&of_cone(), stiffer),
+        answer: |stiffer, strain| pressed_to(&of_cone(), stiffer, strain),
     },
     Path {
         name: "shear to and fro, von Mises",
@@ -208,10 +211,11 @@ const PATHS: [Path; 9] = [
             vec![sheared(first), there, sheared(-BACK * first)]
         },
         times: any_time,
-        answer: |stiffer| {
+        answer: |stiffer, way| {
             let [limit, first] = shear_limit();
             let moduli = [lame(POISSON)[1], HARDENING * stiffer];
-            let shear = to_and_fro(moduli, limit, BEYOND * first, BACK * first);
+            let there = way.min(BEYOND * first);
+            let shear = to_and_fro(moduli, limit, there, way - there);
             [0.0, 0.0, 0.0, 0.0, 0.0, shear]
         },
     },
@@ -225,9 +229,8 @@ const PATHS: [Path; 9] = [
             vec![sheared(first), sheared((BEYOND - 1.0) * first)]
         },
         times: any_time,
-        answer: |stiffer| {
+        answer: |stiffer, angle| {
             let [lambda, shear] = lame(POISSON);
-            let angle = BEYOND * first_of_dilatant();
             let [mean, tau] = held_dilation([stiffer * lambda, shear], -PRESSURE, DILATANT, angle);
             // Nothing says here what the stress across the plane is.
             [mean, mean, f64::NAN, 0.0, 0.0, tau]
@@ -244,9 +247,9 @@ const PATHS: [Path; 9] = [
             vec![[0.0; 6], sheared(1.5 * first)]
         },
         times: any_time,
-        answer: |stiffer| {
-            let [limit, first] = shear_limit();
-            let [tau, left] = turned(stiffer * lame(POISSON)[1], limit, 1.5 * first);
+        answer: |stiffer, angle| {
+            let [limit, _] = shear_limit();
+            let [tau, left] = turned(stiffer * lame(POISSON)[1], limit, angle);
             let across = -YIELD / 3.0 * left;
             [-2.0 * across, across, across, 0.0, 0.0, tau]
         },
@@ -261,8 +264,8 @@ const PATHS: [Path; 9] = [
             vec![sheared(first), sheared(angle_under_weight() - first)]
         },
         times: any_time,
-        answer: |stiffer| {
-            let [x, y, tau] = soil_under_weight(stiffer).at(angle_under_weight());
+        answer: |stiffer, angle| {
+            let [x, y, tau] = soil_under_weight(stiffer).at(angle);
             [x, y, WEIGHT[2], 0.0, 0.0, tau]
         },
     },
@@ -273,35 +276,75 @@ const PATHS: [Path; 9] = [
         start: [0.0; 6],
         parts: || times_of_mud().map(|time| sheared(RATE * time)).to_vec(),
         times: times_of_mud,
-        answer: |stiffer| {
+        answer: |stiffer, angle| {
             let [shear, viscosity, limit] = MUD;
-            let time = times_of_mud().iter().sum();
-            let tau = bingham([stiffer * shear, viscosity, limit], RATE, time);
+            let tau = bingham([stiffer * shear, viscosity, limit], RATE, angle / RATE);
             [0.0, 0.0, 0.0, 0.0, 0.0, tau]
         },
     },
 ];
 
+/// Most points of a curve.
+const SHOWN: u32 = 100;
+
 impl Path {
-    /// Stress at the end in so many steps of all parts but the first.
-    fn walk(&self, steps: u32) -> Result<[f64; 6], String> {
+    /// The way and the stress at its beginning and after each step, in so many steps of all parts but the first.
+    fn walk(&self, steps: u32) -> Result<Vec<(f64, [f64; 6])>, String> {
         let mut point = Point::new(&(self.law)(), DENSITY, self.start);
         let [first, others] = (self.times)();
+        let mut done = 0.0;
+        let mut states = vec![(done, self.start)];
         for (part, strain) in (self.parts)().iter().enumerate() {
             let (count, time) = if part == 0 {
                 (1, first)
             } else {
                 (steps, others)
             };
-            let count = f64::from(count);
-            let increment = strain.map(|e| e / count);
-            for _ in 0..count as u32 {
+            let part = strain[2].abs() + 2.0 * strain[5].abs();
+            let each = strain.map(|e| e / f64::from(count));
+            for step in 1..=count {
                 point
-                    .strain(&increment, time / count)
+                    .strain(&each, time / f64::from(count))
                     .map_err(|fault| fault.to_string())?;
+                let way = done + part * f64::from(step) / f64::from(count);
+                states.push((way, point.stress()));
             }
+            done += part;
         }
-        Ok(point.stress())
+        Ok(states)
+    }
+
+    /// What is shown of a stress: the compression along the axis, or the shear.
+    fn shown(&self, stress: &[f64; 6]) -> f64 {
+        if self.is_pressed() {
+            -stress[2]
+        } else {
+            stress[5]
+        }
+    }
+
+    fn is_pressed(&self) -> bool {
+        (self.parts)()[0][2] != 0.0
+    }
+
+    fn curve(&self, states: &[(f64, [f64; 6])], stiffer: f64) -> Curve {
+        let every = (states.len() as u32).div_ceil(SHOWN) as usize;
+        let point = |(way, stress): &(f64, [f64; 6])| CurvePoint {
+            at: *way,
+            computed: self.shown(stress),
+            exact: self.shown(&(self.answer)(stiffer, *way)),
+        };
+        let [abscissa, ordinate] = if self.is_pressed() {
+            ["compression (1)", "stress along the axis (Pa)"]
+        } else {
+            ["angle, to and fro (1)", "shear stress (Pa)"]
+        };
+        Curve {
+            title: self.name.to_owned(),
+            abscissa,
+            ordinate,
+            points: states.iter().step_by(every).map(point).collect(),
+        }
     }
 }
 
@@ -322,13 +365,17 @@ impl Element {
         reference_strength: 1.0,
     };
 
-    fn off(&self, path: &Path, steps: u32) -> Result<Vec<Quantity>, String> {
-        let (found, answer) = (path.walk(steps)?, (path.answer)(self.reference_stiffness));
+    fn found(&self, path: &Path, steps: u32) -> Result<Found, String> {
+        let states = path.walk(steps)?;
+        let stiffer = self.reference_stiffness;
+        let (way, found) = states[states.len() - 1];
+        let answer = (path.answer)(stiffer, way);
         let known = || found.iter().zip(&answer).filter(|(_, s)| !s.is_nan());
         let size = known().fold(0.0_f64, |most, (_, s)| most.max(s.abs()));
         let off = known().map(|(found, s)| (found - s).abs());
         let off = off.fold(0.0, |most, x| if x <= most { most } else { x });
-        Ok(vec![Quantity::of_zero(STRESS, off / size)])
+        let quantities = vec![Quantity::of_zero(STRESS, off / size)];
+        Ok(Found::new(quantities, Some(path.curve(&states, stiffer))))
     }
 }
 
@@ -386,18 +433,19 @@ impl Case for Element {
         _: &Options,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Solved, CaseError> {
-        let quantities = match path_of(rung) {
-            Some(path) => self.off(path, count(rung)),
-            None => returns::quantities(count(rung), self.reference_strength, progress),
+        let found = match path_of(rung) {
+            Some(path) => self.found(path, count(rung)),
+            None => returns::quantities(count(rung), self.reference_strength, progress)
+                .map(|quantities| Found::new(quantities, None)),
         };
-        let quantities = quantities.map_err(|reason| CaseError::new(self.name(), rung, &reason))?;
+        let found = found.map_err(|reason| CaseError::new(self.name(), rung, &reason))?;
         Ok(Solved {
             particles: 1,
             steps: u64::from(count(rung)),
             time: 1.0,
-            quantities,
+            quantities: found.quantities,
             drawings: vec![],
-            curve: None,
+            curve: found.curve,
         })
     }
 

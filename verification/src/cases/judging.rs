@@ -71,15 +71,16 @@ pub fn order_gate(
     Gate::at_least(name, finest_order(table, quantity), bound, reason)
 }
 
-/// Gates on that order from below and from above.
+/// Gates on that order from below and, by its reciprocal, from above.
 pub fn order_within(
     table: &ConvergenceTable,
     quantity: &str,
     [least, most]: [f64; 2],
     reason: &'static str,
 ) -> [Gate; 2] {
-    let name = format!("observed order of {quantity}, no more");
-    let above = Gate::at_most(name, finest_order(table, quantity), most, reason);
+    let reciprocal = 1.0 / finest_order(table, quantity);
+    let name = format!("one over the observed order of {quantity}");
+    let above = Gate::at_least(name, reciprocal, 1.0 / most, reason);
     [order_gate(table, quantity, least, reason), above]
 }
 
