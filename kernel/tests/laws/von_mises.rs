@@ -170,3 +170,21 @@ fn an_excess_relaxes() {
     };
     first_order(&[40, 80, 160].map(error));
 }
+
+/// The rule is implicit: a step that is long beside the relaxation time leaves 1/(1 + dt/tau) of the excess.
+#[test]
+fn a_long_step_relaxes_no_further_than_the_surface() {
+    let tau = 0.02;
+    let law: AnyLaw = VonMises::new(YOUNG, POISSON, YIELD, 0.0)
+        .relaxing(tau)
+        .into();
+    let limit = YIELD / 3.0_f64.sqrt();
+    for times in [0.5, 3.0, 1e3] {
+        let mut point = Point::new(&law, 1.0, [0.0, 0.0, 0.0, 0.0, 0.0, 2.0 * limit]);
+        point
+            .step(&[[0.0; 3]; 3], times * tau)
+            .expect("a finite stress");
+        let left = limit / (1.0 + times);
+        close(point.stress()[5], limit + left, 1e-14, limit);
+    }
+}

@@ -23,7 +23,7 @@ impl Interaction for Looks {
     }
 
     fn on_slabs(&mut self, grid: &Grid, _: Visit) -> Vec<Box<dyn OnSlab + '_>> {
-        *self.0.lock().expect("no panic") = grid.slabs.clone();
+        self.0.lock().expect("no panic").clone_from(&grid.slabs);
         grid.slabs
             .iter()
             .map(|_| Box::new(Nothing) as Box<dyn OnSlab>)

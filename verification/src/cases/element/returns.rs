@@ -1,6 +1,6 @@
 //! What must hold of any stress that a law returns, whatever it was before.
 
-use nalgebra::{Matrix3, Rotation3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::{AnyLaw, DruckerPrager, Match, MohrCoulomb, Point, Tresca, VonMises};
 
@@ -145,9 +145,30 @@ fn returned(law: &AnyLaw, lanes: Option<Selected>, stress: [f64; 6]) -> Result<P
     Ok(point)
 }
 
-/// Principal stresses, the largest first.
+/// Sweeps after which nothing is left beside the diagonal: they converge with the square.
+const SWEEPS: usize = 8;
+
+/// Principal stresses, the largest first, by the rotations of Jacobi: roots alone, so that the bits are those of every platform.
 fn principal(stress: [f64; 6]) -> [f64; 3] {
-    let mut values: [f64; 3] = tensor(stress).symmetric_eigenvalues().into();
+    let mut s = tensor(stress);
+    for _ in 0..SWEEPS {
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            if s[(i, j)] == 0.0 {
+                continue;
+            }
+            let half = 0.5 * (s[(j, j)] - s[(i, i)]) / s[(i, j)];
+            let tangent = 1.0_f64.copysign(half) / (half.abs() + (half * half + 1.0).sqrt());
+            let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
+            let sine = tangent * cosine;
+            let mut turn = Matrix3::identity();
+            turn[(i, i)] = cosine;
+            turn[(j, j)] = cosine;
+            turn[(i, j)] = sine;
+            turn[(j, i)] = -sine;
+            s = turn.transpose() * s * turn;
+        }
+    }
+    let mut values = [s[(0, 0)], s[(1, 1)], s[(2, 2)]];
     values.sort_by(|a, b| b.total_cmp(a));
     values
 }
@@ -192,9 +213,9 @@ pub(super) fn quantities(
             let once_more = returned(&law, None, after)?.stress();
             let moved = (tensor(once_more) - tensor(after)).amax();
             again = worse(again, moved / size);
-            let [a, b, c] = [(); 3].map(|()| std::f64::consts::PI * number());
-            let axes = Rotation3::from_euler_angles(a, b, c);
-            let axes = axes.matrix();
+            let [w, x, y, z] = [(); 4].map(|()| number());
+            let axes = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
+            let axes = axes.to_rotation_matrix().into_inner();
             let there = returned(&law, None, six(&(axes * tensor(before) * axes.transpose())))?;
             let apart = tensor(there.stress()) - axes * tensor(after) * axes.transpose();
             turned = worse(turned, apart.amax() / size);
