@@ -16,23 +16,130 @@ use std::ops::Range;
 /// Cells per particle up to which counting them all is cheaper than comparing keys, and cells that are always counted.
 const COUNTED_CELLS: [usize; 2] = [8, 1024];
 
-/// How base cells are numbered, slow axis first: what is the same for all particles.
+/// A box of base cells, by its first one and the number of them along slow, middle and fast direction.
+#[derive(Clone, Copy, Debug)]
+struct Cells {
+    first: [usize; 3],
+    count: [usize; 3],
+}
+
+impl Cells {
+    /// All that a mesh has.
+    fn all(shape: &GridShape) -> Self {
+        Self {
+            first: [0; 3],
+            count: shape.bases(),
+        }
+    }
+
+    /// Those in which the particles of a set lie: what a sort costs does not depend on how large the mesh is around them.
+    fn in_use(
+        set: &ParticleSet,
+        shape: &GridShape,
+        stencil: usize,
+        lanes: Selected,
+        team: &Team,
+    ) -> Self {
+        let mut cells = Self::all(shape);
+        let share = set.len().div_ceil(team.count()).max(1);
+        let starts = (0..set.len()).step_by(share);
+        let of_part = |start: usize| {
+            lanes.run(Extent {
+                set,
+                range: start..(start + share).min(set.len()),
+                axes: shape.axes,
+            })
+        };
+        let join = |[low, high]: [[f64; 3]; 2], [l, h]: [[f64; 3]; 2]| {
+            [
+                std::array::from_fn(|axis| low[axis].min(l[axis])),
+                std::array::from_fn(|axis| high[axis].max(h[axis])),
+            ]
+        };
+        let nothing = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        let [low, high] = if team.count() == 1 {
+            starts.map(of_part).fold(nothing, join)
+        } else {
+            team.map(starts.collect(), of_part)
+                .into_iter()
+                .fold(nothing, join)
+        };
+        for axis in 0..shape.axes {
+            let direction = shape.direction(axis);
+            let cell = |x: f64| {
+                let base = base_node(x * (1.0 / shape.cell[axis]), stencil) + 1.0;
+                (base as usize).min(cells.count[direction] - 1)
+            };
+            // No particle at all, or none whose position is a number.
+            if low[axis] > high[axis] {
+                continue;
+            }
+            let (first, last) = (cell(low[axis]), cell(high[axis]));
+            cells.first[direction] = first;
+            cells.count[direction] = last - first + 1;
+        }
+        cells
+    }
+}
+
+/// The least and the largest position of particles along each axis, whatever their order; of what is no number nothing is seen.
+struct Extent<'a> {
+    set: &'a ParticleSet,
+    range: Range<usize>,
+    axes: usize,
+}
+
+impl Kernel for Extent<'_> {
+    type Output = [[f64; 3]; 2];
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> Self::Output {
+        let width = <B::Line as Lanes>::WIDTH;
+        let mut extent = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for axis in 0..self.axes {
+            let column = &self.set.columns[Layout::POSITION + axis][self.range.clone()];
+            let mut low = B::Line::splat(f64::INFINITY);
+            let mut high = B::Line::splat(f64::NEG_INFINITY);
+            let mut whole = column.chunks_exact(width);
+            for lanes in &mut whole {
+                let x = B::Line::load(lanes);
+                low = x.min(low);
+                high = x.max(high);
+            }
+            let mut lanes = [[0.0; 8]; 2];
+            low.store(&mut lanes[0]);
+            high.store(&mut lanes[1]);
+            for x in lanes[0].iter().chain(whole.remainder()) {
+                extent[0][axis] = x.min(extent[0][axis]);
+            }
+            for x in lanes[1].iter().chain(whole.remainder()) {
+                extent[1][axis] = x.max(extent[1][axis]);
+            }
+        }
+        extent
+    }
+}
+
+/// How base cells of a box are numbered, slow axis first: what is the same for all particles.
 pub(crate) struct Numbering {
     axes: usize,
     /// Cells per metre along each axis.
     per_metre: [f64; 3],
+    /// The first cell along each axis, as a node less one.
+    first: [f64; 3],
     /// What one cell along each axis adds to the number.
     strides: [usize; 3],
     stencil: usize,
 }
 
 impl Numbering {
-    pub(crate) fn new(shape: &GridShape, stencil: usize) -> Self {
-        let bases = shape.bases();
-        let of_direction = [bases[1] * bases[2], bases[2], 1];
+    fn new(shape: &GridShape, stencil: usize, cells: &Cells) -> Self {
+        let [_, middle, fast] = cells.count;
+        let of_direction = [middle * fast, fast, 1];
         Self {
             axes: shape.axes,
             per_metre: shape.cell.map(|cell| 1.0 / cell),
+            first: std::array::from_fn(|axis| cells.first[shape.direction(axis)] as f64 - 1.0),
             strides: std::array::from_fn(|axis| of_direction[shape.direction(axis)]),
             stencil,
         }
@@ -44,17 +151,17 @@ impl Numbering {
         let mut key = 0;
         for axis in 0..self.axes {
             let xi = set.columns[Layout::POSITION + axis][p] * self.per_metre[axis];
-            key += (base_node(xi, self.stencil) + 1.0) as usize * self.strides[axis];
+            key += (base_node(xi, self.stencil) - self.first[axis]) as usize * self.strides[axis];
         }
         key as u32
     }
 }
 
-/// The numbers of the base cells of particles from `first` on, in lanes.
+/// The numbers of the base cells of particles from `start` on, in lanes.
 struct Number<'a> {
     numbering: &'a Numbering,
     set: &'a ParticleSet,
-    first: usize,
+    start: usize,
     keys: &'a mut [u32],
 }
 
@@ -64,21 +171,19 @@ impl Kernel for Number<'_> {
     #[inline(always)]
     fn run<B: Backend>(self) {
         let width = <B::Native as Lanes>::WIDTH;
-        let (offset, one) = (
-            B::Native::splat(base_offset(self.numbering.stencil)),
-            B::Native::splat(1.0),
-        );
-        let end = self.first + self.keys.len();
+        let offset = B::Native::splat(base_offset(self.numbering.stencil));
+        let end = self.start + self.keys.len();
         for (block, keys) in self.keys.chunks_mut(width).enumerate() {
-            let at = self.first + block * width;
+            let at = self.start + block * width;
             let count = (end - at).min(width);
             let mut key = B::Native::splat(0.0);
             for axis in 0..self.numbering.axes {
                 let column = &self.set.columns[Layout::POSITION + axis];
                 let per_metre = B::Native::splat(self.numbering.per_metre[axis]);
                 let xi = load::<B::Native>(column, at, count) * per_metre;
+                let first = B::Native::splat(self.numbering.first[axis]);
                 let stride = B::Native::splat(self.numbering.strides[axis] as f64);
-                key = ((xi - offset).floor() + one).mul_add(stride, key);
+                key = ((xi - offset).floor() - first).mul_add(stride, key);
             }
             let mut lanes = [0.0; 8];
             key.store(&mut lanes);
@@ -134,13 +239,14 @@ impl Sorter {
         self.occupied.resize(bases[0] * bases[1], None);
         self.spares.resize_with(sets.len(), Spares::default);
         for (index, set) in sets.iter_mut().enumerate() {
-            self.number(set, &Numbering::new(shape, stencil), lanes, team);
+            let cells = Cells::in_use(set, shape, stencil, lanes, team);
+            self.number(set, &Numbering::new(shape, stencil, &cells), lanes, team);
             let sorted = self.keys.is_sorted();
             let [per_particle, always] = COUNTED_CELLS;
-            if bases.iter().product::<usize>() <= per_particle * set.len() + always {
-                self.count(set, bases, sorted, team);
+            if cells.count.iter().product::<usize>() <= per_particle * set.len() + always {
+                self.count(set, bases, &cells, sorted, team);
             } else {
-                self.compare(set, bases, sorted, team);
+                self.compare(set, bases, &cells, sorted, team);
             }
             if !sorted {
                 permute(set, &self.order, &mut self.spares[index], team);
@@ -158,7 +264,7 @@ impl Sorter {
             lanes.run(Number {
                 numbering,
                 set,
-                first: part * share,
+                start: part * share,
                 keys,
             });
         });
@@ -166,15 +272,23 @@ impl Sorter {
 
     /// Orders the particles by counting those of each cell. Cells few enough for that are walked without regard to how many
     /// are empty.
-    fn count(&mut self, set: &mut ParticleSet, bases: [usize; 3], sorted: bool, team: &Team) {
-        let per_layer = bases[1] * bases[2];
+    fn count(
+        &mut self,
+        set: &mut ParticleSet,
+        bases: [usize; 3],
+        Cells { first, count }: &Cells,
+        sorted: bool,
+        team: &Team,
+    ) {
+        let per_layer = count[1] * count[2];
         self.ends.clear();
-        self.ends.resize(bases[0] * per_layer, 0);
+        self.ends.resize(count[0] * per_layer, 0);
         self.order.resize(set.len(), 0);
         let mut shares = vec![];
         let mut rest = self.ends.as_mut_slice();
         for layers in shares_of_layers(set, bases[0], team.count()) {
-            let cells = layers.start * per_layer..layers.end * per_layer;
+            let place = |layer: usize| layer.clamp(first[0], first[0] + count[0]) - first[0];
+            let cells = place(layers.start) * per_layer..place(layers.end) * per_layer;
             let (ends, behind) = rest.split_at_mut(cells.len());
             shares.push(Share { cells, ends });
             rest = behind;
@@ -228,23 +342,33 @@ impl Sorter {
         });
         let ends = self.ends.as_slice();
         let mut before = 0;
-        for (row, ends) in ends.chunks(bases[2]).enumerate() {
-            let last = ends[bases[2] - 1];
+        for (row, ends) in ends.chunks(count[2]).enumerate() {
+            let last = ends[count[2] - 1];
             if last > before {
-                let low = ends.partition_point(|&end| end == before) as u32;
-                let high = ends.partition_point(|&end| end < last) as u32;
-                widen(&mut self.occupied[row], low, high);
+                let cell = |fast: usize| (first[2] + fast) as u32;
+                let low = cell(ends.partition_point(|&end| end == before));
+                let high = cell(ends.partition_point(|&end| end < last));
+                let (slow, middle) = (first[0] + row / count[1], first[1] + row % count[1]);
+                widen(&mut self.occupied[slow * bases[1] + middle], low, high);
             }
             before = last;
         }
         set.layers.clear();
-        set.layers.push(0);
+        set.layers.resize(first[0] + 1, 0);
         let layers = ends.chunks(per_layer).map(|layer| layer[per_layer - 1]);
         set.layers.extend(layers.map(|end| end as usize));
+        set.layers.resize(bases[0] + 1, set.id.len());
     }
 
     /// Orders the particles by comparing their keys, where nearly all cells of a mesh are empty.
-    fn compare(&mut self, set: &mut ParticleSet, bases: [usize; 3], sorted: bool, team: &Team) {
+    fn compare(
+        &mut self,
+        set: &mut ParticleSet,
+        bases: [usize; 3],
+        Cells { first, count }: &Cells,
+        sorted: bool,
+        team: &Team,
+    ) {
         let keys = self.keys.as_slice();
         self.order.clear();
         self.order.extend(0..set.len() as u32);
@@ -258,12 +382,20 @@ impl Sorter {
         set.layers.push(0);
         for layer in 0..bases[0] {
             while let Some(&p) = self.order.get(at) {
-                let row = keys[p as usize] as usize / bases[2];
-                if row / bases[1] > layer {
+                let (row, fast) = (
+                    keys[p as usize] as usize / count[2],
+                    keys[p as usize] as usize % count[2],
+                );
+                let (slow, middle) = (first[0] + row / count[1], first[1] + row % count[1]);
+                if slow > layer {
                     break;
                 }
-                let fast = (keys[p as usize] as usize % bases[2]) as u32;
-                widen(&mut self.occupied[row], fast, fast);
+                let fast = (first[2] + fast) as u32;
+                widen(
+                    &mut self.occupied[slow * bases[1] + middle],
+                    fast,
+                    fast,
+                );
                 at += 1;
             }
             set.layers.push(at);
@@ -324,7 +456,7 @@ fn gather<T: Copy>(column: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
 /// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
 #[must_use]
 pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
-    let numbering = Numbering::new(shape, stencil);
+    let numbering = Numbering::new(shape, stencil, &Cells::all(shape));
     let keys = sets.iter().flat_map(|set| {
         let numbering = &numbering;
         (0..set.len()).map(move |p| numbering.key(set, p))
@@ -340,7 +472,7 @@ pub fn rows_of_some(
     shape: &GridShape,
     stencil: usize,
 ) -> ActiveRows {
-    let numbering = Numbering::new(shape, stencil);
+    let numbering = Numbering::new(shape, stencil, &Cells::all(shape));
     rows_of_keys(particles.map(|p| numbering.key(set, p)), shape, stencil)
 }
 

@@ -102,7 +102,9 @@ impl Team {
         items: Range<usize>,
         value: impl Fn(usize) -> R + Send + Sync,
     ) -> Vec<R> {
-        self.collect_in_shares(items, SHORTEST_SHARE, value)
+        let mut results = vec![];
+        self.in_shares(items, SHORTEST_SHARE, value, &mut results);
+        results
     }
 
     /// `value` of items that each take a search or a system of equations; the results in order.
@@ -111,26 +113,39 @@ impl Team {
         items: Range<usize>,
         value: impl Fn(usize) -> R + Send + Sync,
     ) -> Vec<R> {
-        self.collect_in_shares(items, SHORTEST_SHARE_OF_SEARCHES, value)
+        let mut results = vec![];
+        self.search_into(items, value, &mut results);
+        results
     }
 
-    fn collect_in_shares<R: Send>(
+    /// The same into a list that is kept, whose old content goes.
+    pub fn search_into<R: Send>(
+        &self,
+        items: Range<usize>,
+        value: impl Fn(usize) -> R + Send + Sync,
+        results: &mut Vec<R>,
+    ) {
+        self.in_shares(items, SHORTEST_SHARE_OF_SEARCHES, value, results);
+    }
+
+    fn in_shares<R: Send>(
         &self,
         items: Range<usize>,
         shortest: usize,
         value: impl Fn(usize) -> R + Send + Sync,
-    ) -> Vec<R> {
+        results: &mut Vec<R>,
+    ) {
+        results.clear();
         match &self.pool {
             Some(_) if items.len() > shortest => {
                 let most = items.len() / shortest;
                 let parts = (self.count * PARTS_PER_THREAD).min(most).max(1);
                 let end_of = |part: usize| items.start + items.len() * part / parts;
                 let parts = (0..parts).map(|part| end_of(part)..end_of(part + 1));
-                let results =
-                    self.map(parts.collect(), |part| part.map(&value).collect::<Vec<R>>());
-                results.into_iter().flatten().collect()
+                let found = self.map(parts.collect(), |part| part.map(&value).collect::<Vec<R>>());
+                results.extend(found.into_iter().flatten());
             }
-            _ => items.map(value).collect(),
+            _ => results.extend(items.map(value)),
         }
     }
 

@@ -191,8 +191,13 @@ pub(super) fn fold(slab: &mut Slab<'_>, walls: &[Wall]) {
 
 /// Nodes with a positive weight of one particle, increasing, with their weights.
 pub(super) struct NodeWeights {
-    entries: [(usize, f64); 64],
+    entries: [(usize, f64); Self::MOST],
     count: usize,
+}
+
+impl NodeWeights {
+    /// Nodes of the widest stencil in space.
+    pub(super) const MOST: usize = 64;
 }
 
 impl Deref for NodeWeights {
@@ -242,18 +247,30 @@ pub(super) fn node_weights_touching(
     }
     weights_of(set, body, shape, stencil, p, |axis, xi, l| {
         let cells = |length: &Vector| length[axis] * body.mapping.inverse_cell[axis];
-        let parts = (l / cells(half)).round().max(1.0);
-        let l_part = l / parts;
+        let ratio = l / cells(half);
+        // A whole number is rounded without a call of the C library.
+        let parts = ((ratio + 0.5) as usize).max(1);
+        let mut weights = [0.0; 4];
+        if parts == 1 {
+            let off = cells(offset).clamp(-l, l);
+            let at = xi - base_node(xi, stencil) + off;
+            for n in 0..stencil {
+                weights[n] = mean_of_hat(at - n as f64, l - off.abs());
+            }
+            return weights;
+        }
+        let share = 1.0 / parts as f64;
+        let l_part = l * share;
         let off = cells(offset).clamp(-l_part, l_part);
         let at = xi - base_node(xi, stencil) + off;
-        let middle = 0.5 * (parts - 1.0);
-        std::array::from_fn(|n| {
-            let weight = |part: usize| {
-                let place = at + 2.0 * l_part * (part as f64 - middle);
-                mean_of_hat(place - n as f64, l_part - off.abs())
-            };
-            (0..parts as usize).map(weight).sum::<f64>() / parts
-        })
+        let middle = 0.5 * (parts as f64 - 1.0);
+        for part in 0..parts {
+            let place = at + 2.0 * l_part * (part as f64 - middle);
+            for n in 0..stencil {
+                weights[n] += share * mean_of_hat(place - n as f64, l_part - off.abs());
+            }
+        }
+        weights
     })
 }
 
@@ -289,7 +306,7 @@ fn weights_of(
         reached.map(move |(n, w)| (base[direction] + n, *w))
     };
     let mut nodes = NodeWeights {
-        entries: [(0, 0.0); 64],
+        entries: [(0, 0.0); NodeWeights::MOST],
         count: 0,
     };
     for (i, u) in reached(0) {

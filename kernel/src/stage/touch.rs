@@ -30,26 +30,33 @@
 //! slides, parts of it slip backwards or stick, and the friction of the whole is a little less than mu N.
 
 use crate::grid::Line;
+use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use std::ops::Range;
 
 /// A node that touching particles reach.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TouchedNode {
     /// Index in the grid.
     pub node: usize,
-    /// Velocity fields that move together there, by their numbers: 0 the common one, then the layers.
-    pub fields: Vec<usize>,
-    /// 1/m per axis \[1/kg\]; zero along axes in which a boundary prescribes the velocity.
-    pub mobility: [f64; 3],
-    /// Change of velocity so far \[m/s\].
-    pub change: [f64; 3],
+    /// The lowest number of the velocity fields that move together there: 0 the common one, then the layers.
+    pub field: usize,
+    /// The others, as places in [`Touches::others`].
+    pub others: Range<usize>,
+    /// 1/m per axis \[1/kg\], and nothing; zero along axes in which a boundary prescribes the velocity.
+    pub mobility: [f64; 4],
+    /// Change of velocity so far \[m/s\], and nothing.
+    pub change: [f64; 4],
 }
+
+/// A node of a touching particle, as its place in [`Touches::nodes`], and its weight per axis: beside a boundary the mirrored
+/// part of a weight has the sign of the mirrored velocity.
+pub type Weight = (usize, [f64; 4]);
 
 /// A particle and a surface that it touches or may touch within the step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Touch {
-    /// Nodes, as places in the list of touched nodes, and weight per axis: beside a boundary the mirrored part of a
-    /// weight has the sign of the mirrored velocity.
-    pub weights: Vec<(usize, [f64; 3])>,
+    /// Its nodes, as places in [`Touches::weights`].
+    pub weights: Range<usize>,
     /// Unit normal of the surface, away from it.
     pub normal: [f64; 3],
     /// Velocity of the touching point over the surface before contact, sum_I S_Ip v_I - v_s \[m/s\].
@@ -91,59 +98,199 @@ impl Touch {
             tau < held * held * (1.0 - 1e-9),
         )
     }
+}
 
-    /// What the impulse takes from the kinetic energy of the nodes \[J\], by friction and along the normal: the impulse
-    /// times the mean of the velocities over the surface before and after the step, with the sign turned. `line` gives a
-    /// node after the solve, before the changes are applied.
+/// How the velocity of a touching point answers to impulses on it alone, all others held.
+#[derive(Clone, Copy, Debug)]
+struct Response {
+    /// Along the normal \[1/kg\], and its inverse; both zero where a boundary holds the point in that direction.
+    along: [f64; 2],
+    /// The largest along any axis \[1/kg\], and its inverse.
+    across: [f64; 2],
+}
+
+/// Particles that touch, and what they share. All lists are kept from step to step, so that a step takes no memory.
+#[derive(Clone, Debug, Default)]
+pub struct Touches {
+    /// Particles, in the order of their identifiers by surface and body.
+    pub list: Vec<Touch>,
+    /// Nodes of one particle after the other.
+    pub weights: Vec<Weight>,
+    /// Nodes that any of them reaches.
+    pub nodes: Vec<TouchedNode>,
+    /// Further fields of one node after the other, by their numbers, increasing.
+    pub others: Vec<usize>,
+    responses: Vec<Response>,
+}
+
+impl Touches {
+    /// Forgets all particles and nodes.
+    pub fn clear(&mut self) {
+        self.list.clear();
+        self.weights.clear();
+        self.nodes.clear();
+        self.others.clear();
+    }
+
+    /// What the impulse of a touch takes from the kinetic energy of the nodes \[J\], by friction and along the normal: the
+    /// impulse times the mean of the velocities over the surface before and after the step, with the sign turned. `line` gives
+    /// a node after the solve, before the changes are applied.
     #[must_use]
-    pub fn taken<'a>(
-        &self,
-        nodes: &[TouchedNode],
-        line: impl Fn(&TouchedNode) -> &'a Line,
-    ) -> [f64; 2] {
-        let mut mean = self.velocity(nodes);
-        for axis in 0..3 {
-            let mut before = self.relative[axis];
-            for (n, w) in &self.weights {
-                before -= w[axis] * line(&nodes[*n])[4 + axis];
+    pub fn taken<'a>(&self, touch: &Touch, line: impl Fn(&TouchedNode) -> &'a Line) -> [f64; 2] {
+        let mut mean = touch.relative;
+        for (n, w) in &self.weights[touch.weights.clone()] {
+            let node = &self.nodes[*n];
+            let line = line(node);
+            for axis in 0..3 {
+                mean[axis] += w[axis] * (0.5 * (node.change[axis] - line[4 + axis]));
             }
-            mean[axis] = 0.5 * (mean[axis] + before);
         }
         [
-            -dot(&self.tangential_impulse, &mean),
-            -self.normal_impulse * dot(&self.normal, &mean),
+            -dot(&touch.tangential_impulse, &mean),
+            -touch.normal_impulse * dot(&touch.normal, &mean),
         ]
     }
 
-    /// Response sum_I S_Ip² / m_I per axis \[1/kg\].
-    fn response(&self, nodes: &[TouchedNode]) -> [f64; 3] {
-        let mut sum = [0.0; 3];
-        for (n, w) in &self.weights {
-            for axis in 0..3 {
-                sum[axis] += w[axis] * w[axis] * nodes[*n].mobility[axis];
+    /// Finds the impulses of all touches; returns the number of sweeps. Sweeps end when none changes a velocity by more
+    /// than `tolerance` times the largest change of the first one, or after `most`. Where penalty forces act beside them, they
+    /// go on from there, for as many again.
+    pub fn resolve(&mut self, lanes: Selected, tolerance: f64, most: usize) -> usize {
+        for touch in self.list.iter_mut().filter(|t| t.penalty > 0.0) {
+            touch.floor = 0.0;
+        }
+        self.responses.clear();
+        for touch in &self.list {
+            let response = self.response(touch);
+            self.responses.push(response);
+        }
+        let sweeps = self.sweep(lanes, tolerance, most);
+        let mut pushed = false;
+        for touch in &mut self.list {
+            if touch.penalty > 0.0 && touch.normal_impulse <= 0.0 {
+                touch.floor = touch.penalty;
+                touch.normal_impulse = touch.penalty;
+                for (n, w) in &self.weights[touch.weights.clone()] {
+                    let node = &mut self.nodes[*n];
+                    for axis in 0..3 {
+                        node.change[axis] +=
+                            w[axis] * node.mobility[axis] * (touch.normal[axis] * touch.penalty);
+                    }
+                }
+                pushed = true;
             }
         }
-        sum
+        if pushed {
+            sweeps + self.sweep(lanes, tolerance, most)
+        } else {
+            sweeps
+        }
     }
 
-    fn give(&self, nodes: &mut [TouchedNode], impulse: &[f64; 3]) {
-        for (n, w) in &self.weights {
-            let node = &mut nodes[*n];
+    /// The response sum_I S_Ip² / m_I of the point of a touch.
+    fn response(&self, touch: &Touch) -> Response {
+        let mut sum = [0.0_f64; 3];
+        for (n, w) in &self.weights[touch.weights.clone()] {
             for axis in 0..3 {
-                node.change[axis] += w[axis] * node.mobility[axis] * impulse[axis];
+                sum[axis] += w[axis] * w[axis] * self.nodes[*n].mobility[axis];
             }
+        }
+        let normal = touch.normal;
+        let along: f64 = (0..3)
+            .map(|axis| normal[axis] * normal[axis] * sum[axis])
+            .sum();
+        let across = sum.iter().fold(0.0_f64, |m, r| m.max(*r));
+        let with_inverse = |response: f64| {
+            if response > 0.0 {
+                [response, 1.0 / response]
+            } else {
+                [0.0; 2]
+            }
+        };
+        Response {
+            along: with_inverse(along),
+            across: with_inverse(across),
         }
     }
 
-    /// Velocity over the surface with the impulses so far.
-    fn velocity(&self, nodes: &[TouchedNode]) -> [f64; 3] {
-        let mut v = self.relative;
-        for (n, w) in &self.weights {
+    fn sweep(&mut self, lanes: Selected, tolerance: f64, most: usize) -> usize {
+        lanes.run(Sweeps {
+            list: &mut self.list,
+            responses: &self.responses,
+            weights: &self.weights,
+            nodes: &mut self.nodes,
+            tolerance,
+            most,
+        })
+    }
+
+    /// The same where local damping acts, which resists by alpha times the unbalanced force. Contact is a part of what
+    /// balances: damped without it, a body at rest on a surface would be carried by its damping, by a share alpha of its
+    /// weight. So the damping of the touched nodes is taken back, the contact found, and both done again together.
+    ///
+    /// `line` gives a node after the damped solve. Returns what damping takes by this beyond what it took before \[J\].
+    pub fn resolve_damped<'a>(
+        &mut self,
+        lanes: Selected,
+        line: impl Fn(&TouchedNode) -> &'a Line,
+        alpha: f64,
+        tolerance: f64,
+        most: usize,
+    ) -> f64 {
+        // Increment and velocity before it along an axis, where the node is free and damping had a direction.
+        let damped = |node: &TouchedNode, axis: usize| {
+            let line = line(node);
+            let (dv, before) = (line[4 + axis], line[1 + axis] - line[4 + axis]);
+            (node.mobility[axis] > 0.0 && before != 0.0).then_some((dv, before))
+        };
+        let undamped = |dv: f64, before: f64| {
+            let kept = 1.0 - alpha * before.signum() * dv.signum();
+            // A factor of 1 took everything; then there is nothing to give back.
+            if kept > 0.0 { dv / kept } else { dv }
+        };
+        for node in &mut self.nodes {
             for axis in 0..3 {
-                v[axis] += w[axis] * nodes[*n].change[axis];
+                if let Some((dv, before)) = damped(node, axis) {
+                    node.change[axis] = undamped(dv, before) - dv;
+                }
             }
         }
-        v
+        self.resolve(lanes, tolerance, most);
+        let mut taken = 0.0;
+        for node in &mut self.nodes {
+            let mut change = [0.0; 4];
+            for axis in 0..3 {
+                if let Some((dv, before)) = damped(node, axis) {
+                    let unbalanced = dv + node.change[axis];
+                    change[axis] =
+                        undamped(dv, before) - dv - alpha * unbalanced.abs() * before.signum();
+                    let mean = before + 0.5 * (dv + change[axis]);
+                    taken -= change[axis] / node.mobility[axis] * mean;
+                }
+            }
+            node.change = change;
+        }
+        for touch in &mut self.list {
+            touch.normal_impulse = 0.0;
+            touch.tangential_impulse = [0.0; 3];
+        }
+        self.resolve(lanes, tolerance, most);
+        taken
+    }
+
+    /// Adds the changes of the nodes of one field to its velocities, and where asked for to their increments.
+    pub fn apply(&self, field: usize, lines: &mut [Line], first_lane: usize, increments: bool) {
+        for touched in &self.nodes {
+            if touched.field != field && !self.others[touched.others.clone()].contains(&field) {
+                continue;
+            }
+            let line = &mut lines[touched.node];
+            for axis in 0..3 {
+                line[first_lane + axis] += touched.change[axis];
+                if increments {
+                    line[4 + axis] += touched.change[axis];
+                }
+            }
+        }
     }
 }
 
@@ -151,171 +298,134 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Finds the impulses of all touches; returns the number of sweeps. Sweeps end when none changes a velocity by more
-/// than `tolerance` times the largest change of the first one, or after `most`. Where penalty forces act beside them, they
-/// go on from there, for as many again.
-pub fn resolve(
-    touches: &mut [Touch],
-    nodes: &mut [TouchedNode],
+/// Sweeps over all touches: a vector and one unused lane are half a line.
+struct Sweeps<'a> {
+    list: &'a mut [Touch],
+    responses: &'a [Response],
+    weights: &'a [Weight],
+    nodes: &'a mut [TouchedNode],
     tolerance: f64,
     most: usize,
-) -> usize {
-    let responses: Vec<[f64; 3]> = touches.iter().map(|t| t.response(nodes)).collect();
-    for touch in touches.iter_mut().filter(|t| t.penalty > 0.0) {
-        touch.floor = 0.0;
-    }
-    let sweeps = sweep(touches, &responses, nodes, tolerance, most);
-    let mut pushed = false;
-    for touch in touches.iter_mut() {
-        if touch.penalty > 0.0 && touch.normal_impulse <= 0.0 {
-            touch.floor = touch.penalty;
-            touch.normal_impulse = touch.penalty;
-            let impulse = touch.normal.map(|n| n * touch.penalty);
-            touch.give(nodes, &impulse);
-            pushed = true;
+}
+
+impl Kernel for Sweeps<'_> {
+    type Output = usize;
+
+    #[inline(always)]
+    fn run<B: Backend>(self) -> usize {
+        let mut first = 0.0;
+        for sweep in 1..=self.most {
+            let mut largest = 0.0_f64;
+            for (touch, response) in self.list.iter_mut().zip(self.responses) {
+                let weights = &self.weights[touch.weights.clone()];
+                let changed = correct::<B::Half>(touch, response, weights, self.nodes);
+                if changed > largest {
+                    largest = changed;
+                }
+            }
+            if sweep == 1 {
+                first = largest;
+            }
+            if largest <= self.tolerance * first {
+                return sweep;
+            }
         }
-    }
-    if pushed {
-        sweeps + sweep(touches, &responses, nodes, tolerance, most)
-    } else {
-        sweeps
+        self.most
     }
 }
 
-fn sweep(
-    touches: &mut [Touch],
-    responses: &[[f64; 3]],
-    nodes: &mut [TouchedNode],
-    tolerance: f64,
-    most: usize,
-) -> usize {
-    let mut first = 0.0;
-    for sweep in 1..=most {
-        let mut largest = 0.0_f64;
-        for (touch, response) in touches.iter_mut().zip(responses) {
-            largest = largest.max(correct(touch, response, nodes));
-        }
-        if sweep == 1 {
-            first = largest;
-        }
-        if largest <= tolerance * first {
-            return sweep;
-        }
-    }
-    most
+/// a . b with multiply-add.
+#[inline(always)]
+fn dot_fused(a: &[f64; 4], b: &[f64; 3]) -> f64 {
+    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
-/// The same where local damping acts, which resists by alpha times the unbalanced force. Contact is a part of what
-/// balances: damped without it, a body at rest on a surface would be carried by its damping, by a share alpha of its
-/// weight. So the damping of the touched nodes is taken back, the contact found, and both done again together.
+/// Velocity of a touching point over the surface with the impulses so far.
 ///
-/// `line` gives a node after the damped solve. Returns what damping takes by this beyond what it took before \[J\].
-pub fn resolve_damped<'a>(
-    touches: &mut [Touch],
-    nodes: &mut [TouchedNode],
-    line: impl Fn(&TouchedNode) -> &'a Line,
-    alpha: f64,
-    tolerance: f64,
-    most: usize,
-) -> f64 {
-    // Increment and velocity before it along an axis, where the node is free and damping had a direction.
-    let damped = |node: &TouchedNode, axis: usize| {
-        let line = line(node);
-        let (dv, before) = (line[4 + axis], line[1 + axis] - line[4 + axis]);
-        (node.mobility[axis] > 0.0 && before != 0.0).then_some((dv, before))
-    };
-    let undamped = |dv: f64, before: f64| {
-        let kept = 1.0 - alpha * before.signum() * dv.signum();
-        // A factor of 1 took everything; then there is nothing to give back.
-        if kept > 0.0 { dv / kept } else { dv }
-    };
-    for node in nodes.iter_mut() {
-        for axis in 0..3 {
-            if let Some((dv, before)) = damped(node, axis) {
-                node.change[axis] = undamped(dv, before) - dv;
-            }
+/// Four sums side by side, as each term of one waits for the term before it.
+#[inline(always)]
+fn velocity<H: Lanes>(touch: &Touch, weights: &[Weight], nodes: &[TouchedNode]) -> [f64; 4] {
+    let [x, y, z] = touch.relative;
+    let zero = H::splat(0.0);
+    let mut sums = [H::load(&[x, y, z, 0.0]), zero, zero, zero];
+    let mut fours = weights.chunks_exact(4);
+    for four in &mut fours {
+        for (sum, (n, w)) in sums.iter_mut().zip(four) {
+            *sum = H::load(w).mul_add(H::load(&nodes[*n].change), *sum);
         }
     }
-    resolve(touches, nodes, tolerance, most);
-    let mut taken = 0.0;
-    for node in nodes.iter_mut() {
-        let mut change = [0.0; 3];
-        for axis in 0..3 {
-            if let Some((dv, before)) = damped(node, axis) {
-                let unbalanced = dv + node.change[axis];
-                change[axis] =
-                    undamped(dv, before) - dv - alpha * unbalanced.abs() * before.signum();
-                let mean = before + 0.5 * (dv + change[axis]);
-                taken -= change[axis] / node.mobility[axis] * mean;
-            }
-        }
-        node.change = change;
+    for (sum, (n, w)) in sums.iter_mut().zip(fours.remainder()) {
+        *sum = H::load(w).mul_add(H::load(&nodes[*n].change), *sum);
     }
-    for touch in touches.iter_mut() {
-        touch.normal_impulse = 0.0;
-        touch.tangential_impulse = [0.0; 3];
-    }
-    resolve(touches, nodes, tolerance, most);
-    taken
+    let mut v = [0.0; 4];
+    ((sums[0] + sums[1]) + (sums[2] + sums[3])).store(&mut v);
+    v
 }
 
 /// Corrects one touch with all others held; returns the change of its velocity.
-fn correct(touch: &mut Touch, response: &[f64; 3], nodes: &mut [TouchedNode]) -> f64 {
-    let n = touch.normal;
-    let along: f64 = (0..3).map(|axis| n[axis] * n[axis] * response[axis]).sum();
+#[inline(always)]
+fn correct<H: Lanes>(
+    touch: &mut Touch,
+    response: &Response,
+    weights: &[Weight],
+    nodes: &mut [TouchedNode],
+) -> f64 {
+    let Response {
+        along: [along, per_along],
+        across: [across, per_across],
+    } = *response;
     // Held by a boundary in the direction of the normal: nothing can move it.
     if along <= 0.0 {
         return 0.0;
     }
-    let v = touch.velocity(nodes);
-    let short = touch.bound - dot(&v, &n);
-    let normal_impulse = (touch.normal_impulse + short / along).max(touch.floor);
+    let n = touch.normal;
+    let v = velocity::<H>(touch, weights, nodes);
+    let v_n = dot_fused(&v, &n);
+    let mut normal_impulse = (touch.bound - v_n).mul_add(per_along, touch.normal_impulse);
+    if normal_impulse < touch.floor {
+        normal_impulse = touch.floor;
+    }
     let step = normal_impulse - touch.normal_impulse;
-    let mut impulse = n.map(|c| c * step);
     touch.normal_impulse = normal_impulse;
+    let mut impulse = [n[0] * step, n[1] * step, n[2] * step, 0.0];
     let mut changed = step.abs() * along;
     if touch.friction > 0.0 {
-        let across = response.iter().fold(0.0_f64, |m, r| m.max(*r));
-        let v_n = dot(&v, &n);
-        let wanted: [f64; 3] = std::array::from_fn(|axis| {
-            touch.tangential_impulse[axis] - (v[axis] - v_n * n[axis]) / across
-        });
-        let size = dot(&wanted, &wanted).sqrt();
-        let cap = if touch.friction.is_finite() {
+        let mut wanted = [0.0; 4];
+        for axis in 0..3 {
+            let sliding = (-v_n).mul_add(n[axis], v[axis]);
+            wanted[axis] = (-sliding).mul_add(per_across, touch.tangential_impulse[axis]);
+        }
+        let square = dot_fused(&wanted, &[wanted[0], wanted[1], wanted[2]]);
+        let cap = if touch.friction < f64::INFINITY {
             touch.friction * normal_impulse
         } else {
             f64::INFINITY
         };
-        let share = if size > cap { cap / size } else { 1.0 };
-        for axis in 0..3 {
-            let next = share * wanted[axis];
-            let step = next - touch.tangential_impulse[axis];
-            impulse[axis] += step;
-            changed = changed.max(step.abs() * across);
-            touch.tangential_impulse[axis] = next;
-        }
-    }
-    if impulse != [0.0; 3] {
-        touch.give(nodes, &impulse);
-    }
-    changed
-}
-
-/// Adds the changes of the nodes of one field to its velocities, and where asked for to their increments.
-pub fn apply(
-    nodes: &[TouchedNode],
-    field: usize,
-    lines: &mut [Line],
-    first_lane: usize,
-    increments: bool,
-) {
-    for touched in nodes.iter().filter(|t| t.fields.contains(&field)) {
-        let line = &mut lines[touched.node];
-        for axis in 0..3 {
-            line[first_lane + axis] += touched.change[axis];
-            if increments {
-                line[4 + axis] += touched.change[axis];
+        if square > cap * cap {
+            let share = cap / square.sqrt();
+            for w in &mut wanted {
+                *w *= share;
             }
         }
+        for axis in 0..3 {
+            let step = wanted[axis] - touch.tangential_impulse[axis];
+            impulse[axis] += step;
+            let moved = step.abs() * across;
+            if moved > changed {
+                changed = moved;
+            }
+            touch.tangential_impulse[axis] = wanted[axis];
+        }
     }
+    if impulse != [0.0; 4] {
+        let impulse = H::load(&impulse);
+        for (n, w) in weights {
+            let node = &mut nodes[*n];
+            let answer = H::load(w) * H::load(&node.mobility);
+            answer
+                .mul_add(impulse, H::load(&node.change))
+                .store(&mut node.change);
+        }
+    }
+    changed
 }

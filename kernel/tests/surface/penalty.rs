@@ -3,7 +3,8 @@
 use crate::slide::{raise, start};
 use crate::slope::{H, Slope, dot};
 use proctor_kernel::scene::{Scene, StressScheme};
-use proctor_kernel::stage::touch::{Touch, TouchedNode, resolve};
+use proctor_kernel::lanes::Selected;
+use proctor_kernel::stage::touch::{Touch, TouchedNode, Touches};
 
 /// A body at rest that was pressed into a slope without friction, and how deep \[m\].
 fn pressed_in(stiffness: f64) -> (Slope, Scene, f64) {
@@ -42,14 +43,17 @@ fn a_penalty_force_pushes_out() {
 #[test]
 fn a_penalty_force_adds_nothing_where_contact_presses_more() {
     for (speed, penalty, expected) in [(1.0, 0.3, 1.0), (1.0, 0.0, 1.0), (-0.5, 0.3, 0.3)] {
-        let mut nodes = [TouchedNode {
+        let mut touches = Touches::default();
+        touches.nodes.push(TouchedNode {
             node: 0,
-            fields: vec![0],
-            mobility: [1.0; 3],
-            change: [0.0; 3],
-        }];
-        let mut touches = [Touch {
-            weights: vec![(0, [1.0; 3])],
+            field: 0,
+            others: 0..0,
+            mobility: [1.0, 1.0, 1.0, 0.0],
+            change: [0.0; 4],
+        });
+        touches.weights.push((0, [1.0, 1.0, 1.0, 0.0]));
+        touches.list.push(Touch {
+            weights: 0..1,
             normal: [0.0, 0.0, 1.0],
             relative: [0.0, 0.0, -speed],
             gap: -0.01,
@@ -59,10 +63,10 @@ fn a_penalty_force_adds_nothing_where_contact_presses_more() {
             friction: 0.0,
             normal_impulse: 0.0,
             tangential_impulse: [0.0; 3],
-        }];
-        resolve(&mut touches, &mut nodes, 1e-12, 50);
-        let given = nodes[0].change[2];
-        assert!((touches[0].normal_impulse - expected).abs() < 1e-15);
+        });
+        touches.resolve(Selected::any(), 1e-12, 50);
+        let given = touches.nodes[0].change[2];
+        assert!((touches.list[0].normal_impulse - expected).abs() < 1e-15);
         assert!(
             (given - expected).abs() < 1e-15,
             "{given} m/s for {expected}"

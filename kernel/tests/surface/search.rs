@@ -61,7 +61,11 @@ proptest! {
     ) {
         let surface = sheet(10, &heights);
         for x in &points {
-            prop_assert_eq!(surface.nearest(x, within), surface.nearest_of_all(x, within));
+            let found = surface.nearest(x, within);
+            prop_assert_eq!(found, surface.nearest_of_all(x, within));
+            for guess in [0, 77, 199] {
+                prop_assert_eq!(found, surface.nearest_from(guess, x, within));
+            }
         }
     }
 
@@ -70,7 +74,11 @@ proptest! {
     fn ties_do_not_depend_on_the_tree(i in 0..=20_usize, j in 0..=20_usize, z in -1..=1_i32) {
         let surface = sheet(10, &[0.0; 121]);
         let x = [i as f64 / 20.0, j as f64 / 20.0, f64::from(z)];
-        prop_assert_eq!(surface.nearest(&x, 2.0), surface.nearest_of_all(&x, 2.0));
+        let found = surface.nearest(&x, 2.0);
+        prop_assert_eq!(found, surface.nearest_of_all(&x, 2.0));
+        for guess in 0..200 {
+            prop_assert_eq!(found, surface.nearest_from(guess, &x, 2.0));
+        }
     }
 
     #[test]

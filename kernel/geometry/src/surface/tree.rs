@@ -89,36 +89,50 @@ impl Tree {
         (self.boxes[0].low, self.boxes[0].high)
     }
 
-    pub fn nearest(&self, surface: &Surface, x: &Point, within: f64) -> Option<Nearest> {
+    /// The nearest point, of a triangle closer than `within`. A `guess` spares what lies behind it and changes nothing.
+    pub fn nearest(
+        &self,
+        surface: &Surface,
+        x: &Point,
+        within: f64,
+        guess: Option<usize>,
+    ) -> Option<Nearest> {
         let mut best = Best::new(within);
-        // Depth at most 32 halvings of at most 2^31 triangles.
-        let mut todo = [0_usize; 40];
+        if let Some(triangle) = guess {
+            best.look_at(surface, triangle, x);
+        }
+        // Depth at most 32 halvings of at most 2^31 triangles. Each box with its squared distance.
+        let mut todo = [(0_u32, 0.0); 40];
         let mut count = 1;
         while count > 0 {
             count -= 1;
-            let index = todo[count];
-            let bounds = &self.boxes[index];
+            let (index, square) = todo[count];
             // Not `>=`: a box at the same distance may hold an earlier triangle.
-            if bounds.square(x) > best.limit() {
+            if square > best.limit() {
                 continue;
             }
-            match bounds.content {
+            match self.boxes[index as usize].content {
                 Content::Triangles(start, number) => {
                     for &t in &self.order[start as usize..(start + number) as usize] {
-                        best.look_at(surface, t as usize, x);
+                        if guess != Some(t as usize) {
+                            best.look_at(surface, t as usize, x);
+                        }
                     }
                 }
                 Content::Second(second) => {
-                    let (first, second) = (index + 1, second as usize);
-                    let closer_last = if self.boxes[first].square(x) <= self.boxes[second].square(x)
-                    {
+                    let with_square = |index: u32| (index, self.boxes[index as usize].square(x));
+                    let (first, second) = (with_square(index + 1), with_square(second));
+                    let closer_last = if first.1 <= second.1 {
                         [second, first]
                     } else {
                         [first, second]
                     };
-                    todo[count] = closer_last[0];
-                    todo[count + 1] = closer_last[1];
-                    count += 2;
+                    for child in closer_last {
+                        if child.1 <= best.limit() {
+                            todo[count] = child;
+                            count += 1;
+                        }
+                    }
                 }
             }
         }

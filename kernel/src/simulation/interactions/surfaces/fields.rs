@@ -8,7 +8,7 @@
 use crate::grid::Line;
 use crate::simulation::fields::Grid;
 use crate::simulation::{BodyRun, Simulation};
-use crate::stage::touch::{TouchedNode, apply};
+use crate::stage::touch::Touches;
 
 /// All velocity fields, known by their numbers.
 pub(super) struct Fields<'a> {
@@ -38,27 +38,29 @@ impl<'a> Fields<'a> {
         body.is_some_and(|body| self.bodies[body].motion.is_some())
     }
 
-    /// The fields that share their velocity with `field` at a node, it among them, increasing.
-    pub(super) fn sharing(&self, field: usize, node: usize) -> Vec<usize> {
+    /// The lowest of the fields that share their velocity with `field` at a node, it among them; the others, increasing, are
+    /// added to a list.
+    pub(super) fn sharing(&self, [field, node]: [usize; 2], others: &mut Vec<usize>) -> usize {
         let count = self.grid.fields.len();
         if count == 1 {
-            return vec![0];
+            return 0;
         }
-        let present: Vec<usize> = (0..count)
-            .filter(|&f| f == field || self.mass(f, node) > 0.0)
-            .collect();
-        let mut found = vec![field];
-        let mut looked = 0;
-        while let Some(&from) = found.get(looked) {
-            for &other in &present {
-                if self.grid.joined[from * count + other] && !found.contains(&other) {
-                    found.push(other);
+        let start = others.len();
+        others.push(field);
+        let mut looked = start;
+        while let Some(&from) = others.get(looked) {
+            for other in 0..count {
+                if self.grid.joined[from * count + other]
+                    && self.mass(other, node) > 0.0
+                    && !others[start..].contains(&other)
+                {
+                    others.push(other);
                 }
             }
             looked += 1;
         }
-        found.sort_unstable();
-        found
+        others[start..].sort_unstable();
+        others.remove(start)
     }
 }
 
@@ -74,12 +76,12 @@ impl Simulation {
     /// asked for to their increments.
     pub(super) fn change_velocities(
         &mut self,
-        nodes: &[TouchedNode],
+        touches: &Touches,
         lane: usize,
         increments: bool,
     ) {
         for (number, field) in self.work.grid.fields.iter_mut().enumerate() {
-            apply(nodes, number, field.nodes.lines_mut(), lane, increments);
+            touches.apply(number, field.nodes.lines_mut(), lane, increments);
         }
     }
 }

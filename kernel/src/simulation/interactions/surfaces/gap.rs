@@ -1,5 +1,6 @@
 //! Gaps between particles and surfaces, and the motion of surfaces.
 
+use super::near::Place;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{RigidSurface, Scene, Vector};
@@ -25,16 +26,41 @@ impl Simulation {
         p: usize,
         within: f64,
     ) -> Option<(f64, Nearest)> {
+        self.gap_by(surface, set, p, within, Surface::nearest)
+    }
+
+    /// The same, where the nearest triangle is known but for a little.
+    pub(super) fn surface_gap_from(
+        &self,
+        triangle: usize,
+        Place { surface, set, p }: Place,
+        within: f64,
+    ) -> Option<(f64, Nearest)> {
+        self.gap_by(surface, set, p, within, |surface, x, within| {
+            surface.nearest_from(triangle, x, within)
+        })
+    }
+
+    fn gap_by(
+        &self,
+        surface: usize,
+        set: usize,
+        p: usize,
+        within: f64,
+        nearest: impl Fn(&Surface, &Vector, f64) -> Option<Nearest>,
+    ) -> Option<(f64, Nearest)> {
         let shift = self.surface_shift(surface, self.state.clock.time);
-        let (gap, mut nearest) = gap(
-            &self.decided.local_surfaces[surface],
-            &self.on_surface(&self.state.sets[set].position(p), &shift),
-            &half_lengths(&self.state.sets[set], &self.decided.bodies[set], p),
-            within,
-        )?;
+        let x = self.on_surface(&self.state.sets[set].position(p), &shift);
+        let half = half_lengths(&self.state.sets[set], &self.decided.bodies[set], p);
+        let surface = &self.decided.local_surfaces[surface];
+        let mut nearest = nearest(surface, &x, within + length(&half))?;
+        if nearest.on_rim {
+            return None;
+        }
+        let gap = nearest.distance - reach(&half, &nearest.normal);
         let origin = &self.decided.scene.mesh.origin;
         nearest.point = std::array::from_fn(|axis| nearest.point[axis] + origin[axis]);
-        Some((gap, nearest))
+        (gap < within).then_some((gap, nearest))
     }
 
     /// A position relative to the mesh as it is in the coordinates of a local surface that has moved by `shift`.
@@ -85,16 +111,6 @@ pub(in crate::simulation) fn local(scene: &Scene) -> Vec<Arc<Surface>> {
         }
     };
     scene.surfaces.iter().map(one).collect()
-}
-
-/// Gap and nearest point for a particle at `x` in the coordinates of the surface.
-fn gap(surface: &Surface, x: &Vector, half: &Vector, within: f64) -> Option<(f64, Nearest)> {
-    let nearest = surface.nearest(x, within + length(half))?;
-    if nearest.on_rim {
-        return None;
-    }
-    let gap = nearest.distance - reach(half, &nearest.normal);
-    (gap < within).then_some((gap, nearest))
 }
 
 /// How far the ellipsoid with these half-lengths reaches along a unit normal \[m\].

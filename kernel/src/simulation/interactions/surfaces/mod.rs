@@ -18,14 +18,13 @@ use crate::simulation::{BodyRun, Simulation};
 use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::Planes;
-use crate::stage::touch::{Touch, TouchedNode, resolve, resolve_damped};
+use crate::stage::touch::{Touch, TouchedNode, Touches};
 use crate::surface::Nearest;
 use fields::Fields;
 pub(in crate::simulation) use gap::local;
 use gap::{half_lengths, touching_point, velocity};
 use near::{Near, Place};
-use reached::{Known, Reached, fold};
-use std::collections::BTreeMap;
+use reached::{Known, Reached};
 
 /// Contact with rigid surfaces.
 pub(super) const SURFACES: Kind = Kind {
@@ -42,12 +41,13 @@ const SWEEPS: usize = 50;
 /// spares searches, and the impulses are records.
 #[derive(Clone, Debug)]
 pub(crate) struct Surfaces {
-    near: Option<Near>,
+    near: Near,
     /// Touches of the last equation of motion, and those of a second mapping.
-    trial: Touches,
-    mapped: Touches,
-    /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier.
-    pushed: BTreeMap<(usize, usize, u64), bool>,
+    trial: Found,
+    mapped: Found,
+    /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier, in that
+    /// order.
+    pushed: Vec<((usize, usize, u64), bool)>,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
     pub(crate) last: Vec<Vec<Vector>>,
     pub(crate) last_kick: f64,
@@ -55,13 +55,14 @@ pub(crate) struct Surfaces {
     pub(crate) total: Vec<Vec<Vector>>,
 }
 
-/// Particles that touch, with where they belong, and the nodes that they reach.
+/// Particles that touch, with where they belong.
 #[derive(Clone, Debug, Default)]
-struct Touches {
-    list: Vec<Touch>,
+struct Found {
+    touches: Touches,
     places: Vec<Place>,
-    nodes: Vec<TouchedNode>,
     known: Known,
+    /// Gap and nearest point of each particle near a surface.
+    gaps: Vec<Option<(f64, Nearest)>>,
 }
 
 impl Surfaces {
@@ -72,10 +73,10 @@ impl Surfaces {
         }
         let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; scene.surfaces.len()];
         Some(Ok(Box::new(Self {
-            near: None,
-            trial: Touches::default(),
-            mapped: Touches::default(),
-            pushed: BTreeMap::new(),
+            near: Near::default(),
+            trial: Found::default(),
+            mapped: Found::default(),
+            pushed: vec![],
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
@@ -93,7 +94,7 @@ impl Interaction for Surfaces {
     }
 
     fn sorted(&mut self, _: &Simulation) {
-        self.near = None;
+        self.near.forget();
     }
 
     fn settles(&self) -> bool {
@@ -172,19 +173,21 @@ impl Simulation {
 
     /// Corrects the nodal velocities after the solve so that no particle goes through a surface.
     fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
-        let trial = &mut surfaces.trial;
-        self.touches(&mut surfaces.near, acting, 1, trial)?;
+        self.touches(&mut surfaces.near, acting, 1, &mut surfaces.trial)?;
+        let Found {
+            touches, places, ..
+        } = &mut surfaces.trial;
+        let lanes = self.decided.lanes;
         let damping = match acting.local_damping {
             None => {
-                resolve(&mut trial.list, &mut trial.nodes, TOLERANCE, SWEEPS);
+                touches.resolve(lanes, TOLERANCE, SWEEPS);
                 0.0
             }
             Some(alpha) => {
                 let fields = self.all_fields();
                 // Fields that move together have one velocity and one increment.
-                let line = |t: &TouchedNode| &fields.lines(t.fields[0])[t.node];
-                let (list, nodes) = (&mut trial.list, &mut trial.nodes);
-                resolve_damped(list, nodes, line, alpha, TOLERANCE, SWEEPS)
+                let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
+                touches.resolve_damped(lanes, line, alpha, TOLERANCE, SWEEPS)
             }
         };
         for bodies in &mut surfaces.last {
@@ -192,10 +195,12 @@ impl Simulation {
         }
         surfaces.last_kick = acting.kick;
         surfaces.pushed.clear();
-        for (touch, place) in trial.list.iter().zip(&trial.places) {
+        for (touch, place) in touches.list.iter().zip(&*places) {
             if let (true, held) = touch.pushes_and_holds() {
                 let id = self.state.sets[place.set].id[place.p];
-                surfaces.pushed.insert((place.surface, place.set, id), held);
+                surfaces
+                    .pushed
+                    .push(((place.surface, place.set, id), held));
             }
             let impulse = touch.impulse();
             for axis in 0..3 {
@@ -214,17 +219,17 @@ impl Simulation {
             }
         }
         let fields = self.all_fields();
-        let line = |t: &TouchedNode| &fields.lines(t.fields[0])[t.node];
+        let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
         let (mut friction, mut impact) = (0.0, 0.0);
-        for touch in &trial.list {
-            let [across, along] = touch.taken(&trial.nodes, line);
+        for touch in &touches.list {
+            let [across, along] = touches.taken(touch, line);
             friction += across;
             impact += along;
         }
         self.work.sums.damping += damping;
         self.work.sums.friction += friction;
         self.work.sums.impact += impact;
-        self.change_velocities(&trial.nodes, 1, true);
+        self.change_velocities(touches, 1, true);
         self.sum_after_contact(acting, power);
         Ok(())
     }
@@ -251,22 +256,27 @@ impl Simulation {
         acting: &Acting,
         lane: usize,
     ) -> Result<(), StepError> {
-        let mapped = &mut surfaces.mapped;
-        self.touches(&mut surfaces.near, acting, lane, mapped)?;
-        let mut held = mapped.places.iter().map(|place| {
+        self.touches(&mut surfaces.near, acting, lane, &mut surfaces.mapped)?;
+        let Found {
+            touches, places, ..
+        } = &mut surfaces.mapped;
+        let pushed = &surfaces.pushed;
+        let mut held = places.iter().map(|place| {
             let id = self.state.sets[place.set].id[place.p];
-            surfaces.pushed.get(&(place.surface, place.set, id))
+            let found =
+                pushed.binary_search_by_key(&(place.surface, place.set, id), |(place, _)| *place);
+            found.ok().map(|at| pushed[at].1)
         });
-        mapped.list.retain_mut(|touch| {
-            let Some(&held) = held.next().flatten() else {
+        touches.list.retain_mut(|touch| {
+            let Some(held) = held.next().flatten() else {
                 return false;
             };
             (touch.floor, touch.penalty) = (f64::NEG_INFINITY, 0.0);
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
-        resolve(&mut mapped.list, &mut mapped.nodes, TOLERANCE, SWEEPS);
-        self.change_velocities(&mapped.nodes, lane, false);
+        touches.resolve(self.decided.lanes, TOLERANCE, SWEEPS);
+        self.change_velocities(touches, lane, false);
         let still = at_half_step_after(&acting.walls);
         let keep = |planes: &mut Planes<'_>| {
             if lane == 4 {
@@ -280,44 +290,45 @@ impl Simulation {
     }
 
     /// Finds the particles within the threshold of a surface, with their velocities over it from the lanes of the nodes
-    /// that begin at `lane`, and the nodes that they reach. After an error `touches` holds those found before it,
+    /// that begin at `lane`, and the nodes that they reach. After an error `found` holds those found before it,
     /// which no one looks at.
     fn touches(
         &self,
-        near: &mut Option<Near>,
+        near: &mut Near,
         acting: &Acting,
         lane: usize,
-        touches: &mut Touches,
+        found: &mut Found,
     ) -> Result<(), StepError> {
-        let Touches {
-            list,
+        let Found {
+            touches,
             places,
-            nodes,
-            known: known_nodes,
-        } = touches;
-        list.clear();
+            known,
+            gaps,
+        } = found;
         places.clear();
-        nodes.clear();
-        let known = self.near_surfaces(near.take(), acting.drift);
+        self.find_near_surfaces(near, acting.drift);
         let fields = self.all_fields();
-        let mut reached = known_nodes.begin(nodes);
+        let mut reached = known.begin(touches);
         // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
-        let gaps = self.work.grid.team.search(0..known.particles.len(), |i| {
-            let Place { surface, set, p } = known.particles[i];
-            let margin = self.decided.scene.surfaces[surface].distance_threshold + self.smallest_cell();
-            self.surface_gap(surface, set, p, margin)
-        });
-        for (place, gap) in known.particles.iter().zip(gaps) {
-            let Some(gap) = gap else {
+        let gap = |i: usize| {
+            let place = near.particles[i];
+            let rigid = &self.decided.scene.surfaces[place.surface];
+            let margin = rigid.distance_threshold + self.smallest_cell();
+            self.surface_gap_from(near.triangles[i], place, margin)
+        };
+        let team = &self.work.grid.team;
+        team.search_into(0..near.particles.len(), gap, gaps);
+        for (i, place) in near.particles.iter().enumerate() {
+            let Some(gap) = gaps[i] else {
                 continue;
             };
+            near.triangles[i] = gap.1.triangle;
             let touch = self.touch(*place, gap, acting, lane, &fields, &mut reached)?;
             if let Some(touch) = touch {
-                list.push(touch);
+                reached.touches.list.push(touch);
                 places.push(*place);
             }
         }
-        *near = Some(known);
         Ok(())
     }
 
@@ -370,11 +381,7 @@ impl Simulation {
         if gap >= rigid.distance_threshold {
             return Ok(None);
         }
-        let weights = fold(shape, &acting.walls, &weights);
-        let weights = weights
-            .iter()
-            .map(|&(node, w)| (reached.place(shape, acting, fields, field, node), w))
-            .collect();
+        let weights = reached.reach(shape, acting, fields, field, &weights);
         let (m_p, _) = self.mass_and_volume(set, p);
         let penalty = penalty_impulse(rigid.penalty_stiffness.unwrap_or(0.0), m_p, -gap, acting);
         Ok(Some(Touch {

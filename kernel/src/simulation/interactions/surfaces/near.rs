@@ -5,15 +5,28 @@ use crate::scene::Vector;
 use crate::simulation::Simulation;
 
 /// Particles that may touch a surface until they have moved by half the margin.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Near {
     /// Surface, set and particle.
     pub(super) particles: Vec<Place>,
+    /// The triangle that was nearest to each when it was last looked for.
+    pub(super) triangles: Vec<usize>,
+    /// Distance beyond the threshold that is covered \[m\]; none where there is no list.
+    margin: Option<f64>,
     /// Travel of the particles \[cells\] and displacement of the surfaces \[m\] when the list was made.
     travel: f64,
     shifts: Vec<Vector>,
-    /// Distance beyond the threshold that is covered \[m\].
-    margin: f64,
+    /// Of one body, while the list is made: the triangle nearest to each particle, and those of them that are near, by
+    /// identifier.
+    nearest: Vec<Option<usize>>,
+    by_id: Vec<(u64, usize)>,
+}
+
+impl Near {
+    /// Has the list made anew when it is next asked for.
+    pub(super) fn forget(&mut self) {
+        self.margin = None;
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,8 +37,8 @@ pub(super) struct Place {
 }
 
 impl Simulation {
-    /// The list of particles near a surface, made anew where it no longer covers what may touch in this step.
-    pub(super) fn near_surfaces(&self, known: Option<Near>, dt: f64) -> Near {
+    /// Makes the list of particles near a surface anew where it no longer covers what may touch in this step.
+    pub(super) fn find_near_surfaces(&self, near: &mut Near, dt: f64) {
         let cell = &self.decided.scene.mesh.cell;
         let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
         let speed = self
@@ -35,72 +48,77 @@ impl Simulation {
             .map(|found| found.speed_squared)
             .fold(0.0, f64::max)
             .sqrt();
-        let shifts: Vec<Vector> = (0..self.decided.scene.surfaces.len())
-            .map(|s| self.surface_shift(s, self.state.clock.time))
-            .collect();
-        let fastest = self
-            .decided.scene
-            .surfaces
+        let surfaces = &self.decided.scene.surfaces;
+        let shift = |surface: usize| self.surface_shift(surface, self.state.clock.time);
+        let fastest = surfaces
             .iter()
             .map(|s| length(&velocity(s, self.state.clock.time, dt)))
             .fold(0.0, f64::max);
         // Twice the way at the present speed, since contact and forces may make particles faster within the step.
         let step = 2.0 * dt * (speed + fastest);
-        if let Some(near) = known {
-            let by_surface = shifts
+        if let Some(margin) = near.margin {
+            let by_surface = near
+                .shifts
                 .iter()
-                .zip(&near.shifts)
-                .map(|(a, b)| length(&std::array::from_fn(|axis| a[axis] - b[axis])))
+                .enumerate()
+                .map(|(surface, then)| {
+                    let now = shift(surface);
+                    length(&std::array::from_fn(|axis| now[axis] - then[axis]))
+                })
                 .fold(0.0, f64::max);
             let moved = (self.state.travel - near.travel) * diagonal + by_surface;
-            if moved + step <= near.margin {
-                return near;
+            if moved + step <= margin {
+                return;
             }
         }
         let margin = (0.25 * diagonal).max(2.0 * step);
-        let mut particles = vec![];
-        for (surface, shift) in shifts.iter().enumerate() {
+        near.margin = Some(margin);
+        near.travel = self.state.travel;
+        near.particles.clear();
+        near.triangles.clear();
+        near.shifts.clear();
+        for surface in 0..surfaces.len() {
+            let shift = shift(surface);
+            near.shifts.push(shift);
             for set in 0..self.state.sets.len() {
                 if self.decided.bodies[set].motion.is_none() {
-                    particles.extend(self.near_particles(surface, set, shift, margin));
+                    self.add_near(near, [surface, set], &shift, margin);
                 }
             }
         }
-        Near {
-            particles,
-            travel: self.state.travel,
-            shifts,
-            margin,
-        }
     }
 
-    /// Particles of a set near a surface, in the order of their identifiers.
-    fn near_particles(
+    /// Adds the particles of a set near a surface, in the order of their identifiers.
+    fn add_near(
         &self,
-        surface: usize,
-        set: usize,
+        near: &mut Near,
+        [surface, set]: [usize; 2],
         shift: &Vector,
         margin: f64,
-    ) -> Vec<Place> {
+    ) {
         let (rigid, particles, body) = (
             &self.decided.scene.surfaces[surface],
             &self.state.sets[set],
             &self.decided.bodies[set],
         );
-        let is_near = |p: usize| {
+        let triangle = |p: usize| {
             let local = self.on_surface(&particles.position(p), shift);
             let reach = length(&half_lengths(particles, body, p));
             let within = rigid.distance_threshold + reach + margin;
-            self.decided.local_surfaces[surface]
-                .nearest(&local, within)
-                .is_some()
+            let nearest = self.decided.local_surfaces[surface].nearest(&local, within);
+            nearest.map(|nearest| nearest.triangle)
         };
-        let near = self.work.grid.team.collect(0..particles.len(), is_near);
-        let mut found: Vec<usize> = (0..near.len()).filter(|&p| near[p]).collect();
-        found.sort_unstable_by_key(|&p| particles.id[p]);
-        found
-            .into_iter()
-            .map(|p| Place { surface, set, p })
-            .collect()
+        let team = &self.work.grid.team;
+        team.search_into(0..particles.len(), triangle, &mut near.nearest);
+        let found = (0..particles.len()).filter(|&p| near.nearest[p].is_some());
+        near.by_id.clear();
+        near.by_id.extend(found.map(|p| (particles.id[p], p)));
+        near.by_id.sort_unstable();
+        for &(_, p) in &near.by_id {
+            if let Some(triangle) = near.nearest[p] {
+                near.particles.push(Place { surface, set, p });
+                near.triangles.push(triangle);
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! What surfaces did at the nodes, for those who look at it from outside.
 
-use super::Surfaces;
+use super::{Found, Surfaces};
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 
@@ -14,14 +14,21 @@ impl Simulation {
         let surfaces = self.interaction::<Surfaces>();
         let surfaces = surfaces.into_iter().filter(|s| s.last_kick > 0.0);
         surfaces.flat_map(|s| {
-            let touches = s.trial.list.iter().zip(&s.trial.places);
-            touches.flat_map(move |(touch, place)| {
-                let force = touch.impulse().map(|i| i / s.last_kick);
-                touch.weights.iter().map(move |(node, w)| {
-                    let share = std::array::from_fn(|axis| w[axis] * force[axis]);
-                    (place.set, s.trial.nodes[*node].node, share, touch.gap)
+            let Found {
+                touches, places, ..
+            } = &s.trial;
+            touches
+                .list
+                .iter()
+                .zip(places)
+                .flat_map(move |(touch, place)| {
+                    let force = touch.impulse().map(|i| i / s.last_kick);
+                    let weights = &touches.weights[touch.weights.clone()];
+                    weights.iter().map(move |(node, w)| {
+                        let share = std::array::from_fn(|axis| w[axis] * force[axis]);
+                        (place.set, touches.nodes[*node].node, share, touch.gap)
+                    })
                 })
-            })
         })
     }
 }

@@ -5,7 +5,8 @@ use crate::grid::GridShape;
 use crate::simulation::conditions::Acting;
 use crate::simulation::mapping::NodeWeights;
 use crate::stage::solve::Wall;
-use crate::stage::touch::TouchedNode;
+use crate::stage::touch::{Touches, TouchedNode, Weight};
+use std::ops::Range;
 
 /// Where a node stands in the list of reached nodes, by field and node. Of an earlier list nothing is cleared: an entry holds
 /// the number of the list that it belongs to.
@@ -17,32 +18,61 @@ pub(super) struct Known {
 
 impl Known {
     /// Begins a list.
-    pub(super) fn begin<'a>(&'a mut self, nodes: &'a mut Vec<TouchedNode>) -> Reached<'a> {
-        nodes.clear();
+    pub(super) fn begin<'a>(&'a mut self, touches: &'a mut Touches) -> Reached<'a> {
+        touches.clear();
         self.list = self.list.wrapping_add(1);
         if self.list == 0 {
             self.places.clear();
             self.list = 1;
         }
-        Reached { nodes, known: self }
+        Reached {
+            touches,
+            known: self,
+        }
     }
 }
 
 /// A list of reached nodes that grows.
 pub(super) struct Reached<'a> {
-    nodes: &'a mut Vec<TouchedNode>,
+    pub(super) touches: &'a mut Touches,
     known: &'a mut Known,
 }
 
 impl Reached<'_> {
-    /// The place of a node of a field in the list, at its end where it was not reached before.
-    pub(super) fn place(
+    /// Adds the nodes of a particle of a field to the lists, with weights for each component of the velocity, those of ghosts
+    /// at the nodes inside the mesh whose velocity they have, increasing by node; where they stand.
+    pub(super) fn reach(
         &mut self,
         shape: &GridShape,
         acting: &Acting,
         fields: &Fields<'_>,
         field: usize,
-        node: usize,
+        weights: &NodeWeights,
+    ) -> Range<usize> {
+        let start = self.touches.weights.len();
+        if touches_a_wall(shape, &acting.walls, weights) {
+            let mut folded = [(0, [0.0; 4]); NodeWeights::MOST];
+            let count = fold(shape, &acting.walls, weights, &mut folded);
+            for &(node, w) in &folded[..count] {
+                let place = self.place(shape, acting, fields, [field, node]);
+                self.touches.weights.push((place, w));
+            }
+        } else {
+            for &(node, w) in weights.iter() {
+                let place = self.place(shape, acting, fields, [field, node]);
+                self.touches.weights.push((place, [w, w, w, 0.0]));
+            }
+        }
+        start..self.touches.weights.len()
+    }
+
+    /// The place of a node of a field in the list, at its end where it was not reached before.
+    fn place(
+        &mut self,
+        shape: &GridShape,
+        acting: &Acting,
+        fields: &Fields<'_>,
+        [field, node]: [usize; 2],
     ) -> usize {
         let Known { list, places } = &mut *self.known;
         if places.len() <= field {
@@ -53,76 +83,85 @@ impl Reached<'_> {
         }
         let (known_in, place) = &mut places[field][node];
         if *known_in != *list {
-            (*known_in, *place) = (*list, Self::add(self.nodes, shape, acting, fields, [field, node]) as u32);
+            let new = add(self.touches, shape, acting, fields, [field, node]);
+            (*known_in, *place) = (*list, new as u32);
         }
         *place as usize
     }
-
-    fn add(
-        nodes: &mut Vec<TouchedNode>,
-        shape: &GridShape,
-        acting: &Acting,
-        fields: &Fields<'_>,
-        [field, node]: [usize; 2],
-    ) -> usize {
-        let sharing = fields.sharing(field, node);
-        // Another body may have been there whose field moves together with this one.
-        let same = |t: &TouchedNode| t.node == node && t.fields == sharing;
-        let first = (sharing.len() > 1)
-            .then(|| nodes.iter().position(same))
-            .flatten();
-        first.unwrap_or_else(|| {
-            nodes.push(TouchedNode {
-                node,
-                mobility: mobility(shape, acting, node, fields, &sharing),
-                change: [0.0; 3],
-                fields: sharing,
-            });
-            nodes.len() - 1
-        })
-    }
 }
 
-/// The weights of nodes for each component of the velocity, with those of ghosts at the nodes inside the mesh whose velocity
-/// they have, increasing by node.
-pub(super) fn fold(
+/// The place of a node that its field did not reach before.
+fn add(
+    touches: &mut Touches,
     shape: &GridShape,
-    walls: &[Wall],
-    weights: &NodeWeights,
-) -> Vec<(usize, [f64; 3])> {
-    let mut folded: Vec<(usize, [f64; 3])> =
-        weights.iter().map(|&(node, w)| (node, [w; 3])).collect();
+    acting: &Acting,
+    fields: &Fields<'_>,
+    [field, node]: [usize; 2],
+) -> usize {
+    let Touches { nodes, others, .. } = touches;
+    let start = others.len();
+    let lowest = fields.sharing([field, node], others);
+    if others.len() > start {
+        // Another body may have been there whose field moves together with this one.
+        let same = |t: &TouchedNode| {
+            t.node == node && t.field == lowest && others[t.others.clone()] == others[start..]
+        };
+        if let Some(place) = nodes.iter().position(same) {
+            others.truncate(start);
+            return place;
+        }
+    }
+    nodes.push(TouchedNode {
+        node,
+        mobility: mobility(shape, acting, node, fields, (lowest, &others[start..])),
+        change: [0.0; 4],
+        field: lowest,
+        others: start..others.len(),
+    });
+    nodes.len() - 1
+}
+
+/// Whether nodes lie beside a wall, where some may be ghosts.
+fn touches_a_wall(shape: &GridShape, walls: &[Wall], weights: &NodeWeights) -> bool {
     let (Some(&(first, _)), Some(&(last, _))) = (weights.first(), weights.last()) else {
-        return folded;
+        return false;
     };
     // The corners of the box in which all of them lie.
     let (first, last) = (shape.indices(first), shape.indices(last));
-    let beside = |wall: &&Wall| {
+    walls.iter().any(|wall| {
         let direction = shape.direction(wall.axis);
         (first[direction]..=last[direction]).contains(&wall.layers(shape).0)
-    };
-    if !walls.iter().any(|wall| beside(&wall)) {
-        return folded;
-    }
-    for (node, w) in &mut folded {
-        let (inside, sign) = inside(shape, walls, *node);
-        *node = inside;
-        for axis in 0..3 {
-            w[axis] *= sign[axis];
-        }
-    }
-    // A stable sort: sums in the order of the nodes that were there before.
-    folded.sort_by_key(|(node, _)| *node);
-    folded.dedup_by(|(node, w), (kept, sum)| {
-        let same = node == kept;
-        if same {
-            for axis in 0..3 {
-                sum[axis] += w[axis];
+    })
+}
+
+/// The weights of nodes with those of ghosts at the nodes inside the mesh whose velocity they have, increasing by node, and
+/// how many they are.
+fn fold(
+    shape: &GridShape,
+    walls: &[Wall],
+    weights: &NodeWeights,
+    folded: &mut [Weight; NodeWeights::MOST],
+) -> usize {
+    let mut count = 0;
+    for &(ghost, w) in weights.iter() {
+        let (node, [x, y, z]) = inside(shape, walls, ghost);
+        // After all that are not behind it, so that sums are in the order of the nodes that were there before.
+        let at = folded[..count].partition_point(|(other, _)| *other <= node);
+        let w = [w * x, w * y, w * z, 0.0];
+        match folded[..at].last_mut() {
+            Some((other, sum)) if *other == node => {
+                for axis in 0..3 {
+                    sum[axis] += w[axis];
+                }
+            }
+            _ => {
+                folded[count] = (node, w);
+                folded[at..=count].rotate_right(1);
+                count += 1;
             }
         }
-        same
-    });
-    folded
+    }
+    count
 }
 
 /// The node inside the mesh whose velocity a node has, and the sign of each component; the node itself where it is no
@@ -145,29 +184,32 @@ fn inside(shape: &GridShape, walls: &[Wall], node: usize) -> (usize, [f64; 3]) {
     (shape.index(at), sign)
 }
 
-/// 1/m of the fields that move together at a node, zero where a boundary plane or a driven body prescribes the velocity.
+/// 1/m of the fields that move together at a node, of which the lowest and the others are given; zero where a boundary plane
+/// or a driven body prescribes the velocity.
 fn mobility(
     shape: &GridShape,
     acting: &Acting,
     node: usize,
     fields: &Fields<'_>,
-    sharing: &[usize],
-) -> [f64; 3] {
-    let mass: f64 = sharing.iter().map(|f| fields.mass(*f, node)).sum();
-    let driven = |field: &usize| match field {
+    (lowest, others): (usize, &[usize]),
+) -> [f64; 4] {
+    let sharing = || std::iter::once(lowest).chain(others.iter().copied());
+    let mass: f64 = sharing().map(|f| fields.mass(f, node)).sum();
+    let driven = |field: usize| match field {
         0 => {
             let lists = [&acting.driven[..], &acting.held];
             lists
                 .iter()
                 .any(|list| list.binary_search_by_key(&node, |d| d.node).is_ok())
         }
-        _ => fields.is_driven(*field),
+        _ => fields.is_driven(field),
     };
-    if mass <= 0.0 || sharing.iter().any(driven) {
-        return [0.0; 3];
+    if mass <= 0.0 || sharing().any(driven) {
+        return [0.0; 4];
     }
     let at = shape.indices(node);
-    let mut mobility = [1.0 / mass; 3];
+    let free = 1.0 / mass;
+    let mut mobility = [free, free, free, 0.0];
     for wall in &acting.walls {
         let (_, plane, _) = wall.layers(shape);
         if at[shape.direction(wall.axis)] == plane {
