@@ -166,6 +166,8 @@ impl Clone for Nodes {
 pub struct ActiveRows {
     spans: Vec<(u32, u32)>,
     rows_per_plane: usize,
+    /// Rows of each plane before and after which all spans are empty.
+    in_planes: Vec<(u32, u32)>,
 }
 
 impl ActiveRows {
@@ -206,10 +208,25 @@ impl ActiveRows {
                 *span = (0, 0);
             }
         }
+        let in_plane = |spans: &[(u32, u32)]| {
+            let in_use = |(low, high): &(u32, u32)| low < high;
+            let first = spans.iter().position(in_use).unwrap_or(0);
+            let last = spans.iter().rposition(in_use).map_or(first, |row| row + 1);
+            (first as u32, last as u32)
+        };
         Self {
+            in_planes: spans.chunks(rows).map(in_plane).collect(),
             spans,
             rows_per_plane: rows,
         }
+    }
+
+    /// Rows of a plane among which those with an active part are, however many the mesh has.
+    #[inline]
+    #[must_use]
+    pub fn in_plane(&self, plane: usize) -> Range<usize> {
+        let (first, last) = self.in_planes[plane];
+        first as usize..last as usize
     }
 
     /// Active part of the row in a plane; empty where no particle can reach.

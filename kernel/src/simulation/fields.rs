@@ -218,7 +218,7 @@ impl Grid {
         let field = &self.fields[number];
         let mut rows = vec![];
         for plane in 0..self.shape.nodes[0] {
-            for row in 0..self.shape.nodes[1] {
+            for row in field.rows.in_plane(plane) {
                 let first = self.shape.index([plane, row, 0]);
                 let span = field.rows.span(plane, row);
                 rows.push(first + span.start..first + span.end);

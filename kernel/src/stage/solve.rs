@@ -131,7 +131,7 @@ impl Planes<'_> {
     #[inline(always)]
     pub(crate) fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
         for plane in self.range.clone() {
-            for row in 0..self.shape.nodes[1] {
+            for row in self.rows.in_plane(plane) {
                 let span = self.rows.span(plane, row);
                 if !span.is_empty() {
                     let start = ((plane - self.range.start) * self.shape.nodes[1] + row)
@@ -360,7 +360,11 @@ impl Planes<'_> {
             if !is_mesh(0, plane) {
                 continue;
             }
-            for row in (0..self.shape.nodes[1]).filter(|&row| is_mesh(1, row)) {
+            for row in self
+                .rows
+                .in_plane(plane)
+                .filter(|&row| is_mesh(1, row))
+            {
                 let start =
                     ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
                 for k in self.rows.span(plane, row).filter(|&k| is_mesh(2, k)) {
@@ -397,7 +401,7 @@ impl Planes<'_> {
         match shape.direction(axis) {
             0 => {
                 if self.range.contains(&a) && self.range.contains(&b) {
-                    for row in 0..shape.nodes[1] {
+                    for row in common(self.rows.in_plane(a), self.rows.in_plane(b)) {
                         for k in common(self.rows.span(a, row), self.rows.span(b, row)) {
                             act(self.nodes, start(a, row) + k, start(b, row) + k);
                         }
@@ -413,7 +417,7 @@ impl Planes<'_> {
             }
             _ => {
                 for plane in self.range.clone() {
-                    for row in 0..shape.nodes[1] {
+                    for row in self.rows.in_plane(plane) {
                         let span = self.rows.span(plane, row);
                         if span.contains(&a) && span.contains(&b) {
                             act(self.nodes, start(plane, row) + a, start(plane, row) + b);

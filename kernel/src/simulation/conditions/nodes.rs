@@ -43,7 +43,7 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
         let first = planes.range.start * shape.plane_nodes();
         for (number, plane) in planes.range.clone().enumerate() {
             let mut power = 0.0;
-            for row in 0..shape.nodes[1] {
+            for row in planes.rows.in_plane(plane) {
                 for k in planes.rows.span(plane, row) {
                     let at = [plane, row, k];
                     let index = shape.index(at);
@@ -115,7 +115,9 @@ impl Slab<'_> {
         };
         let (shape, range) = (fields[0].planes.shape, fields[0].planes.range.clone());
         let first = range.start * shape.plane_nodes();
-        for (plane, row) in range.flat_map(|plane| (0..shape.nodes[1]).map(move |row| (plane, row)))
+        let rows = fields[0].planes.rows;
+        for (plane, row) in
+            range.flat_map(|plane| rows.in_plane(plane).map(move |row| (plane, row)))
         {
             let other = fields[1].planes.rows.span(plane, row);
             for k in fields[0].planes.rows.span(plane, row) {

@@ -31,7 +31,7 @@ impl Planes<'_> {
     ) {
         for (sums, plane) in sums.iter_mut().zip(self.range.clone()) {
             let mut taken = 0.0;
-            for row in 0..self.shape.nodes[1] {
+            for row in self.rows.in_plane(plane) {
                 let start =
                     ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
                 let span = self.rows.span(plane, row);
@@ -107,7 +107,7 @@ impl Planes<'_> {
     pub fn add_viscous(&self, rate: f64, kick: f64, walls: &[Wall], sums: &mut [PlaneSums]) {
         for (sums, plane) in sums.iter_mut().zip(self.range.clone()) {
             let mut taken = 0.0;
-            for row in 0..self.shape.nodes[1] {
+            for row in self.rows.in_plane(plane) {
                 for k in self.rows.span(plane, row) {
                     let at = [plane, row, k];
                     let node = &self.nodes[self.shape.index(at) - self.first()];
@@ -131,7 +131,7 @@ impl Planes<'_> {
             if direction == 0 && plane != layer {
                 continue;
             }
-            for row in 0..self.shape.nodes[1] {
+            for row in self.rows.in_plane(plane) {
                 if direction == 1 && row != layer {
                     continue;
                 }

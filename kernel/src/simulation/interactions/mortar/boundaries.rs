@@ -209,7 +209,14 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             if let Some(around) = &mut surface.around {
                 let own = (&hosts.state.sets[index], &hosts.decided.bodies[index]);
                 let (stencil, team) = (hosts.state.stencil, &hosts.work.grid.team);
-                around.find(&surface.patches, own, shape, &mirrors, stencil, team);
+                around.find(
+                    &surface.patches,
+                    own,
+                    shape,
+                    &mirrors,
+                    stencil,
+                    (hosts.decided.lanes, team),
+                );
             }
         }
         Ok(())

@@ -2,11 +2,12 @@
 
 use super::mirrors::Mirrors;
 use crate::grid::{GHOSTS_BELOW, GridShape};
+use crate::lanes::{Backend, Kernel, Lanes};
 use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::particles::ParticleSet;
 use crate::stage::Mapping;
-use crate::weights::{axis_weights_at, base_node};
+use crate::weights::{axis_weights, axis_weights_at, base_node, base_offset};
 use std::array;
 
 /// A node of the stencil of a particle.
@@ -34,6 +35,15 @@ pub(super) fn stencil_nodes<const D: usize>(
         StencilNode { at, offset }
     };
     (0..stencil.pow(D as u32)).map(node).collect()
+}
+
+/// The first node of each row of a stencil along the last axis, whose nodes follow one another in the grid.
+pub(super) fn stencil_rows<const D: usize>(
+    stencil: usize,
+    shape: &GridShape,
+) -> Vec<StencilNode<D>> {
+    let nodes = stencil_nodes(stencil, shape);
+    nodes.into_iter().step_by(stencil).collect()
 }
 
 /// Position of a particle in cells of the mesh.
@@ -97,8 +107,38 @@ impl<const D: usize> Reach<D> {
         }
     }
 
+    /// That of no particle, for [`Reaches`] to write over.
+    pub(super) const NOWHERE: Self = Self {
+        base: 0,
+        mirrored: false,
+        axes: [([0.0; 4], [0.0; 4]); D],
+    };
+
+    /// Weights and slopes along the last axis, of the nodes of a row.
+    #[inline(always)]
+    pub(super) fn along_row(&self) -> &([f64; 4], [f64; 4]) {
+        &self.axes[D - 1]
+    }
+
+    /// What the weights of a row are multiplied by for the weight, and for the slope along each axis but the last.
+    #[inline(always)]
+    pub(super) fn across_row(&self, StencilNode { at, .. }: &StencilNode<D>) -> (f64, [f64; D]) {
+        let (w, g) = &self.axes[0];
+        let mut weight = w[at[0]];
+        let mut slopes = [weight; D];
+        slopes[0] = g[at[0]];
+        for axis in 1..D - 1 {
+            let (w, g) = &self.axes[axis];
+            for (along, slope) in slopes.iter_mut().enumerate() {
+                *slope *= if along == axis { g[at[axis]] } else { w[at[axis]] };
+            }
+            weight *= w[at[axis]];
+        }
+        (weight, slopes)
+    }
+
     /// Index of a node of the stencil in the grid, ghost or not.
-    #[inline]
+    #[inline(always)]
     pub(super) fn node(&self, node: &StencilNode<D>) -> usize {
         self.base + node.offset
     }
@@ -157,4 +197,93 @@ impl<const D: usize> Reach<D> {
             (1..D).fold(of(0), |product, axis| product * of(axis))
         })
     }
+}
+
+/// What particles have on the nodes of their stencils, found for eight of them at once.
+pub(super) struct Reaches<'a, const D: usize> {
+    /// The particles of a set.
+    pub(super) particles: &'a [usize],
+    /// Where they are.
+    pub(super) set: &'a ParticleSet,
+    /// How they see the grid.
+    pub(super) mapping: &'a Mapping,
+    /// The grid, and what lies beyond it.
+    pub(super) shape: &'a GridShape,
+    pub(super) mirrors: &'a Mirrors,
+    /// Nodes per axis of the stencil.
+    pub(super) stencil: usize,
+    /// One for each particle, to be written.
+    pub(super) reaches: &'a mut [Reach<D>],
+}
+
+impl<const D: usize> Kernel for Reaches<'_, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<B: Backend>(self) {
+        if self.stencil == 3 {
+            self.write::<B::Line, 3>();
+        } else {
+            self.write::<B::Line, 4>();
+        }
+    }
+}
+
+impl<const D: usize> Reaches<'_, D> {
+    #[inline(always)]
+    fn write<L: Lanes, const N: usize>(self) {
+        let Self {
+            particles,
+            set,
+            mapping,
+            shape,
+            mirrors,
+            stencil,
+            reaches,
+        } = self;
+        let eights = particles.chunks(L::WIDTH);
+        for (particles, reaches) in eights.zip(reaches.chunks_mut(L::WIDTH)) {
+            let mut bases = [[0; 3]; 8];
+            for axis in 0..D {
+                let inverse = L::splat(mapping.inverse_cell[axis]);
+                let xi = values::<L>(set, Layout::POSITION + axis, particles) * inverse;
+                let base = (xi - L::splat(base_offset(N))).floor();
+                let l = match mapping.half_length_column {
+                    Some(first) => values::<L>(set, first + axis, particles),
+                    None => L::splat(mapping.half_length[axis]),
+                };
+                let (w, g) = axis_weights::<L, N>(mapping.family, xi - base, l);
+                let mut lanes = [0.0; 8];
+                base.store(&mut lanes);
+                for (base, lane) in bases.iter_mut().zip(lanes) {
+                    base[shape.direction(axis)] = (lane + GHOSTS_BELOW as f64) as usize;
+                }
+                for n in 0..N {
+                    w[n].store(&mut lanes);
+                    for (reach, lane) in reaches.iter_mut().zip(lanes) {
+                        reach.axes[axis].0[n] = lane;
+                    }
+                    (g[n] * inverse).store(&mut lanes);
+                    for (reach, lane) in reaches.iter_mut().zip(lanes) {
+                        reach.axes[axis].1[n] = lane;
+                    }
+                }
+            }
+            for (reach, base) in reaches.iter_mut().zip(bases) {
+                reach.base = shape.index(base);
+                reach.mirrored = mirrors.reached_from::<D>(shape, base, stencil);
+            }
+        }
+    }
+}
+
+/// Values of a column, and of the first particle again where there are fewer than lanes.
+#[inline(always)]
+fn values<L: Lanes>(set: &ParticleSet, column: usize, particles: &[usize]) -> L {
+    let column = &set.columns[column];
+    let mut values = [column[particles[0]]; 8];
+    for (value, &p) in values.iter_mut().zip(particles) {
+        *value = column[p];
+    }
+    L::load(&values)
 }

@@ -7,10 +7,14 @@
 //! M_p = m_p sum_k S_kp / m_k sum_v S_kv f_v (x_v - x_k)^T. The second sum has no resultant; its couple moves the line of
 //! action of the force to the vertex, from which the weights alone leave it a tenth of a cell away.
 
+mod gradient;
+mod moment;
+
 use super::mirrors::Mirrors;
-use super::reach::{Reach, StencilNode, base_of, scaled, stencil_nodes};
-use super::surface::{Patch, velocity_at};
+use super::reach::{Reach, Reaches, StencilNode, base_of, scaled, stencil_nodes, stencil_rows};
+use super::surface::Patch;
 use crate::grid::{GridShape, Line};
+use crate::lanes::Selected;
 use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
@@ -21,16 +25,26 @@ use nalgebra::SMatrix;
 use std::array;
 use std::ops::Range;
 
+/// Fewest particles that are worth handing to another thread.
+const LEAST_SHARE: usize = 1 << 8;
+
 /// The particles that reach the nodes of a boundary, as of the last mapping.
 #[derive(Clone, Debug)]
 pub(super) struct Around<const D: usize> {
+    /// Those of the simulation.
+    lanes: Selected,
     /// Place of each node of the grid in `hosts`, plus one; zero for nodes that no vertex hangs on.
     slots: Vec<u32>,
     hosts: Vec<Host<D>>,
-    particles: Vec<Near<D>>,
-    shares: Vec<Share<D>>,
-    /// Nodes of the stencil.
+    /// Particles near the boundary, as numbered in their set, and what they have on their stencils.
+    particles: Vec<usize>,
+    reaches: Vec<Reach<D>>,
+    /// What particles give to hosts, one particle after the other, and where that of each begins and that of the last ends.
+    shares: Vec<Share>,
+    starts: Vec<usize>,
+    /// Nodes of the stencil, and the first of each of its rows.
     stencil: Vec<StencilNode<D>>,
+    rows: Vec<StencilNode<D>>,
     /// Bases from which a particle reaches a host, and a list of them.
     is_near: Vec<bool>,
     near: Vec<usize>,
@@ -46,32 +60,54 @@ struct Host<const D: usize> {
     kept: SMatrix<f64, D, D>,
 }
 
-/// A particle near a boundary.
-#[derive(Clone, Debug)]
-struct Near<const D: usize> {
-    reach: Reach<D>,
-    /// What it gives to hosts.
-    shares: Range<usize>,
-}
-
 /// What a particle, or its image beyond a plane of symmetry, gives to a host.
 #[derive(Clone, Copy, Debug)]
-struct Share<const D: usize> {
-    host: usize,
+struct Share {
+    host: u32,
+    /// A bit for each axis in which it is an image.
+    image: u32,
     /// S_kp m_p \[kg\].
     mass: f64,
-    /// -1 along axes in which it is an image.
-    sides: PointIn<D>,
+}
+
+/// Columns of a matrix, each half a line: a vector and lanes that mean nothing.
+type Columns<const D: usize> = [[f64; 4]; D];
+
+/// A matrix beyond planes of symmetry from that on this side, or the other way round.
+#[inline(always)]
+fn reflected<const D: usize>(columns: &Columns<D>, image: u32) -> Columns<D> {
+    let sign = |axis: usize| if image >> axis & 1 == 1 { -1.0 } else { 1.0 };
+    let mut reflected = *columns;
+    for (j, column) in reflected.iter_mut().enumerate() {
+        for i in 0..D {
+            column[i] *= sign(i) * sign(j);
+        }
+    }
+    reflected
+}
+
+/// A matrix in columns.
+fn in_columns<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Columns<D> {
+    array::from_fn(|j| array::from_fn(|i| if i < D { matrix[(i, j)] } else { 0.0 }))
+}
+
+/// Columns as a matrix.
+fn as_matrix<const D: usize>(columns: &Columns<D>) -> SMatrix<f64, D, D> {
+    SMatrix::from_fn(|i, j| columns[j][i])
 }
 
 impl<const D: usize> Default for Around<D> {
     fn default() -> Self {
         Self {
+            lanes: Selected::plain(),
             slots: vec![],
             hosts: vec![],
             particles: vec![],
+            reaches: vec![],
             shares: vec![],
+            starts: vec![],
             stencil: vec![],
+            rows: vec![],
             is_near: vec![],
             near: vec![],
         }
@@ -94,14 +130,6 @@ impl<const D: usize> NodalGradients<'_, D> {
     }
 }
 
-/// A gradient beyond planes of symmetry from that on this side, or the other way round.
-fn reflected<const D: usize>(
-    gradient: &SMatrix<f64, D, D>,
-    sides: &PointIn<D>,
-) -> SMatrix<f64, D, D> {
-    SMatrix::from_fn(|i, j| sides[i] * sides[j] * gradient[(i, j)])
-}
-
 impl<const D: usize> Around<D> {
     /// Finds the particles that reach a node of a patch, by their base, and what they give to it.
     pub(super) fn find<const N: usize>(
@@ -111,9 +139,13 @@ impl<const D: usize> Around<D> {
         shape: &GridShape,
         mirrors: &Mirrors,
         stencil: usize,
-        team: &Team,
+        (lanes, team): (Selected, &Team),
     ) {
-        self.stencil = stencil_nodes(stencil, shape);
+        self.lanes = lanes;
+        if self.rows.len() * stencil != self.stencil.len() || self.stencil.is_empty() {
+            self.stencil = stencil_nodes(stencil, shape);
+            self.rows = stencil_rows(stencil, shape);
+        }
         self.find_hosts(patches, shape, mirrors, stencil);
         let bases = shape.bases();
         let mapping = &body.mapping;
@@ -122,12 +154,36 @@ impl<const D: usize> Around<D> {
             let base = base_of(&scaled::<D>(set, p, mapping), stencil, shape);
             is_near[place(base, bases)]
         });
-        let found: Vec<usize> = (0..set.len()).filter(|&p| reaches[p]).collect();
-        self.particles = team.search(0..found.len(), |i| Near {
-            reach: Reach::of((set, found[i]), mapping, shape, mirrors, stencil),
-            shares: 0..0,
-        });
-        self.share(&found, set, shape, mirrors);
+        self.particles.clear();
+        self.particles
+            .extend((0..set.len()).filter(|&p| reaches[p]));
+        self.reaches.resize(self.particles.len(), Reach::NOWHERE);
+        let of_part = |(particles, reaches)| {
+            lanes.run(Reaches {
+                particles,
+                set,
+                mapping,
+                shape,
+                mirrors,
+                stencil,
+                reaches,
+            });
+        };
+        let share = self.share_of_thread(team);
+        let parts = self.particles.chunks(share);
+        team.map(
+            parts.zip(self.reaches.chunks_mut(share)).collect(),
+            of_part,
+        );
+        self.share(set, shape, mirrors);
+    }
+
+    /// How many particles a thread takes at once.
+    fn share_of_thread(&self, team: &Team) -> usize {
+        self.particles
+            .len()
+            .div_ceil(team.count())
+            .max(LEAST_SHARE)
     }
 
     /// The nodes that vertices hang on, and the bases from which particles reach them.
@@ -181,71 +237,69 @@ impl<const D: usize> Around<D> {
     }
 
     /// What each particle gives to hosts, one after the other.
-    fn share(
-        &mut self,
-        found: &[usize],
-        set: &ParticleSet,
-        shape: &GridShape,
-        mirrors: &Mirrors,
-    ) {
+    fn share(&mut self, set: &ParticleSet, shape: &GridShape, mirrors: &Mirrors) {
         self.shares.clear();
-        for (&p, particle) in found.iter().zip(&mut self.particles) {
-            let first = self.shares.len();
+        self.starts.clear();
+        let row_length = self.stencil.len() / self.rows.len();
+        for (&p, reach) in self.particles.iter().zip(&self.reaches) {
+            self.starts.push(self.shares.len());
             let m_p = set.columns[Layout::MASS][p];
-            for node in &self.stencil {
-                let weight = particle.reach.weight(node);
-                if weight == 0.0 {
-                    continue;
-                }
-                let (inside, sides) = particle.reach.inside(node, shape, mirrors);
+            let mut give = |weight: f64, inside: usize, image: u32| {
                 let slot = self.slots[inside];
-                if slot > 0 {
-                    let host = slot as usize - 1;
-                    self.hosts[host].mass += weight * m_p;
-                    self.shares.push(Share {
-                        host,
-                        mass: weight * m_p,
-                        sides,
-                    });
+                if weight != 0.0 && slot > 0 {
+                    let (host, mass) = (slot - 1, weight * m_p);
+                    self.hosts[host as usize].mass += mass;
+                    self.shares.push(Share { host, image, mass });
+                }
+            };
+            if reach.mirrored {
+                for node in &self.stencil {
+                    let (inside, sides) = reach.inside(node, shape, mirrors);
+                    let in_axis = |axis: usize| u32::from(sides[axis] < 0.0) << axis;
+                    give(reach.weight(node), inside, (0..D).map(in_axis).sum());
+                }
+                continue;
+            }
+            let along = &reach.along_row().0[..row_length];
+            for row in &self.rows {
+                let (across, _) = reach.across_row(row);
+                let first = reach.node(row);
+                for (k, w) in along.iter().enumerate() {
+                    give(across * w, first + k, 0);
                 }
             }
-            particle.shares = first..self.shares.len();
         }
+        self.starts.push(self.shares.len());
     }
 
     /// Velocity gradients at the nodes that vertices hang on, from the velocities of all nodes.
-    pub(super) fn gradients(
-        &self,
-        lines: &[Line],
-        team: &Team,
-    ) -> NodalGradients<'_, D> {
-        let gradient_of = |i: usize| {
-            let particle = &self.particles[i];
-            let mut gradient = SMatrix::<f64, D, D>::zeros();
-            for node in &self.stencil {
-                let v = velocity_at(&lines[particle.reach.node(node)]);
-                gradient += v * particle.reach.slope(node).transpose();
-            }
-            gradient
-        };
+    pub(super) fn gradients(&self, lines: &[Line], team: &Team) -> NodalGradients<'_, D> {
         // Each particle by whatever thread; the sums by one, in the order of the particles.
-        let found = team.search(0..self.particles.len(), gradient_of);
-        let mut gradients = vec![SMatrix::zeros(); self.hosts.len()];
-        for (particle, gradient) in self.particles.iter().zip(&found) {
-            for share in &self.shares[particle.shares.clone()] {
-                gradients[share.host] += reflected(gradient, &share.sides) * share.mass;
-            }
-        }
-        for (gradient, host) in gradients.iter_mut().zip(&self.hosts) {
-            *gradient = if host.mass > 0.0 {
-                gradient.component_mul(&host.kept) / host.mass
-            } else {
-                SMatrix::zeros()
-            };
-        }
+        let mut of_particles = vec![[[0.0; 4]; D]; self.particles.len()];
+        let share = self.share_of_thread(team);
+        let parts = self.reaches.chunks(share);
+        let parts = parts.zip(of_particles.chunks_mut(share)).collect();
+        team.map(parts, |(reaches, gradients)| {
+            self.lanes.run(gradient::OfParticles {
+                reaches,
+                rows: &self.rows,
+                row_length: self.stencil.len() / self.rows.len(),
+                lines,
+                gradients,
+            });
+        });
+        let mut of_hosts = vec![[[0.0; 4]; D]; self.hosts.len()];
+        self.lanes.run(gradient::Gathered {
+            around: self,
+            of_particles: &of_particles,
+            of_hosts: &mut of_hosts,
+        });
+        let found = self.hosts.iter().zip(&of_hosts);
         NodalGradients {
             slots: &self.slots,
-            gradients,
+            gradients: found
+                .map(|(host, columns)| host.per_mass(as_matrix(columns)))
+                .collect(),
         }
     }
 
@@ -278,32 +332,28 @@ impl<const D: usize> Around<D> {
                 }
             }
         }
-        for (moment, host) in moments.iter_mut().zip(&self.hosts) {
-            *moment = if host.mass > 0.0 {
-                follow.part(moment).component_mul(&host.kept) / host.mass
-            } else {
-                SMatrix::zeros()
-            };
-        }
-        let none = SMatrix::<f64, D, D>::zeros();
-        for particle in &self.particles {
-            let shares = &self.shares[particle.shares.clone()];
-            if shares.iter().all(|share| moments[share.host] == none) {
-                continue;
-            }
-            let moment = shares.iter().fold(none, |sum, share| {
-                sum + reflected(&moments[share.host], &share.sides) * share.mass
-            });
-            for node in &self.stencil {
-                let mut force = moment * particle.reach.slope(node);
-                if particle.reach.mirrored {
-                    force.component_mul_assign(&particle.reach.prescribed(node, shape, mirrors));
-                }
-                let (inside, _) = particle.reach.inside(node, shape, mirrors);
-                for axis in 0..D {
-                    lines[inside][4 + axis] += force[axis];
-                }
-            }
+        let moments: Vec<Columns<D>> = moments
+            .iter()
+            .zip(&self.hosts)
+            .map(|(moment, host)| in_columns(&host.per_mass(follow.part(moment))))
+            .collect();
+        self.lanes.run(moment::Spread {
+            around: self,
+            moments: &moments,
+            lines,
+            shape,
+            mirrors,
+        });
+    }
+}
+
+impl<const D: usize> Host<D> {
+    /// A sum over the particles around it as a mean, without what images cancel.
+    fn per_mass(&self, sum: SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
+        if self.mass > 0.0 {
+            sum.component_mul(&self.kept) / self.mass
+        } else {
+            SMatrix::zeros()
         }
     }
 }
