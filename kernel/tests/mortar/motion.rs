@@ -17,14 +17,14 @@ fn follow(xi: Point, gradient: Matrix2<f64>, masses: &[f64; 9], how: Follow) -> 
         .augmented(masses)
         .expect("has mass");
     let field = |x: Point| point(0.3, -0.7) + gradient * x;
-    let velocities = std::array::from_fn(|k| {
+    let velocities: [Point; 9] = std::array::from_fn(|k| {
         let node = point(
             (w.base[0] + (k / 3) as i64) as f64,
             (w.base[1] + (k % 3) as i64) as f64,
         );
         field(node.component_mul(&cell))
     });
-    let found = vertex_velocity(&w, &velocities, &[gradient; 9], how, &cell);
+    let found = vertex_velocity(&w, |k| velocities[k], |_| gradient, how, &cell);
     (found, field(xi.component_mul(&cell)))
 }
 
@@ -70,9 +70,9 @@ fn without_augmentation_a_vertex_lags_behind_a_translation() {
     let raw = vertex_weights(Family::Gimp, &point(7.3, 2.1), 0.25);
     let v = point(2.0, -1.0);
     let velocities = LEFT.map(|mass| if mass > 0.0 { v } else { Point::zeros() });
-    let still = [Matrix2::zeros(); 9];
+    let still = |_| Matrix2::zeros();
     let found = |w: &VertexWeights<2, 9>| {
-        vertex_velocity(w, &velocities, &still, Follow::Spin, &Point::from(CELL))
+        vertex_velocity(w, |k| velocities[k], still, Follow::Spin, &Point::from(CELL))
     };
     let augmented = raw.augmented(&LEFT).expect("has mass");
     assert!((found(&augmented) - v).norm() < 1e-14);

@@ -35,13 +35,14 @@ impl Follow {
 
 /// Velocity of a vertex \[m/s\], sum_I S_Iv (v_I + G_I (x_v - x_I)) with G_I the spin or gradient at the node.
 ///
-/// `velocities` and `gradients` belong to the nodes of the patch. The velocities are those at the end of the step:
-/// with those at its beginning, as eq. 29 prints, a rolling disk blows up. `cell` is the size of a cell per axis \[m\].
+/// `velocity` and `gradient` are those of a node of the patch, asked for where it has a weight. The velocities are those at the
+/// end of the step: with those at its beginning, as eq. 29 prints, a rolling disk blows up. `cell` is the size of a cell per
+/// axis \[m\].
 #[must_use]
 pub fn vertex_velocity<const D: usize, const N: usize>(
     weights: &VertexWeights<D, N>,
-    velocities: &[PointIn<D>; N],
-    gradients: &[SMatrix<f64, D, D>; N],
+    velocity: impl Fn(usize) -> PointIn<D>,
+    gradient: impl Fn(usize) -> SMatrix<f64, D, D>,
     follow: Follow,
     cell: &PointIn<D>,
 ) -> PointIn<D> {
@@ -52,7 +53,7 @@ pub fn vertex_velocity<const D: usize, const N: usize>(
             continue;
         }
         let distance = weights.offset(k).component_mul(cell);
-        v += w * (velocities[k] + follow.part(&gradients[k]) * distance);
+        v += w * (velocity(k) + follow.part(&gradient(k)) * distance);
     }
     v
 }

@@ -19,9 +19,33 @@ pub struct VertexWeights<const D: usize, const N: usize> {
 }
 
 /// Place of a node in its patch along each axis, 0 to 2; the last axis runs fastest.
+///
+/// # Panics
+/// If there is no such node in a patch in space.
 #[must_use]
+#[inline]
 pub fn in_patch<const D: usize>(node: usize) -> [usize; D] {
-    array::from_fn(|axis| node / NODES.pow((D - 1 - axis) as u32) % NODES)
+    Places::<D>::OF_NODES[node]
+}
+
+struct Places<const D: usize>;
+
+impl<const D: usize> Places<D> {
+    /// Computed once: it is asked for by each weight of each vertex.
+    const OF_NODES: [[usize; D]; 27] = {
+        let mut places = [[0; D]; 27];
+        let mut node = 0;
+        while node < 27 {
+            let (mut axis, mut rest) = (D, node);
+            while axis > 0 {
+                axis -= 1;
+                places[node][axis] = rest % NODES;
+                rest /= NODES;
+            }
+            node += 1;
+        }
+        places
+    };
 }
 
 /// A vertex that no node with mass is near: nothing can move it or take its force.

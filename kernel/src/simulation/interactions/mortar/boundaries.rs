@@ -422,16 +422,17 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     }
                     let around = surface.around.as_ref();
                     let gradients = around
-                        .map(|around| around.gradients(lines, &hosts.work.grid.team));
+                        .map(|around| around.gradients(lines, *follow, &hosts.work.grid.team));
                     let moved = |vertex: usize| {
                         let patch = &surface.patches[vertex];
-                        let velocities = patch.nodes.map(|n| velocity_at(&lines[n]));
-                        let around = patch.nodes.map(|node| {
+                        let velocity = |k: usize| velocity_at(&lines[patch.nodes[k]]);
+                        let gradient = |k: usize| {
                             let gradients = gradients.as_ref();
-                            gradients.map_or_else(SMatrix::zeros, |all| all.at(node))
-                        });
-                        let v =
-                            vertex_velocity(&patch.weights, &velocities, &around, *follow, &cell);
+                            gradients.map_or_else(SMatrix::zeros, |all| all.at(patch.nodes[k]))
+                        };
+                        // What is followed of a gradient is taken already.
+                        let how = Follow::Gradient;
+                        let v = vertex_velocity(&patch.weights, velocity, gradient, how, &cell);
                         match &mesh {
                             None => surface.boundary.held(vertex, v) * drift,
                             Some(mesh) => surface.boundary.held(vertex, v * drift - mesh) + mesh,

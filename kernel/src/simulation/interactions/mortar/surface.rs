@@ -6,7 +6,7 @@ use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
 use crate::mortar::motion::Follow;
-use crate::mortar::weights::{VertexWeights, in_patch};
+use crate::mortar::weights::{NODES, VertexWeights, in_patch};
 use crate::scene::{History, Vector};
 use crate::simulation::{BodyRun, history_value};
 
@@ -131,22 +131,33 @@ pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
     lines: &[Line],
 ) -> ([usize; N], [f64; N]) {
     let (mut nodes, mut masses) = ([0; N], [0.0; N]);
-    for k in 0..N {
-        let place = in_patch::<D>(k);
+    let is_inside = |axis: usize, node: i64| (0..=shape.cells[axis] as i64).contains(&node);
+    // Nodes along the last axis follow one another in the grid.
+    let last = D - 1;
+    let below = base[last].min(0).unsigned_abs() as usize;
+    let beyond = (shape.cells[last] as i64 + 1 - base[last]).clamp(0, NODES as i64) as usize;
+    for first in (0..N).step_by(NODES) {
+        let place = in_patch::<D>(first);
         let mut at = [0; 3];
-        let mut outside = false;
-        for axis in 0..D {
+        let mut inside = true;
+        for axis in 0..last {
             let node = base[axis] + place[axis] as i64;
-            outside |= !(0..=shape.cells[axis] as i64).contains(&node);
+            inside &= is_inside(axis, node);
             at[axis] = node.max(0) as usize;
         }
-        if outside {
+        if !inside {
             continue;
         }
+        at[last] = base[last].max(0) as usize;
         let [plane, row, fast] = shape.mesh_node(at);
-        nodes[k] = shape.index([plane, row, fast]);
-        if rows.span(plane, row).contains(&fast) {
-            masses[k] = lines[nodes[k]][0];
+        let index = shape.index([plane, row, fast]);
+        let span = rows.span(plane, row);
+        for n in below..beyond {
+            let after = n - below;
+            nodes[first + n] = index + after;
+            if span.contains(&(fast + after)) {
+                masses[first + n] = lines[index + after][0];
+            }
         }
     }
     (nodes, masses)

@@ -61,7 +61,7 @@ struct Host<const D: usize> {
 }
 
 /// What a particle, or its image beyond a plane of symmetry, gives to a host.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Share {
     host: u32,
     /// A bit for each axis in which it is an image.
@@ -154,9 +154,14 @@ impl<const D: usize> Around<D> {
             let base = base_of(&scaled::<D>(set, p, mapping), stencil, shape);
             is_near[place(base, bases)]
         });
-        self.particles.clear();
-        self.particles
-            .extend((0..set.len()).filter(|&p| reaches[p]));
+        // Written over where the one before was none: which are near is hard to foresee, and a branch on it would cost more.
+        self.particles.resize(set.len(), 0);
+        let mut count = 0;
+        for (p, &reaches) in reaches.iter().enumerate() {
+            self.particles[count] = p;
+            count += usize::from(reaches);
+        }
+        self.particles.truncate(count);
         self.reaches.resize(self.particles.len(), Reach::NOWHERE);
         let of_part = |(particles, reaches)| {
             lanes.run(Reaches {
@@ -244,13 +249,17 @@ impl<const D: usize> Around<D> {
         for (&p, reach) in self.particles.iter().zip(&self.reaches) {
             self.starts.push(self.shares.len());
             let m_p = set.columns[Layout::MASS][p];
+            // Written over where the one before was none, as above.
+            let mut found = [Share::default(); 64];
+            let mut count = 0;
             let mut give = |weight: f64, inside: usize, image: u32| {
                 let slot = self.slots[inside];
-                if weight != 0.0 && slot > 0 {
-                    let (host, mass) = (slot - 1, weight * m_p);
-                    self.hosts[host as usize].mass += mass;
-                    self.shares.push(Share { host, image, mass });
-                }
+                found[count] = Share {
+                    host: slot.wrapping_sub(1),
+                    image,
+                    mass: weight * m_p,
+                };
+                count += usize::from(slot > 0) & usize::from(weight != 0.0);
             };
             if reach.mirrored {
                 for node in &self.stencil {
@@ -258,22 +267,32 @@ impl<const D: usize> Around<D> {
                     let in_axis = |axis: usize| u32::from(sides[axis] < 0.0) << axis;
                     give(reach.weight(node), inside, (0..D).map(in_axis).sum());
                 }
-                continue;
-            }
-            let along = &reach.along_row().0[..row_length];
-            for row in &self.rows {
-                let (across, _) = reach.across_row(row);
-                let first = reach.node(row);
-                for (k, w) in along.iter().enumerate() {
-                    give(across * w, first + k, 0);
+            } else {
+                let along = &reach.along_row().0[..row_length];
+                for row in &self.rows {
+                    let (across, _) = reach.across_row(row);
+                    let first = reach.node(row);
+                    for (k, w) in along.iter().enumerate() {
+                        give(across * w, first + k, 0);
+                    }
                 }
             }
+            for share in &found[..count] {
+                self.hosts[share.host as usize].mass += share.mass;
+            }
+            self.shares.extend_from_slice(&found[..count]);
         }
         self.starts.push(self.shares.len());
     }
 
-    /// Velocity gradients at the nodes that vertices hang on, from the velocities of all nodes.
-    pub(super) fn gradients(&self, lines: &[Line], team: &Team) -> NodalGradients<'_, D> {
+    /// The parts that vertices follow of the velocity gradients at the nodes that they hang on, from the velocities of all
+    /// nodes.
+    pub(super) fn gradients(
+        &self,
+        lines: &[Line],
+        follow: Follow,
+        team: &Team,
+    ) -> NodalGradients<'_, D> {
         // Each particle by whatever thread; the sums by one, in the order of the particles.
         let mut of_particles = vec![[[0.0; 4]; D]; self.particles.len()];
         let share = self.share_of_thread(team);
@@ -298,7 +317,7 @@ impl<const D: usize> Around<D> {
         NodalGradients {
             slots: &self.slots,
             gradients: found
-                .map(|(host, columns)| host.per_mass(as_matrix(columns)))
+                .map(|(host, columns)| follow.part(&host.per_mass(as_matrix(columns))))
                 .collect(),
         }
     }

@@ -42,16 +42,20 @@ impl<const D: usize> Spread<'_, D> {
             shape,
             mirrors,
         } = self;
+        let is_turned: Vec<bool> = moments.iter().map(|m| *m != [[0.0; 4]; D]).collect();
         let starts = around.starts.windows(2);
         for (reach, range) in around.reaches.iter().zip(starts) {
-            let mut sum = [H::splat(0.0); D];
+            let shares = &around.shares[range[0]..range[1]];
             let mut any = false;
-            for share in &around.shares[range[0]..range[1]] {
+            for share in shares {
+                any |= is_turned[share.host as usize];
+            }
+            if !any {
+                continue;
+            }
+            let mut sum = [H::splat(0.0); D];
+            for share in shares {
                 let moment = &moments[share.host as usize];
-                if *moment == [[0.0; 4]; D] {
-                    continue;
-                }
-                any = true;
                 let image;
                 let mut from = moment;
                 if share.image != 0 {
@@ -61,9 +65,6 @@ impl<const D: usize> Spread<'_, D> {
                 for axis in 0..D {
                     sum[axis] = H::splat(share.mass).mul_add(H::load(&from[axis]), sum[axis]);
                 }
-            }
-            if !any {
-                continue;
             }
             if reach.mirrored {
                 let mut columns = [[0.0; 4]; D];
