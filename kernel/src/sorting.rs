@@ -391,11 +391,7 @@ impl Sorter {
                     break;
                 }
                 let fast = (first[2] + fast) as u32;
-                widen(
-                    &mut self.occupied[slow * bases[1] + middle],
-                    fast,
-                    fast,
-                );
+                widen(&mut self.occupied[slow * bases[1] + middle], fast, fast);
                 at += 1;
             }
             set.layers.push(at);

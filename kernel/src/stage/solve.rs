@@ -360,11 +360,7 @@ impl Planes<'_> {
             if !is_mesh(0, plane) {
                 continue;
             }
-            for row in self
-                .rows
-                .in_plane(plane)
-                .filter(|&row| is_mesh(1, row))
-            {
+            for row in self.rows.in_plane(plane).filter(|&row| is_mesh(1, row)) {
                 let start =
                     ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
                 for k in self.rows.span(plane, row).filter(|&k| is_mesh(2, k)) {

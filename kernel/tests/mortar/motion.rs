@@ -72,7 +72,13 @@ fn without_augmentation_a_vertex_lags_behind_a_translation() {
     let velocities = LEFT.map(|mass| if mass > 0.0 { v } else { Point::zeros() });
     let still = |_| Matrix2::zeros();
     let found = |w: &VertexWeights<2, 9>| {
-        vertex_velocity(w, |k| velocities[k], still, Follow::Spin, &Point::from(CELL))
+        vertex_velocity(
+            w,
+            |k| velocities[k],
+            still,
+            Follow::Spin,
+            &Point::from(CELL),
+        )
     };
     let augmented = raw.augmented(&LEFT).expect("has mass");
     assert!((found(&augmented) - v).norm() < 1e-14);

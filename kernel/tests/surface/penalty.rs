@@ -2,8 +2,8 @@
 
 use crate::slide::{raise, start};
 use crate::slope::{H, Slope, dot};
-use proctor_kernel::scene::{Scene, StressScheme};
 use proctor_kernel::lanes::Selected;
+use proctor_kernel::scene::{Scene, StressScheme};
 use proctor_kernel::stage::touch::{Touch, TouchedNode, Touches};
 
 /// A body at rest that was pressed into a slope without friction, and how deep \[m\].

@@ -213,7 +213,7 @@ pub(super) struct Reaches<'a, const D: usize> {
     /// Nodes per axis of the stencil.
     pub(super) stencil: usize,
     /// One for each particle, to be written.
-    pub(super) reaches: &'a mut [Reach<D>],
+    pub(super) found: &'a mut [Reach<D>],
 }
 
 impl<const D: usize> Kernel for Reaches<'_, D> {
@@ -239,10 +239,10 @@ impl<const D: usize> Reaches<'_, D> {
             shape,
             mirrors,
             stencil,
-            reaches,
+            found,
         } = self;
         let eights = particles.chunks(L::WIDTH);
-        for (particles, reaches) in eights.zip(reaches.chunks_mut(L::WIDTH)) {
+        for (particles, reaches) in eights.zip(found.chunks_mut(L::WIDTH)) {
             let mut bases = [[0; 3]; 8];
             for axis in 0..D {
                 let inverse = L::splat(mapping.inverse_cell[axis]);

@@ -163,7 +163,7 @@ impl<const D: usize> Around<D> {
         }
         self.particles.truncate(count);
         self.reaches.resize(self.particles.len(), Reach::NOWHERE);
-        let of_part = |(particles, reaches)| {
+        let of_part = |(particles, found)| {
             lanes.run(Reaches {
                 particles,
                 set,
@@ -171,7 +171,7 @@ impl<const D: usize> Around<D> {
                 shape,
                 mirrors,
                 stencil,
-                reaches,
+                found,
             });
         };
         let share = self.share_of_thread(team);
