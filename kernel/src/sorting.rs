@@ -10,7 +10,7 @@ use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::stage::index_of;
 use crate::team::Team;
-use crate::weights::{base_node, base_offset};
+use crate::weights::{Family, base_offset, below};
 use std::ops::Range;
 
 /// Cells per particle up to which counting them all is cheaper than comparing keys, and cells that are always counted.
@@ -36,7 +36,7 @@ impl Cells {
     fn in_use(
         set: &ParticleSet,
         shape: &GridShape,
-        stencil: usize,
+        offset: f64,
         lanes: Selected,
         team: &Team,
     ) -> Self {
@@ -67,7 +67,7 @@ impl Cells {
         for axis in 0..shape.axes {
             let direction = shape.direction(axis);
             let cell = |x: f64| {
-                let base = base_node(x * (1.0 / shape.cell[axis]), stencil) + 1.0;
+                let base = below(x * (1.0 / shape.cell[axis]) - offset) + 1.0;
                 (base as usize).min(cells.count[direction] - 1)
             };
             // No particle at all, or none whose position is a number.
@@ -129,11 +129,12 @@ pub(crate) struct Numbering {
     first: [f64; 3],
     /// What one cell along each axis adds to the number.
     strides: [usize; 3],
-    stencil: usize,
+    /// Of the base cell, as in [`Family::sort_offset`](crate::weights::Family::sort_offset).
+    offset: f64,
 }
 
 impl Numbering {
-    fn new(shape: &GridShape, stencil: usize, cells: &Cells) -> Self {
+    fn new(shape: &GridShape, offset: f64, cells: &Cells) -> Self {
         let [_, middle, fast] = cells.count;
         let of_direction = [middle * fast, fast, 1];
         Self {
@@ -141,7 +142,7 @@ impl Numbering {
             per_metre: shape.cell.map(|cell| 1.0 / cell),
             first: std::array::from_fn(|axis| cells.first[shape.direction(axis)] as f64 - 1.0),
             strides: std::array::from_fn(|axis| of_direction[shape.direction(axis)]),
-            stencil,
+            offset,
         }
     }
 
@@ -151,7 +152,7 @@ impl Numbering {
         let mut key = 0;
         for axis in 0..self.axes {
             let xi = set.columns[Layout::POSITION + axis][p] * self.per_metre[axis];
-            key += (base_node(xi, self.stencil) - self.first[axis]) as usize * self.strides[axis];
+            key += (below(xi - self.offset) - self.first[axis]) as usize * self.strides[axis];
         }
         key as u32
     }
@@ -171,7 +172,7 @@ impl Kernel for Number<'_> {
     #[inline(always)]
     fn run<B: Backend>(self) {
         let width = <B::Native as Lanes>::WIDTH;
-        let offset = B::Native::splat(base_offset(self.numbering.stencil));
+        let offset = B::Native::splat(self.numbering.offset);
         let end = self.start + self.keys.len();
         for (block, keys) in self.keys.chunks_mut(width).enumerate() {
             let at = self.start + block * width;
@@ -224,13 +225,13 @@ struct Share<'a> {
 }
 
 impl Sorter {
-    /// Sorts all sets by base cell for a stencil of `stencil` nodes per axis, keeping the order within a cell; the rows of
-    /// nodes that particles can reach until they have crossed one cell.
+    /// Sorts all sets by base cell for functions of a family that reach `stencil` nodes per axis, keeping the order within a
+    /// cell; the rows of nodes that particles can reach until they have crossed one cell.
     pub fn sort(
         &mut self,
         sets: &mut [ParticleSet],
         shape: &GridShape,
-        stencil: usize,
+        (family, stencil): (Family, usize),
         lanes: Selected,
         team: &Team,
     ) -> ActiveRows {
@@ -238,9 +239,10 @@ impl Sorter {
         self.occupied.clear();
         self.occupied.resize(bases[0] * bases[1], None);
         self.spares.resize_with(sets.len(), Spares::default);
+        let offset = family.sort_offset(stencil);
         for (index, set) in sets.iter_mut().enumerate() {
-            let cells = Cells::in_use(set, shape, stencil, lanes, team);
-            self.number(set, &Numbering::new(shape, stencil, &cells), lanes, team);
+            let cells = Cells::in_use(set, shape, offset, lanes, team);
+            self.number(set, &Numbering::new(shape, offset, &cells), lanes, team);
             let sorted = self.keys.is_sorted();
             let [per_particle, always] = COUNTED_CELLS;
             if cells.count.iter().product::<usize>() <= per_particle * set.len() + always {
@@ -452,7 +454,7 @@ fn gather<T: Copy>(column: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
 /// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
 #[must_use]
 pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
-    let numbering = Numbering::new(shape, stencil, &Cells::all(shape));
+    let numbering = Numbering::new(shape, base_offset(stencil), &Cells::all(shape));
     let keys = sets.iter().flat_map(|set| {
         let numbering = &numbering;
         (0..set.len()).map(move |p| numbering.key(set, p))
@@ -468,7 +470,7 @@ pub fn rows_of_some(
     shape: &GridShape,
     stencil: usize,
 ) -> ActiveRows {
-    let numbering = Numbering::new(shape, stencil, &Cells::all(shape));
+    let numbering = Numbering::new(shape, base_offset(stencil), &Cells::all(shape));
     rows_of_keys(particles.map(|p| numbering.key(set, p)), shape, stencil)
 }
 

@@ -10,6 +10,9 @@
 //! - l = 1/2 is the quadratic B-spline;
 //! - the linear hat is the limit l -> 0, written out because its derivative jumps at f = 1.
 //!
+//! A hat reaches two nodes, b = floor(xi) and b + 1 with w_0 = 1 - f and w_1 = f, but for a particle that lies on a node to the
+//! last bit: there the mean of both sides has derivatives at three. The stages take two where they can.
+//!
 //! A cpGIMP domain with h/2 < l_p <= h needs four nodes: b = floor(xi - 1), f in [1, 2), and
 //! w_0 = (1 + l - f)²/(4 l), w_3 its mirror image (f -> 3 - f); partition of unity and linear reproduction
 //! then fix w_1 = 2 - f - 2 w_0 + w_3 and w_2 = f - 1 + w_0 - 2 w_3.
@@ -30,11 +33,37 @@ pub enum Family {
     Gimp,
 }
 
+impl Family {
+    /// Nodes per axis of the stages that map and gather, for a scene of which particles reach `stencil`: with hats two, and
+    /// one before them for a particle that lies on a node.
+    #[must_use]
+    pub const fn stage_nodes(self, stencil: usize) -> usize {
+        match self {
+            Self::Hat => 2,
+            Self::Gimp => stencil,
+        }
+    }
+
+    /// Offset of the cells by which particles are sorted: those which have the same nodes in the stages are together, and
+    /// `stencil` nodes from that cell on are all that they reach.
+    #[must_use]
+    pub const fn sort_offset(self, stencil: usize) -> f64 {
+        match self {
+            Self::Hat => 1.0,
+            Self::Gimp => base_offset(stencil),
+        }
+    }
+}
+
 /// Offset of the base: b = floor(xi - `base_offset(N)`).
 #[inline(always)]
 #[must_use]
 pub const fn base_offset(nodes: usize) -> f64 {
-    if nodes == 3 { 0.5 } else { 1.0 }
+    match nodes {
+        2 => 0.0,
+        3 => 0.5,
+        _ => 1.0,
+    }
 }
 
 /// Base node of a place in cells: the largest whole number that is not above it less the offset of the stencil.
@@ -44,7 +73,13 @@ pub const fn base_offset(nodes: usize) -> f64 {
 #[inline]
 #[must_use]
 pub fn base_node(xi: f64, nodes: usize) -> f64 {
-    let x = xi - base_offset(nodes);
+    below(xi - base_offset(nodes))
+}
+
+/// The largest whole number that is not above a number.
+#[inline]
+#[must_use]
+pub(crate) fn below(x: f64) -> f64 {
     if cfg!(target_feature = "sse4.1") {
         return x.floor();
     }
@@ -85,6 +120,32 @@ pub fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
         g_2 = L::select(tie, half, g_2);
     }
     closed::<L, N>((one - f).max(zero), (f - one).max(zero), g_0, g_2)
+}
+
+/// Weights and derivatives d/dxi of hats at the two nodes around a particle, `f` cells from the first, in (0, 1).
+#[inline(always)]
+pub fn hat_pair<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
+    let one = L::splat(1.0);
+    let mut w = [one - f; N];
+    let mut g = [-one; N];
+    w[1] = f;
+    g[1] = one;
+    (w, g)
+}
+
+/// The same at three nodes of which the second is at most `f` cells before the particle, in [0, 1): where some particles lie on
+/// it. All others have the numbers of [`hat_pair`], and nothing at the first node.
+#[inline(always)]
+pub fn hat_triple<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
+    let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
+    let tie = f.eq(zero);
+    let mut w = [zero; N];
+    let mut g = [L::select(tie, -half, zero); N];
+    w[1] = one - f;
+    w[2] = f;
+    g[1] = L::select(tie, zero, -one);
+    g[2] = L::select(tie, half, one);
+    (w, g)
 }
 
 /// [`axis_weights`] of GIMP, with `quarter` = 1/(4 l).

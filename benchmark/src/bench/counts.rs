@@ -23,13 +23,16 @@ pub struct Least {
 
 impl Least {
     /// For the plan of a scene; `None` where nothing was counted: two dimensions, a second mapping, an affine velocity,
-    /// domains that follow the deformation.
+    /// functions of two nodes, domains that follow the deformation.
     #[must_use]
     pub fn of(plan: &Plan, weighting: Weighting) -> Option<Self> {
         let counted = plan.axes == 3
             && plan.scheme == StressScheme::Usl
             && !plan.full_mapping
-            && !matches!(weighting, Weighting::ContiguousGimp(_));
+            && matches!(
+                weighting,
+                Weighting::UniformGimp | Weighting::QuadraticBSpline
+            );
         counted.then_some(Self {
             operations: OPERATIONS,
             bytes: BYTES,

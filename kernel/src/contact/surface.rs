@@ -162,8 +162,9 @@ impl Search<'_> {
                 high[k] = high[k].max(probe.at[k]);
             }
         }
-        // A particle may have left its layer by one cell since the last sort.
-        let first = self.planes.start.saturating_sub(self.stencil);
+        // A particle may have left its layer by one cell since the last sort, and a layer by which hats are sorted may begin one
+        // node before the stencil.
+        let first = self.planes.start.saturating_sub(self.stencil + 1);
         for p in interface.in_layers(first..self.planes.end + 1).flatten() {
             self.show(set, p, &low, &high, surface, probes);
         }

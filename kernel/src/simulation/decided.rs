@@ -8,6 +8,7 @@ use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
 use crate::surface::Surface;
+use crate::weights::Family;
 use std::sync::Arc;
 
 /// What is decided of a scene: a step reads it and leaves it as it is.
@@ -29,6 +30,13 @@ pub(crate) struct Decided {
     /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
     /// 1e-10 m only.
     pub(crate) local_surfaces: Vec<Arc<Surface>>,
+}
+
+impl Decided {
+    /// Weighting functions of all bodies.
+    pub(crate) fn family(&self) -> Family {
+        self.scene.weighting.kind().family
+    }
 }
 
 /// What the cycle knows of one body beyond its particles.

@@ -11,6 +11,7 @@ use crate::particles::ParticleSet;
 use crate::sorting::{Sorter, rows_of};
 use crate::stage::solve::Planes;
 use crate::team::Team;
+use crate::weights::Family;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -152,15 +153,15 @@ impl Grid {
         }
     }
 
-    /// Sorts the particles and cuts the planes into slabs of about equal numbers of particles.
-    pub fn sort(&mut self, sets: &mut [ParticleSet], stencil: usize, lanes: Selected) {
+    /// Sorts the particles, of which functions of a family reach so many nodes per axis, and cuts the planes into slabs of about equal numbers of particles.
+    pub fn sort(&mut self, sets: &mut [ParticleSet], reach: (Family, usize), lanes: Selected) {
         let particles = sets.iter().map(ParticleSet::len).sum::<usize>();
         let team = if particles < 2 * self.least_share {
             &ALONE
         } else {
             &*self.team
         };
-        self.fields[0].rows = (self.sorter).sort(sets, &self.shape, stencil, lanes, team);
+        self.fields[0].rows = (self.sorter).sort(sets, &self.shape, reach, lanes, team);
         self.cut(sets);
     }
 

@@ -22,10 +22,11 @@ pub(super) fn bodies_onto<'a>(
     carry: Carry,
 ) -> BodiesOnto<'a> {
     let (plan, stencil) = (&decided.plan, state.stencil);
+    let nodes = decided.family().stage_nodes(stencil);
     let carries_force = matches!(carry, Carry::All | Carry::Force);
     let instance = |carry| Carrier {
         carry,
-        call: p2g::instance(plan.axes, stencil, plan.full_mapping, carry),
+        call: p2g::instance(plan.axes, nodes, plan.full_mapping, carry),
     };
     BodiesOnto {
         sets: &state.sets,

@@ -95,8 +95,9 @@ impl Simulation {
         let stale = self.state.travel > SORT_AFTER
             || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
         if stale {
-            let (sets, stencil) = (&mut self.state.sets, self.state.stencil);
-            self.work.grid.sort(sets, stencil, self.decided.lanes);
+            let reach = (self.decided.family(), self.state.stencil);
+            let sets = &mut self.state.sets;
+            self.work.grid.sort(sets, reach, self.decided.lanes);
             self.state.travel = 0.0;
             self.state.groups = Groups::default();
             self.sorted();
@@ -213,7 +214,8 @@ impl Simulation {
 
     /// Nodal values to the particles of all bodies that are not driven.
     pub(super) fn interpolate(&mut self, task: Task) -> Result<(), StepError> {
-        let call = g2p::instance(self.decided.plan.axes, self.state.stencil, &task);
+        let nodes = self.decided.family().stage_nodes(self.state.stencil);
+        let call = g2p::instance(self.decided.plan.axes, nodes, &task);
         let mesh = &self.decided.scene.mesh;
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());

@@ -11,7 +11,7 @@ pub mod weigh;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::{Lanes, load};
 use crate::layout::Layout;
-use crate::weights::{Family, base_offset, gimp_weights, hat_weights};
+use crate::weights::{Family, base_offset, gimp_weights, hat_pair, hat_triple, hat_weights};
 
 /// How particles of one set see the grid.
 #[derive(Clone, Debug)]
@@ -104,6 +104,18 @@ fn whole_from<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
 }
 
 impl<L: Lanes> Block<L> {
+    /// Whether a particle lies on its base node along some axis, to the last bit.
+    #[inline(always)]
+    fn on_a_node<const D: usize>(&self) -> bool {
+        let zero = L::splat(0.0);
+        let mut on = 0;
+        for axis in 0..D {
+            on |= L::bits(self.f[axis].eq(zero));
+        }
+        // Lanes beyond the particles hold zero.
+        on & ((1 << self.count) - 1) != 0
+    }
+
     /// Index of the base node of each particle among the nodes of the grid, a whole number; no number where a position is
     /// none.
     #[inline(always)]
@@ -134,8 +146,11 @@ pub(crate) fn index_of(whole: f64) -> usize {
 }
 
 /// Weights and derivatives of a block that begins at `at`, per axis and node, in lanes.
+///
+/// Two nodes are those of hats; with `ON_NODES` the three of hats of which the second is the base node of the block, since a
+/// particle of it lies there.
 #[inline(always)]
-fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
+fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize, const ON_NODES: bool>(
     columns: &[C],
     mapping: &Mapping,
     block: &Block<L>,
@@ -144,6 +159,16 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     let zero = L::splat(0.0);
     let mut w = [[zero; N]; 3];
     let mut g = [[zero; N]; 3];
+    if N == 2 || ON_NODES {
+        for axis in 0..D {
+            (w[axis], g[axis]) = if ON_NODES {
+                hat_triple::<L, N>(block.f[axis])
+            } else {
+                hat_pair::<L, N>(block.f[axis])
+            };
+        }
+        return (w, g);
+    }
     if mapping.family == Family::Hat && N == 3 {
         for axis in 0..D {
             (w[axis], g[axis]) = hat_weights::<L, N>(block.f[axis]);

@@ -10,7 +10,7 @@ pub(super) const LINEAR: Kind = Kind {
     word: "linear",
     update: None,
     name: "linear",
-    plan: "linear, 3 nodes per axis",
+    plan: "linear, 2 nodes per axis, 3 for a particle that lies on a node",
     family: Family::Hat,
     // A hat has no domain; the number only enters the stability bound, which ignores it for hats.
     half_length: Some(0.25),

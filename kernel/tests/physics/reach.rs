@@ -9,7 +9,7 @@ use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{ContactNormal, Dimension, Mesh, PlaneCondition};
 use proctor_kernel::sorting::Sorter;
 use proctor_kernel::team::Team;
-use proctor_kernel::weights::base_node;
+use proctor_kernel::weights::{Family, base_node};
 use proptest::prelude::*;
 
 const CELLS: usize = 12;
@@ -34,7 +34,7 @@ fn body(at: [f64; 3], shape: &GridShape, stencil: usize) -> ParticleSet {
     Sorter::default().sort(
         std::slice::from_mut(&mut set),
         shape,
-        stencil,
+        (Family::Gimp, stencil),
         Selected::any(),
         &Team::ALONE,
     );

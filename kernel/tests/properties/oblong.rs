@@ -175,7 +175,7 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
             Sorter::default().sort(
                 std::slice::from_mut(&mut set),
                 &shape,
-                stencil,
+                (Family::Gimp, stencil),
                 Selected::any(),
                 &Team::ALONE,
             );

@@ -31,7 +31,7 @@ impl<L: Lanes> Sums<L> {
     }
 }
 
-/// Interpolates to one block. Writes the first D components of what is asked for, and leaves the rest of `sums`.
+/// Interpolates to one block, with `ON_NODES` from the nodes of [`Bases::before`](super::reach::Bases::before). Writes the first D components of what is asked for, and leaves the rest of `sums`.
 #[inline(always)]
 pub(super) fn interpolate<
     L: Lanes,
@@ -42,6 +42,7 @@ pub(super) fn interpolate<
     const APIC: bool,
     const UPPER: bool,
     const R: usize,
+    const ON_NODES: bool,
 >(
     columns: &[&mut [f64]],
     mapping: &Mapping,
@@ -51,7 +52,7 @@ pub(super) fn interpolate<
     sums: &mut Sums<L>,
 ) {
     let zero = L::splat(0.0);
-    let (w, mut g) = weights_of::<L, _, D, N>(columns, mapping, block, at);
+    let (w, mut g) = weights_of::<L, _, D, N, ON_NODES>(columns, mapping, block, at);
     let mut q = [[zero; N]; 3];
     for axis in 0..D {
         let scale = L::splat(mapping.inverse_cell[axis]);

@@ -129,14 +129,16 @@ impl Found {
 /// An interpolation stage, compiled for one dimension, stencil and set of sums.
 pub type G2pFn = fn(Selected, G2p<'_, '_>) -> Found;
 
-/// Chooses the instance for a task.
+/// Chooses the instance for a task, by the nodes per axis of [`Family::stage_nodes`](crate::weights::Family::stage_nodes).
 #[must_use]
-pub fn instance(axes: usize, stencil: usize, task: &Task) -> G2pFn {
+pub fn instance(axes: usize, nodes: usize, task: &Task) -> G2pFn {
     let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
     let apic = task.affine == Affine::Apic;
-    match (axes, stencil) {
+    match (axes, nodes) {
+        (2, 2) => sums::<2, 2>(task, gradient, apic),
         (2, 3) => sums::<2, 3>(task, gradient, apic),
         (2, _) => sums::<2, 4>(task, gradient, apic),
+        (_, 2) => sums::<3, 2>(task, gradient, apic),
         (_, 3) => sums::<3, 3>(task, gradient, apic),
         (_, _) => sums::<3, 4>(task, gradient, apic),
     }
@@ -259,9 +261,32 @@ fn gather<
             (bases.count, bases.number) = (first, 1);
         }
     }
+    let count = bases.count;
+    if N == 2 && block.on_a_node::<D>() {
+        // So rare that one instance has to do.
+        interpolate::<L, D, 3, KICK, GRADIENT, APIC, UPPER, MOST, true>(
+            columns,
+            mapping,
+            &bases.before::<D>(mapping).reach(nodes),
+            &block,
+            at,
+            sums,
+        );
+        return count;
+    }
     // Instances of their own: each further base node costs another load of every node. One lane has no second.
     match bases.number {
-        n if n < 2 || L::WIDTH == 1 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 1>(
+        n if n < 2 || L::WIDTH == 1 => {
+            interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 1, false>(
+                columns,
+                mapping,
+                &bases.reach(nodes),
+                &block,
+                at,
+                sums,
+            )
+        }
+        2 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 2, false>(
             columns,
             mapping,
             &bases.reach(nodes),
@@ -269,15 +294,7 @@ fn gather<
             at,
             sums,
         ),
-        2 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 2>(
-            columns,
-            mapping,
-            &bases.reach(nodes),
-            &block,
-            at,
-            sums,
-        ),
-        _ => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOST>(
+        _ => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOST, false>(
             columns,
             mapping,
             &bases.reach(nodes),
@@ -286,7 +303,7 @@ fn gather<
             sums,
         ),
     }
-    bases.count
+    count
 }
 
 /// Strains a block of particles; the first of them that went wrong.

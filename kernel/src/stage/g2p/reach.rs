@@ -64,6 +64,21 @@ impl<L: Lanes> Bases<L> {
         L::bits(self.of[0]).trailing_ones() as usize
     }
 
+    /// The same with the node before each of them along each axis, which a hat reaches from its base node.
+    #[inline(always)]
+    pub(super) fn before<const D: usize>(mut self, mapping: &Mapping) -> Self {
+        let [_, middle, fast] = mapping.nodes;
+        let step = if D == 3 {
+            middle * fast + fast + 1
+        } else {
+            fast + 1
+        };
+        for first in &mut self.first {
+            *first = first.saturating_sub(step);
+        }
+        self
+    }
+
     /// The nodes of the first `R` of them.
     #[inline(always)]
     pub(super) fn reach<'a, const R: usize>(&self, nodes: &'a [Line]) -> Reach<'a, L, R> {

@@ -72,7 +72,7 @@ fn add_part<
     if N == 3 && below.rows.len() == 3 {
         return add_rows::<L, D, N, FULL, GRADIENT, PART, 3>(scratch, below, nodes, j);
     }
-    while N == 4 && j + 2 <= below.rows.end {
+    while N != 3 && j + 2 <= below.rows.end {
         add_rows::<L, D, N, FULL, GRADIENT, PART, 2>(scratch, below, nodes, j);
         j += 2;
     }

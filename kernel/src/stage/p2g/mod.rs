@@ -10,7 +10,7 @@ mod add;
 mod runs;
 mod scratch;
 
-use super::{Mapping, block_at};
+use super::{Block, Mapping, block_at};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Selected};
 use crate::layout::Layout;
@@ -71,40 +71,46 @@ const MEAN_STRESS: u8 = 2;
 /// layers that the caller owns.
 pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
 
-/// Chooses the instance: dimension, nodes per axis, whether particles carry affine velocity or forces of their
+/// Chooses the instance: dimension, nodes per axis ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)), whether particles carry affine velocity or forces of their
 /// own (`full`).
 ///
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
 #[must_use]
-pub fn instance(axes: usize, stencil: usize, full: bool, carry: Carry) -> P2gFn {
+pub fn instance(axes: usize, nodes: usize, full: bool, carry: Carry) -> P2gFn {
     let gradient = full || matches!(carry, Carry::All | Carry::Force);
     // An instance of its own, so that the others do not ask for every particle.
     match carry {
         Carry::MassGradient => {
-            return match (axes, stencil) {
-                (2, 3) => entry::<2, 3, false, true, MASS_GRADIENT>,
-                (2, _) => entry::<2, 4, false, true, MASS_GRADIENT>,
-                (_, 3) => entry::<3, 3, false, true, MASS_GRADIENT>,
-                (_, _) => entry::<3, 4, false, true, MASS_GRADIENT>,
+            return match (axes, nodes) {
+                (2, 4) => entry::<2, 4, false, true, MASS_GRADIENT>,
+                (2, _) => entry::<2, 3, false, true, MASS_GRADIENT>,
+                (_, 4) => entry::<3, 4, false, true, MASS_GRADIENT>,
+                (_, _) => entry::<3, 3, false, true, MASS_GRADIENT>,
             };
         }
         Carry::MeanStress { .. } => {
-            return match (axes, stencil) {
-                (2, 3) => entry::<2, 3, false, true, MEAN_STRESS>,
-                (2, _) => entry::<2, 4, false, true, MEAN_STRESS>,
-                (_, 3) => entry::<3, 3, false, true, MEAN_STRESS>,
-                (_, _) => entry::<3, 4, false, true, MEAN_STRESS>,
+            return match (axes, nodes) {
+                (2, 4) => entry::<2, 4, false, true, MEAN_STRESS>,
+                (2, _) => entry::<2, 3, false, true, MEAN_STRESS>,
+                (_, 4) => entry::<3, 4, false, true, MEAN_STRESS>,
+                (_, _) => entry::<3, 3, false, true, MEAN_STRESS>,
             };
         }
         _ => {}
     }
-    match (axes, stencil, full, gradient) {
+    match (axes, nodes, full, gradient) {
+        (2, 2, false, true) => entry::<2, 2, false, true, NOTHING>,
+        (2, 2, false, false) => entry::<2, 2, false, false, NOTHING>,
+        (2, 2, true, _) => entry::<2, 2, true, true, NOTHING>,
         (2, 3, false, true) => entry::<2, 3, false, true, NOTHING>,
         (2, 3, false, false) => entry::<2, 3, false, false, NOTHING>,
         (2, 3, true, _) => entry::<2, 3, true, true, NOTHING>,
         (2, _, false, true) => entry::<2, 4, false, true, NOTHING>,
         (2, _, false, false) => entry::<2, 4, false, false, NOTHING>,
         (2, _, true, _) => entry::<2, 4, true, true, NOTHING>,
+        (_, 2, false, true) => entry::<3, 2, false, true, NOTHING>,
+        (_, 2, false, false) => entry::<3, 2, false, false, NOTHING>,
+        (_, 2, true, _) => entry::<3, 2, true, true, NOTHING>,
         (_, 3, false, true) => entry::<3, 3, false, true, NOTHING>,
         (_, 3, false, false) => entry::<3, 3, false, false, NOTHING>,
         (_, 3, true, _) => entry::<3, 3, true, true, NOTHING>,
@@ -144,14 +150,17 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
 
     #[inline(always)]
     fn run<B: Backend>(self) -> usize {
-        let call = self.0;
-        let (columns, mapping, planes) = (call.columns, call.mapping, call.planes);
+        let Self(call) = self;
         let from = Source {
-            columns,
+            columns: call.columns,
             layout: call.layout,
-            mapping,
+            mapping: call.mapping,
             carry: call.carry,
             viscous_rate: call.viscous_rate,
+        };
+        let mut onto = Onto {
+            planes: call.planes,
+            nodes: call.nodes,
         };
         let mut scratch = Scratch::<N>::new();
         let mut groups = 0;
@@ -159,62 +168,108 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
             let mut counted = Counted::default();
             let mut at = layer.start;
             while at < layer.end {
-                let block = block_at::<B::Line, _, D, N>(columns, mapping, at, layer.end);
-                let runs = Runs::of::<B::Line, D>(&block, mapping);
-                if runs.reach::<D, N>(&planes) {
-                    scratch.fill_weights::<B::Line, D, FULL>(&from, &block, at);
-                    if EXTRA == MEAN_STRESS && call.carry == (Carry::MeanStress { averaged: true })
-                    {
-                        scratch.take_cell_means::<B::Line, D>();
-                    }
-                    scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(&from, at, block.count);
-                    if D == 3 {
-                        scratch.multiply::<B::Line, FULL, GRADIENT>();
-                    }
+                let block = block_at::<B::Line, _, D, N>(from.columns, from.mapping, at, layer.end);
+                let runs = Runs::of::<B::Line, D>(&block, from.mapping);
+                if N == 2 && block.on_a_node::<D>() {
+                    // So rare that what it needs is not kept.
+                    let mut wider = Scratch::<3>::new();
+                    onto.add::<B, D, 3, FULL, GRADIENT, EXTRA, true>(
+                        &from, &block, &runs, at, &mut wider,
+                    );
+                } else {
+                    onto.add::<B, D, N, FULL, GRADIENT, EXTRA, false>(
+                        &from,
+                        &block,
+                        &runs,
+                        at,
+                        &mut scratch,
+                    );
                 }
                 let mut first = 0;
                 while first < block.count {
                     let run = runs.from(first);
                     first = run.end;
                     counted.add(runs.index(run.start), run.len());
-                    let [first_plane, row, along] = runs.base::<D>(run.start);
-                    let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
-                    if own.start >= own.end {
-                        continue;
-                    }
-                    let row_length = mapping.nodes[2];
-                    if D == 2 {
-                        let below = Below {
-                            run,
-                            plane: 0,
-                            first: (own.start - planes.start) * row_length + along,
-                            rows: own.start - first_plane..own.end - first_plane,
-                            row_length,
-                        };
-                        add_run::<B, D, N, FULL, GRADIENT>(
-                            &scratch, call.carry, &below, call.nodes,
-                        );
-                    } else {
-                        for plane in own {
-                            let row = (plane - planes.start) * mapping.nodes[1] + row;
-                            let below = Below {
-                                run: run.clone(),
-                                plane: plane - first_plane,
-                                first: row * row_length + along,
-                                rows: 0..N,
-                                row_length,
-                            };
-                            add_run::<B, D, N, FULL, GRADIENT>(
-                                &scratch, call.carry, &below, call.nodes,
-                            );
-                        }
-                    }
                 }
                 at += block.count;
             }
             groups += counted.groups() * usize::from(own_layer);
         }
         groups
+    }
+}
+
+/// The nodes that the caller owns.
+struct Onto<'a> {
+    planes: Range<usize>,
+    nodes: &'a mut [Line],
+}
+
+impl Onto<'_> {
+    /// Adds a block that begins at particle `at`; with `ON_NODES` the first node of the stencil is that before the base node.
+    #[inline(always)]
+    fn add<
+        B: Backend,
+        const D: usize,
+        const N: usize,
+        const FULL: bool,
+        const GRADIENT: bool,
+        const EXTRA: u8,
+        const ON_NODES: bool,
+    >(
+        &mut self,
+        from: &Source<'_>,
+        block: &Block<B::Line>,
+        runs: &Runs,
+        at: usize,
+        scratch: &mut Scratch<N>,
+    ) {
+        let Self { planes, nodes } = self;
+        let mapping = from.mapping;
+        if !runs.reach::<D, N, ON_NODES>(planes) {
+            return;
+        }
+        scratch.fill_weights::<B::Line, D, FULL, ON_NODES>(from, block, at);
+        if EXTRA == MEAN_STRESS && from.carry == (Carry::MeanStress { averaged: true }) {
+            scratch.take_cell_means::<B::Line, D>();
+        }
+        scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(from, at, block.count);
+        if D == 3 {
+            scratch.multiply::<B::Line, FULL, GRADIENT>();
+        }
+        let mut first = 0;
+        while first < block.count {
+            let run = runs.from(first);
+            first = run.end;
+            let [first_plane, row, along] = runs.base::<D, ON_NODES>(run.start);
+            let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
+            if own.start >= own.end {
+                continue;
+            }
+            let row_length = mapping.nodes[2];
+            if D == 2 {
+                let below = Below {
+                    run,
+                    plane: 0,
+                    first: (own.start - planes.start) * row_length + along,
+                    rows: own.start - first_plane..own.end - first_plane,
+                    row_length,
+                };
+                add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
+            } else {
+                for plane in own {
+                    let row = (plane - planes.start) * mapping.nodes[1] + row;
+                    let below = Below {
+                        run: run.clone(),
+                        plane: plane - first_plane,
+                        first: row * row_length + along,
+                        rows: 0..N,
+                        row_length,
+                    };
+                    add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
+                }
+            }
+        }
     }
 }
 

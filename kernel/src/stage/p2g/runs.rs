@@ -49,18 +49,23 @@ impl Runs {
         self.index[particle]
     }
 
-    /// Plane, row and place in the row of the base node of a particle; there are no rows in the plane.
+    /// Plane, row and place in the row of the base node of a particle, with `BEFORE` of the node before it along each axis;
+    /// there are no rows in the plane.
     #[inline(always)]
-    pub(super) fn base<const D: usize>(&self, particle: usize) -> [usize; 3] {
-        let layer = |axis: usize| layer_of(self.base[axis][particle]);
+    pub(super) fn base<const D: usize, const BEFORE: bool>(&self, particle: usize) -> [usize; 3] {
+        let layer =
+            |axis: usize| layer_of(self.base[axis][particle]).saturating_sub(usize::from(BEFORE));
         [layer(0), if D == 3 { layer(1) } else { 0 }, layer(D - 1)]
     }
 
     /// Whether a particle reaches one of some planes.
     #[inline(always)]
-    pub(super) fn reach<const D: usize, const N: usize>(&self, planes: &Range<usize>) -> bool {
+    pub(super) fn reach<const D: usize, const N: usize, const BEFORE: bool>(
+        &self,
+        planes: &Range<usize>,
+    ) -> bool {
         (0..self.count).any(|particle| {
-            let [first, ..] = self.base::<D>(particle);
+            let [first, ..] = self.base::<D, BEFORE>(particle);
             first < planes.end && planes.start < first + N
         })
     }

@@ -74,19 +74,20 @@ impl<const N: usize> Scratch<N> {
 
     /// Weights of a block that begins at particle `at`.
     #[inline(always)]
-    pub(super) fn fill_weights<L: Lanes, const D: usize, const FULL: bool>(
+    pub(super) fn fill_weights<L: Lanes, const D: usize, const FULL: bool, const ON_NODES: bool>(
         &mut self,
         from: &Source<'_>,
         block: &Block<L>,
         at: usize,
     ) {
-        let (w, g) = weights_of::<L, _, D, N>(from.columns, from.mapping, block, at);
+        let (w, g) = weights_of::<L, _, D, N, ON_NODES>(from.columns, from.mapping, block, at);
         for axis in 0..D {
             for n in 0..N {
                 w[axis][n].store(&mut self.w[axis][n]);
                 g[axis][n].store(&mut self.g[axis][n]);
                 if FULL {
-                    let q = w[axis][n] * (L::splat(n as f64) - block.f[axis]);
+                    let node = n as f64 - if ON_NODES { 1.0 } else { 0.0 };
+                    let q = w[axis][n] * (L::splat(node) - block.f[axis]);
                     q.store(&mut self.q[axis][n]);
                     if from.carry == Carry::Remap {
                         // The remapped momentum lies in the upper lanes, with its affine part.
