@@ -24,14 +24,14 @@ impl Interaction for Drag {
         Box::new(self.clone())
     }
 
-    fn owners(&self) -> Vec<usize> {
-        self.bodies.to_vec()
+    fn owners(&self) -> BodyList {
+        self.bodies.into_iter().collect()
     }
 
-    fn on_slabs(&mut self, grid: &Grid, _: Visit) -> Vec<Box<dyn OnSlab + '_>> {
-        let this = &*self;
-        let on_slab = |_| Box::new(this) as Box<dyn OnSlab>;
-        grid.slabs.iter().map(on_slab).collect()
+    fn on_slabs<'a>(&'a mut self, grid: &Grid, _: Visit, give: &mut dyn FnMut(SlabPart<'a>)) {
+        for _ in &grid.slabs {
+            give(SlabPart::own(&*self));
+        }
     }
 }
 

@@ -168,18 +168,21 @@ pub struct ActiveRows {
     rows_per_plane: usize,
     /// Rows of each plane before and after which all spans are empty.
     in_planes: Vec<(u32, u32)>,
+    /// First and last base cell in use of each base row, while they are sought.
+    pub(crate) occupied: Vec<Option<(u32, u32)>>,
 }
 
 impl ActiveRows {
-    /// Builds the spans from the occupied base spans of each base row.
+    /// The rows with spans from the occupied base spans of each base row, in place of those that it had.
     ///
     /// `occupied[slow * bases[1] + middle]` is the range of fast base indices in use, or `None`. A particle
     /// may cross one cell before the next sort, so the stencil of `stencil` nodes is widened by one each way.
-    #[must_use]
-    pub fn new(shape: &GridShape, occupied: &[Option<(u32, u32)>], stencil: usize) -> Self {
+    pub fn fill(&mut self, shape: &GridShape, occupied: &[Option<(u32, u32)>], stencil: usize) {
         let bases = shape.bases();
         let rows = shape.nodes[1];
-        let mut spans = vec![(u32::MAX, 0); shape.nodes[0] * rows];
+        let spans = &mut self.spans;
+        spans.clear();
+        spans.resize(shape.nodes[0] * rows, (u32::MAX, 0));
         let reach =
             |base: usize, count: usize| base.saturating_sub(1)..(base + stencil + 1).min(count);
         for slow in 0..bases[0] {
@@ -203,7 +206,7 @@ impl ActiveRows {
                 }
             }
         }
-        for span in &mut spans {
+        for span in &mut *spans {
             if span.0 >= span.1 {
                 *span = (0, 0);
             }
@@ -214,11 +217,9 @@ impl ActiveRows {
             let last = spans.iter().rposition(in_use).map_or(first, |row| row + 1);
             (first as u32, last as u32)
         };
-        Self {
-            in_planes: spans.chunks(rows).map(in_plane).collect(),
-            spans,
-            rows_per_plane: rows,
-        }
+        self.in_planes.clear();
+        self.in_planes.extend(spans.chunks(rows).map(in_plane));
+        self.rows_per_plane = rows;
     }
 
     /// Rows of a plane among which those with an active part are, however many the mesh has.
@@ -227,6 +228,16 @@ impl ActiveRows {
     pub fn in_plane(&self, plane: usize) -> Range<usize> {
         let (first, last) = self.in_planes[plane];
         first as usize..last as usize
+    }
+
+    /// Indices of the active nodes, row by row.
+    pub fn nodes(&self, shape: &GridShape) -> impl Iterator<Item = Range<usize>> {
+        let all =
+            (0..shape.nodes[0]).flat_map(|plane| self.in_plane(plane).map(move |row| (plane, row)));
+        all.map(|(plane, row)| {
+            let (first, span) = (shape.index([plane, row, 0]), self.span(plane, row));
+            first + span.start..first + span.end
+        })
     }
 
     /// Active part of the row in a plane; empty where no particle can reach.

@@ -2,6 +2,7 @@
 
 use crate::layout::Layout;
 use crate::team::Team;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// The particles of one body.
@@ -36,7 +37,7 @@ impl ParticleSet {
 
     /// The internal variables of a particle, component after component.
     #[must_use]
-    pub fn variables(&self, p: usize) -> Vec<f64> {
+    pub fn variables(&self, p: usize) -> Variables {
         (self.columns[self.layout.variables..].iter())
             .map(|column| column[p])
             .collect()
@@ -144,23 +145,27 @@ impl ParticleSet {
         }
     }
 
-    /// Splits all columns at the given increasing particle ranges, which must not overlap.
-    pub fn split_mut(&mut self, ranges: &[Range<usize>]) -> Vec<Vec<&mut [f64]>> {
-        let mut parts: Vec<Vec<&mut [f64]>> = ranges
-            .iter()
-            .map(|_| Vec::with_capacity(self.layout.columns))
-            .collect();
-        for column in &mut self.columns {
-            let mut rest = column.as_mut_slice();
-            let mut at = 0;
-            for (part, range) in parts.iter_mut().zip(ranges) {
-                let (_, tail) = rest.split_at_mut(range.start - at);
-                let (own, tail) = tail.split_at_mut(range.end - range.start);
-                part.push(own);
-                rest = tail;
-                at = range.end;
-            }
-        }
-        parts
+    /// All columns at the given increasing particle ranges, which must not overlap.
+    pub fn parts_mut(
+        &mut self,
+        ranges: impl Iterator<Item = Range<usize>>,
+    ) -> impl Iterator<Item = (Range<usize>, Columns<'_>)> {
+        let mut rest: Columns<'_> = self.columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let mut at = 0;
+        ranges.map(move |range| {
+            let own = rest.iter_mut().map(|rest| {
+                let own = rest.split_off_mut(..range.end - at).unwrap_or_default();
+                &mut own[range.start - at..]
+            });
+            let own = own.collect();
+            at = range.end;
+            (range, own)
+        })
     }
 }
+
+/// Internal variables of a particle.
+pub type Variables = SmallVec<[f64; 16]>;
+
+/// Columns of some particles.
+pub type Columns<'a> = SmallVec<[&'a mut [f64]; 48]>;

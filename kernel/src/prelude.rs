@@ -8,6 +8,6 @@ pub use crate::scene::{
     StressScheme, TimeStep, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };
 pub use crate::simulation::{
-    Acting, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, Node, Now, OnSlab,
-    Options, PlaneSums, Simulation, Slab, StepError, StepInfo, Visit,
+    Acting, BodyList, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, Node, Now,
+    OnSlab, Options, PairList, PlaneSums, Simulation, Slab, SlabPart, StepError, StepInfo, Visit,
 };

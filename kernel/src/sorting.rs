@@ -11,6 +11,7 @@ use crate::particles::ParticleSet;
 use crate::stage::index_of;
 use crate::team::Team;
 use crate::weights::{Family, base_offset, below};
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// Cells per particle up to which counting them all is cheaper than comparing keys, and cells that are always counted.
@@ -57,13 +58,11 @@ impl Cells {
             ]
         };
         let nothing = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-        let [low, high] = if team.count() == 1 {
-            starts.map(of_part).fold(nothing, join)
-        } else {
-            team.map(starts.collect(), of_part)
-                .into_iter()
-                .fold(nothing, join)
-        };
+        let mut extents: Few<_> = starts.clone().map(|_| nothing).collect();
+        team.each(starts.zip(&mut extents), |(start, extent)| {
+            *extent = of_part(start);
+        });
+        let [low, high] = extents.into_iter().fold(nothing, join);
         for axis in 0..shape.axes {
             let direction = shape.direction(axis);
             let cell = |x: f64| {
@@ -222,11 +221,16 @@ struct Spares {
 struct Share<'a> {
     cells: Range<usize>,
     ends: &'a mut [u32],
+    /// How many particles.
+    count: u32,
 }
+
+/// A list of something for each thread, which takes no memory where they are few.
+type Few<T> = SmallVec<[T; 16]>;
 
 impl Sorter {
     /// Sorts all sets by base cell for functions of a family that reach `stencil` nodes per axis, keeping the order within a
-    /// cell; the rows of nodes that particles can reach until they have crossed one cell.
+    /// cell; `rows` then are those of nodes that particles can reach until they have crossed one cell.
     pub fn sort(
         &mut self,
         sets: &mut [ParticleSet],
@@ -234,7 +238,8 @@ impl Sorter {
         (family, stencil): (Family, usize),
         lanes: Selected,
         team: &Team,
-    ) -> ActiveRows {
+        rows: &mut ActiveRows,
+    ) {
         let bases = shape.bases();
         self.occupied.clear();
         self.occupied.resize(bases[0] * bases[1], None);
@@ -254,15 +259,14 @@ impl Sorter {
                 permute(set, &self.order, &mut self.spares[index], team);
             }
         }
-        ActiveRows::new(shape, &self.occupied, stencil)
+        rows.fill(shape, &self.occupied, stencil);
     }
 
     /// Numbers the particles of a set by their base cells.
     fn number(&mut self, set: &ParticleSet, numbering: &Numbering, lanes: Selected, team: &Team) {
         self.keys.resize(set.len(), 0);
         let share = set.len().div_ceil(team.count()).max(1);
-        let parts = self.keys.chunks_mut(share).enumerate().collect();
-        team.map(parts, |(part, keys)| {
+        team.each(self.keys.chunks_mut(share).enumerate(), |(part, keys)| {
             lanes.run(Number {
                 numbering,
                 set,
@@ -286,18 +290,21 @@ impl Sorter {
         self.ends.clear();
         self.ends.resize(count[0] * per_layer, 0);
         self.order.resize(set.len(), 0);
-        let mut shares = vec![];
+        let mut shares = Few::new();
         let mut rest = self.ends.as_mut_slice();
         for layers in shares_of_layers(set, bases[0], team.count()) {
             let place = |layer: usize| layer.clamp(first[0], first[0] + count[0]) - first[0];
             let cells = place(layers.start) * per_layer..place(layers.end) * per_layer;
             let (ends, behind) = rest.split_at_mut(cells.len());
-            shares.push(Share { cells, ends });
+            shares.push(Share {
+                cells,
+                ends,
+                count: 0,
+            });
             rest = behind;
         }
         let keys = self.keys.as_slice();
-        let counted = team.map(shares, |share| {
-            let mut count = 0_u32;
+        team.each(shares.iter_mut(), |share| {
             for &key in keys {
                 // A cell before the first of the share is beyond its last, too.
                 if let Some(cell) = share
@@ -305,24 +312,23 @@ impl Sorter {
                     .get_mut((key as usize).wrapping_sub(share.cells.start))
                 {
                     *cell += 1;
-                    count += 1;
+                    share.count += 1;
                 }
             }
-            (share, count)
         });
-        let mut places = self.order.as_mut_slice();
-        let mut start = 0;
-        let mut placed = Vec::with_capacity(counted.len());
-        for (share, count) in counted {
-            let (own, behind) = places.split_at_mut(count as usize);
-            placed.push((share, own, start));
-            places = behind;
-            start += count;
-        }
-        team.map(placed, |(share, places, start)| {
+        let mut rest = self.order.as_mut_slice();
+        let mut before = 0;
+        let placed = shares.iter_mut().map(|share| {
+            let (own, behind) = std::mem::take(&mut rest).split_at_mut(share.count as usize);
+            let start = before;
+            rest = behind;
+            before += share.count;
+            (share, own, start)
+        });
+        team.each(placed, |(share, places, start)| {
             if sorted {
                 let mut end = start;
-                for cell in share.ends {
+                for cell in &mut *share.ends {
                     end += *cell;
                     *cell = end;
                 }
@@ -342,6 +348,7 @@ impl Sorter {
                 }
             }
         });
+        drop(shares);
         let ends = self.ends.as_slice();
         let mut before = 0;
         for (row, ends) in ends.chunks(count[2]).enumerate() {
@@ -402,7 +409,7 @@ impl Sorter {
 }
 
 /// The layers of base cells in `count` ranges at most, with about equal numbers of particles as of the last sort.
-fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> Vec<Range<usize>> {
+fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> Few<Range<usize>> {
     let known = set.layers.len() == layers + 1 && set.layers[layers] == set.len();
     let end_of = |share: usize| match (share == count, known) {
         (true, _) => layers,
@@ -410,7 +417,7 @@ fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> Vec<Range
         (_, false) => share * layers / count,
     };
     let mut from = 0;
-    let mut shares = Vec::with_capacity(count);
+    let mut shares = Few::new();
     for share in 1..=count {
         let to = end_of(share).clamp(from, layers);
         shares.push(from..to);
@@ -432,8 +439,8 @@ fn permute(set: &mut ParticleSet, order: &[u32], spares: &mut Spares, team: &Tea
     spares.columns.resize_with(team.count(), Vec::new);
     let mut ids = Some((&mut set.id, &mut spares.ids));
     let parts = set.columns.chunks_mut(share).zip(&mut spares.columns);
-    let parts = parts.map(|part| (part, ids.take())).collect();
-    team.map(parts, |((columns, spare), ids)| {
+    let parts = parts.map(|part| (part, ids.take()));
+    team.each(parts, |((columns, spare), ids)| {
         for column in columns {
             gather(column, order, spare);
         }
@@ -450,33 +457,40 @@ fn gather<T: Copy>(column: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
     std::mem::swap(column, spare);
 }
 
-/// The active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than
+/// Finds the active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than
 /// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
-#[must_use]
-pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> ActiveRows {
+pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize, rows: &mut ActiveRows) {
     let numbering = Numbering::new(shape, base_offset(stencil), &Cells::all(shape));
     let keys = sets.iter().flat_map(|set| {
         let numbering = &numbering;
         (0..set.len()).map(move |p| numbering.key(set, p))
     });
-    rows_of_keys(keys, shape, stencil)
+    rows_of_keys(keys, shape, stencil, rows);
 }
 
-/// The rows that some particles of a set can reach before the next sort.
-#[must_use]
+/// Finds the rows that some particles of a set can reach before the next sort.
 pub fn rows_of_some(
     set: &ParticleSet,
     particles: impl Iterator<Item = usize>,
     shape: &GridShape,
     stencil: usize,
-) -> ActiveRows {
+    rows: &mut ActiveRows,
+) {
     let numbering = Numbering::new(shape, base_offset(stencil), &Cells::all(shape));
-    rows_of_keys(particles.map(|p| numbering.key(set, p)), shape, stencil)
+    let keys = particles.map(|p| numbering.key(set, p));
+    rows_of_keys(keys, shape, stencil, rows);
 }
 
-fn rows_of_keys(keys: impl Iterator<Item = u32>, shape: &GridShape, stencil: usize) -> ActiveRows {
+fn rows_of_keys(
+    keys: impl Iterator<Item = u32>,
+    shape: &GridShape,
+    stencil: usize,
+    rows: &mut ActiveRows,
+) {
     let bases = shape.bases();
-    let mut occupied = vec![None; bases[0] * bases[1]];
+    let mut occupied = std::mem::take(&mut rows.occupied);
+    occupied.clear();
+    occupied.resize(bases[0] * bases[1], None);
     let mut before = None;
     for key in keys {
         // Of sorted particles most have the cell of the one before.
@@ -486,5 +500,6 @@ fn rows_of_keys(keys: impl Iterator<Item = u32>, shape: &GridShape, stencil: usi
         let (row, fast) = (key as usize / bases[2], (key as usize % bases[2]) as u32);
         widen(&mut occupied[row], fast, fast);
     }
-    ActiveRows::new(shape, &occupied, stencil)
+    rows.fill(shape, &occupied, stencil);
+    rows.occupied = occupied;
 }

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::cmp::Ordering;
+use std::iter::Fuse;
 use std::ops::Range;
 use std::sync::atomic::{self, AtomicUsize};
 use std::sync::{Mutex, PoisonError};
@@ -72,28 +73,29 @@ impl Team {
         }
     }
 
+    /// `act` on each of a few large parts, which threads take in their order. What a part gives it writes to where it was told
+    /// to; nothing is taken from the allocator.
+    pub fn each<I: Iterator + Send>(&self, parts: I, act: impl Fn(I::Item) + Send + Sync) {
+        let most = parts.size_hint().1.unwrap_or(usize::MAX);
+        match &self.pool {
+            Some(pool) if most > 1 => {
+                let work = Work::new(parts);
+                pool.install(|| among(self.count.min(most) - 1, &|| work.help(&act)));
+            }
+            _ => parts.for_each(act),
+        }
+    }
+
     /// `act` on each of a few large parts; the results in order.
     pub fn map<T: Send, R: Send>(
         &self,
         parts: Vec<T>,
         act: impl Fn(T) -> R + Send + Sync,
     ) -> Vec<R> {
-        match &self.pool {
-            Some(pool) if parts.len() > 1 => {
-                let helpers = self.count.min(parts.len()) - 1;
-                let work = Work::new(parts);
-                pool.install(|| {
-                    rayon::scope(|scope| {
-                        for _ in 0..helpers {
-                            scope.spawn(|_| work.help(&act));
-                        }
-                        work.help(&act);
-                    });
-                });
-                work.results()
-            }
-            _ => parts.into_iter().map(act).collect(),
-        }
+        let mut results: Vec<Option<R>> = parts.iter().map(|_| None).collect();
+        let places = parts.into_iter().zip(&mut results);
+        self.each(places, |(part, result)| *result = Some(act(part)));
+        results.into_iter().flatten().collect()
     }
 
     /// `value` of many small items; the results in order.
@@ -102,9 +104,19 @@ impl Team {
         items: Range<usize>,
         value: impl Fn(usize) -> R + Send + Sync,
     ) -> Vec<R> {
-        let mut results = vec![];
-        self.in_shares(items, SHORTEST_SHARE, value, &mut results);
-        results
+        self.in_shares(items, SHORTEST_SHARE, value)
+    }
+
+    /// The same into a list that is kept, whose old content goes; where it grows it has `blank` at first.
+    pub fn collect_into<R: Send + Clone>(
+        &self,
+        items: Range<usize>,
+        value: impl Fn(usize) -> R + Send + Sync,
+        blank: &R,
+        results: &mut Vec<R>,
+    ) {
+        results.resize_with(items.len(), || blank.clone());
+        self.in_shares_of(items, SHORTEST_SHARE, value, results);
     }
 
     /// `value` of items that each take a search or a system of equations; the results in order.
@@ -113,19 +125,31 @@ impl Team {
         items: Range<usize>,
         value: impl Fn(usize) -> R + Send + Sync,
     ) -> Vec<R> {
-        let mut results = vec![];
-        self.search_into(items, value, &mut results);
-        results
+        self.in_shares(items, SHORTEST_SHARE_OF_SEARCHES, value)
     }
 
-    /// The same into a list that is kept, whose old content goes.
-    pub fn search_into<R: Send>(
+    /// The same into a list that is kept, whose old content goes; where it grows it has `blank` at first.
+    pub fn search_into<R: Send + Clone>(
         &self,
         items: Range<usize>,
         value: impl Fn(usize) -> R + Send + Sync,
+        blank: &R,
         results: &mut Vec<R>,
     ) {
-        self.in_shares(items, SHORTEST_SHARE_OF_SEARCHES, value, results);
+        results.resize_with(items.len(), || blank.clone());
+        self.in_shares_of(items, SHORTEST_SHARE_OF_SEARCHES, value, results);
+    }
+
+    /// How many of so many items that each take a search or a system of equations a thread is to take at once.
+    #[must_use]
+    pub fn share_of_searches(&self, items: usize) -> usize {
+        self.share(items, SHORTEST_SHARE_OF_SEARCHES)
+    }
+
+    fn share(&self, items: usize, shortest: usize) -> usize {
+        let most = (items / shortest).max(1);
+        let parts = (self.count * PARTS_PER_THREAD).min(most);
+        items.div_ceil(parts).max(1)
     }
 
     fn in_shares<R: Send>(
@@ -133,20 +157,26 @@ impl Team {
         items: Range<usize>,
         shortest: usize,
         value: impl Fn(usize) -> R + Send + Sync,
-        results: &mut Vec<R>,
+    ) -> Vec<R> {
+        let mut results = vec![];
+        results.resize_with(items.len(), || None);
+        self.in_shares_of(items, shortest, |item| Some(value(item)), &mut results);
+        results.into_iter().flatten().collect()
+    }
+
+    fn in_shares_of<R: Send>(
+        &self,
+        items: Range<usize>,
+        shortest: usize,
+        value: impl Fn(usize) -> R + Send + Sync,
+        results: &mut [R],
     ) {
-        results.clear();
-        match &self.pool {
-            Some(_) if items.len() > shortest => {
-                let most = items.len() / shortest;
-                let parts = (self.count * PARTS_PER_THREAD).min(most).max(1);
-                let end_of = |part: usize| items.start + items.len() * part / parts;
-                let parts = (0..parts).map(|part| end_of(part)..end_of(part + 1));
-                let found = self.map(parts.collect(), |part| part.map(&value).collect::<Vec<R>>());
-                results.extend(found.into_iter().flatten());
+        let share = self.share(items.len(), shortest);
+        self.each(results.chunks_mut(share).enumerate(), |(part, results)| {
+            for (item, result) in (items.start + part * share..).zip(results) {
+                *result = value(item);
             }
-            _ => results.extend(items.map(value)),
-        }
+        });
     }
 
     /// Stable sort.
@@ -164,66 +194,56 @@ impl Team {
     }
 }
 
+/// Has as many helpers as that and the caller help.
+fn among(helpers: usize, help: &(impl Fn() + Sync)) {
+    if helpers == 0 {
+        help();
+    } else {
+        rayon::join(help, || among(helpers - 1, help));
+    }
+}
+
 /// Parts of some work that threads take one after the other.
-struct Work<T, R> {
-    parts: Vec<Mutex<Part<T, R>>>,
-    /// The first that nobody has taken.
-    next: AtomicUsize,
-    /// How many are not done.
-    left: AtomicUsize,
+struct Work<I> {
+    parts: Mutex<Fuse<I>>,
+    /// How many are taken.
+    taken: AtomicUsize,
+    /// How many of them are done.
+    done: AtomicUsize,
 }
 
-/// A part before it is done and after.
-struct Part<T, R> {
-    given: Option<T>,
-    result: Option<R>,
-}
-
-impl<T, R> Work<T, R> {
-    fn new(parts: Vec<T>) -> Self {
-        let count = parts.len();
-        let part = |given| {
-            let given = Some(given);
-            Mutex::new(Part {
-                given,
-                result: None,
-            })
-        };
+impl<I: Iterator> Work<I> {
+    fn new(parts: I) -> Self {
         Self {
-            parts: parts.into_iter().map(part).collect(),
-            next: AtomicUsize::new(0),
-            left: AtomicUsize::new(count),
+            parts: Mutex::new(parts.fuse()),
+            taken: AtomicUsize::new(0),
+            done: AtomicUsize::new(0),
         }
     }
 
+    /// The next part that nobody has taken.
+    fn take(&self) -> Option<I::Item> {
+        let mut parts = unpoisoned(self.parts.lock());
+        let part = parts.next()?;
+        self.taken.fetch_add(1, atomic::Ordering::AcqRel);
+        Some(part)
+    }
+
     /// Does parts until none is left to take, and then waits a while for the others.
-    fn help(&self, act: impl Fn(T) -> R) {
-        while let Some(part) = self
-            .parts
-            .get(self.next.fetch_add(1, atomic::Ordering::Relaxed))
-        {
-            // Nobody else takes this part, so that no lock is ever waited for.
-            let given = unpoisoned(part.lock()).given.take();
-            let result = given.map(&act);
-            unpoisoned(part.lock()).result = result;
-            self.left.fetch_sub(1, atomic::Ordering::Release);
+    fn help(&self, act: impl Fn(I::Item)) {
+        while let Some(part) = self.take() {
+            act(part);
+            self.done.fetch_add(1, atomic::Ordering::Release);
         }
         let mut waits_until = None;
-        while self.left.load(atomic::Ordering::Acquire) > 0 {
+        while self.done.load(atomic::Ordering::Acquire) < self.taken.load(atomic::Ordering::Acquire)
+        {
             let end = *waits_until.get_or_insert_with(|| Instant::now() + PATIENCE);
             if Instant::now() > end {
                 break;
             }
             std::thread::yield_now();
         }
-    }
-
-    /// Of all parts, in order; a part whose thread panicked has none, and then this is not reached.
-    fn results(self) -> Vec<R> {
-        let results = self.parts.into_iter();
-        results
-            .filter_map(|part| unpoisoned(part.into_inner()).result)
-            .collect()
     }
 }
 

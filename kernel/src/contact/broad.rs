@@ -5,6 +5,7 @@ use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::weights::base_node;
+use smallvec::SmallVec;
 
 /// Nodes along an axis of the scene that the particles of a body can reach until the next sort, first and last.
 ///
@@ -31,19 +32,27 @@ pub fn reach(set: &ParticleSet, shape: &GridShape, stencil: usize, axis: usize) 
     (low - 1.0, high + stencil as f64)
 }
 
-/// Which pairs are near: their boxes of nodes meet. One axis after the other, so that bodies far apart along the first
+/// Finds which pairs are near: their boxes of nodes meet. One axis after the other, so that bodies far apart along the first
 /// cost next to nothing.
-#[must_use]
-pub fn near(pairs: &[Pair], sets: &[ParticleSet], shape: &GridShape, stencil: usize) -> Vec<bool> {
-    let mut known: Vec<[Option<(f64, f64)>; 3]> = vec![[None; 3]; sets.len()];
+pub fn near(
+    pairs: &[Pair],
+    sets: &[ParticleSet],
+    shape: &GridShape,
+    stencil: usize,
+    near: &mut Vec<bool>,
+) {
+    let none: [Option<(f64, f64)>; 3] = [None; 3];
+    let mut known: SmallVec<[_; 8]> = SmallVec::from_elem(none, sets.len());
     let mut meet = |pair: &Pair, axis: usize| {
         let [a, b] = [pair.master, pair.slave].map(|body| {
             *known[body][axis].get_or_insert_with(|| reach(&sets[body], shape, stencil, axis))
         });
         a.0 <= b.1 && b.0 <= a.1
     };
-    pairs
-        .iter()
-        .map(|pair| (0..shape.axes).all(|axis| meet(pair, axis)))
-        .collect()
+    near.clear();
+    near.extend(
+        pairs
+            .iter()
+            .map(|pair| (0..shape.axes).all(|axis| meet(pair, axis))),
+    );
 }

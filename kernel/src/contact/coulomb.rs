@@ -83,6 +83,9 @@ pub struct Coulomb {
     /// Impulse of each touch over the smallest mass \[m/s\].
     impulse: Vec<Vector>,
     change: Vec<Vector>,
+    /// Fields as they are damped without contact, and with that damping taken back.
+    damped: Vec<Member>,
+    free: Vec<Member>,
 }
 
 impl Coulomb {
@@ -129,7 +132,12 @@ impl Coulomb {
         alpha: f64,
         impulses: &mut Vec<Vector>,
     ) -> bool {
-        let damped = members.to_vec();
+        let (mut damped, mut free) = (
+            std::mem::take(&mut self.damped),
+            std::mem::take(&mut self.free),
+        );
+        damped.clear();
+        damped.extend_from_slice(members);
         for member in &mut *members {
             for axis in 0..3 {
                 let dv = member.increment[axis];
@@ -142,22 +150,25 @@ impl Coulomb {
                 }
             }
         }
-        let free = members.to_vec();
+        free.clear();
+        free.extend_from_slice(members);
         self.resolve(members, joined, touches, impulses);
-        if impulses.iter().all(|j| *j == [0.0; 3]) {
-            members.copy_from_slice(&damped);
-            return false;
-        }
-        for ((member, free), damped) in members.iter_mut().zip(free).zip(&damped) {
+        let acts = impulses.iter().any(|j| *j != [0.0; 3]);
+        for ((member, free), damped) in members.iter_mut().zip(&free).zip(&damped) {
+            if !acts {
+                *member = *damped;
+                continue;
+            }
             let unbalanced = member.increment;
-            *member = free;
+            *member = *free;
             for axis in 0..3 {
                 if let Some(direction) = direction(damped, axis) {
                     member.add(axis, -alpha * direction * unbalanced[axis].abs());
                 }
             }
         }
-        true
+        (self.damped, self.free) = (damped, free);
+        acts
     }
 
     /// Groups with their mass and velocity. A prescribed velocity is that of its group; of two the later decides.

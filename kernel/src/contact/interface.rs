@@ -13,43 +13,45 @@ use std::ops::Range;
 type Shared = [(f64, f64); 3];
 
 /// The particles of a body near its partners.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Interface {
     /// Particles in their order, each range with the layer of particles that it is in.
     pub runs: Vec<(usize, Range<usize>)>,
     /// Rows that these particles can reach.
     pub rows: ActiveRows,
+    /// What the body shares with each partner, while it is sought.
+    shared: Vec<Shared>,
 }
 
 impl Interface {
-    /// The interface of a body with its partners of near pairs.
-    #[must_use]
-    pub fn new(
+    /// Finds the interface of a body with its partners of near pairs, in place of what it was.
+    pub fn find(
+        &mut self,
         body: usize,
         pairs: &[Pair],
         near: &[bool],
         sets: &[ParticleSet],
         shape: &GridShape,
         stencil: usize,
-    ) -> Self {
+    ) {
+        let Self { runs, rows, shared } = self;
         let own = pairs
             .iter()
             .zip(near)
             .filter(|(pair, near)| **near && (pair.master == body || pair.slave == body));
-        let shared: Vec<Shared> = own
-            .map(|(pair, _)| {
-                std::array::from_fn(|axis| {
-                    if axis >= shape.axes {
-                        return (0.0, 0.0);
-                    }
-                    let reach = |body: usize| broad::reach(&sets[body], shape, stencil, axis);
-                    let (a, b) = (reach(pair.master), reach(pair.slave));
-                    (a.0.max(b.0), a.1.min(b.1))
-                })
+        shared.clear();
+        shared.extend(own.map(|(pair, _)| -> Shared {
+            std::array::from_fn(|axis| {
+                if axis >= shape.axes {
+                    return (0.0, 0.0);
+                }
+                let reach = |body: usize| broad::reach(&sets[body], shape, stencil, axis);
+                let (a, b) = (reach(pair.master), reach(pair.slave));
+                (a.0.max(b.0), a.1.min(b.1))
             })
-            .collect();
+        }));
         let set = &sets[body];
-        let mut runs: Vec<(usize, Range<usize>)> = vec![];
+        runs.clear();
         for layer in 0..set.layers.len() - 1 {
             for p in set.in_layers(layer..layer + 1) {
                 if !shared
@@ -65,8 +67,7 @@ impl Interface {
             }
         }
         let particles = runs.iter().flat_map(|(_, run)| run.clone());
-        let rows = rows_of_some(set, particles, shape, stencil);
-        Self { runs, rows }
+        rows_of_some(set, particles, shape, stencil, rows);
     }
 
     /// The runs in some layers of particles.

@@ -244,10 +244,10 @@ impl Kept {
         let forces = forces.collect();
         let grid = &simulation.work.grid;
         let mut lines = vec![];
-        for (number, field) in grid.fields.iter().enumerate() {
+        for field in &grid.fields {
             let all = field.nodes.lines();
             let mut own = Vec::with_capacity(field.rows.count());
-            for row in grid.rows_in_use(number) {
+            for row in field.rows.nodes(&grid.shape) {
                 own.extend_from_slice(&all[row]);
             }
             lines.push(own);
@@ -274,11 +274,10 @@ impl Kept {
         simulation.work.sums = self.sums;
         simulation.work.mapped = self.mapped;
         let grid = &mut simulation.work.grid;
-        for (number, lines) in self.lines.iter().enumerate() {
-            let rows = grid.rows_in_use(number);
-            let all = grid.fields[number].nodes.lines_mut();
+        for (field, lines) in grid.fields.iter_mut().zip(&self.lines) {
+            let all = field.nodes.lines_mut();
             let mut rest = &lines[..];
-            for row in rows {
+            for row in field.rows.nodes(&grid.shape) {
                 let (own, tail) = rest.split_at(row.len());
                 all[row].copy_from_slice(own);
                 rest = tail;

@@ -12,6 +12,7 @@ use crate::sorting::{Sorter, rows_of};
 use crate::stage::solve::Planes;
 use crate::team::Team;
 use crate::weights::Family;
+use smallvec::SmallVec;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -25,6 +26,8 @@ const THICK_SLAB: usize = 16;
 const SLABS_PER_THREAD: usize = 3;
 /// Fewest particles of a slab: to wake a thread takes as long as a step of some of them.
 const LEAST_SHARE: usize = 2048;
+/// Fields up to which a visit of the slabs takes no memory for its lists of them.
+const FEW_FIELDS: usize = 4;
 /// Shares of the particles per thread, where any cut will do.
 const SHARES_PER_THREAD: usize = 8;
 
@@ -89,6 +92,14 @@ pub struct Grid {
     pub team: Arc<Team>,
     least_share: usize,
     sorter: Sorter,
+    cutting: Cutting,
+}
+
+/// Numbers of particles that begin in each plane, and work in it, while the planes are cut.
+#[derive(Debug, Default)]
+struct Cutting {
+    particles: Vec<usize>,
+    work: Vec<usize>,
 }
 
 /// The part of a field that one visit owns.
@@ -102,7 +113,7 @@ pub struct SlabField<'a> {
 /// All fields of the planes that one visit owns, known by their number in [`Grid::fields`].
 pub struct Slab<'a> {
     /// The fields.
-    pub fields: Vec<SlabField<'a>>,
+    pub fields: SmallVec<[SlabField<'a>; FEW_FIELDS]>,
     /// [`Grid::joined`].
     pub joined: &'a [bool],
 }
@@ -150,6 +161,7 @@ impl Grid {
             team: Arc::new(team),
             least_share: least_share.unwrap_or(LEAST_SHARE).max(1),
             sorter: Sorter::default(),
+            cutting: Cutting::default(),
         }
     }
 
@@ -161,28 +173,32 @@ impl Grid {
         } else {
             &*self.team
         };
-        self.fields[0].rows = (self.sorter).sort(sets, &self.shape, reach, lanes, team);
+        let rows = &mut self.fields[0].rows;
+        (self.sorter).sort(sets, &self.shape, reach, lanes, team, rows);
         self.cut(sets);
     }
 
     /// Takes up sets in the order in which they are, after a restart.
     pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
-        self.fields[0].rows = self.rows_of(sets, stencil);
+        let rows = &mut self.fields[0].rows;
+        rows_of(sets, &self.shape, stencil, rows);
         self.cut(sets);
-    }
-
-    /// Rows in use of particles that are not to be sorted now.
-    #[must_use]
-    pub fn rows_of(&self, sets: &[ParticleSet], stencil: usize) -> ActiveRows {
-        rows_of(sets, &self.shape, stencil)
     }
 
     /// Has fields for exactly these bodies (indices in order of the identifier) beside that of the phase, with rows for
     /// where their particles are now.
     pub fn set_owners(&mut self, bodies: &[usize], sets: &[ParticleSet], stencil: usize) {
+        let owners = self.fields[1..].iter().map(|field| field.owner);
+        if owners.eq(bodies.iter().map(|&body| Owner::Body(body))) {
+            for (field, &body) in self.fields[1..].iter_mut().zip(bodies) {
+                rows_of(&sets[body..=body], &self.shape, stencil, &mut field.rows);
+            }
+            return;
+        }
         let phase = (Owner::Phase, std::mem::take(&mut self.fields[0].rows));
         let of_body = |&body| {
-            let rows = self.rows_of(&sets[body..=body], stencil);
+            let mut rows = ActiveRows::default();
+            rows_of(&sets[body..=body], &self.shape, stencil, &mut rows);
             (Owner::Body(body), rows)
         };
         let of_bodies: Vec<_> = bodies.iter().map(of_body).collect();
@@ -213,21 +229,6 @@ impl Grid {
         }
     }
 
-    /// Indices of the nodes in use of a field, by its number, row by row.
-    #[must_use]
-    pub fn rows_in_use(&self, number: usize) -> Vec<Range<usize>> {
-        let field = &self.fields[number];
-        let mut rows = vec![];
-        for plane in 0..self.shape.nodes[0] {
-            for row in field.rows.in_plane(plane) {
-                let first = self.shape.index([plane, row, 0]);
-                let span = field.rows.span(plane, row);
-                rows.push(first + span.start..first + span.end);
-            }
-        }
-        rows
-    }
-
     /// Nodes with mass of the fields that move freely, with their index, field by field and row by row; `driven` says of a
     /// body whether its motion is prescribed.
     pub fn free_nodes(
@@ -238,7 +239,7 @@ impl Grid {
         let numbers = (0..self.fields.len()).filter(move |number| free(&self.fields[*number]));
         numbers.flat_map(|number| {
             let lines = self.fields[number].nodes.lines();
-            let nodes = self.rows_in_use(number).into_iter().flatten();
+            let nodes = self.fields[number].rows.nodes(&self.shape).flatten();
             nodes
                 .map(|node| (node, &lines[node]))
                 .filter(|(_, line)| line[0] > 0.0)
@@ -286,11 +287,11 @@ impl Grid {
             let sets = sets.iter();
             sets.map(|set| set.in_layers(plane..plane + 1).len()).sum()
         };
-        let particles: Vec<usize> = if threads == 1 {
-            vec![]
-        } else {
-            (0..self.shape.nodes[0]).map(of_plane).collect()
-        };
+        let Cutting { particles, work } = &mut self.cutting;
+        particles.clear();
+        if threads > 1 {
+            particles.extend((0..self.shape.nodes[0]).map(of_plane));
+        }
         let total: usize = particles.iter().sum();
         let in_use = particles.iter().filter(|count| **count > 0).count();
         // Where bodies may meet, some planes have more to do than others.
@@ -304,79 +305,77 @@ impl Grid {
         if threads == 1 || most <= 1 {
             self.slabs.push(0..self.shape.nodes[0]);
         } else {
-            self.slabs = slabs_of(&work_of_planes(&particles), most);
+            work.clear();
+            work.extend(work_of_planes(particles));
+            cut_into(work, most, &mut self.slabs);
         }
     }
 
-    /// Calls `act` for every slab with all its fields, shared out among the team, and returns the results in order.
-    pub fn visit<R: Send>(&mut self, act: impl Fn(Slab<'_>) -> R + Send + Sync) -> Vec<R> {
-        let parts = vec![(); self.slabs.len()];
-        self.visit_with(parts, |slab, ()| act(slab))
+    /// Calls `act` for every slab with all its fields, shared out among the team.
+    pub fn visit(&mut self, act: impl Fn(Slab<'_>) + Send + Sync) {
+        self.visit_with(std::iter::repeat(()), |slab, ()| act(slab));
     }
 
-    /// The same, where each slab brings something along.
-    pub fn visit_with<P: Send, R: Send>(
+    /// The same, where each slab brings something along, which also takes what it gives.
+    pub fn visit_with<P>(
         &mut self,
-        parts: Vec<P>,
-        act: impl Fn(Slab<'_>, P) -> R + Send + Sync,
-    ) -> Vec<R> {
+        parts: impl Iterator<Item = P> + Send,
+        act: impl Fn(Slab<'_>, P) + Send + Sync,
+    ) {
         let per_plane = self.shape.plane_nodes();
-        let (shape, slabs, joined) = (&self.shape, &self.slabs, &self.joined[..]);
-        let count = self.fields.len();
-        let mut visits: Vec<(Slab<'_>, P)> = parts
-            .into_iter()
-            .map(|part| {
-                let fields = Vec::with_capacity(count);
-                (Slab { fields, joined }, part)
-            })
+        let (shape, joined) = (&self.shape, &self.joined[..]);
+        let fields = self.fields.iter_mut();
+        let mut rest: SmallVec<[_; FEW_FIELDS]> = fields
+            .map(|field| (field.owner, &field.rows, field.nodes.lines_mut()))
             .collect();
-        for field in &mut self.fields {
-            let nodes = split(&mut field.nodes, slabs, per_plane);
-            for (((slab, _), nodes), range) in visits.iter_mut().zip(nodes).zip(slabs) {
-                slab.fields.push(SlabField {
-                    owner: field.owner,
-                    planes: Planes {
-                        shape,
-                        rows: &field.rows,
-                        range: range.clone(),
-                        nodes,
-                    },
-                });
-            }
-        }
-        self.team.map(visits, |(slab, part)| act(slab, part))
+        let slabs = self.slabs.iter().map(move |range| {
+            let fields = rest.iter_mut().map(|(owner, rows, rest)| SlabField {
+                owner: *owner,
+                planes: Planes {
+                    shape,
+                    rows,
+                    range: range.clone(),
+                    nodes: rest
+                        .split_off_mut(..range.len() * per_plane)
+                        .unwrap_or_default(),
+                },
+            });
+            let fields = fields.collect();
+            Slab { fields, joined }
+        });
+        self.team
+            .each(slabs.zip(parts), |(slab, part)| act(slab, part));
     }
 }
 
 /// Work in each plane, from the numbers of particles that begin there: they reach two more planes, and their weights are made
 /// once.
-fn work_of_planes(particles: &[usize]) -> Vec<usize> {
+fn work_of_planes(particles: &[usize]) -> impl Iterator<Item = usize> {
     let from = |plane: usize, back: usize| -> usize {
         plane.checked_sub(back).map_or(0, |plane| particles[plane])
     };
     let planes = 0..particles.len();
-    planes
-        .map(|plane| 2 * from(plane, 0) + from(plane, 1) + from(plane, 2))
-        .collect()
+    planes.map(move |plane| 2 * from(plane, 0) + from(plane, 1) + from(plane, 2))
 }
 
-/// At most `most` ranges of planes, the most work of one as small as their thickness allows.
-fn slabs_of(work: &[usize], most: usize) -> Vec<Range<usize>> {
+/// Adds at most `most` ranges of planes, the most work of one as small as their thickness allows.
+fn cut_into(work: &[usize], most: usize, slabs: &mut Vec<Range<usize>>) {
     let (mut low, mut high) = (0, work.iter().sum());
     while low < high {
         let limit = usize::midpoint(low, high);
-        if filled(work, limit).len() <= most {
+        let mut count = 0;
+        fill(work, limit, |_| count += 1);
+        if count <= most {
             high = limit;
         } else {
             low = limit + 1;
         }
     }
-    filled(work, low)
+    fill(work, low, |slab| slabs.push(slab));
 }
 
-/// The planes in slabs of at most `limit` work each, where they are as thick as slabs must be.
-fn filled(work: &[usize], limit: usize) -> Vec<Range<usize>> {
-    let mut slabs = vec![];
+/// Gives the planes in slabs of at most `limit` work each, where they are as thick as slabs must be.
+fn fill(work: &[usize], limit: usize, mut give: impl FnMut(Range<usize>)) {
     let (mut start, mut sum) = (0, 0);
     for (plane, &count) in work.iter().enumerate() {
         let thinnest = if start == 0 {
@@ -386,27 +385,10 @@ fn filled(work: &[usize], limit: usize) -> Vec<Range<usize>> {
         };
         let thick = plane - start >= thinnest && work.len() - plane >= THINNEST_END;
         if thick && sum + count > limit {
-            slabs.push(start..plane);
+            give(start..plane);
             (start, sum) = (plane, 0);
         }
         sum += count;
     }
-    slabs.push(start..work.len());
-    slabs
-}
-
-/// The nodes of each slab.
-pub(crate) fn split<'a>(
-    nodes: &'a mut Nodes,
-    slabs: &[Range<usize>],
-    per_plane: usize,
-) -> Vec<&'a mut [Line]> {
-    let mut rest = nodes.lines_mut();
-    let mut parts = Vec::with_capacity(slabs.len());
-    for slab in slabs {
-        let (own, tail) = rest.split_at_mut(slab.len() * per_plane);
-        parts.push(own);
-        rest = tail;
-    }
-    parts
+    give(start..work.len());
 }

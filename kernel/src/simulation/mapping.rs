@@ -118,23 +118,20 @@ impl BodiesOnto<'_> {
     /// Maps one body.
     fn map(&self, index: usize, planes: &mut Planes<'_>) -> usize {
         let set = &self.sets[index];
-        let layers = self.layers_onto(planes);
-        let layers = (layers.start..layers.end.min(set.layers.len() - 1))
-            .map(|layer| {
-                (
-                    set.in_layers(layer..layer + 1),
-                    planes.range.contains(&layer),
-                )
-            })
-            .filter(|(particles, _)| !particles.is_empty());
-        let layers: Vec<_> = layers.collect();
+        let (onto, owned) = (self.layers_onto(planes), planes.range.clone());
+        let layers = || {
+            let layers = onto.start..onto.end.min(set.layers.len() - 1);
+            layers
+                .map(|layer| (set.in_layers(layer..layer + 1), owned.contains(&layer)))
+                .filter(|(particles, _)| !particles.is_empty())
+        };
         if self.bodies[index].motion.is_some() {
-            return self.map_runs(index, layers, planes, self.driven);
+            return self.map_runs(index, &mut layers(), planes, self.driven);
         }
         for carrier in self.mean_stress.iter().flatten() {
-            self.map_runs(index, layers.clone(), planes, *carrier);
+            self.map_runs(index, &mut layers(), planes, *carrier);
         }
-        self.map_runs(index, layers, planes, self.free)
+        self.map_runs(index, &mut layers(), planes, self.free)
     }
 
     /// Maps the mass gradient of the particles of one body that are near its partners of contact.
@@ -145,8 +142,12 @@ impl BodiesOnto<'_> {
         planes: &mut Planes<'_>,
     ) {
         let runs = interface.in_layers(self.layers_onto(planes));
-        let runs = runs.map(|run| (run, false)).collect();
-        self.map_runs(index, runs, planes, self.gradient);
+        self.map_runs(
+            index,
+            &mut runs.map(|run| (run, false)),
+            planes,
+            self.gradient,
+        );
     }
 
     /// Layers of particles that reach planes. A particle may have left its layer by one cell since the last sort.
@@ -157,7 +158,7 @@ impl BodiesOnto<'_> {
     fn map_runs(
         &self,
         index: usize,
-        layers: Vec<(Range<usize>, bool)>,
+        layers: &mut dyn Iterator<Item = (Range<usize>, bool)>,
         planes: &mut Planes<'_>,
         Carrier { carry, call }: Carrier,
     ) -> usize {

@@ -6,6 +6,7 @@ use crate::laws::{Particle, UNDEFORMED};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
+use std::sync::{MutexGuard, PoisonError};
 
 impl Simulation {
     /// Total mass \[kg\].
@@ -27,7 +28,8 @@ impl Simulation {
     pub fn center(&self, set: usize) -> (f64, Vector, Vector) {
         let particles = &self.state.sets[set];
         let (mut mass, mut x, mut v) = (0.0, [0.0; 3], [0.0; 3]);
-        for p in in_order(particles) {
+        for &p in self.order().of(particles) {
+            let p = p as usize;
             let m = particles.columns[Layout::MASS][p];
             let (x_p, v_p) = (particles.position(p), particles.velocity(p));
             mass += m;
@@ -128,8 +130,8 @@ impl Simulation {
             return None;
         }
         let mut sum = BodyEnergy::default();
-        for p in in_order(&self.state.sets[index]) {
-            self.of_particle(index, p, |particle| {
+        for &p in self.order().of(&self.state.sets[index]) {
+            self.of_particle(index, p as usize, |particle| {
                 sum.stored += law.energy(particle);
                 sum.plastic += law.dissipated(particle);
                 sum.algorithmic += law.algorithmic(particle);
@@ -158,21 +160,40 @@ impl Simulation {
         state_hash(&self.state.sets)
     }
 
-    /// Adds up what `term` says of each particle of a set, in order of the identifier.
-    fn add_each<T: Send>(
+    /// Adds up what `term` says of each particle of a set, in order of the identifier. Threads find terms, as many at a time as
+    /// [`TERMS`]; one adds them.
+    fn add_each<T: Send + Copy + Default>(
         &self,
         set: &ParticleSet,
         term: impl Fn(usize) -> T + Send + Sync,
-        add: impl FnMut(T),
+        mut add: impl FnMut(T),
     ) {
+        let mut order = self.order();
+        let order = order.of(set);
         let team = self.work.grid.team_of_particles();
         if team.count() == 1 {
-            in_order(set).map(term).for_each(add);
-        } else {
-            let order: Vec<usize> = in_order(set).collect();
-            let terms = team.collect(0..order.len(), |place| term(order[place]));
-            terms.into_iter().for_each(add);
+            order.iter().map(|&p| term(p as usize)).for_each(add);
+            return;
         }
+        let mut terms = [T::default(); TERMS];
+        for order in order.chunks(TERMS) {
+            let share = order.len().div_ceil(team.count());
+            let parts = order.chunks(share).zip(terms.chunks_mut(share));
+            team.each(parts, |(order, terms)| {
+                for (&p, found) in order.iter().zip(terms) {
+                    *found = term(p as usize);
+                }
+            });
+            terms[..order.len()].iter().copied().for_each(&mut add);
+        }
+    }
+
+    fn order(&self) -> MutexGuard<'_, ByIdentifier> {
+        // Nothing is left behind half written that matters: it is filled before it is read.
+        self.work
+            .order
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Sum over all particles in order of the identifier.
@@ -241,20 +262,29 @@ impl Sum {
     }
 }
 
-/// Indices of a set in order of the identifier. Identifiers of a set are consecutive but for removed particles, so
-/// a table of places takes the time of one pass.
-fn in_order(set: &ParticleSet) -> impl Iterator<Item = usize> + use<> {
-    let (first, last) = set.id.iter().fold((u64::MAX, 0), |(low, high), &id| {
-        (low.min(id), high.max(id))
-    });
-    let mut place = vec![u32::MAX; (last + 1).saturating_sub(first) as usize];
-    for (p, &id) in set.id.iter().enumerate() {
-        place[(id - first) as usize] = p as u32;
+/// Terms of a sum that are held at a time.
+const TERMS: usize = 1 << 12;
+
+/// Indices of a set in order of the identifier.
+#[derive(Debug, Default)]
+pub(crate) struct ByIdentifier(Vec<u32>);
+
+impl ByIdentifier {
+    /// Those of a set. Identifiers of a set are consecutive but for removed particles, so a table of places takes the time of
+    /// one pass.
+    fn of(&mut self, set: &ParticleSet) -> &[u32] {
+        let (first, last) = set.id.iter().fold((u64::MAX, 0), |(low, high), &id| {
+            (low.min(id), high.max(id))
+        });
+        let places = &mut self.0;
+        places.clear();
+        places.resize((last + 1).saturating_sub(first) as usize, u32::MAX);
+        for (p, &id) in set.id.iter().enumerate() {
+            places[(id - first) as usize] = p as u32;
+        }
+        places.retain(|&p| p != u32::MAX);
+        places
     }
-    place
-        .into_iter()
-        .filter(|&p| p != u32::MAX)
-        .map(|p| p as usize)
 }
 
 /// FNV-1a hash, 64 bits, over identifier and the bits of every column of all particles in order of the
@@ -267,9 +297,11 @@ pub fn state_hash(sets: &[ParticleSet]) -> u64 {
         hash = (hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
         hash ^= hash >> 32;
     };
+    let mut order = ByIdentifier::default();
     for set in sets {
         add(set.len() as u64);
-        for p in in_order(set) {
+        for &p in order.of(set) {
+            let p = p as usize;
             add(set.id[p]);
             for column in &set.columns {
                 add(column[p].to_bits());

@@ -38,7 +38,9 @@ pub use event::{Event, EventKind};
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, value as history_value};
 pub use interactions::mortar::{BoundaryVertex, Drift, VertexState};
-pub use interactions::{Again, Interaction, Now, OnSlab, Remembered, Visit};
+pub use interactions::{
+    Again, BodyList, Interaction, Now, OnSlab, PairList, Remembered, SlabPart, Visit,
+};
 pub use measure::state_hash;
 pub use needs::{Foreseen, foresee};
 pub use nodes::NodeValues;

@@ -1,21 +1,20 @@
 //! The equation of motion at the nodes of one slab, the same for all velocity fields.
 
-use super::conditions::FieldNodes;
+use super::conditions::{FieldNodes, Walls};
 use super::fields::{Owner, Slab};
-use super::interactions::{Again, Now, OnSlab};
+use super::interactions::{Again, Now, OnSlab, SlabPart};
 use super::mapping::fold;
 use super::phase::{Phase, SlabWatcher};
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
-use std::borrow::Cow;
 
 /// Has what acts between fields do something on a slab, in a phase that goes on after it.
-fn interact<'a>(
-    parts: &mut [Box<dyn OnSlab + 'a>],
+fn interact(
+    parts: &mut [SlabPart<'_>],
     ended: &mut SlabWatcher<'_>,
     amid: Phase,
-    mut act: impl FnMut(&mut (dyn OnSlab + 'a)),
+    mut act: impl FnMut(&mut dyn OnSlab),
 ) {
     if parts.is_empty() {
         return;
@@ -27,39 +26,55 @@ fn interact<'a>(
     };
     tell(amid);
     for part in parts {
-        act(&mut **part);
+        act(part.on_slab());
     }
     tell(Phase::Contact);
+}
+
+/// Sums of the planes of a slab, and of one field while they are formed.
+#[derive(Debug, Default)]
+pub(super) struct SlabSums {
+    pub(super) planes: Vec<PlaneSums>,
+    of_field: Vec<PlaneSums>,
+}
+
+impl SlabSums {
+    /// Of so many planes, all zero.
+    fn begin(&mut self, planes: usize) {
+        self.planes.clear();
+        self.planes.resize(planes, PlaneSums::default());
+    }
 }
 
 /// From mapped sums to velocities that keep to the conditions and to each other; the sums of each plane.
 pub(super) fn solve(
     slab: &mut Slab<'_>,
-    parts: &mut [Box<dyn OnSlab + '_>],
+    parts: &mut [SlabPart<'_>],
     now: &Now<'_>,
     ended: &mut SlabWatcher<'_>,
-) -> Result<Vec<PlaneSums>, EmptyNode> {
+    sums: &mut SlabSums,
+) -> Result<(), EmptyNode> {
     let amid = Phase::NodesFromParticles;
     interact(parts, ended, amid, |part| part.mapped(slab, now));
-    let mut sums = vec![PlaneSums::default(); slab.range().len()];
+    sums.begin(slab.range().len());
     for number in 0..slab.fields.len() {
         equation_of_motion(&mut FieldNodes {
             slab,
             number,
             now,
-            sums: &mut sums,
+            sums: &mut sums.planes,
         })?;
     }
     interact(parts, ended, amid, |part| {
-        part.correct(slab, now, &mut sums);
+        part.correct(slab, now, &mut sums.planes);
     });
     for planes in slab.planes() {
         planes.unfold(&now.walls, true);
     }
     if !now.settles {
-        add_sums(slab, now, &mut sums);
+        add_sums(slab, now, sums);
     }
-    Ok(sums)
+    Ok(())
 }
 
 /// From the mapped sums of a field to trial velocities that keep to its conditions.
@@ -87,35 +102,42 @@ fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
 }
 
 /// Ghost nodes of all fields, and the sums of each plane with the velocities that they hold.
-pub(super) fn sums_after(slab: &mut Slab<'_>, now: &Now<'_>) -> Vec<PlaneSums> {
+pub(super) fn sums_after(slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut SlabSums) {
     for planes in slab.planes() {
         planes.unfold(&now.walls, true);
     }
-    let mut sums = vec![PlaneSums::default(); slab.range().len()];
-    add_sums(slab, now, &mut sums);
-    sums
+    sums.begin(slab.range().len());
+    add_sums(slab, now, sums);
 }
 
 /// Adds the sums of all fields whose motion is not prescribed to those of the planes.
-fn add_sums(slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
+fn add_sums(
+    slab: &mut Slab<'_>,
+    now: &Now<'_>,
+    SlabSums {
+        planes: sums,
+        of_field,
+    }: &mut SlabSums,
+) {
     for number in 0..slab.fields.len() {
         if now.prescribed(slab.fields[number].owner).is_some() {
             continue;
         }
-        let mut own = vec![PlaneSums::default(); sums.len()];
+        of_field.clear();
+        of_field.resize(sums.len(), PlaneSums::default());
         if now.measure {
             let planes = &slab.fields[number].planes;
-            planes.measure(now.acting.kick, &mut own);
+            planes.measure(now.acting.kick, of_field);
         }
         for condition in now.conditions {
             condition.settled(&mut FieldNodes {
                 slab,
                 number,
                 now,
-                sums: &mut own,
+                sums: of_field,
             });
         }
-        for (sums, own) in sums.iter_mut().zip(&own) {
+        for (sums, own) in sums.iter_mut().zip(&*of_field) {
             *sums += own;
         }
     }
@@ -125,7 +147,7 @@ fn add_sums(slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
 /// other.
 pub(super) fn solve_remapped(
     slab: &mut Slab<'_>,
-    parts: &mut [Box<dyn OnSlab + '_>],
+    parts: &mut [SlabPart<'_>],
     now: &Now<'_>,
     ended: &mut SlabWatcher<'_>,
 ) {
@@ -155,7 +177,7 @@ pub(super) fn solve_remapped(
 /// The same for momentum that was mapped at new positions, to the lower lanes (USF).
 pub(super) fn solve_mapped(
     slab: &mut Slab<'_>,
-    parts: &mut [Box<dyn OnSlab + '_>],
+    parts: &mut [SlabPart<'_>],
     now: &Now<'_>,
     ended: &mut SlabWatcher<'_>,
 ) {
@@ -211,7 +233,7 @@ fn for_masses(planes: &mut Planes<'_>, act: impl Fn(&mut Line)) {
 }
 
 /// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
-pub(super) fn at_half_step_after(walls: &[Wall]) -> Vec<Wall> {
+pub(super) fn at_half_step_after(walls: &[Wall]) -> Walls {
     walls
         .iter()
         .map(|wall| Wall {
@@ -241,7 +263,7 @@ impl Now<'_> {
 
     /// The same for a second mapping, of the velocities after the kick.
     pub(super) fn again(mut self, again: Again) -> Self {
-        self.walls = Cow::Owned(at_half_step_after(&self.walls));
+        self.walls = at_half_step_after(&self.walls);
         self.again = Some(again);
         self
     }

@@ -1,19 +1,21 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
-use super::conditions::{Acting, prescribed};
+use super::conditions::Acting;
 use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
-use super::interactions::{Again, Interaction, Interactions, Now, Visit, on_slabs};
+use super::interactions::{
+    Again, Interaction, Interactions, Now, SlabParts, Visit, in_turn, on_slabs,
+};
 use super::mapping::{bodies_onto, fold};
-use super::motion::{solve, solve_mapped, solve_remapped, sums_after, total};
+use super::motion::{SlabSums, solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::{Phase, SlabWatcher, Watcher};
 use super::{Simulation, Work};
 use crate::particles::ParticleSet;
 use crate::stage::g2p::{self, Found, G2p, Task, dilation};
 use crate::stage::p2g::Carry;
-use crate::stage::solve::{EmptyNode, PlaneSums};
-use std::borrow::Cow;
+use crate::stage::solve::EmptyNode;
 use std::ops::Range;
+use std::sync::atomic::{self, AtomicUsize};
 
 /// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.
 const SORT_AFTER: f64 = 0.45;
@@ -40,24 +42,36 @@ impl Groups {
     }
 }
 
-/// What the visit of a slab gave: the sums of its planes, and the groups in the layers of particles that it owns.
-struct Solved {
-    sums: Vec<PlaneSums>,
+/// What the visit of a slab gave.
+#[derive(Debug, Default)]
+pub(crate) struct Solved {
+    sums: SlabSums,
+    /// Groups in the layers of particles that the slab owns.
     groups: usize,
+    /// A node without mass that a load acts on.
+    empty: Option<EmptyNode>,
+}
+
+/// What a pass over some particles of a body gave.
+#[derive(Debug, Default)]
+pub(crate) struct Gathered {
+    /// Index of the body.
+    body: usize,
+    found: Found,
+    /// By how much tr L exceeds its mean over cells, where it is that mean.
+    excess: Vec<f64>,
 }
 
 /// `count` particles in shares of about the same size, `most` at most.
-fn shares(count: usize, most: usize) -> Vec<Range<usize>> {
+fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
     let shares = count.div_ceil(most.max(1)).max(1);
-    let ends = (0..=shares).map(|share| count * share / shares);
-    let starts: Vec<usize> = ends.collect();
-    starts.windows(2).map(|ends| ends[0]..ends[1]).collect()
+    (0..shares).map(move |share| count * share / shares..count * (share + 1) / shares)
 }
 
-/// What slabs bring along, and who is told of the phases within the visit, where it is of one slab.
-fn watched<P>(parts: Vec<P>, ended: Watcher<'_>) -> Vec<(P, SlabWatcher<'_>)> {
-    let mut ended = (parts.len() == 1).then_some(ended);
-    parts.into_iter().map(|part| (part, ended.take())).collect()
+/// Who is told of the phases within a visit of so many slabs: the first, where it is the only one.
+fn watchers(slabs: usize, ended: Watcher<'_>) -> impl Iterator<Item = SlabWatcher<'_>> + Send {
+    let mut ended = (slabs == 1).then_some(ended);
+    std::iter::repeat_with(move || ended.take())
 }
 
 impl Simulation {
@@ -80,8 +94,8 @@ impl Simulation {
             acting,
             conditions: &self.decided.conditions,
             origin,
-            walls: Cow::Borrowed(&acting.walls),
-            prescribed: prescribed(&self.decided.bodies, acting),
+            walls: acting.walls.clone(),
+            prescribed: &acting.prescribed,
             again: None,
             measure: self.decided.plan.measure,
             settles: false,
@@ -114,8 +128,12 @@ impl Simulation {
         if self.finds() {
             let acting = self.acting(self.state.clock.dt_before);
             let (now, grid, _) = self.divide(Carry::All, &acting);
-            let groups = grid.visit(|mut slab| now.map(&mut slab));
-            self.work.mapped = Some(groups.into_iter().sum());
+            let groups = AtomicUsize::new(0);
+            grid.visit(|mut slab| {
+                groups.fetch_add(now.map(&mut slab), atomic::Ordering::Relaxed);
+            });
+            self.work.mapped = Some(groups.into_inner());
+            self.work.acting = acting;
         }
     }
 
@@ -125,27 +143,32 @@ impl Simulation {
         acting: &Acting,
         ended: Watcher<'_>,
     ) -> Result<usize, StepError> {
-        for one in self.work.interactions.iter().flatten() {
+        for one in self.work.interactions.iter_mut().flatten() {
             one.load(&mut self.work.grid, &self.decided.scene);
         }
         let mapped = self.work.mapped.take();
         let settles = self.interactions().any(Interaction::settles);
+        let mut solved = self.solved();
         let (mut now, grid, interactions) = self.divide(Carry::All, acting);
         now.settles = settles;
-        let parts = watched(on_slabs(interactions, grid, Visit::Trial), ended);
-        let results = grid.visit_with(parts, |mut slab, (mut parts, mut ended)| {
-            let groups = match mapped {
+        let mut parts = SlabParts::new();
+        on_slabs(interactions, grid, Visit::Trial, &mut parts);
+        let slabs = grid.slabs.len();
+        let all = (solved.iter_mut().zip(in_turn(&mut parts))).zip(watchers(slabs, &mut *ended));
+        grid.visit_with(all, |mut slab, ((solved, parts), mut ended)| {
+            solved.groups = match mapped {
                 Some(_) => 0,
                 None => now.map(&mut slab),
             };
-            let sums = solve(&mut slab, &mut parts, &now, &mut ended)?;
-            Ok(Solved { sums, groups })
+            solved.empty = solve(&mut slab, parts, &now, &mut ended, &mut solved.sums).err();
         });
-        let mut solved = vec![];
-        for result in results {
-            solved.push(result.map_err(|EmptyNode(node)| self.load_on_empty_node(node))?);
+        drop(parts);
+        self.work.solved = solved;
+        let solved = &self.work.solved;
+        if let Some(EmptyNode(node)) = solved.iter().find_map(|slab| slab.empty) {
+            return Err(self.load_on_empty_node(node));
         }
-        self.work.sums = total(solved.iter().flat_map(|slab| &slab.sums));
+        self.work.sums = total(solved.iter().flat_map(|slab| &slab.sums.planes));
         let groups = solved.iter().map(|slab| slab.groups).sum();
         self.state.groups.count(mapped.unwrap_or(groups));
         ended(Phase::NodesFromParticles);
@@ -156,21 +179,37 @@ impl Simulation {
         Ok(touching)
     }
 
+    /// Places for what the visit of each slab gives.
+    fn solved(&mut self) -> Vec<Solved> {
+        let mut solved = std::mem::take(&mut self.work.solved);
+        solved.resize_with(self.work.grid.slabs.len(), Solved::default);
+        solved
+    }
+
     /// The equation of motion on the sums that lie on the nodes, without interactions. A load on an empty node, which a step
     /// would report, is left to the step.
     pub(super) fn solve_alone(&mut self, acting: &Acting) {
+        let mut solved = self.solved();
         let (now, grid, _) = self.divide(Carry::All, acting);
-        grid.visit(|mut slab| {
+        grid.visit_with(solved.iter_mut(), |mut slab, solved| {
             fold(&mut slab, &now.walls);
-            solve(&mut slab, &mut [], &now, &mut None).is_ok()
+            solved.empty = solve(&mut slab, &mut [], &now, &mut None, &mut solved.sums).err();
         });
+        self.work.solved = solved;
     }
 
-    /// Ghost nodes and sums of the equation of motion once more, plane by plane, with the velocities that are there now.
-    pub(super) fn sums_of_planes(&mut self, acting: &Acting) -> Vec<PlaneSums> {
+    /// Ghost nodes of the equation of motion once more, with the velocities that are there now, and their sums, which are added
+    /// plane by plane to those of the step.
+    pub(super) fn add_sums_of_planes(&mut self, acting: &Acting) {
+        let mut solved = self.solved();
         let (now, grid, _) = self.divide(Carry::All, acting);
-        let per_slab = grid.visit(|mut slab| sums_after(&mut slab, &now));
-        per_slab.into_iter().flatten().collect()
+        grid.visit_with(solved.iter_mut(), |mut slab, solved| {
+            sums_after(&mut slab, &now, &mut solved.sums);
+        });
+        for plane in solved.iter().flat_map(|slab| &slab.sums.planes) {
+            self.work.sums += plane;
+        }
+        self.work.solved = solved;
     }
 
     fn load_on_empty_node(&self, node: usize) -> StepError {
@@ -192,18 +231,23 @@ impl Simulation {
             Again::NewPositions => {
                 if self.sort_if_stale(ended) {
                     // A sort may give a driven body a field, or take it.
-                    *acting = self.acting(acting.drift);
+                    self.work.acting = std::mem::take(acting);
+                    *acting = self.acting(self.work.acting.drift);
                 }
                 Carry::Momentum
             }
         };
         let (now, grid, interactions) = self.divide(carry, acting);
         let now = now.again(again);
-        let parts = watched(on_slabs(interactions, grid, Visit::Again(again)), ended);
-        grid.visit_with(parts, |mut slab, (mut parts, mut ended)| match again {
-            Again::OldPositions => solve_remapped(&mut slab, &mut parts, &now, &mut ended),
-            Again::NewPositions => solve_mapped(&mut slab, &mut parts, &now, &mut ended),
+        let mut parts = SlabParts::new();
+        on_slabs(interactions, grid, Visit::Again(again), &mut parts);
+        let slabs = grid.slabs.len();
+        let all = in_turn(&mut parts).zip(watchers(slabs, &mut *ended));
+        grid.visit_with(all, |mut slab, (parts, mut ended)| match again {
+            Again::OldPositions => solve_remapped(&mut slab, parts, &now, &mut ended),
+            Again::NewPositions => solve_mapped(&mut slab, parts, &now, &mut ended),
         });
+        drop(parts);
         ended(Phase::Remap);
         self.settle_again(acting, again)?;
         if self.interactions().any(Interaction::settles) {
@@ -224,52 +268,60 @@ impl Simulation {
         let grid = &self.work.grid;
         let particles = self.state.sets.iter().map(ParticleSet::len).sum();
         let most = grid.share_of_particles(particles);
-        let mut parts = vec![];
-        for (index, set) in self.state.sets.iter_mut().enumerate() {
-            if self.decided.bodies[index].motion.is_some() {
-                continue;
-            }
-            let ranges = shares(set.len(), most);
-            let layout = set.layout;
-            let columns = set.split_mut(&ranges).into_iter().zip(ranges);
-            parts.extend(columns.map(|(columns, range)| (index, range.start, layout, columns)));
-        }
         let bodies = &self.decided.bodies;
-        let found = grid.team.map(parts, |(index, start, layout, mut columns)| {
-            let body = &bodies[index];
-            let nodes = grid.fields[grid.number_of(index)].nodes.lines();
-            // Before positions move.
-            let excess = if cell_average {
-                let upper = task.gradient_of_upper;
-                let mapping = &body.mapping;
-                dilation::excess(lanes, stencil, &columns, &layout, mapping, nodes, upper)
-            } else {
-                vec![]
-            };
-            let part = call(
-                lanes,
-                G2p {
+        let is_free = |index: usize| bodies[index].motion.is_none();
+        let gathered = &mut self.work.gathered;
+        let sets = self.state.sets.iter().enumerate();
+        let free = sets.filter(|(index, _)| is_free(*index));
+        let count = free.map(|(_, set)| shares(set.len(), most).len()).sum();
+        gathered.resize_with(count, Gathered::default);
+        let sets = self.state.sets.iter_mut().enumerate();
+        let parts = sets
+            .filter(|(index, _)| is_free(*index))
+            .flat_map(|(index, set)| {
+                let (ranges, layout) = (shares(set.len(), most), set.layout);
+                set.parts_mut(ranges)
+                    .map(move |(range, columns)| (index, range.start, layout, columns))
+            });
+        let parts = parts.zip(gathered.iter_mut());
+        grid.team
+            .each(parts, |((index, start, layout, mut columns), gathered)| {
+                let body = &bodies[index];
+                let nodes = grid.fields[grid.number_of(index)].nodes.lines();
+                let (mapping, upper) = (&body.mapping, task.gradient_of_upper);
+                let excess = &mut gathered.excess;
+                excess.clear();
+                if cell_average {
+                    // Before positions move.
+                    let columns = &columns;
+                    dilation::excess(
+                        lanes, stencil, columns, &layout, mapping, nodes, upper, excess,
+                    );
+                }
+                let part = call(
                     lanes,
-                    columns: &mut columns,
-                    layout: &layout,
-                    mapping: &body.mapping,
-                    law: &*body.law,
-                    density: body.density,
-                    domain_update: body.domain_update,
-                    nodes,
-                    beyond,
-                    excess: &excess,
-                    task,
-                },
-            );
-            let fault = part.fault.map(|(p, kind)| (start + p, kind));
-            (index, Found { fault, ..part })
-        });
+                    G2p {
+                        lanes,
+                        columns: &mut columns,
+                        layout: &layout,
+                        mapping,
+                        law: &*body.law,
+                        density: body.density,
+                        domain_update: body.domain_update,
+                        nodes,
+                        beyond,
+                        excess,
+                        task,
+                    },
+                );
+                let fault = part.fault.map(|(p, kind)| (start + p, kind));
+                (gathered.body, gathered.found) = (index, Found { fault, ..part });
+            });
         let mut travel = 0.0_f64;
         let mut faults = vec![];
-        for of_body in found.chunk_by(|(one, _), (other, _)| one == other) {
-            let index = of_body[0].0;
-            let parts = of_body.iter().map(|&(_, part)| part);
+        for of_body in gathered.chunk_by(|one, other| one.body == other.body) {
+            let index = of_body[0].body;
+            let parts = of_body.iter().map(|part| part.found);
             let all = parts.fold(Found::default(), Found::and);
             travel = travel.max(all.travel);
             let found = &mut self.state.found[index];

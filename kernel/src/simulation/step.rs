@@ -107,6 +107,7 @@ impl Simulation {
                 self.gather(Gather::Strain, &way, ended)?;
             }
         }
+        self.work.acting = acting;
         self.finish(&info, &way, ended)
     }
 
@@ -202,16 +203,15 @@ impl Simulation {
                     time,
                 )
             };
-            let values: Vec<[f64; 3]> = self.work.grid.team.collect(0..set.len(), evaluate);
+            let (team, values) = (&self.work.grid.team, &mut self.work.forces);
+            team.collect_into(0..set.len(), evaluate, &[0.0; 3], values);
             for axis in 0..axes {
-                let masses = set.columns[Layout::MASS].clone();
-                for ((out, value), m) in set.columns[force + axis]
-                    .iter_mut()
-                    .zip(&values)
-                    .zip(masses)
-                {
+                let mut out = std::mem::take(&mut set.columns[force + axis]);
+                let masses = &set.columns[Layout::MASS];
+                for ((out, value), m) in out.iter_mut().zip(&*values).zip(masses) {
                     *out = m * value[axis];
                 }
+                set.columns[force + axis] = out;
             }
         }
     }

@@ -1,10 +1,14 @@
 //! What a step works with.
 
+use super::conditions::Acting;
 use super::error::StepError;
 use super::fields::Grid;
 use super::interactions::Interactions;
+use super::measure::ByIdentifier;
+use super::passes::{Gathered, Solved};
 use super::trust::Momentum;
 use crate::stage::solve::PlaneSums;
+use std::sync::Mutex;
 
 /// What a step works with: the grid, which holds nothing between two steps, and what acts between its fields.
 pub(crate) struct Work {
@@ -19,6 +23,16 @@ pub(crate) struct Work {
     pub(crate) sums: PlaneSums,
     /// Why a step left particles where no step can go on.
     pub(crate) failed: Option<StepError>,
+    /// What acted in the last step: its lists are filled again in the next.
+    pub(crate) acting: Acting,
+    /// What the last visit of each slab gave.
+    pub(crate) solved: Vec<Solved>,
+    /// What the last pass over each share of the particles gave.
+    pub(crate) gathered: Vec<Gathered>,
+    /// Body forces on the particles of one body per mass, while they are found \[m/s²\].
+    pub(crate) forces: Vec<[f64; 3]>,
+    /// The order of sums over particles, while one is formed.
+    pub(crate) order: Mutex<ByIdentifier>,
     /// Momentum in the middle of a step, where it is looked at.
     pub(crate) momentum: Option<Momentum>,
 }
@@ -33,6 +47,11 @@ impl Work {
             mapped: None,
             sums: PlaneSums::default(),
             failed: None,
+            acting: Acting::default(),
+            solved: vec![],
+            gathered: vec![],
+            forces: vec![],
+            order: Mutex::default(),
             momentum: None,
         }
     }

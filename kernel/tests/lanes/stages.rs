@@ -1,6 +1,6 @@
 //! The paths of AVX-512, eight particles at once and lines summed whole, have the bits of the lanes of this machine.
 
-use proctor_kernel::grid::{GridShape, Line, Nodes};
+use proctor_kernel::grid::{ActiveRows, GridShape, Line, Nodes};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::tensor::Configuration;
 use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
@@ -122,6 +122,7 @@ fn particles(shape: &GridShape, stencil: usize, wanted: Optional, order: Order) 
         (family(stencil), reach(stencil)),
         Selected::any(),
         &Team::ALONE,
+        &mut ActiveRows::default(),
     );
     if matches!(order, Order::Stale) {
         for column in &mut set.columns[Layout::POSITION..Layout::POSITION + shape.axes] {
@@ -181,9 +182,7 @@ fn nodes_after(
             columns: &set.columns,
             layout: &set.layout,
             mapping: &mapping(&shape, stencil, &set),
-            layers: (0..shape.bases()[0])
-                .map(|layer| (set.in_layers(layer..layer + 1), true))
-                .collect(),
+            layers: &mut (0..shape.bases()[0]).map(|layer| (set.in_layers(layer..layer + 1), true)),
             planes: 0..shape.nodes[0],
             nodes: nodes.lines_mut(),
             carry,
@@ -311,7 +310,8 @@ fn gathered(
     }
     let found = {
         let mut columns: Vec<&mut [f64]> = set.columns.iter_mut().map(Vec::as_mut_slice).collect();
-        let excess = if cell_average {
+        let mut excess = vec![];
+        if cell_average {
             let upper = task.gradient_of_upper;
             dilation::excess(
                 lanes,
@@ -321,10 +321,9 @@ fn gathered(
                 &mapping,
                 nodes.lines(),
                 upper,
-            )
-        } else {
-            vec![]
-        };
+                &mut excess,
+            );
+        }
         let call = G2p {
             lanes,
             columns: &mut columns,
@@ -440,7 +439,7 @@ fn two_nodes_of_a_hat_have_the_numbers_of_three() {
                         columns: &set.columns,
                         layout: &set.layout,
                         mapping: &mapping,
-                        layers: vec![(p..p + 1, true)],
+                        layers: &mut std::iter::once((p..p + 1, true)),
                         planes: 0..shape.nodes[0],
                         nodes: lines.lines_mut(),
                         carry: Carry::All,

@@ -2,7 +2,7 @@
 
 use proctor_kernel::contact::Pair;
 use proctor_kernel::contact::broad::{near, reach};
-use proctor_kernel::grid::GridShape;
+use proctor_kernel::grid::{ActiveRows, GridShape};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
@@ -37,6 +37,7 @@ fn body(at: [f64; 3], shape: &GridShape, stencil: usize) -> ParticleSet {
         (Family::Gimp, stencil),
         Selected::any(),
         &Team::ALONE,
+        &mut ActiveRows::default(),
     );
     set
 }
@@ -85,7 +86,9 @@ proptest! {
             distance: [CELL; 3],
             corrects_distance: true,
         };
-        let said = near(&[pair], &sets, &shape, stencil)[0];
+        let mut found = vec![];
+        near(&[pair], &sets, &shape, stencil, &mut found);
+        let said = found[0];
         // Distance of the base nodes along each axis: they share nodes where it is less than the stencil everywhere.
         let between = |ways: [[f64; 3]; 2]| -> [f64; 3] {
             std::array::from_fn(|axis| {

@@ -1,7 +1,7 @@
 //! Particles to nodes: the nodes hold what the particles hold.
 
 use crate::common::{WEIGHTINGS, mesh};
-use proctor_kernel::grid::{GridShape, Nodes};
+use proctor_kernel::grid::{ActiveRows, GridShape, Nodes};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
@@ -96,6 +96,7 @@ fn check(
         (family, stencil),
         Selected::any(),
         &Team::ALONE,
+        &mut ActiveRows::default(),
     );
     let mapping = Mapping::new(&shape, family, [half_length; 3], set.layout.half_length);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
@@ -107,9 +108,7 @@ fn check(
             columns: &set.columns,
             layout: &set.layout,
             mapping: &mapping,
-            layers: (0..layers)
-                .map(|layer| (set.in_layers(layer..layer + 1), true))
-                .collect(),
+            layers: &mut (0..layers).map(|layer| (set.in_layers(layer..layer + 1), true)),
             planes: 0..shape.nodes[0],
             nodes: nodes.lines_mut(),
             carry: Carry::All,

@@ -4,7 +4,7 @@ use crate::common::{
     APIC, DENSITY, DIMENSIONS, NEVER, SCHEMES, TPIC, YOUNG, body, cuboid, empty, particles,
     simulation, simulation_from, weightings_and_schemes,
 };
-use proctor_kernel::grid::{GridShape, Nodes};
+use proctor_kernel::grid::{ActiveRows, GridShape, Nodes};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
@@ -178,6 +178,7 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
                 (Family::Gimp, stencil),
                 Selected::any(),
                 &Team::ALONE,
+                &mut ActiveRows::default(),
             );
             let half_length = if stencil == 3 { 0.3 } else { 0.7 };
             let mapping = Mapping::new(&shape, Family::Gimp, [half_length; 3], None);
@@ -188,9 +189,8 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
                     columns: &set.columns,
                     layout: &set.layout,
                     mapping: &mapping,
-                    layers: (0..shape.bases()[0])
-                        .map(|layer| (set.in_layers(layer..layer + 1), true))
-                        .collect(),
+                    layers: &mut (0..shape.bases()[0])
+                        .map(|layer| (set.in_layers(layer..layer + 1), true)),
                     planes: 0..shape.nodes[0],
                     nodes: nodes.lines_mut(),
                     carry: Carry::MassGradient,

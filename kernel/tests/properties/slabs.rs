@@ -18,16 +18,15 @@ impl Interaction for Looks {
         Box::new(self.clone())
     }
 
-    fn owners(&self) -> Vec<usize> {
-        vec![]
+    fn owners(&self) -> BodyList {
+        BodyList::new()
     }
 
-    fn on_slabs(&mut self, grid: &Grid, _: Visit) -> Vec<Box<dyn OnSlab + '_>> {
+    fn on_slabs<'a>(&'a mut self, grid: &Grid, _: Visit, give: &mut dyn FnMut(SlabPart<'a>)) {
         self.0.lock().expect("no panic").clone_from(&grid.slabs);
-        grid.slabs
-            .iter()
-            .map(|_| Box::new(Nothing) as Box<dyn OnSlab>)
-            .collect()
+        for _ in &grid.slabs {
+            give(SlabPart::own(Nothing));
+        }
     }
 }
 

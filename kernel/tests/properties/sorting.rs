@@ -1,6 +1,6 @@
 //! Particles are kept in order of their base cells, whatever the threads, the lanes and the share of empty cells.
 
-use proctor_kernel::grid::GridShape;
+use proctor_kernel::grid::{ActiveRows, GridShape};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
@@ -96,7 +96,8 @@ proptest! {
                     }
                 }
                 let before = sets.clone();
-                let rows = sorter.sort(&mut sets, &shape, (family, stencil), lanes, &team);
+                let mut rows = ActiveRows::default();
+                sorter.sort(&mut sets, &shape, (family, stencil), lanes, &team, &mut rows);
                 for (set, before) in sets.iter().zip(&before) {
                     let mut order: Vec<usize> = (0..before.len()).collect();
                     order.sort_by_key(|&p| cell(before, &shape, family, stencil, p));
@@ -127,7 +128,8 @@ proptest! {
                     }
                     continue;
                 }
-                let expected = rows_of(&sets, &shape, stencil);
+                let mut expected = ActiveRows::default();
+                rows_of(&sets, &shape, stencil, &mut expected);
                 for plane in 0..shape.nodes[0] {
                     for row in 0..shape.nodes[1] {
                         prop_assert_eq!(rows.span(plane, row), expected.span(plane, row));

@@ -107,8 +107,24 @@ impl<const D: usize> Near<D> {
 
     /// The pairs of each element of the slave that has any.
     pub fn by_slave(&self) -> impl Iterator<Item = &[[usize; 2]]> {
-        self.pairs.chunk_by(|a, b| a[0] == b[0])
+        by_slave(&self.pairs)
     }
+
+    /// All pairs in order, `share` at a time or a few more, so that those of an element of the slave are together.
+    pub fn in_shares(&self, share: usize) -> impl Iterator<Item = &[[usize; 2]]> {
+        let mut rest = &self.pairs[..];
+        std::iter::from_fn(move || {
+            let last = rest.get(share.min(rest.len()).checked_sub(1)?)?[0];
+            let (own, behind) = rest.split_at(rest.partition_point(|pair| pair[0] <= last));
+            rest = behind;
+            Some(own)
+        })
+    }
+}
+
+/// Pairs by the element of the slave.
+pub fn by_slave(pairs: &[[usize; 2]]) -> impl Iterator<Item = &[[usize; 2]]> {
+    pairs.chunk_by(|a, b| a[0] == b[0])
 }
 
 /// The boxes of the elements, `margin` \[m\] larger on all sides.

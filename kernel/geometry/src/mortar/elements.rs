@@ -2,7 +2,7 @@
 
 use super::PointIn;
 use super::broad::Near;
-use super::points::{MortarPoint, Search};
+use super::points::{Cuts, MortarPoint, Search};
 use super::sites::Sites;
 
 /// A boundary made of straight elements with D vertices each in D dimensions, and T = D - 1 tangents: segments in the
@@ -38,7 +38,7 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
         master: &Self,
         pairs: &[[usize; 2]],
         search: Search,
-        cuts: &mut Vec<f64>,
+        cuts: &mut Cuts,
         points: &mut Vec<MortarPoint<D>>,
     );
 

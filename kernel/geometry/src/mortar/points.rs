@@ -4,8 +4,9 @@
 //! of an element is covered.
 
 use super::PointIn;
-use super::broad::Near;
+use super::broad::{Near, by_slave};
 use super::elements::Elements;
+use super::space::projection::Part;
 use crate::team::Team;
 
 /// How contact is found along the slave.
@@ -86,7 +87,25 @@ pub struct MortarPoints<const D: usize> {
     /// The points, in order along the slave.
     pub points: Vec<MortarPoint<D>>,
     near: Near<D>,
-    cuts: Vec<f64>,
+    cuts: Cuts,
+    /// What threads find, each at a time.
+    shares: Vec<Share<D>>,
+}
+
+/// Points of some elements of the slave.
+#[derive(Clone, Debug, Default)]
+struct Share<const D: usize> {
+    cuts: Cuts,
+    points: Vec<MortarPoint<D>>,
+}
+
+/// What one element is cut into, while its points are found: memory alone.
+#[derive(Clone, Debug, Default)]
+pub struct Cuts {
+    /// Places along a segment.
+    pub(super) along: Vec<f64>,
+    /// Parts of a triangle.
+    pub(super) parts: Vec<Part>,
 }
 
 impl<const D: usize> MortarPoints<D> {
@@ -101,7 +120,12 @@ impl<const D: usize> MortarPoints<D> {
         detection: Detection,
         search: Search,
     ) {
-        let Self { points, near, cuts } = self;
+        let Self {
+            points,
+            near,
+            cuts,
+            shares,
+        } = self;
         points.clear();
         near.find(slave, master, search.margin());
         match detection {
@@ -111,25 +135,21 @@ impl<const D: usize> MortarPoints<D> {
                 }
             }
             Detection::Mortar => {
-                let elements: Vec<&[[usize; 2]]> = near.by_slave().collect();
-                let shares =
-                    elements.chunks(SHORTEST_SHARE.max(elements.len() / (4 * team.count())));
-                // In the order of the elements, whoever found them.
-                for found in team.map(shares.collect(), |share| {
-                    let (mut cuts, mut points) = (vec![], vec![]);
-                    for pairs in share {
-                        slave.points_of_element(
-                            normals,
-                            master,
-                            pairs,
-                            search,
-                            &mut cuts,
-                            &mut points,
-                        );
+                let share = SHORTEST_SHARE.max(near.pairs.len() / (4 * team.count()));
+                // A share takes what is asked for at least.
+                shares.resize_with(near.pairs.len().div_ceil(share), Share::default);
+                for share in &mut *shares {
+                    share.points.clear();
+                }
+                let parts = near.in_shares(share).zip(&mut *shares);
+                team.each(parts, |(pairs, Share { cuts, points })| {
+                    for pairs in by_slave(pairs) {
+                        slave.points_of_element(normals, master, pairs, search, cuts, points);
                     }
-                    points
-                }) {
-                    points.extend(found);
+                });
+                // In the order of the elements, whoever found them.
+                for share in shares {
+                    points.extend_from_slice(&share.points);
                 }
             }
             Detection::NodeToSegment => {

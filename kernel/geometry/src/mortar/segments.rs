@@ -8,7 +8,7 @@ use super::boundary::Boundary;
 use super::broad::Near;
 use super::elements::Elements;
 use super::overlap::overlap;
-use super::points::{FACING, MortarPoint, Search};
+use super::points::{Cuts, FACING, MortarPoint, Search};
 use super::sites::Sites;
 use super::{Point, cross};
 
@@ -57,7 +57,7 @@ impl Elements<2, 1> for Boundary {
         master: &Self,
         pairs: &[[usize; 2]],
         search: Search,
-        cuts: &mut Vec<f64>,
+        cuts: &mut Cuts,
         points: &mut Vec<MortarPoint<2>>,
     ) {
         points_of_segment(self, normals, master, pairs, search, cuts, points);
@@ -133,7 +133,7 @@ fn points_of_segment(
     master: &Boundary,
     pairs: &[[usize; 2]],
     search: Search,
-    cuts: &mut Vec<f64>,
+    Cuts { along: cuts, .. }: &mut Cuts,
     points: &mut Vec<MortarPoint<2>>,
 ) {
     let segment = pairs[0][0];

@@ -53,6 +53,13 @@ impl<const D: usize> Places<D> {
 pub struct Lost;
 
 impl<const D: usize, const N: usize> VertexWeights<D, N> {
+    /// Of no vertex: all zero.
+    pub const NOWHERE: Self = Self {
+        base: [0; D],
+        weights: [0.0; N],
+        from_base: PointIn::<D>::from_array_storage(nalgebra::ArrayStorage([[0.0; D]; 1])),
+    };
+
     /// Weights at a position in cells of the mesh, from those along each axis, whose lowest nodes are `base`.
     #[must_use]
     pub fn new(xi: &PointIn<D>, base: [f64; D], w: &[[f64; NODES]; D]) -> Self {

@@ -7,7 +7,7 @@ use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::scene::{Scene, Vector};
+use crate::scene::Scene;
 use crate::simulation::clock::StepInfo;
 use crate::simulation::energy::kinetic_energy;
 use crate::simulation::error::StepError;
@@ -45,32 +45,35 @@ impl Condition for DrivenBodies {
     /// Where two driven bodies share a node the later body decides, whatever the order of particles, and a held node
     /// stands still.
     fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
-        let mut driven: Vec<DrivenNode> = vec![];
+        let (mut driven, mut nodes) = (
+            std::mem::take(&mut acting.driven),
+            std::mem::take(&mut acting.nodes),
+        );
+        let mut bodies = 0;
         let (sets, own_field) = (&simulation.state.sets, &simulation.work.own_field);
         for (index, body) in simulation.decided.bodies.iter().enumerate() {
             if let (Some(motion), false) = (&body.motion, own_field[index]) {
                 let [before, after] = acting.half_steps.map(|t| history_value(motion, t));
-                let nodes = nodes_of(&sets[index], body, &simulation.work.grid.shape, simulation.state.stencil);
-                driven.extend(nodes.into_iter().map(|node| DrivenNode {
+                nodes_of(&sets[index], body, &simulation.work.grid.shape, simulation.state.stencil, &mut nodes);
+                if bodies > 0 {
+                    driven.retain(|d| nodes.binary_search(&d.node).is_err());
+                }
+                bodies += 1;
+                driven.extend(nodes.iter().map(|&node| DrivenNode {
                     node,
                     before,
                     after,
                 }));
             }
         }
-        driven.sort_by_key(|d| d.node);
-        driven.dedup_by(|later, kept| {
-            let same = later.node == kept.node;
-            if same {
-                *kept = *later;
-            }
-            same
-        });
+        if bodies > 1 {
+            driven.sort_unstable_by_key(|d| d.node);
+        }
         if !acting.held.is_empty() {
             let is_held = |d: &DrivenNode| acting.held.binary_search_by_key(&d.node, |h| h.node);
             driven.retain(|d| is_held(d).is_err());
         }
-        acting.driven = driven;
+        (acting.driven, acting.nodes) = (driven, nodes);
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
@@ -130,26 +133,18 @@ fn dead_load(set: &ParticleSet, gravity: f64, axis: usize) -> f64 {
     weight + force.map_or(0.0, |first| set.columns[first + axis].iter().sum())
 }
 
-/// Velocity half a step before and after of each body whose motion is prescribed \[m/s\].
-pub(in crate::simulation) fn prescribed(
-    bodies: &[BodyRun],
-    acting: &Acting,
-) -> Vec<Option<[Vector; 2]>> {
-    let mut all = vec![];
-    for body in bodies {
-        let motion = body.motion.as_ref();
-        all.push(motion.map(|motion| acting.half_steps.map(|t| history_value(motion, t))));
-    }
-    all
-}
-
-/// Nodes with a positive weight of any particle of a driven body, increasing.
-fn nodes_of(set: &ParticleSet, body: &BodyRun, shape: &GridShape, stencil: usize) -> Vec<usize> {
-    let mut nodes = vec![];
+/// Nodes with a positive weight of any particle of a driven body, each once, increasing, in place of those before.
+fn nodes_of(
+    set: &ParticleSet,
+    body: &BodyRun,
+    shape: &GridShape,
+    stencil: usize,
+    nodes: &mut Vec<usize>,
+) {
+    nodes.clear();
     for p in 0..set.len() {
         nodes.extend(node_weights(set, body, shape, stencil, p).iter().map(|(node, _)| node));
     }
     nodes.sort_unstable();
     nodes.dedup();
-    nodes
 }

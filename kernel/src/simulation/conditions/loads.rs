@@ -1,13 +1,13 @@
 //! Point loads and tractions, as forces on nodes.
 
-use super::{Condition, FieldNodes, Kind, Made};
+use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::{History, Scene, Traction, Vector};
+use crate::simulation::Simulation;
 use crate::simulation::error::SetupError;
 use crate::simulation::fields::SlabField;
 use crate::simulation::history::value;
-use crate::stage::solve::{EmptyNode, NodeForce};
-use std::borrow::Cow;
+use crate::stage::solve::{EmptyNode, NodeForce, PlaneSums, Planes};
 use std::sync::Arc;
 
 /// Forces on the nodes of all fields together.
@@ -50,50 +50,66 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
 }
 
 impl Condition for NodalLoads {
-    fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
-        let own = self.share(field)?;
-        field.parts().0.load(&own)
-    }
-
-    fn settled(&self, field: &mut FieldNodes<'_, '_>) {
-        // The loads found their nodes when they were added.
-        if let Ok(own) = self.share(field) {
-            let (planes, _, sums) = field.parts();
-            planes.add_power_of_loads(&own, sums);
-        }
-    }
-}
-
-impl NodalLoads {
-    /// All of them at the middle of a kick, between the times of the velocities before and after \[s\].
-    fn now(&self, [before, after]: [f64; 2]) -> Cow<'_, [NodeForce]> {
+    /// Those that change, at the middle of the kick.
+    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
         if self.changing.is_empty() {
-            return Cow::Borrowed(&self.steady);
+            return;
         }
-        let mut all = self.steady.clone();
+        let [before, after] = acting.half_steps;
+        acting.loads.extend_from_slice(&self.steady);
         for one in &self.changing {
             let traction = value(&one.traction, 0.5 * (before + after));
             for &(place, area) in &one.areas {
                 for axis in 0..3 {
-                    all[place].force[axis] += traction[axis] * area;
+                    acting.loads[place].force[axis] += traction[axis] * area;
                 }
             }
         }
-        Cow::Owned(all)
     }
 
-    /// The share of a field: that of its mass in the mass of all fields of a node that move freely.
-    fn share(&self, field: &FieldNodes<'_, '_>) -> Result<Cow<'_, [NodeForce]>, EmptyNode> {
-        let (slab, now) = (&*field.slab, field.now);
-        let all = self.now(now.acting.half_steps);
-        if slab.fields.len() == 1 {
-            return Ok(all);
+    fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
+        if field.slab.fields.len() == 1 {
+            let all = self.now(field.now.acting);
+            return field.parts().0.load(all);
         }
-        let shape = slab.shape();
-        let first = slab.range().start * shape.plane_nodes();
-        let last = slab.range().end * shape.plane_nodes();
-        let mut share = vec![];
-        for load in all.iter().filter(|l| (first..last).contains(&l.node)) {
+        self.for_share(field, |planes, own, _| planes.load(&[own]))
+    }
+
+    fn settled(&self, field: &mut FieldNodes<'_, '_>) {
+        if field.slab.fields.len() == 1 {
+            let (planes, now, sums) = field.parts();
+            return planes.add_power_of_loads(self.now(now.acting), sums);
+        }
+        let found = self.for_share(field, |planes, own, sums| {
+            planes.add_power_of_loads(&[own], sums);
+            Ok(())
+        });
+        debug_assert_eq!(found, Ok(()), "the loads found their nodes when they were added");
+    }
+}
+
+impl NodalLoads {
+    /// All of them in a step.
+    fn now<'a>(&'a self, acting: &'a Acting) -> &'a [NodeForce] {
+        if self.changing.is_empty() {
+            &self.steady
+        } else {
+            &acting.loads
+        }
+    }
+
+    /// Calls `act` with the nodes of a field, its share of each load on them, and the sums of the planes. The share is that of
+    /// its mass in the mass of all fields of a node that move freely.
+    fn for_share(
+        &self,
+        field: &mut FieldNodes<'_, '_>,
+        mut act: impl FnMut(&mut Planes<'_>, NodeForce, &mut [PlaneSums]) -> Result<(), EmptyNode>,
+    ) -> Result<(), EmptyNode> {
+        let (shape, now) = (field.slab.shape(), field.now);
+        let first = field.slab.range().start * shape.plane_nodes();
+        let last = field.slab.range().end * shape.plane_nodes();
+        let all = self.now(now.acting).iter();
+        for load in all.filter(|load| (first..last).contains(&load.node)) {
             let [plane, row, k] = shape.indices(load.node);
             let mass = |field: &SlabField<'_>| {
                 let free = now.prescribed(field.owner).is_none();
@@ -103,19 +119,19 @@ impl NodalLoads {
                     0.0
                 }
             };
-            let total: f64 = slab.fields.iter().map(mass).sum();
+            let fields = &field.slab.fields;
+            let total: f64 = fields.iter().map(mass).sum();
             if total <= 0.0 {
                 return Err(EmptyNode(load.node));
             }
-            let mass = mass(&slab.fields[field.number]);
+            let mass = mass(&fields[field.number]);
             if mass > 0.0 {
-                share.push(NodeForce {
-                    force: load.force.map(|f| f * (mass / total)),
-                    ..*load
-                });
+                let force = load.force.map(|f| f * (mass / total));
+                let (planes, _, sums) = field.parts();
+                act(planes, NodeForce { force, ..*load }, sums)?;
             }
         }
-        Ok(Cow::Owned(share))
+        Ok(())
     }
 }
 

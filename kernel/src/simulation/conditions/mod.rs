@@ -11,15 +11,15 @@
 
 mod nodes;
 
-pub(super) use driven::prescribed;
 pub use nodes::{FieldNodes, Node};
 
-use super::Simulation;
 use super::error::SetupError;
+use super::{Simulation, history_value};
 use crate::grid::GridShape;
 use crate::plan::Words;
 use crate::scene::{Scene, Vector};
-use crate::stage::solve::{DrivenNode, EmptyNode, Wall};
+use crate::stage::solve::{DrivenNode, EmptyNode, NodeForce, Wall};
+use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// A condition on the nodes of velocity fields.
@@ -56,9 +56,15 @@ pub trait Condition: Send + Sync {
 #[derive(Clone, Debug, Default)]
 pub struct Acting {
     /// Boundary planes with a condition, by axis and side, with their velocities.
-    pub walls: Vec<Wall>,
+    pub walls: Walls,
+    /// Velocities half a step before and after of each body whose motion is prescribed \[m/s\], by its place in the scene.
+    pub prescribed: Vec<Option<[Vector; 2]>>,
+    /// Forces of loads on nodes that change with time, with those that do not, in order of the nodes \[N\].
+    pub loads: Vec<NodeForce>,
     /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
     pub driven: Vec<DrivenNode>,
+    /// Nodes while they are sought.
+    pub(super) nodes: Vec<usize>,
     /// Nodes of all fields that stand still, each once, increasing.
     pub held: Arc<[DrivenNode]>,
     /// Acceleration of gravity \[m/s²\].
@@ -72,6 +78,35 @@ pub struct Acting {
     /// Time over which positions move \[s\].
     pub drift: f64,
 }
+
+impl Acting {
+    /// Nothing acts yet in a step of these times.
+    fn begin(&mut self, kick: f64, half_steps: [f64; 2], drift: f64) {
+        let Self {
+            mut prescribed,
+            mut loads,
+            mut driven,
+            nodes,
+            ..
+        } = std::mem::take(self);
+        prescribed.clear();
+        loads.clear();
+        driven.clear();
+        *self = Self {
+            prescribed,
+            loads,
+            driven,
+            nodes,
+            kick,
+            half_steps,
+            drift,
+            ..Self::default()
+        };
+    }
+}
+
+/// Boundary planes: six at most.
+pub type Walls = SmallVec<[Wall; 6]>;
 
 /// A condition, or why there cannot be one.
 type Made = Result<Arc<dyn Condition>, SetupError>;
@@ -144,21 +179,22 @@ impl Simulation {
         Ok(())
     }
 
-    /// What acts in a step of length `dt` \[s\].
-    pub(super) fn acting(&self, dt: f64) -> Acting {
+    /// What acts in a step of length `dt` \[s\], in the lists of [`Work::acting`](super::Work), to which they may be given back.
+    pub(super) fn acting(&mut self, dt: f64) -> Acting {
         let kick = 0.5 * (self.state.clock.dt_before + dt);
         let half_steps = [self.velocity_time(), self.state.clock.time + 0.5 * dt];
         self.acting_over(kick, half_steps, dt)
     }
 
     /// What acts over `kick` \[s\], between these times of the velocities \[s\], where positions move over `drift` \[s\].
-    pub(super) fn acting_over(&self, kick: f64, half_steps: [f64; 2], drift: f64) -> Acting {
-        let mut acting = Acting {
-            kick,
-            half_steps,
-            drift,
-            ..Acting::default()
-        };
+    pub(super) fn acting_over(&mut self, kick: f64, half_steps: [f64; 2], drift: f64) -> Acting {
+        let mut acting = std::mem::take(&mut self.work.acting);
+        acting.begin(kick, half_steps, drift);
+        let bodies = self.decided.bodies.iter();
+        acting.prescribed.extend(bodies.map(|body| {
+            let motion = body.motion.as_ref()?;
+            Some(half_steps.map(|time| history_value(motion, time)))
+        }));
         for condition in &self.decided.conditions {
             condition.prescribe(self, &mut acting);
         }

@@ -61,7 +61,7 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
 
 impl Condition for Walls {
     fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
-        acting.walls.extend_from_slice(&self.0);
+        acting.walls.extend(self.0.iter().copied());
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {

@@ -7,15 +7,15 @@
 use crate::memory::Memory;
 use crate::plan::Words;
 use crate::scene::{Scene, Vector};
-use crate::simulation::conditions::{Acting, Condition};
+use crate::simulation::conditions::{Acting, Condition, Walls};
 use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::mapping::BodiesOnto;
 use crate::simulation::phase::{Phase, Watcher};
 use crate::simulation::{BodyRun, Simulation, Way};
-use crate::stage::solve::{PlaneSums, Wall};
+use crate::stage::solve::PlaneSums;
+use smallvec::SmallVec;
 use std::any::Any;
-use std::borrow::Cow;
 use std::convert::Infallible;
 use std::sync::Arc;
 
@@ -46,18 +46,18 @@ pub trait Interaction: Any + Send + Sync {
     fn sorted(&mut self, _simulation: &Simulation) {}
 
     /// Bodies that need a velocity field of their own until the next sort, by their places in the scene.
-    fn owners(&self) -> Vec<usize> {
-        vec![]
+    fn owners(&self) -> BodyList {
+        BodyList::new()
     }
 
     /// Which of them keep a velocity of their own wherever another field is.
-    fn apart(&self) -> Vec<usize> {
+    fn apart(&self) -> BodyList {
         self.owners()
     }
 
     /// Pairs of bodies that keep velocities of their own where they meet. Fields that nothing separates share one.
-    fn pairs(&self) -> Vec<[usize; 2]> {
-        vec![]
+    fn pairs(&self) -> PairList {
+        PairList::new()
     }
 
     /// All bodies have the fields that were asked for.
@@ -98,11 +98,15 @@ pub trait Interaction: Any + Send + Sync {
     }
 
     /// Adds forces to those at the nodes.
-    fn load(&self, _grid: &mut Grid, _scene: &Scene) {}
+    fn load(&mut self, _grid: &mut Grid, _scene: &Scene) {}
 
-    /// What acts on each slab of a visit, in their order; nothing where it acts on none.
-    fn on_slabs(&mut self, _grid: &Grid, _visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {
-        vec![]
+    /// Gives what acts on each slab of a visit, in their order; nothing where it acts on none.
+    fn on_slabs<'a>(
+        &'a mut self,
+        _grid: &Grid,
+        _visit: Visit,
+        _give: &mut dyn FnMut(SlabPart<'a>),
+    ) {
     }
 
     /// Whether [`Interaction::settle`] changes velocities, so that sums are taken after it.
@@ -152,6 +156,12 @@ pub trait Interaction: Any + Send + Sync {
     fn restore(&mut self, _saved: &Remembered) {}
 }
 
+/// Bodies by their places in the scene; few take no memory.
+pub type BodyList = SmallVec<[usize; 8]>;
+
+/// Pairs of them.
+pub type PairList = SmallVec<[[usize; 2]; 8]>;
+
 /// Lists of numbers with their names.
 pub type Remembered = Vec<(String, Vec<f64>)>;
 
@@ -167,6 +177,29 @@ pub trait OnSlab: Send {
     fn correct_again(&mut self, _slab: &mut Slab<'_>, _now: &Now<'_>) {}
 }
 
+/// What one interaction does to the fields of one slab in a visit.
+pub struct SlabPart<'a>(OfSlab<'a>);
+
+enum OfSlab<'a> {
+    Grid(grid::SlabContact<'a>),
+    Own(Box<dyn OnSlab + 'a>),
+}
+
+impl<'a> SlabPart<'a> {
+    /// Of an interaction of the user.
+    #[must_use]
+    pub fn own(part: impl OnSlab + 'a) -> Self {
+        Self(OfSlab::Own(Box::new(part)))
+    }
+
+    pub(super) fn on_slab(&mut self) -> &mut (dyn OnSlab + 'a) {
+        match &mut self.0 {
+            OfSlab::Grid(part) => part,
+            OfSlab::Own(part) => &mut **part,
+        }
+    }
+}
+
 /// What a visit of all slabs knows beside the fields.
 pub struct Now<'a> {
     pub(super) mapping: BodiesOnto<'a>,
@@ -175,9 +208,9 @@ pub struct Now<'a> {
     /// Lower corner of the mesh in the coordinates of the scene \[m\].
     pub(super) origin: Vector,
     /// Walls, with the velocities of this visit.
-    pub(super) walls: Cow<'a, [Wall]>,
+    pub(super) walls: Walls,
     /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
-    pub(super) prescribed: Vec<Option<[Vector; 2]>>,
+    pub(super) prescribed: &'a [Option<[Vector; 2]>],
     /// The second mapping that the velocities are of, if they are of one.
     pub(super) again: Option<Again>,
     /// Whether kinetic energy and residual are measured.
@@ -289,19 +322,34 @@ impl Clone for Box<dyn Interaction> {
     }
 }
 
-/// For each slab what acts there in a visit.
+/// For each slab what acts there in a visit. Few slabs with one interaction take no memory for their list.
+pub(super) type SlabParts<'a> = SmallVec<[SmallVec<[SlabPart<'a>; 1]>; 8]>;
+
+/// Fills the list, which stays empty where nothing acts on slabs.
 pub(super) fn on_slabs<'a>(
     interactions: &'a mut Interactions,
     grid: &Grid,
     visit: Visit,
-) -> Vec<Vec<Box<dyn OnSlab + 'a>>> {
-    let mut parts: Vec<Vec<_>> = grid.slabs.iter().map(|_| vec![]).collect();
+    parts: &mut SlabParts<'a>,
+) {
     for one in interactions.iter_mut().flatten() {
-        for (part, own) in parts.iter_mut().zip(one.on_slabs(grid, visit)) {
-            part.push(own);
-        }
+        let mut slab = 0;
+        one.on_slabs(grid, visit, &mut |part| {
+            if parts.is_empty() {
+                parts.resize_with(grid.slabs.len(), SmallVec::new);
+            }
+            parts[slab].push(part);
+            slab += 1;
+        });
     }
-    parts
+}
+
+/// What acts on one slab after the other.
+pub(super) fn in_turn<'p, 'a>(
+    parts: &'p mut SlabParts<'a>,
+) -> impl Iterator<Item = &'p mut [SlabPart<'a>]> + Send {
+    let parts = parts.iter_mut().map(|parts| &mut parts[..]);
+    parts.chain(std::iter::repeat_with(|| &mut [][..]))
 }
 
 impl Simulation {
@@ -348,7 +396,7 @@ impl Simulation {
 
     /// Gives each body that needs one its velocity field.
     pub(crate) fn set_fields(&mut self) {
-        let mut owners: Vec<usize> = self.interactions().flat_map(Interaction::owners).collect();
+        let mut owners: BodyList = self.interactions().flat_map(Interaction::owners).collect();
         owners.sort_by_key(|&i| self.decided.bodies[i].id);
         owners.dedup();
         for (index, own) in self.work.own_field.iter_mut().enumerate() {
@@ -366,12 +414,16 @@ impl Simulation {
 
     /// Which fields share their velocity; `owners` have one each, after that of the phase.
     fn join_fields(&mut self, owners: &[usize]) {
-        let mut numbers = vec![None; self.decided.bodies.len()];
-        for (place, &body) in owners.iter().enumerate() {
-            numbers[body] = Some(1 + place);
-        }
+        let number = |body: usize| {
+            owners
+                .iter()
+                .position(|&owner| owner == body)
+                .map(|at| 1 + at)
+        };
         let count = 1 + owners.len();
-        let mut joined = vec![true; count * count];
+        let mut joined = std::mem::take(&mut self.work.grid.joined);
+        joined.clear();
+        joined.resize(count * count, true);
         let mut separate = |a: Option<usize>, b: Option<usize>| {
             if let (Some(a), Some(b)) = (a, b)
                 && a != b
@@ -382,10 +434,10 @@ impl Simulation {
         };
         for one in self.interactions() {
             for body in one.apart() {
-                (0..count).for_each(|other| separate(numbers[body], Some(other)));
+                (0..count).for_each(|other| separate(number(body), Some(other)));
             }
             for [a, b] in one.pairs() {
-                separate(numbers[a], numbers[b]);
+                separate(number(a), number(b));
             }
         }
         self.work.grid.joined = joined;

@@ -12,9 +12,9 @@ use crate::layout::Layout;
 use crate::stage::{Mapping, block_at, weights_of};
 use crate::weights::cell_mean_weights;
 
-/// By how much tr L of some particles exceeds its mean over cells, at their positions of now, shared among the axes \[1/s\].
-/// `upper` takes the velocities of the upper lanes of the nodes.
-#[must_use]
+/// By how much tr L of some particles exceeds its mean over cells, at their positions of now, shared among the axes \[1/s\], into
+/// `found`. `upper` takes the velocities of the upper lanes of the nodes.
+#[expect(clippy::too_many_arguments)]
 pub fn excess(
     lanes: Selected,
     stencil: usize,
@@ -23,13 +23,14 @@ pub fn excess(
     mapping: &Mapping,
     nodes: &[Line],
     upper: bool,
-) -> Vec<f64> {
+    found: &mut Vec<f64>,
+) {
     let source = if upper { 4 } else { 1 };
     match (layout.axes, stencil) {
-        (2, 3) => lanes.run(Find::<2, 3>(columns, mapping, nodes, source)),
-        (2, _) => lanes.run(Find::<2, 4>(columns, mapping, nodes, source)),
-        (_, 3) => lanes.run(Find::<3, 3>(columns, mapping, nodes, source)),
-        (_, _) => lanes.run(Find::<3, 4>(columns, mapping, nodes, source)),
+        (2, 3) => lanes.run(Find::<2, 3>(columns, mapping, nodes, source, found)),
+        (2, _) => lanes.run(Find::<2, 4>(columns, mapping, nodes, source, found)),
+        (_, 3) => lanes.run(Find::<3, 3>(columns, mapping, nodes, source, found)),
+        (_, _) => lanes.run(Find::<3, 4>(columns, mapping, nodes, source, found)),
     }
 }
 
@@ -43,46 +44,55 @@ pub(super) fn take(excess: &[f64], axes: usize, gradients: &mut Gradients) {
     }
 }
 
-/// Finds it in lanes: columns, mapping, nodes, first lane of the velocity.
+/// Finds it in lanes: columns, mapping, nodes, first lane of the velocity, and where it goes to.
 struct Find<'a, 'b, const D: usize, const N: usize>(
     &'a [&'b mut [f64]],
     &'a Mapping,
     &'a [Line],
     usize,
+    &'a mut Vec<f64>,
 );
 
 impl<const D: usize, const N: usize> Kernel for Find<'_, '_, D, N> {
-    type Output = Vec<f64>;
+    type Output = ();
 
     #[inline(always)]
-    fn run<B: Backend>(self) -> Vec<f64> {
-        let Self(columns, mapping, nodes, _) = self;
+    fn run<B: Backend>(self) {
+        let Self(columns, mapping, nodes, source, excess) = self;
+        let sums = Sums::<D, N> { mapping, source };
         let count = columns[0].len();
         // A whole block may be written behind the last particle.
-        let mut excess = vec![0.0; count + MOST_LANES];
+        excess.resize(count + MOST_LANES, 0.0);
         let mut at = 0;
         while at < count {
             let block = block_at::<B::Native, _, D, N>(columns, mapping, at, count);
             let bases = Bases::of::<D>(&block, mapping);
             let (w, g) = weights_of::<B::Native, _, D, N, false>(columns, mapping, &block, at);
             let sum = if bases.number < 2 || B::Native::WIDTH == 1 {
-                self.sum(&bases.reach::<1>(nodes), &w, &g)
+                sums.of(&bases.reach::<1>(nodes), &w, &g)
             } else {
-                self.sum(&bases.reach::<MOST>(nodes), &w, &g)
+                sums.of(&bases.reach::<MOST>(nodes), &w, &g)
             };
             let share = B::Native::splat(1.0 / D as f64) * sum;
             share.store(&mut excess[at..at + MOST_LANES]);
             at += bases.count;
         }
         excess.truncate(count);
-        excess
     }
 }
 
-impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
+/// Sums over the nodes of a block.
+#[derive(Clone, Copy)]
+struct Sums<'a, const D: usize, const N: usize> {
+    mapping: &'a Mapping,
+    /// First lane of the velocity.
+    source: usize,
+}
+
+impl<const D: usize, const N: usize> Sums<'_, D, N> {
     /// By how much tr L exceeds its mean over cells.
     #[inline(always)]
-    fn sum<L: Lanes, const R: usize>(
+    fn of<L: Lanes, const R: usize>(
         &self,
         reach: &Reach<'_, L, R>,
         w: &[[L; N]; 3],
@@ -95,7 +105,7 @@ impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
         let mut sum = L::splat(0.0);
         for axis in 0..D {
             let part = self.along(axis, reach, w, &mean, g);
-            sum = L::splat(self.1.inverse_cell[axis]).mul_add(part, sum);
+            sum = L::splat(self.mapping.inverse_cell[axis]).mul_add(part, sum);
         }
         sum
     }
@@ -110,7 +120,7 @@ impl<const D: usize, const N: usize> Find<'_, '_, D, N> {
         mean: &[[L; N]; 3],
         g: &[[L; N]; 3],
     ) -> L {
-        let Self(_, mapping, _, source) = *self;
+        let Self { mapping, source } = *self;
         let [_, middle, fast] = mapping.nodes;
         // Nodes from one to the next along each axis; the plane has no middle one.
         let step = if D == 3 {

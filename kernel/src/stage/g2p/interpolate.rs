@@ -41,6 +41,7 @@ pub(super) fn interpolate<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
+    const MOVE: bool,
     const R: usize,
     const ON_NODES: bool,
 >(
@@ -71,8 +72,10 @@ pub(super) fn interpolate<
     };
     // One component after the other: its sums and the weights along a row fit the registers.
     for c in 0..D {
-        let of = stencil.component::<KICK, GRADIENT, UPPER>(affine.as_ref(), c);
-        sums.velocity[c] = of.velocity;
+        let of = stencil.component::<KICK, GRADIENT, UPPER, MOVE>(affine.as_ref(), c);
+        if MOVE {
+            sums.velocity[c] = of.velocity;
+        }
         if KICK {
             sums.increment[c] = of.increment;
         }
@@ -173,7 +176,7 @@ impl<'a, L: Lanes, const D: usize, const N: usize, const R: usize> Stencil<'a, L
     }
 
     #[inline(always)]
-    fn component<const KICK: bool, const GRADIENT: bool, const UPPER: bool>(
+    fn component<const KICK: bool, const GRADIENT: bool, const UPPER: bool, const MOVE: bool>(
         &self,
         affine: Option<&AffineFactors<L, N>>,
         c: usize,
@@ -192,16 +195,23 @@ impl<'a, L: Lanes, const D: usize, const N: usize, const R: usize> Stencil<'a, L
                 let row = &self.rows[i][j];
                 // Sums along the row. A first product may be -0 where a sum from 0 is not; neither changes what it
                 // is added to.
-                let v_0 = self.reach.value(row, 0, 1 + c);
-                let mut v = self.w[0] * v_0;
-                let mut dv = zero;
+                let (mut v_0, mut v, mut dv) = (zero, zero, zero);
+                if MOVE {
+                    v_0 = self.reach.value(row, 0, 1 + c);
+                    v = self.w[0] * v_0;
+                }
                 if KICK {
                     dv = self.w[0] * self.reach.value(row, 0, 4 + c);
                 }
-                let s_0 = self.reach.value(row, 0, source + c);
-                let (mut s, mut vg) = (self.w[0] * s_0, self.g[0] * s_0);
+                let (mut s, mut vg) = (zero, zero);
+                if GRADIENT {
+                    let s_0 = self.reach.value(row, 0, source + c);
+                    (s, vg) = (self.w[0] * s_0, self.g[0] * s_0);
+                }
                 for k in 1..N {
-                    v = self.w[k].mul_add(self.reach.value(row, k, 1 + c), v);
+                    if MOVE {
+                        v = self.w[k].mul_add(self.reach.value(row, k, 1 + c), v);
+                    }
                     if KICK {
                         dv = self.w[k].mul_add(self.reach.value(row, k, 4 + c), dv);
                     }
@@ -217,7 +227,9 @@ impl<'a, L: Lanes, const D: usize, const N: usize, const R: usize> Stencil<'a, L
                     s = v;
                 }
                 let ww = self.ww[i][j];
-                sums.velocity = ww.mul_add(v, sums.velocity);
+                if MOVE {
+                    sums.velocity = ww.mul_add(v, sums.velocity);
+                }
                 if KICK {
                     sums.increment = ww.mul_add(dv, sums.increment);
                 }

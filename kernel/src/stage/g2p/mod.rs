@@ -145,12 +145,15 @@ pub fn instance(axes: usize, nodes: usize, task: &Task) -> G2pFn {
 }
 
 fn sums<const D: usize, const N: usize>(task: &Task, gradient: bool, apic: bool) -> G2pFn {
+    // Who adds increments and does nothing else has no use for velocities.
+    let moves = task.drift.is_some() || task.pic_fraction != 0.0;
     match (task.kick, gradient, apic, task.gradient_of_upper) {
-        (_, _, true, _) => entry::<D, N, true, true, true, false>,
-        (_, true, false, true) => entry::<D, N, false, true, false, true>,
-        (true, true, false, false) => entry::<D, N, true, true, false, false>,
-        (true, false, false, _) => entry::<D, N, true, false, false, false>,
-        (false, _, false, _) => entry::<D, N, false, true, false, false>,
+        (_, _, true, _) => entry::<D, N, true, true, true, false, true>,
+        (_, true, false, true) => entry::<D, N, false, true, false, true, true>,
+        (true, true, false, false) => entry::<D, N, true, true, false, false, true>,
+        (true, false, false, _) if moves => entry::<D, N, true, false, false, false, true>,
+        (true, false, false, _) => entry::<D, N, true, false, false, false, false>,
+        (false, _, false, _) => entry::<D, N, false, true, false, false, true>,
     }
 }
 
@@ -161,14 +164,17 @@ fn entry<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
+    const MOVE: bool,
 >(
     lanes: Selected,
     call: G2p<'_, '_>,
 ) -> Found {
-    lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>(call))
+    lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
+        call,
+    ))
 }
 
-/// One of these stages as a kernel; `UPPER` takes gradients of the upper lanes.
+/// One of these stages as a kernel; `UPPER` takes gradients of the upper lanes, without `MOVE` there are no velocities.
 struct Instance<
     'a,
     'b,
@@ -178,6 +184,7 @@ struct Instance<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
+    const MOVE: bool,
 >(pub G2p<'a, 'b>);
 
 impl<
@@ -187,7 +194,8 @@ impl<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
-> Kernel for Instance<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER>
+    const MOVE: bool,
+> Kernel for Instance<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>
 {
     type Output = Found;
 
@@ -204,7 +212,7 @@ impl<
             let block = at;
             let mut bad = None;
             while at < end && at - block < BLOCK {
-                let count = gather::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER>(
+                let count = gather::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
                     &call, at, end, &mut sums,
                 );
                 // Written twice, so that nothing is masked in full blocks.
@@ -246,6 +254,7 @@ fn gather<
     const GRADIENT: bool,
     const APIC: bool,
     const UPPER: bool,
+    const MOVE: bool,
 >(
     call: &G2p<'_, '_>,
     at: usize,
@@ -264,7 +273,7 @@ fn gather<
     let count = bases.count;
     if N == 2 && block.on_a_node::<D>() {
         // So rare that one instance has to do.
-        interpolate::<L, D, 3, KICK, GRADIENT, APIC, UPPER, MOST, true>(
+        interpolate::<L, D, 3, KICK, GRADIENT, APIC, UPPER, MOVE, MOST, true>(
             columns,
             mapping,
             &bases.before::<D>(mapping).reach(nodes),
@@ -277,16 +286,16 @@ fn gather<
     // Instances of their own: each further base node costs another load of every node. One lane has no second.
     match bases.number {
         n if n < 2 || L::WIDTH == 1 => {
-            interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 1, false>(
+            interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, 1, false>(
                 columns,
                 mapping,
                 &bases.reach(nodes),
                 &block,
                 at,
                 sums,
-            )
+            );
         }
-        2 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, 2, false>(
+        2 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, 2, false>(
             columns,
             mapping,
             &bases.reach(nodes),
@@ -294,7 +303,7 @@ fn gather<
             at,
             sums,
         ),
-        _ => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOST, false>(
+        _ => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, MOST, false>(
             columns,
             mapping,
             &bases.reach(nodes),

@@ -49,7 +49,7 @@ pub struct P2g<'a> {
     /// How the set sees the grid.
     pub mapping: &'a Mapping,
     /// Particles of each layer, in order, and whether the caller owns the layer; runs do not cross layers.
-    pub layers: Vec<(Range<usize>, bool)>,
+    pub layers: &'a mut dyn Iterator<Item = (Range<usize>, bool)>,
     /// Planes of nodes that are owned.
     pub planes: Range<usize>,
     /// The nodes of these planes.
@@ -229,7 +229,7 @@ impl Onto<'_> {
         if !runs.reach::<D, N, ON_NODES>(planes) {
             return;
         }
-        scratch.fill_weights::<B::Line, D, FULL, ON_NODES>(from, block, at);
+        scratch.fill_weights::<B::Line, D, FULL, GRADIENT, ON_NODES>(from, block, at);
         if EXTRA == MEAN_STRESS && from.carry == (Carry::MeanStress { averaged: true }) {
             scratch.take_cell_means::<B::Line, D>();
         }

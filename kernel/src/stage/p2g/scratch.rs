@@ -74,7 +74,13 @@ impl<const N: usize> Scratch<N> {
 
     /// Weights of a block that begins at particle `at`.
     #[inline(always)]
-    pub(super) fn fill_weights<L: Lanes, const D: usize, const FULL: bool, const ON_NODES: bool>(
+    pub(super) fn fill_weights<
+        L: Lanes,
+        const D: usize,
+        const FULL: bool,
+        const GRADIENT: bool,
+        const ON_NODES: bool,
+    >(
         &mut self,
         from: &Source<'_>,
         block: &Block<L>,
@@ -84,7 +90,9 @@ impl<const N: usize> Scratch<N> {
         for axis in 0..D {
             for n in 0..N {
                 w[axis][n].store(&mut self.w[axis][n]);
-                g[axis][n].store(&mut self.g[axis][n]);
+                if GRADIENT {
+                    g[axis][n].store(&mut self.g[axis][n]);
+                }
                 if FULL {
                     let node = n as f64 - if ON_NODES { 1.0 } else { 0.0 };
                     let q = w[axis][n] * (L::splat(node) - block.f[axis]);
@@ -177,12 +185,13 @@ impl<const N: usize> Scratch<N> {
                     2 => D == 3 && GRADIENT,
                     _ => GRADIENT,
                 };
-                if exists {
+                // Momentum alone has nothing in the upper lanes, and mapped again nothing in the lower ones.
+                if exists && (GRADIENT || from.carry != Carry::Momentum) {
                     for (lines, half) in lines.iter_mut().zip(Q::transpose(upper[line])) {
                         half.store(&mut lines[line][4..]);
                     }
                 }
-                if line == 0 || FULL && exists {
+                if (line == 0 && (GRADIENT || from.carry != Carry::Remap)) || FULL && exists {
                     for (lines, half) in lines.iter_mut().zip(Q::transpose(lower[line])) {
                         half.store(&mut lines[line]);
                     }

@@ -188,6 +188,6 @@ fn internal_variables_begin_and_go_on_as_their_law_says() {
     assert_eq!((steps[2], steps[3], steps[42]), (2.0, 3.0, 3.0));
     for p in 3..PARTICLES {
         let expected = [3.0, DT * gradients.0[0][p - 3], DT * gradients.0[3][p - 3]];
-        assert_eq!(set.variables(p), expected, "particle {p}");
+        assert_eq!(set.variables(p)[..], expected, "particle {p}");
     }
 }

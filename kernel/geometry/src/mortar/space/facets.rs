@@ -5,7 +5,7 @@ use super::projection::{points_of_triangle, points_of_vertices};
 use super::ridges::crossing;
 use crate::mortar::broad::Near;
 use crate::mortar::elements::Elements;
-use crate::mortar::points::{MortarPoint, Search};
+use crate::mortar::points::{Cuts, MortarPoint, Search};
 use crate::mortar::sites::{SHARP, Sites};
 use crate::surface::{Surface, SurfaceError};
 use std::fmt;
@@ -348,10 +348,10 @@ impl Elements<3, 2> for Facets {
         master: &Self,
         pairs: &[[usize; 2]],
         search: Search,
-        _cuts: &mut Vec<f64>,
+        cuts: &mut Cuts,
         points: &mut Vec<MortarPoint<3>>,
     ) {
-        points_of_triangle(self, master, pairs, search, points);
+        points_of_triangle(self, master, pairs, search, &mut cuts.parts, points);
     }
 
     fn points_of_vertices(

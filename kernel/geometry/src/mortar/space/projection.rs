@@ -5,7 +5,7 @@
 //! that D and M are exact for flat surfaces however they are triangulated.
 
 use super::Point;
-use super::clip::{Flat, GAUSS, area, overlap, shares};
+use super::clip::{Flat, GAUSS, Polygon, area, overlap, shares};
 use super::facets::Facets;
 use crate::mortar::broad::Near;
 use crate::mortar::elements::Elements;
@@ -58,6 +58,13 @@ struct Seen {
     heights: [f64; 3],
 }
 
+/// A part of a slave triangle that a master triangle covers.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::mortar) struct Part {
+    seen: Seen,
+    both: Polygon,
+}
+
 impl Seen {
     /// Nothing where the triangle does not face the plane.
     fn new(plane: &Plane, master: &Facets, triangle: usize) -> Option<Self> {
@@ -97,6 +104,7 @@ pub(super) fn points_of_triangle(
     master: &Facets,
     pairs: &[[usize; 2]],
     search: Search,
+    parts: &mut Vec<Part>,
     points: &mut Vec<MortarPoint<3>>,
 ) {
     let triangle = pairs[0][0];
@@ -105,16 +113,14 @@ pub(super) fn points_of_triangle(
     let plane = Plane::new(slave.points[vertices[0]], normal);
     let own = vertices.map(|v| plane.flat(&slave.points[v]));
     let smallest = SMALLEST * area(&own);
-    let parts: Vec<_> = pairs
-        .iter()
-        .filter_map(|[_, m]| {
-            let seen = Seen::new(&plane, master, *m)?;
-            let part = overlap(&seen.corners, &own);
-            (part.area() > smallest).then_some((seen, part))
-        })
-        .collect();
-    for (k, (seen, part)) in parts.iter().enumerate() {
-        for cell in part.fan() {
+    parts.clear();
+    parts.extend(pairs.iter().filter_map(|[_, m]| {
+        let seen = Seen::new(&plane, master, *m)?;
+        let both = overlap(&seen.corners, &own);
+        (both.area() > smallest).then_some(Part { seen, both })
+    }));
+    for (k, Part { seen, both }) in parts.iter().enumerate() {
+        for cell in both.fan() {
             let weight = area(&cell) / 3.0;
             if weight <= 0.0 {
                 continue;
@@ -126,7 +132,7 @@ pub(super) fn points_of_triangle(
                     continue;
                 }
                 let mut others = parts.iter().enumerate().filter(|(other, _)| *other != k);
-                if others.any(|(_, (other, _))| other.hides(&p, gap, search)) {
+                if others.any(|(_, other)| other.seen.hides(&p, gap, search)) {
                     continue;
                 }
                 let on_slave = shares(&p, &own);

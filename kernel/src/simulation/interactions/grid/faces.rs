@@ -7,8 +7,9 @@ use crate::contact::Pair;
 use crate::contact::interface::Interface;
 use crate::grid::{GridShape, Line, Nodes};
 use crate::particles::ParticleSet;
-use crate::simulation::fields::{Grid, Owner, Slab, split};
+use crate::simulation::fields::{Grid, Owner, Slab};
 use crate::stage::solve::Planes;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// The surface of one body.
@@ -46,7 +47,7 @@ pub(crate) struct SlabFields<'s, 'a, 'b> {
     /// The surfaces.
     pub faces: &'s mut [SlabFace<'b>],
     /// Place of the surface of each field.
-    places: Vec<Option<usize>>,
+    places: SmallVec<[Option<usize>; 4]>,
 }
 
 impl<'s, 'a, 'b> SlabFields<'s, 'a, 'b> {
@@ -79,12 +80,6 @@ impl<'s, 'a, 'b> SlabFields<'s, 'a, 'b> {
         self.slab.range()
     }
 
-    /// Whose fields they are.
-    #[must_use]
-    pub(crate) fn owners(&self) -> Vec<Owner> {
-        self.slab.fields.iter().map(|f| f.owner).collect()
-    }
-
     /// Planes of a field.
     #[must_use]
     pub(crate) fn planes(&self, number: usize) -> &Planes<'a> {
@@ -114,35 +109,44 @@ impl Faces {
         grid: &Grid,
         stencil: usize,
     ) {
-        let mut old = std::mem::take(&mut self.list);
-        for &body in bodies {
-            let interface = Interface::new(body, pairs, near, sets, &grid.shape, stencil);
-            let lines = match old.iter().position(|face| face.body == body) {
-                Some(at) => old.swap_remove(at).lines,
-                None => Nodes::new(grid.shape.nodes.iter().product()),
-            };
-            self.list.push(Face {
-                body,
-                lines,
-                interface,
-            });
+        let known = self.list.iter().map(|face| face.body);
+        if !known.eq(bodies.iter().copied()) {
+            let mut old = std::mem::take(&mut self.list);
+            self.list.extend(bodies.iter().map(|&body| {
+                let known = old.iter().position(|face| face.body == body);
+                known.map_or_else(
+                    || Face {
+                        body,
+                        lines: Nodes::new(grid.shape.nodes.iter().product()),
+                        interface: Interface::default(),
+                    },
+                    |at| old.swap_remove(at),
+                )
+            }));
+        }
+        for face in &mut self.list {
+            let interface = &mut face.interface;
+            interface.find(face.body, pairs, near, sets, &grid.shape, stencil);
         }
     }
 
-    /// The surfaces of each slab.
-    pub(crate) fn split(&mut self, grid: &Grid) -> Vec<Vec<SlabFace<'_>>> {
-        let (slabs, per_plane) = (&grid.slabs, grid.shape.plane_nodes());
-        let mut parts: Vec<Vec<SlabFace<'_>>> = slabs.iter().map(|_| vec![]).collect();
-        for face in &mut self.list {
-            let lines = split(&mut face.lines, slabs, per_plane);
-            for (part, lines) in parts.iter_mut().zip(lines) {
-                part.push(SlabFace {
-                    body: face.body,
-                    lines,
-                    interface: &face.interface,
-                });
-            }
-        }
-        parts
+    /// The surfaces in one slab after the other.
+    pub(crate) fn in_slabs<'a>(
+        &'a mut self,
+        grid: &Grid,
+    ) -> impl Iterator<Item = SmallVec<[SlabFace<'a>; 4]>> {
+        let per_plane = grid.shape.plane_nodes();
+        let list = self.list.iter_mut();
+        let mut rest: SmallVec<[_; 4]> = list
+            .map(|face| (face.body, &face.interface, face.lines.lines_mut()))
+            .collect();
+        grid.slabs.iter().map(move |range| {
+            let faces = rest.iter_mut().map(|(body, interface, rest)| SlabFace {
+                body: *body,
+                lines: rest.split_off_mut(..range.len() * per_plane).unwrap_or_default(),
+                interface,
+            });
+            faces.collect()
+        })
     }
 }

@@ -10,7 +10,7 @@ use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::fields::Owner;
 use crate::stage::solve::{PlaneSums, Wall, is_ghost};
-use std::collections::HashMap;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// Share of the distance of contact within which bodies touch in spite of round-off.
@@ -73,8 +73,8 @@ pub(crate) enum Touched {
     Slides,
 }
 
-/// What pairs did at nodes, by node and pair.
-pub(crate) type States = HashMap<(usize, usize), Touched>;
+/// What pairs did at nodes, in order of node and pair.
+pub(crate) type States = Vec<((usize, usize), Touched)>;
 
 /// What contact knows of the scene beside the fields.
 #[derive(Clone, Copy)]
@@ -85,8 +85,8 @@ pub(crate) struct Bodies<'a> {
     pub near: &'a [bool],
     /// Particles of all bodies.
     pub sets: &'a [ParticleSet],
-    /// Whether the motion of a body is prescribed.
-    pub driven: &'a [bool],
+    /// Velocities of bodies whose motion is prescribed \[m/s\].
+    pub prescribed: &'a [Option<[Vector; 2]>],
     /// Boundary planes with a condition.
     pub walls: &'a [Wall],
     /// Nodes per axis of the stencil.
@@ -140,27 +140,49 @@ pub(crate) struct Tunnelling {
     pub distance: f64,
 }
 
+/// Lists that are filled at one node after the other, or for one pair after the other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Lists {
+    coulomb: Coulomb,
+    members: Vec<Member>,
+    touches: Vec<Touch>,
+    impulses: Vec<Vector>,
+    /// Which of the touches of a slab act at a node.
+    which: Vec<usize>,
+    /// Numbers of the fields of each pair that is near.
+    sides: Vec<Option<[usize; 2]>>,
+    gaps: gaps::Lists,
+}
+
 impl Meetings {
+    fn clear(&mut self) {
+        self.nodes.clear();
+        self.fields.clear();
+        self.touches.clear();
+    }
+
     /// Finds the nodes of a slab where fields meet, with the normals and gaps of the pairs. Masses and mass gradients
     /// of the slab must be there, folded.
-    #[must_use]
-    pub(crate) fn find(fields: &mut SlabFields<'_, '_, '_>, bodies: &Bodies<'_>) -> Self {
-        let mut found = Self::default();
+    pub(crate) fn find(
+        &mut self,
+        fields: &mut SlabFields<'_, '_, '_>,
+        bodies: &Bodies<'_>,
+        lists: &mut Lists,
+    ) {
+        self.clear();
         let shape = fields.shape();
-        let sides: Vec<Option<[usize; 2]>> = bodies
-            .pairs
-            .iter()
-            .zip(bodies.near)
-            .map(|(pair, near)| {
-                if !near {
-                    return None;
-                }
-                Some([
-                    fields.slab.number_of(pair.master)?,
-                    fields.slab.number_of(pair.slave)?,
-                ])
-            })
-            .collect();
+        let pairs = bodies.pairs.iter().zip(bodies.near);
+        let sides = pairs.map(|(pair, near)| {
+            if !near {
+                return None;
+            }
+            Some([
+                fields.slab.number_of(pair.master)?,
+                fields.slab.number_of(pair.slave)?,
+            ])
+        });
+        lists.sides.clear();
+        lists.sides.extend(sides);
         for plane in fields.range() {
             for row in 0..shape.nodes[1] {
                 let Some(span) = shared_span(fields, plane, row) else {
@@ -168,13 +190,12 @@ impl Meetings {
                 };
                 for k in span {
                     if !is_ghost(shape, bodies.walls, [plane, row, k]) {
-                        found.add(fields, bodies, &sides, [plane, row, k]);
+                        self.add(fields, bodies, &lists.sides, [plane, row, k]);
                     }
                 }
             }
         }
-        found.measure(fields, bodies, &sides);
-        found
+        self.measure(fields, bodies, &lists.sides, &mut lists.gaps);
     }
 
     /// Adds a node, if fields meet there.
@@ -233,8 +254,9 @@ impl Meetings {
     pub(crate) fn recall(&mut self, states: &States) {
         for meeting in &self.nodes {
             for touch in &mut self.touches[meeting.touches.clone()] {
-                let before = states.get(&(meeting.node, touch.pair));
-                touch.state = before.copied().unwrap_or_default();
+                let place = (meeting.node, touch.pair);
+                let before = states.binary_search_by_key(&place, |(place, _)| *place);
+                touch.state = before.map_or(Touched::Open, |at| states[at].1);
             }
         }
     }
@@ -255,23 +277,28 @@ impl Meetings {
         fields: &mut SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
         on: On,
-    ) -> Done {
+        lists: &mut Lists,
+        done: &mut Done,
+    ) {
         let shape = fields.shape();
         let (first_plane, per_plane) = (fields.range().start, shape.plane_nodes());
-        let planes = fields.range().len();
-        let mut done = Done {
-            forces: vec![[0.0; 3]; planes * bodies.pairs.len()],
-            sums: vec![PlaneSums::default(); planes],
-            ..Done::default()
-        };
-        let owners = fields.owners();
+        done.begin(fields.range().len(), bodies.pairs.len());
         let (count, joined) = (fields.count(), fields.slab.joined);
-        let is_driven = |owner: &Owner| owner.body().is_some_and(|body| bodies.driven[body]);
-        let driven: Vec<bool> = owners.iter().map(is_driven).collect();
+        let is_driven = |owner: Owner| {
+            let body = owner.body();
+            body.is_some_and(|body| bodies.prescribed[body].is_some())
+        };
+        let all = fields.slab.fields.iter();
+        let driven: SmallVec<[bool; 8]> = all.map(|field| is_driven(field.owner)).collect();
         let lane = if on == On::Remapped { 4 } else { 1 };
-        let mut coulomb = Coulomb::default();
-        let (mut members, mut touches, mut impulses) = (vec![], vec![], vec![]);
-        let mut which = vec![];
+        let Lists {
+            coulomb,
+            members,
+            touches,
+            impulses,
+            which,
+            ..
+        } = lists;
         for meeting in &self.nodes {
             let numbers = &self.fields[meeting.fields.clone()];
             let node = meeting.node - first_plane * per_plane;
@@ -323,9 +350,9 @@ impl Meetings {
                 damping: Some(alpha),
                 ..
             } = on
-                && coulomb.damp_again(&mut members, is_joined, &touches, alpha, &mut impulses)
+                && coulomb.damp_again(members, is_joined, touches, alpha, impulses)
             {
-                for (&number, member) in numbers.iter().zip(&members) {
+                for (&number, member) in numbers.iter().zip(&*members) {
                     let line = &mut fields.nodes_mut(number)[node];
                     if !driven[number] {
                         for axis in 0..3 {
@@ -338,11 +365,11 @@ impl Meetings {
                     line[4..7].copy_from_slice(&member.increment);
                 }
             }
-            coulomb.resolve(&mut members, is_joined, &touches, &mut impulses);
+            coulomb.resolve(members, is_joined, touches, impulses);
             let plane = node / per_plane;
             if let On::Trial { kick, .. } = on {
                 let mut acts = false;
-                for (&index, impulse) in which.iter().zip(&impulses) {
+                for (&index, impulse) in which.iter().zip(&*impulses) {
                     let touch = &mut self.touches[index];
                     let friction = bodies.pairs[touch.pair].friction;
                     touch.force = impulse.map(|c| c / kick);
@@ -363,7 +390,7 @@ impl Meetings {
                 .iter()
                 .rposition(|&n| driven[n])
                 .map(|by| members[by].velocity);
-            for (&number, member) in numbers.iter().zip(&members) {
+            for (&number, member) in numbers.iter().zip(&*members) {
                 if driven[number] {
                     continue;
                 }
@@ -386,11 +413,19 @@ impl Meetings {
                 }
             }
         }
-        done
     }
 }
 
 impl Done {
+    /// Nothing is done yet in so many planes.
+    fn begin(&mut self, planes: usize, pairs: usize) {
+        self.forces.clear();
+        self.forces.resize(planes * pairs, [0.0; 3]);
+        self.sums.clear();
+        self.sums.resize(planes, PlaneSums::default());
+        (self.nodes, self.tunnelling) = (0, None);
+    }
+
     /// Notes a pair that approaches in one step by more than the distance at which it touches. The velocities before
     /// the step are means of those of particles; trial velocities of light nodes are not.
     fn watch(

@@ -7,14 +7,18 @@ pub(crate) mod faces;
 pub(crate) mod meeting;
 mod on_slab;
 
+pub(super) use on_slab::SlabContact;
+
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use crate::simulation::fields::Grid;
 use super::Kind;
-use crate::simulation::interactions::{Interaction, Made, OnSlab, Remembered, Visit};
+use crate::simulation::interactions::{
+    BodyList, Interaction, Made, PairList, Remembered, SlabPart, Visit,
+};
 use crate::simulation::{BodyRun, Simulation};
 use faces::Faces;
-use meeting::{Done, Meetings, Tunnelling};
+use meeting::{Done, Lists, Meetings, States, Tunnelling};
 use crate::contact::overlap::overlap;
 use crate::contact::{Pair, broad};
 use crate::memory::Memory;
@@ -41,6 +45,8 @@ pub(crate) struct State {
     pub faces: Faces,
     /// Where bodies met and what contact did there, per slab, as of the last equation of motion.
     pub met: Vec<Met>,
+    /// What pairs did at the nodes of all slabs, where particles have moved since.
+    pub states: States,
     /// Force on the slave of each pair in the last step \[N\].
     pub forces: Vec<Vector>,
 }
@@ -52,6 +58,11 @@ pub(crate) struct Met {
     pub meetings: Meetings,
     /// Forces, power and warnings.
     pub done: Done,
+    /// The nodes once particles have moved (USF).
+    moved: Meetings,
+    /// What is done to velocities that are mapped a second time feels no force.
+    unheeded: Done,
+    lists: Lists,
 }
 
 impl State {
@@ -131,22 +142,23 @@ impl Interaction for State {
 
     fn sorted(&mut self, simulation: &Simulation) {
         let (shape, stencil) = (&simulation.work.grid.shape, simulation.state.stencil);
-        self.near = broad::near(&self.pairs, &simulation.state.sets, shape, stencil);
+        let sets = &simulation.state.sets;
+        broad::near(&self.pairs, sets, shape, stencil, &mut self.near);
     }
 
     /// Bodies of near pairs.
-    fn owners(&self) -> Vec<usize> {
+    fn owners(&self) -> BodyList {
         let near = self.pairs.iter().zip(&self.near).filter(|(_, near)| **near);
         near.flat_map(|(pair, _)| [pair.master, pair.slave])
             .collect()
     }
 
     /// Bodies without a pair share their velocity.
-    fn apart(&self) -> Vec<usize> {
-        vec![]
+    fn apart(&self) -> BodyList {
+        BodyList::new()
     }
 
-    fn pairs(&self) -> Vec<[usize; 2]> {
+    fn pairs(&self) -> PairList {
         let pairs = self.pairs.iter();
         pairs.map(|pair| [pair.master, pair.slave]).collect()
     }
@@ -196,8 +208,8 @@ impl Interaction for State {
         Ok(())
     }
 
-    fn on_slabs(&mut self, grid: &Grid, visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {
-        self.parts(grid, visit)
+    fn on_slabs<'a>(&'a mut self, grid: &Grid, visit: Visit, give: &mut dyn FnMut(SlabPart<'a>)) {
+        self.parts(grid, visit, give);
     }
 
     /// Adds up the forces of all slabs in order of their planes, and stops where bodies would pass through each other.

@@ -1,92 +1,73 @@
 //! Contact on the grid in one slab.
 
 use crate::simulation::interactions::grid::faces::{SlabFace, SlabFields};
-use crate::simulation::interactions::grid::meeting::{Bodies, Meetings, On, States};
+use crate::simulation::interactions::grid::meeting::{Bodies, On, States};
 use super::{Met, State};
+use crate::simulation::interactions::{OfSlab, SlabPart};
 use crate::contact::{Pair, surface};
 use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::interactions::{Again, Now, OnSlab, Visit};
 use crate::stage::solve::{PlaneSums, Planes};
-use std::sync::Arc;
+use smallvec::SmallVec;
 
 impl State {
-    /// What acts on each slab of a visit.
-    pub(super) fn parts(&mut self, grid: &Grid, visit: Visit) -> Vec<Box<dyn OnSlab + '_>> {
+    /// Gives what acts on each slab of a visit.
+    pub(super) fn parts<'a>(
+        &'a mut self,
+        grid: &Grid,
+        visit: Visit,
+        give: &mut dyn FnMut(SlabPart<'a>),
+    ) {
         if self.faces.list.is_empty() {
-            return vec![];
+            return;
         }
-        let known: Vec<Known<'_>> = match visit {
-            Visit::Trial => {
-                self.met.clear();
-                self.met.resize(grid.slabs.len(), Met::default());
-                self.met.iter_mut().map(Known::Nothing).collect()
-            }
-            Visit::Again(Again::OldPositions) => {
-                let meetings = self.met.iter_mut().map(|met| &mut met.meetings);
-                meetings.map(Known::Meetings).collect()
-            }
+        match visit {
+            Visit::Trial => self.met.resize_with(grid.slabs.len(), Met::default),
+            Visit::Again(Again::OldPositions) => {}
             Visit::Again(Again::NewPositions) => {
-                let before = self.met.iter().flat_map(|met| met.meetings.states());
-                let states = Arc::new(before.collect());
-                let of_slab = |_| Known::States(Arc::clone(&states));
-                grid.slabs.iter().map(of_slab).collect()
+                self.states.clear();
+                for met in &self.met {
+                    self.states.extend(met.meetings.states());
+                }
+                // Particles may have been sorted since.
+                self.met.resize_with(grid.slabs.len(), Met::default);
             }
-        };
-        let faces = self.faces.split(grid);
-        let (pairs, near) = (&self.pairs[..], &self.near[..]);
-        let parts = faces.into_iter().zip(known).map(|(faces, known)| {
-            let part: Box<dyn OnSlab + '_> = Box::new(SlabContact {
-                pairs,
-                near,
+        }
+        for (faces, met) in self.faces.in_slabs(grid).zip(&mut self.met) {
+            give(SlabPart(OfSlab::Grid(SlabContact {
+                pairs: &self.pairs,
+                near: &self.near,
                 faces,
-                known,
-            });
-            part
-        });
-        parts.collect()
+                met,
+                states: &self.states,
+            })));
+        }
     }
 }
 
-/// What is known of this step's contact when a slab is visited.
-enum Known<'a> {
-    /// Nothing yet: the equation of motion finds where bodies meet, and leaves here what contact does.
-    Nothing(&'a mut Met),
-    /// Where bodies meet, and what contact did there: particles have not moved since.
-    Meetings(&'a mut Meetings),
-    /// What pairs did at the nodes of all slabs, before particles moved.
-    States(Arc<States>),
-}
-
 /// Contact in one slab.
-struct SlabContact<'a> {
+pub(in crate::simulation::interactions) struct SlabContact<'a> {
     pairs: &'a [Pair],
     near: &'a [bool],
-    faces: Vec<SlabFace<'a>>,
-    known: Known<'a>,
+    faces: SmallVec<[SlabFace<'a>; 4]>,
+    /// Where bodies meet and what contact does there, which the equation of motion finds and leaves here.
+    met: &'a mut Met,
+    /// What pairs did at the nodes of all slabs, where particles have moved since.
+    states: &'a States,
 }
 
 impl SlabContact<'_> {
-    /// What contact knows of the scene, with what it is to know of each body.
-    fn bodies<'b>(
-        pairs: &'b [Pair],
-        near: &'b [bool],
-        now: &'b Now<'_>,
-        driven: &'b [bool],
-    ) -> Bodies<'b> {
+    /// What contact knows of the scene.
+    fn bodies<'b>(pairs: &'b [Pair], near: &'b [bool], now: &'b Now<'_>) -> Bodies<'b> {
         Bodies {
             pairs,
             near,
             sets: now.mapping.sets,
-            driven,
+            prescribed: now.prescribed,
             walls: &now.walls,
             stencil: now.mapping.stencil,
         }
     }
-}
-
-/// By body: whether its motion is prescribed.
-fn driven(now: &Now<'_>) -> Vec<bool> {
-    now.prescribed.iter().map(Option::is_some).collect()
 }
 
 impl OnSlab for SlabContact<'_> {
@@ -107,17 +88,22 @@ impl OnSlab for SlabContact<'_> {
     }
 
     fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
-        let driven = driven(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
+        let bodies = Self::bodies(self.pairs, self.near, now);
         let mut fields = SlabFields::new(slab, &mut self.faces);
-        let mut meetings = Meetings::find(&mut fields, &bodies);
+        let Met {
+            meetings,
+            done,
+            lists,
+            ..
+        } = &mut *self.met;
+        meetings.find(&mut fields, &bodies, lists);
         let damping = now.acting.local_damping;
         let on = On::Trial {
             kick: now.acting.kick,
             dt: now.acting.drift,
             damping,
         };
-        let done = meetings.act(&mut fields, &bodies, on);
+        meetings.act(&mut fields, &bodies, on, lists, done);
         if damping.is_some() {
             // Contact does not know what the planes hold, and damps it too.
             for planes in slab.planes() {
@@ -127,24 +113,27 @@ impl OnSlab for SlabContact<'_> {
         for (sums, done) in sums.iter_mut().zip(&done.sums) {
             *sums += done;
         }
-        if let Known::Nothing(met) = &mut self.known {
-            **met = Met { meetings, done };
-        }
     }
 
     fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
-        let driven = driven(now);
-        let bodies = Self::bodies(self.pairs, self.near, now, &driven);
+        let bodies = Self::bodies(self.pairs, self.near, now);
         let mut fields = SlabFields::new(slab, &mut self.faces);
-        match &mut self.known {
-            Known::Nothing(_) => {}
-            Known::Meetings(meetings) => {
-                meetings.act(&mut fields, &bodies, On::Remapped);
+        let Met {
+            meetings,
+            moved,
+            unheeded,
+            lists,
+            ..
+        } = &mut *self.met;
+        match now.again {
+            None => {}
+            Some(Again::OldPositions) => {
+                meetings.act(&mut fields, &bodies, On::Remapped, lists, unheeded);
             }
-            Known::States(states) => {
-                let mut meetings = Meetings::find(&mut fields, &bodies);
-                meetings.recall(states);
-                meetings.act(&mut fields, &bodies, On::Mapped);
+            Some(Again::NewPositions) => {
+                moved.find(&mut fields, &bodies, lists);
+                moved.recall(self.states);
+                moved.act(&mut fields, &bodies, On::Mapped, lists, unheeded);
             }
         }
     }

@@ -19,6 +19,7 @@ use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
 use crate::team::Team;
 use nalgebra::SMatrix;
+use std::sync::atomic::{self, AtomicUsize};
 
 /// Boundaries of elements with D vertices whose patches have N nodes and whose vertices T tangents, and their pairs.
 #[derive(Clone, Debug)]
@@ -55,6 +56,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             kick: zeros.clone(),
             force: zeros,
             patches: vec![],
+            held: vec![],
+            stiffness: vec![],
             tied: None,
         });
     }
@@ -161,21 +164,17 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let mapping = &hosts.decided.bodies[index].mapping;
             let half_length = mapping.half_length[..D].iter().copied().fold(0.5, f64::min);
             let points = surface.boundary.points();
-            let weigh = |vertex: usize| {
+            let weigh = |vertex: usize, patch: &mut Patch<D, N>| -> Option<[PointIn<D>; 2]> {
                 let x = &points[vertex];
                 let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
                 let raw = vertex_weights::<D, N>(mapping.family, &xi, half_length);
                 let raw = mirrors.fold(raw);
-                let (nodes, masses) = nodes_of_patch::<D, N>(raw.base, shape, &field.rows, lines);
-                let weights = if follow == Follow::Unaugmented {
-                    Ok(raw.on_mass(&masses))
+                nodes_of_patch::<D, N>(raw.base, shape, &field.rows, lines, patch);
+                patch.weights = if follow == Follow::Unaugmented {
+                    raw.on_mass(&patch.masses)
                 } else {
-                    raw.augmented(&mirrors.with_images(raw.base, masses))
-                };
-                let patch = Patch {
-                    weights: weights.ok()?,
-                    masses,
-                    nodes,
+                    let masses = mirrors.with_images(raw.base, patch.masses);
+                    raw.augmented(&masses).ok()?
                 };
                 // Weights that are not augmented reach nodes of no mass, which nothing but forces moves.
                 let (mut v, mut a) = (PointIn::zeros(), gravity);
@@ -189,22 +188,34 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         }
                     }
                 }
-                let [v, kick] = [v, a * kick].map(|v| surface.boundary.held(vertex, v));
-                Some((patch, v, kick))
+                Some([v, a * kick].map(|v| surface.boundary.held(vertex, v)))
             };
-            let weighed = hosts.work.grid.team.search(0..points.len(), weigh);
-            surface.patches.clear();
-            for (vertex, one) in weighed.into_iter().enumerate() {
-                let Some((patch, v, kick)) = one else {
-                    return Err(StepErrorKind::VertexLost {
-                        body: surface.id,
-                        vertex,
-                        position: in_scene(&surface.boundary.points()[vertex], &hosts.origin()),
-                    });
-                };
-                surface.velocity[vertex] = v;
-                surface.kick[vertex] = kick;
-                surface.patches.push(patch);
+            let team = &hosts.work.grid.team;
+            surface.patches.resize(points.len(), Patch::NOWHERE);
+            let lost = AtomicUsize::new(usize::MAX);
+            let share = team.share_of_searches(points.len());
+            let parts = (surface.patches.chunks_mut(share))
+                .zip(surface.velocity.chunks_mut(share))
+                .zip(surface.kick.chunks_mut(share));
+            team.each(parts.enumerate(), |(part, ((patches, velocities), kicks))| {
+                let vertices = part * share..;
+                let own = patches.iter_mut().zip(velocities).zip(kicks);
+                for (vertex, ((patch, velocity), kick)) in vertices.zip(own) {
+                    match weigh(vertex, patch) {
+                        Some(found) => [*velocity, *kick] = found,
+                        None => {
+                            lost.fetch_min(vertex, atomic::Ordering::Relaxed);
+                        }
+                    }
+                }
+            });
+            let vertex = lost.into_inner();
+            if let Some(x) = surface.boundary.points().get(vertex) {
+                return Err(StepErrorKind::VertexLost {
+                    body: surface.id,
+                    vertex,
+                    position: in_scene(x, &hosts.origin()),
+                });
             }
             if let Some(around) = &mut surface.around {
                 let own = (&hosts.state.sets[index], &hosts.decided.bodies[index]);
@@ -314,7 +325,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let field = surface.body().and_then(|index| hosts.work.grid.own_field(index));
             let tied = surface.tied.as_mut().filter(|_| stays(&surface.carrier));
             let tied = tied.zip(field);
-            let mut of_vertices = vec![0.0; if tied.is_some() { surface.start.len() } else { 0 }];
+            let mut of_vertices = std::mem::take(&mut surface.stiffness);
+            of_vertices.clear();
+            of_vertices.resize(if tied.is_some() { surface.start.len() } else { 0 }, 0.0);
             nodes.clear();
             for pair in &self.pairs {
                 for (of, stiffness) in [
@@ -335,6 +348,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             if let Some((tied, field)) = tied {
                 tied.stiffen(nodes, &of_vertices, field.nodes.lines(), shape, &mirrors);
             }
+            surface.stiffness = of_vertices;
             most = most.min(nodes.time_step());
         }
         most
@@ -347,8 +361,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Adds the contact forces to the nodes (eq. 56), and what of them turns and stretches the bodies.
-    pub(super) fn load_nodes(&self, grid: &mut Grid, mirrors: &Mirrors) {
-        for surface in &self.surfaces {
+    pub(super) fn load_nodes(&mut self, grid: &mut Grid, mirrors: &Mirrors) {
+        for surface in &mut self.surfaces {
             let Carrier::Body { index, follow } = surface.carrier else {
                 continue;
             };
@@ -357,9 +371,10 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let lines = grid.fields[number].nodes.lines_mut();
             // A plane of symmetry, which holds a vertex, bears what would take it off.
             let held = |(vertex, force)| surface.boundary.held(vertex, force);
-            let forces: Vec<PointIn<D>> =
-                surface.force.iter().copied().enumerate().map(held).collect();
-            for (patch, force) in surface.patches.iter().zip(&forces) {
+            let forces = &mut surface.held;
+            forces.clear();
+            forces.extend(surface.force.iter().copied().enumerate().map(held));
+            for (patch, force) in surface.patches.iter().zip(&*forces) {
                 if force.iter().all(|f| *f == 0.0) {
                     continue;
                 }
@@ -373,11 +388,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     }
                 }
             }
-            if let Some(tied) = surface.anchor() {
-                tied.load(lines, &forces, shape, mirrors);
+            if let Some(tied) = surface.tied.as_mut().filter(|_| stays(&surface.carrier)) {
+                tied.load(lines, forces, shape, mirrors);
             }
-            if let Some(around) = &surface.around {
-                around.load(lines, &surface.patches, &forces, follow, shape, mirrors);
+            if let Some(around) = &mut surface.around {
+                around.load(lines, &surface.patches, forces, follow, shape, mirrors);
             }
         }
     }
@@ -414,21 +429,22 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         continue;
                     };
                     let lines = field.nodes.lines();
-                    if let Some(tied) = surface.anchor() {
-                        let team = &hosts.work.grid.team;
-                        surface.moved = surface.moved_with_ties(tied, lines, way, team);
+                    let team = &hosts.work.grid.team;
+                    if stays(&surface.carrier) {
+                        surface.move_with_ties(lines, way, team);
                         surface.advance(&way.mesh_shift);
                         continue;
                     }
+                    if let Some(around) = &mut surface.around {
+                        around.find_gradients(lines, *follow, team);
+                    }
                     let around = surface.around.as_ref();
-                    let gradients = around
-                        .map(|around| around.gradients(lines, *follow, &hosts.work.grid.team));
                     let moved = |vertex: usize| {
                         let patch = &surface.patches[vertex];
                         let velocity = |k: usize| velocity_at(&lines[patch.nodes[k]]);
                         let gradient = |k: usize| {
-                            let gradients = gradients.as_ref();
-                            gradients.map_or_else(SMatrix::zeros, |all| all.at(patch.nodes[k]))
+                            let node = patch.nodes[k];
+                            around.map_or_else(SMatrix::zeros, |around| around.gradient_at(node))
                         };
                         // What is followed of a gradient is taken already.
                         let how = Follow::Gradient;
@@ -438,7 +454,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                             Some(mesh) => surface.boundary.held(vertex, v * drift - mesh) + mesh,
                         }
                     };
-                    surface.moved = hosts.work.grid.team.search(0..surface.patches.len(), moved);
+                    team.search_into(0..surface.patches.len(), moved, &PointIn::zeros(), &mut surface.moved);
                 }
             }
             surface.advance(&way.mesh_shift);

@@ -8,7 +8,7 @@ use crate::simulation::{Simulation, Way};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::Grid;
-use crate::simulation::interactions::{Interaction, Remembered};
+use crate::simulation::interactions::{BodyList, Interaction, Remembered};
 
 impl Interaction for MortarState {
     fn boxed(&self) -> Box<dyn Interaction> {
@@ -16,7 +16,7 @@ impl Interaction for MortarState {
     }
 
     /// Bodies whose boundary moves with a velocity field of their own.
-    fn owners(&self) -> Vec<usize> {
+    fn owners(&self) -> BodyList {
         let plane = self.plane.surfaces.iter().filter_map(Surface::body);
         let space = self.space.surfaces.iter().filter_map(Surface::body);
         plane.chain(space).collect()
@@ -64,7 +64,7 @@ impl Interaction for MortarState {
     }
 
     /// Adds the contact forces to those at the nodes (eq. 56).
-    fn load(&self, grid: &mut Grid, scene: &Scene) {
+    fn load(&mut self, grid: &mut Grid, scene: &Scene) {
         let mirrors = Mirrors::of(scene);
         self.plane.load_nodes(grid, &mirrors);
         self.space.load_nodes(grid, &mirrors);

@@ -91,6 +91,9 @@ impl Mirrors {
                 }
             })
         });
+        if along.as_flattened().iter().all(|factor| *factor == 1.0) {
+            return masses;
+        }
         array::from_fn(|k| {
             let place = in_patch::<D>(k);
             (0..D).fold(masses[k], |mass, axis| mass * along[axis][place[axis]])

@@ -62,6 +62,9 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(super) force: Vec<PointIn<D>>,
     /// Augmented weights and masses of the patches, for surfaces of bodies.
     pub(super) patches: Vec<Patch<D, N>>,
+    /// Forces on the vertices without what planes of symmetry bear, and their stiffnesses, while they are used.
+    pub(super) held: Vec<PointIn<D>>,
+    pub(super) stiffness: Vec<f64>,
     /// The particles around them, where vertices follow more than velocities.
     pub(super) around: Option<Around<D>>,
     /// What ties the vertices of a body to its particles.
@@ -77,6 +80,15 @@ pub(super) struct Patch<const D: usize, const N: usize> {
     pub(super) masses: [f64; N],
     /// Their indices.
     pub(super) nodes: [usize; N],
+}
+
+impl<const D: usize, const N: usize> Patch<D, N> {
+    /// Of no vertex.
+    pub(super) const NOWHERE: Self = Self {
+        weights: VertexWeights::NOWHERE,
+        masses: [0.0; N],
+        nodes: [0; N],
+    };
 }
 
 impl<B, const D: usize, const N: usize> Surface<B, D, N> {
@@ -122,15 +134,16 @@ fn largest<const D: usize>(vectors: &[PointIn<D>]) -> f64 {
         .sqrt()
 }
 
-/// Indices and masses of the nodes of a patch. A node outside the mesh has none, also a ghost, which repeats what lies
+/// Finds indices and masses of the nodes of a patch. A node outside the mesh has none, also a ghost, which repeats what lies
 /// inside, nor has one outside the active rows, which still holds what it had when a particle was near.
 pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
     base: [i64; D],
     shape: &GridShape,
     rows: &ActiveRows,
     lines: &[Line],
-) -> ([usize; N], [f64; N]) {
-    let (mut nodes, mut masses) = ([0; N], [0.0; N]);
+    Patch { nodes, masses, .. }: &mut Patch<D, N>,
+) {
+    (*nodes, *masses) = ([0; N], [0.0; N]);
     let is_inside = |axis: usize, node: i64| (0..=shape.cells[axis] as i64).contains(&node);
     // Nodes along the last axis follow one another in the grid.
     let last = D - 1;
@@ -160,7 +173,6 @@ pub(super) fn nodes_of_patch<const D: usize, const N: usize>(
             }
         }
     }
-    (nodes, masses)
 }
 
 /// Velocity of a node \[m/s\].

@@ -36,6 +36,34 @@ pub(super) struct Tied<const D: usize> {
     stencil: Vec<StencilNode<D>>,
     /// Memory of [`Tied::stiffen`]: the place of each node of the grid in its lists, plus one; zero between two calls.
     slots: Vec<u32>,
+    lists: Lists<D>,
+}
+
+/// Lists that are filled again in each step.
+#[derive(Clone, Debug, Default)]
+struct Lists<const D: usize> {
+    /// Displacements, then velocities of the particles, and their accelerations.
+    of_particles: [Vec<PointIn<D>>; 2],
+    /// Both as they are found.
+    found: Vec<[PointIn<D>; 2]>,
+    /// Displacements of the vertices.
+    ways: Vec<PointIn<D>>,
+    stiffness: Stiffness<D>,
+}
+
+/// Those of [`Tied::stiffen`].
+#[derive(Clone, Debug, Default)]
+struct Stiffness<const D: usize> {
+    /// The nodes that pressed vertices reach, and the weights of one vertex on them.
+    reached: Vec<usize>,
+    weights: Vec<PointIn<D>>,
+    /// Which of them one vertex has.
+    touched: Vec<usize>,
+    /// The sizes of the weights of each pressed vertex, by the places of the nodes.
+    sizes: Vec<(usize, f64)>,
+    pressed: Vec<(f64, Range<usize>)>,
+    once: Vec<f64>,
+    twice: Vec<f64>,
 }
 
 impl<const D: usize> Tied<D> {
@@ -46,20 +74,22 @@ impl<const D: usize> Tied<D> {
             reached: vec![],
             stencil: vec![],
             slots: vec![],
+            lists: Lists::default(),
         }
     }
 
-    /// What tied particles have of nodal values, once for each of `values`, which are asked for the node inside the mesh.
-    fn gathered<const K: usize>(
+    /// Finds what tied particles have of two nodal values, which are asked for the node inside the mesh.
+    fn gather(
         &self,
+        lists: &mut Lists<D>,
         shape: &GridShape,
         mirrors: &Mirrors,
         team: &Team,
-        values: impl Fn(usize) -> [PointIn<D>; K] + Sync,
-    ) -> [Vec<PointIn<D>>; K] {
+        values: impl Fn(usize) -> [PointIn<D>; 2] + Send + Sync,
+    ) {
         let of = |number: usize| {
             let reach = &self.reached[number];
-            let mut sums = [PointIn::zeros(); K];
+            let mut sums = [PointIn::zeros(); 2];
             for node in &self.stencil {
                 let weight = reach.weight(node);
                 if weight == 0.0 {
@@ -73,13 +103,21 @@ impl<const D: usize> Tied<D> {
             }
             sums
         };
-        let found = team.search(0..self.reached.len(), of);
-        std::array::from_fn(|k| found.iter().map(|sums| sums[k]).collect())
+        let Lists {
+            of_particles,
+            found,
+            ..
+        } = lists;
+        team.search_into(0..self.reached.len(), of, &[PointIn::zeros(); 2], found);
+        for (k, list) in of_particles.iter_mut().enumerate() {
+            list.clear();
+            list.extend(found.iter().map(|sums| sums[k]));
+        }
     }
 
     /// Adds forces on the vertices \[N\] to those on the nodes.
     pub(super) fn load(
-        &self,
+        &mut self,
         lines: &mut [Line],
         forces: &[PointIn<D>],
         shape: &GridShape,
@@ -89,11 +127,13 @@ impl<const D: usize> Tied<D> {
             return;
         }
         let none = PointIn::<D>::zeros();
-        let mut on_particles = vec![none; self.ties.particles()];
+        let [on_particles, _] = &mut self.lists.of_particles;
+        on_particles.clear();
+        on_particles.resize(self.ties.particles(), none);
         for (vertex, force) in forces.iter().enumerate().filter(|(_, f)| **f != none) {
-            self.ties.spread(vertex, force, &mut on_particles);
+            self.ties.spread(vertex, force, on_particles);
         }
-        for (reach, force) in self.reached.iter().zip(&on_particles) {
+        for (reach, force) in self.reached.iter().zip(&*on_particles) {
             if *force == none {
                 continue;
             }
@@ -126,13 +166,21 @@ impl<const D: usize> Tied<D> {
     ) {
         let none = PointIn::<D>::zeros();
         self.slots.resize(lines.len(), 0);
-        // The nodes that pressed vertices reach, and the weights of one vertex on them.
-        let (mut reached, mut weights) = (vec![], vec![]);
-        // The sizes of the weights of each pressed vertex, by the places of the nodes.
-        let mut sizes: Vec<(usize, f64)> = vec![];
-        let mut pressed: Vec<(f64, Range<usize>)> = vec![];
+        let Stiffness {
+            reached,
+            weights,
+            touched,
+            sizes,
+            pressed,
+            once,
+            twice,
+        } = &mut self.lists.stiffness;
+        reached.clear();
+        weights.clear();
+        sizes.clear();
+        pressed.clear();
         for (vertex, k) in stiffness.iter().enumerate().filter(|(_, k)| **k != 0.0) {
-            let mut touched = vec![];
+            touched.clear();
             for tie in self.ties.of(vertex) {
                 let reach = &self.reached[tie.particle];
                 for node in &self.stencil {
@@ -155,27 +203,29 @@ impl<const D: usize> Tied<D> {
                 }
             }
             let first = sizes.len();
-            for at in touched {
+            for &at in &*touched {
                 // Twice in the list, a node has nothing left the second time.
                 let weight = std::mem::replace(&mut weights[at], none).amax();
                 sizes.push((at, weight));
             }
             pressed.push((*k, first..sizes.len()));
         }
-        let product = |x: &[f64]| {
-            let mut sums = vec![0.0; reached.len()];
-            for (k, range) in &pressed {
+        let product = |x: &[f64], sums: &mut Vec<f64>| {
+            sums.clear();
+            sums.resize(reached.len(), 0.0);
+            for (k, range) in &*pressed {
                 let sizes = &sizes[range.clone()];
                 let along: f64 = sizes.iter().map(|(at, w)| w * x[*at]).sum();
                 for (at, w) in sizes {
                     sums[*at] += k * w * along / lines[reached[*at]][0];
                 }
             }
-            sums
         };
-        let once = product(&vec![1.0; reached.len()]);
-        let twice = product(&once);
-        for ((node, x), y) in reached.iter().zip(&once).zip(&twice) {
+        twice.clear();
+        twice.resize(reached.len(), 1.0);
+        product(twice, once);
+        product(once, twice);
+        for ((node, x), y) in reached.iter().zip(&*once).zip(&*twice) {
             if *x > 0.0 {
                 nodes.add_at(*node, y / x, 1.0);
             }
@@ -187,7 +237,8 @@ impl<const D: usize> Tied<D> {
     fn displacements(&self, set: &ParticleSet) -> Vec<PointIn<D>> {
         let mut places = self.places.clone();
         self.ties.find(set, &mut places);
-        let displacements = self.ties.displacements(set, &places);
+        let mut displacements = vec![];
+        self.ties.displacements(set, &places, &mut displacements);
         let of = |vertex: usize| match self.ties.of(vertex) {
             [] => PointIn::repeat(f64::NAN),
             _ => self.ties.sum(vertex, &displacements),
@@ -290,11 +341,13 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let (shape, team) = (&hosts.work.grid.shape, &hosts.work.grid.team);
         let mirrors = Mirrors::of(&hosts.decided.scene);
         tied.ties.find(set, &mut tied.places);
-        let displacements = tied.ties.displacements(set, &tied.places);
+        let mut lists = std::mem::take(&mut tied.lists);
+        let [displacements, _] = &mut lists.of_particles;
+        tied.ties.displacements(set, &tied.places, displacements);
         let boundary = &self.boundary;
-        let of = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, &displacements));
-        let ways = team.search(0..self.start.len(), of);
-        for (vertex, way) in ways.iter().enumerate() {
+        let of = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, displacements));
+        team.search_into(0..self.start.len(), of, &PointIn::zeros(), &mut lists.ways);
+        for (vertex, way) in lists.ways.iter().enumerate() {
             // Particles that were removed have no place.
             if way.iter().any(|x| x.is_nan()) {
                 return Err(StepErrorKind::VertexLost {
@@ -305,17 +358,20 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
             }
         }
         let places = self.boundary.points_mut().iter_mut().zip(&self.start);
-        for ((x, start), way) in places.zip(&ways) {
+        for ((x, start), way) in places.zip(&lists.ways) {
             *x = start + way;
         }
         let stencil = hosts.state.stencil;
-        tied.stencil = stencil_nodes(stencil, shape);
+        if tied.stencil.len() != stencil.pow(D as u32) {
+            tied.stencil = stencil_nodes(stencil, shape);
+        }
         let places = &tied.places;
-        tied.reached = team.search(0..places.len(), |number| {
+        let reach = |number: usize| {
             // Those that were removed are of no vertex that is left.
             let p = places[number].unwrap_or(0);
             Reach::of((set, p), &body.mapping, shape, &mirrors, stencil)
-        });
+        };
+        team.search_into(0..places.len(), reach, &Reach::NOWHERE, &mut tied.reached);
         let gravity: PointIn<D> = from_vector(&hosts.decided.scene.gravity);
         let lines = field.nodes.lines();
         // A plane that is fixed to a moving base mirrors velocities relative to it.
@@ -323,35 +379,34 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let base: PointIn<D> = base.map_or_else(PointIn::zeros, |base| {
             from_vector(&base.at(hosts.state.clock.time))
         });
-        let [velocities, accelerations] = tied.gathered(shape, &mirrors, team, |node| {
+        tied.gather(&mut lists, shape, &mirrors, team, |node| {
             let line = &lines[node];
             [velocity_at(line) - base, force_at(line) / line[0]]
         });
+        let [velocities, accelerations] = &lists.of_particles;
         let boundary = &self.boundary;
         let of = |vertex: usize| {
-            let v = base + tied.ties.sum(vertex, &velocities);
-            let a = gravity + tied.ties.sum(vertex, &accelerations);
+            let v = base + tied.ties.sum(vertex, velocities);
+            let a = gravity + tied.ties.sum(vertex, accelerations);
             [v, a * kick].map(|v| boundary.held(vertex, v))
         };
-        let found = team.search(0..self.start.len(), of);
-        for (vertex, [v, kick]) in found.into_iter().enumerate() {
+        team.search_into(0..self.start.len(), of, &[PointIn::zeros(); 2], &mut lists.found);
+        for (vertex, &[v, kick]) in lists.found.iter().enumerate() {
             self.velocity[vertex] = v;
             self.kick[vertex] = kick;
         }
+        tied.lists = lists;
         Ok(())
     }
 
-    /// How far the vertices move in a step \[m\], with the velocities that their particles move with.
-    pub(super) fn moved_with_ties<const T: usize>(
-        &self,
-        tied: &Tied<D>,
-        lines: &[Line],
-        way: &Way,
-        team: &Team,
-    ) -> Vec<PointIn<D>>
+    /// Finds how far the vertices move in a step, with the velocities that their particles move with.
+    pub(super) fn move_with_ties<const T: usize>(&mut self, lines: &[Line], way: &Way, team: &Team)
     where
         B: Elements<D, T>,
     {
+        let Some(tied) = &mut self.tied else {
+            return;
+        };
         // Ghosts are filled by now.
         let mesh: PointIn<D> = from_vector(&way.mesh_shift);
         let of = |number: usize| {
@@ -362,9 +417,10 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
             }
             v * way.time - mesh
         };
-        let ways = team.search(0..tied.reached.len(), of);
-        let boundary = &self.boundary;
-        let moved = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, &ways)) + mesh;
-        team.search(0..self.start.len(), moved)
+        let [ways, _] = &mut tied.lists.of_particles;
+        team.search_into(0..tied.reached.len(), of, &PointIn::zeros(), ways);
+        let (boundary, ties) = (&self.boundary, &tied.ties);
+        let moved = |vertex: usize| boundary.held(vertex, ties.sum(vertex, ways)) + mesh;
+        team.search_into(0..self.start.len(), moved, &PointIn::zeros(), &mut self.moved);
     }
 }

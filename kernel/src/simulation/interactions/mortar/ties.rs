@@ -183,17 +183,19 @@ impl<const D: usize> Ties<D> {
         }
     }
 
-    /// How far the tied particles are from where they were at the start \[m\]; NaN for those that were removed.
+    /// Finds how far the tied particles are from where they were at the start \[m\]; NaN for those that were removed.
     pub(super) fn displacements(
         &self,
         set: &ParticleSet,
         places: &[Option<usize>],
-    ) -> Vec<PointIn<D>> {
+        displacements: &mut Vec<PointIn<D>>,
+    ) {
         let of = |(place, start): (&Option<usize>, &PointIn<D>)| match place {
             Some(p) => position::<D>(set, *p) - start,
             None => PointIn::repeat(f64::NAN),
         };
-        places.iter().zip(&self.start).map(of).collect()
+        displacements.clear();
+        displacements.extend(places.iter().zip(&self.start).map(of));
     }
 }
 

@@ -236,12 +236,8 @@ impl Simulation {
 
     /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
     fn sum_after_contact(&mut self, acting: &Acting, power: f64) {
-        let planes = self.sums_of_planes(acting);
-        let sums = &mut self.work.sums;
-        sums.power += power;
-        for plane in &planes {
-            *sums += plane;
-        }
+        self.work.sums.power += power;
+        self.add_sums_of_planes(acting);
     }
 
     /// Gives the velocities of a second mapping, which strain the particles, to the surfaces as the boundary planes do:
@@ -317,7 +313,7 @@ impl Simulation {
             self.surface_gap_from(near.triangles[i], place, margin)
         };
         let team = &self.work.grid.team;
-        team.search_into(0..near.particles.len(), gap, gaps);
+        team.search_into(0..near.particles.len(), gap, &None, gaps);
         for (i, place) in near.particles.iter().enumerate() {
             let Some(gap) = gaps[i] else {
                 continue;

@@ -109,7 +109,7 @@ impl Simulation {
             nearest.map(|nearest| nearest.triangle)
         };
         let team = &self.work.grid.team;
-        team.search_into(0..particles.len(), triangle, &mut near.nearest);
+        team.search_into(0..particles.len(), triangle, &None, &mut near.nearest);
         let found = (0..particles.len()).filter(|&p| near.nearest[p].is_some());
         near.by_id.clear();
         near.by_id.extend(found.map(|p| (particles.id[p], p)));

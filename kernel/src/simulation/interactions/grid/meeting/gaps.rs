@@ -5,6 +5,19 @@ use crate::simulation::interactions::grid::faces::SlabFields;
 use crate::contact::surface::{self, Probe, Search, Side};
 use crate::scene::{ContactNormal, Vector};
 
+/// A node with the index of its touch and the normal.
+type At = (usize, usize, Vector);
+
+/// Lists that are filled for one pair after the other.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Lists {
+    own: Vec<At>,
+    /// With a normal that may do where the own one does not separate the bodies.
+    doubtful: Vec<At>,
+    probes: Vec<Probe>,
+    distances: Vec<f64>,
+}
+
 impl Meetings {
     /// Measures the gaps of all pairs whose distance matters.
     pub(super) fn measure(
@@ -12,13 +25,20 @@ impl Meetings {
         fields: &mut SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
         sides: &[Option<[usize; 2]>],
+        lists: &mut Lists,
     ) {
+        let Lists {
+            own,
+            doubtful,
+            probes,
+            distances: along,
+        } = lists;
         let shape = fields.shape();
         for (index, (pair, numbers)) in bodies.pairs.iter().zip(sides).enumerate() {
             let Some(numbers) = numbers.filter(|_| pair.corrects_distance) else {
                 continue;
             };
-            let mut own = vec![];
+            own.clear();
             for meeting in &self.nodes {
                 for touch in meeting.touches.clone() {
                     if self.touches[touch].pair == index {
@@ -26,9 +46,9 @@ impl Meetings {
                     }
                 }
             }
-            let along = distances(fields, bodies, numbers, &own);
-            let mut doubtful = vec![];
-            for (&(node, touch, normal), distance) in own.iter().zip(along) {
+            distances(fields, bodies, numbers, own, probes, along);
+            doubtful.clear();
+            for (&(node, touch, normal), &distance) in own.iter().zip(&*along) {
                 let touching = pair.distance_along(&normal);
                 self.touches[touch].gap = distance - touching;
                 if distance < PLAUSIBLE * touching {
@@ -53,8 +73,8 @@ impl Meetings {
                     }
                 }
             }
-            let along = distances(fields, bodies, numbers, &doubtful);
-            for (&(_, touch, normal), distance) in doubtful.iter().zip(along) {
+            distances(fields, bodies, numbers, doubtful, probes, along);
+            for (&(_, touch, normal), &distance) in doubtful.iter().zip(&*along) {
                 let touch = &mut self.touches[touch];
                 let gap = distance - pair.distance_along(&normal);
                 if gap > touch.gap {
@@ -66,15 +86,18 @@ impl Meetings {
 }
 
 /// Distances of the bodies of a pair along a normal at each of some nodes: eq. (8) along one normal, so that the position
-/// of the node drops out. Each node with the index of its touch and the normal.
+/// of the node drops out.
 fn distances(
     fields: &mut SlabFields<'_, '_, '_>,
     bodies: &Bodies<'_>,
     numbers: [usize; 2],
-    at: &[(usize, usize, Vector)],
-) -> Vec<f64> {
+    at: &[At],
+    probes: &mut Vec<Probe>,
+    distances: &mut Vec<f64>,
+) {
+    distances.clear();
     if at.is_empty() {
-        return vec![];
+        return;
     }
     let shape = fields.shape();
     let search = Search {
@@ -83,14 +106,12 @@ fn distances(
         stencil: bodies.stencil,
     };
     let first = search.planes.start * shape.plane_nodes();
-    let mut distances = vec![0.0; at.len()];
+    distances.resize(at.len(), 0.0);
     for (number, sign) in numbers.into_iter().zip([1.0, -1.0]) {
-        let mut probes: Vec<Probe> = at
-            .iter()
-            .map(|&(node, _, normal)| {
-                Probe::new(node - first, shape.indices(node), normal.map(|c| sign * c))
-            })
-            .collect();
+        probes.clear();
+        probes.extend(at.iter().map(|&(node, _, normal)| {
+            Probe::new(node - first, shape.indices(node), normal.map(|c| sign * c))
+        }));
         let Some(place) = fields.place_of(number) else {
             continue;
         };
@@ -99,11 +120,10 @@ fn distances(
             &bodies.sets[face.body],
             face.interface,
             face.lines,
-            &mut probes,
+            probes,
         );
-        for (distance, probe) in distances.iter_mut().zip(probes) {
+        for (distance, probe) in distances.iter_mut().zip(&*probes) {
             *distance -= probe.reach;
         }
     }
-    distances
 }

@@ -48,6 +48,21 @@ pub(super) struct Around<const D: usize> {
     /// Bases from which a particle reaches a host, and a list of them.
     is_near: Vec<bool>,
     near: Vec<usize>,
+    /// The parts that vertices follow of the velocity gradients at hosts \[1/s\].
+    gradients: Vec<SMatrix<f64, D, D>>,
+    lists: Lists<D>,
+}
+
+/// Lists that are filled again in each step.
+#[derive(Clone, Debug, Default)]
+struct Lists<const D: usize> {
+    /// Whether each particle is near.
+    reaches: Vec<bool>,
+    of_particles: Vec<Columns<D>>,
+    of_hosts: Vec<Columns<D>>,
+    moments: Vec<SMatrix<f64, D, D>>,
+    /// Hosts whose moment is not zero.
+    is_turned: Vec<bool>,
 }
 
 /// A node that a vertex hangs on.
@@ -110,22 +125,8 @@ impl<const D: usize> Default for Around<D> {
             rows: vec![],
             is_near: vec![],
             near: vec![],
-        }
-    }
-}
-
-/// Velocity gradients at the nodes that vertices hang on (eq. 28 for the whole gradient).
-pub(super) struct NodalGradients<'a, const D: usize> {
-    slots: &'a [u32],
-    gradients: Vec<SMatrix<f64, D, D>>,
-}
-
-impl<const D: usize> NodalGradients<'_, D> {
-    /// That of a node \[1/s\]; zero where no vertex hangs on it.
-    pub(super) fn at(&self, node: usize) -> SMatrix<f64, D, D> {
-        match self.slots.get(node) {
-            Some(&slot) if slot > 0 => self.gradients[slot as usize - 1],
-            _ => SMatrix::zeros(),
+            gradients: vec![],
+            lists: Lists::default(),
         }
     }
 }
@@ -150,14 +151,15 @@ impl<const D: usize> Around<D> {
         let bases = shape.bases();
         let mapping = &body.mapping;
         let is_near = &self.is_near;
-        let reaches: Vec<bool> = team.collect(0..set.len(), |p| {
+        let reaches = |p: usize| {
             let base = base_of(&scaled::<D>(set, p, mapping), stencil, shape);
             is_near[place(base, bases)]
-        });
+        };
+        team.collect_into(0..set.len(), reaches, &false, &mut self.lists.reaches);
         // Written over where the one before was none: which are near is hard to foresee, and a branch on it would cost more.
         self.particles.resize(set.len(), 0);
         let mut count = 0;
-        for (p, &reaches) in reaches.iter().enumerate() {
+        for (p, &reaches) in self.lists.reaches.iter().enumerate() {
             self.particles[count] = p;
             count += usize::from(reaches);
         }
@@ -176,10 +178,7 @@ impl<const D: usize> Around<D> {
         };
         let share = self.share_of_thread(team);
         let parts = self.particles.chunks(share);
-        team.map(
-            parts.zip(self.reaches.chunks_mut(share)).collect(),
-            of_part,
-        );
+        team.each(parts.zip(self.reaches.chunks_mut(share)), of_part);
         self.share(set, shape, mirrors);
     }
 
@@ -285,20 +284,21 @@ impl<const D: usize> Around<D> {
         self.starts.push(self.shares.len());
     }
 
-    /// The parts that vertices follow of the velocity gradients at the nodes that they hang on, from the velocities of all
-    /// nodes.
-    pub(super) fn gradients(
-        &self,
-        lines: &[Line],
-        follow: Follow,
-        team: &Team,
-    ) -> NodalGradients<'_, D> {
+    /// Finds the parts that vertices follow of the velocity gradients at the nodes that they hang on, from the velocities of all
+    /// nodes (eq. 28 for the whole gradient).
+    pub(super) fn find_gradients(&mut self, lines: &[Line], follow: Follow, team: &Team) {
+        let mut lists = std::mem::take(&mut self.lists);
+        let Lists {
+            of_particles,
+            of_hosts,
+            ..
+        } = &mut lists;
         // Each particle by whatever thread; the sums by one, in the order of the particles.
-        let mut of_particles = vec![[[0.0; 4]; D]; self.particles.len()];
+        of_particles.resize(self.particles.len(), [[0.0; 4]; D]);
         let share = self.share_of_thread(team);
         let parts = self.reaches.chunks(share);
-        let parts = parts.zip(of_particles.chunks_mut(share)).collect();
-        team.map(parts, |(reaches, gradients)| {
+        let parts = parts.zip(of_particles.chunks_mut(share));
+        team.each(parts, |(reaches, gradients)| {
             self.lanes.run(gradient::OfParticles {
                 reaches,
                 rows: &self.rows,
@@ -307,25 +307,33 @@ impl<const D: usize> Around<D> {
                 gradients,
             });
         });
-        let mut of_hosts = vec![[[0.0; 4]; D]; self.hosts.len()];
+        of_hosts.clear();
+        of_hosts.resize(self.hosts.len(), [[0.0; 4]; D]);
         self.lanes.run(gradient::Gathered {
             around: self,
-            of_particles: &of_particles,
-            of_hosts: &mut of_hosts,
+            of_particles,
+            of_hosts,
         });
-        let found = self.hosts.iter().zip(&of_hosts);
-        NodalGradients {
-            slots: &self.slots,
-            gradients: found
-                .map(|(host, columns)| follow.part(&host.per_mass(as_matrix(columns))))
-                .collect(),
+        let found = self.hosts.iter().zip(&*of_hosts);
+        self.gradients.clear();
+        self.gradients.extend(
+            found.map(|(host, columns)| follow.part(&host.per_mass(as_matrix(columns)))),
+        );
+        self.lists = lists;
+    }
+
+    /// What was found at a node \[1/s\]; zero where no vertex hangs on it.
+    pub(super) fn gradient_at(&self, node: usize) -> SMatrix<f64, D, D> {
+        match self.slots.get(node) {
+            Some(&slot) if slot > 0 => self.gradients[slot as usize - 1],
+            _ => SMatrix::zeros(),
         }
     }
 
-    /// Adds to the forces on the nodes what turns and stretches the body: the transpose of [`Around::gradients`] and of
+    /// Adds to the forces on the nodes what turns and stretches the body: the transpose of [`Around::find_gradients`] and of
     /// what vertices take of them. `forces` are those on the vertices \[N\].
     pub(super) fn load<const N: usize>(
-        &self,
+        &mut self,
         lines: &mut [Line],
         patches: &[Patch<D, N>],
         forces: &[PointIn<D>],
@@ -337,7 +345,15 @@ impl<const D: usize> Around<D> {
             return;
         }
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
-        let mut moments = vec![SMatrix::<f64, D, D>::zeros(); self.hosts.len()];
+        let mut lists = std::mem::take(&mut self.lists);
+        let Lists {
+            of_hosts,
+            moments,
+            is_turned,
+            ..
+        } = &mut lists;
+        moments.clear();
+        moments.resize(self.hosts.len(), SMatrix::zeros());
         for (patch, force) in patches.iter().zip(forces) {
             if force.iter().all(|f| *f == 0.0) {
                 continue;
@@ -351,18 +367,22 @@ impl<const D: usize> Around<D> {
                 }
             }
         }
-        let moments: Vec<Columns<D>> = moments
-            .iter()
-            .zip(&self.hosts)
-            .map(|(moment, host)| in_columns(&host.per_mass(follow.part(moment))))
-            .collect();
+        let all = moments.iter().zip(&self.hosts);
+        of_hosts.clear();
+        of_hosts.extend(
+            all.map(|(moment, host)| in_columns(&host.per_mass(follow.part(moment)))),
+        );
+        is_turned.clear();
+        is_turned.extend(of_hosts.iter().map(|m| *m != [[0.0; 4]; D]));
         self.lanes.run(moment::Spread {
             around: self,
-            moments: &moments,
+            moments: of_hosts,
+            is_turned,
             lines,
             shape,
             mirrors,
         });
+        self.lists = lists;
     }
 }
 

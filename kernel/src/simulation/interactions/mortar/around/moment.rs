@@ -12,6 +12,8 @@ pub(super) struct Spread<'a, const D: usize> {
     pub(super) around: &'a Around<D>,
     /// Moments per mass of the hosts \[N m/kg\].
     pub(super) moments: &'a [Columns<D>],
+    /// Which of them are not zero.
+    pub(super) is_turned: &'a [bool],
     /// All nodes, to whose forces is added.
     pub(super) lines: &'a mut [Line],
     /// The grid, and what lies beyond it.
@@ -38,11 +40,11 @@ impl<const D: usize> Spread<'_, D> {
         let Self {
             around,
             moments,
+            is_turned,
             lines,
             shape,
             mirrors,
         } = self;
-        let is_turned: Vec<bool> = moments.iter().map(|m| *m != [[0.0; 4]; D]).collect();
         let starts = around.starts.windows(2);
         for (reach, range) in around.reaches.iter().zip(starts) {
             let shares = &around.shares[range[0]..range[1]];
