@@ -20,6 +20,15 @@ const PARTS_PER_THREAD: usize = 4;
 /// millisecond or more, and the next work that is shared out follows at once in most of a step.
 const PATIENCE: Duration = Duration::from_micros(200);
 
+/// How much there is to do for one of many items.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfItem {
+    /// Next to nothing.
+    Small,
+    /// A search or a system of equations.
+    Search,
+}
+
 /// Threads that work together. What they do does not depend on how many they are; one alone is the caller's, and then
 /// no other thread is ever woken.
 #[derive(Debug)]
@@ -98,85 +107,34 @@ impl Team {
         results.into_iter().flatten().collect()
     }
 
-    /// `value` of many small items; the results in order.
-    pub fn collect<R: Send>(
+    /// `value` of each item into a list that is kept, whose old content goes; where it grows it has `blank` at first.
+    pub fn fill<R: Send + Clone>(
         &self,
         items: Range<usize>,
-        value: impl Fn(usize) -> R + Send + Sync,
-    ) -> Vec<R> {
-        self.in_shares(items, SHORTEST_SHARE, value)
-    }
-
-    /// The same into a list that is kept, whose old content goes; where it grows it has `blank` at first.
-    pub fn collect_into<R: Send + Clone>(
-        &self,
-        items: Range<usize>,
+        work: OfItem,
         value: impl Fn(usize) -> R + Send + Sync,
         blank: &R,
         results: &mut Vec<R>,
     ) {
         results.resize_with(items.len(), || blank.clone());
-        self.in_shares_of(items, SHORTEST_SHARE, value, results);
-    }
-
-    /// `value` of items that each take a search or a system of equations; the results in order.
-    pub fn search<R: Send>(
-        &self,
-        items: Range<usize>,
-        value: impl Fn(usize) -> R + Send + Sync,
-    ) -> Vec<R> {
-        self.in_shares(items, SHORTEST_SHARE_OF_SEARCHES, value)
-    }
-
-    /// The same into a list that is kept, whose old content goes; where it grows it has `blank` at first.
-    pub fn search_into<R: Send + Clone>(
-        &self,
-        items: Range<usize>,
-        value: impl Fn(usize) -> R + Send + Sync,
-        blank: &R,
-        results: &mut Vec<R>,
-    ) {
-        results.resize_with(items.len(), || blank.clone());
-        self.in_shares_of(items, SHORTEST_SHARE_OF_SEARCHES, value, results);
-    }
-
-    /// How many of so many items that each take a search or a system of equations a thread is to take at once.
-    #[must_use]
-    pub fn share_of_searches(&self, items: usize) -> usize {
-        self.share(items, SHORTEST_SHARE_OF_SEARCHES)
-    }
-
-    fn share(&self, items: usize, shortest: usize) -> usize {
-        let most = (items / shortest).max(1);
-        let parts = (self.count * PARTS_PER_THREAD).min(most);
-        items.div_ceil(parts).max(1)
-    }
-
-    fn in_shares<R: Send>(
-        &self,
-        items: Range<usize>,
-        shortest: usize,
-        value: impl Fn(usize) -> R + Send + Sync,
-    ) -> Vec<R> {
-        let mut results = vec![];
-        results.resize_with(items.len(), || None);
-        self.in_shares_of(items, shortest, |item| Some(value(item)), &mut results);
-        results.into_iter().flatten().collect()
-    }
-
-    fn in_shares_of<R: Send>(
-        &self,
-        items: Range<usize>,
-        shortest: usize,
-        value: impl Fn(usize) -> R + Send + Sync,
-        results: &mut [R],
-    ) {
-        let share = self.share(items.len(), shortest);
+        let share = self.share(items.len(), work);
         self.each(results.chunks_mut(share).enumerate(), |(part, results)| {
             for (item, result) in (items.start + part * share..).zip(results) {
                 *result = value(item);
             }
         });
+    }
+
+    /// How many of so many items a thread is to take at once.
+    #[must_use]
+    pub fn share(&self, items: usize, work: OfItem) -> usize {
+        let shortest = match work {
+            OfItem::Small => SHORTEST_SHARE,
+            OfItem::Search => SHORTEST_SHARE_OF_SEARCHES,
+        };
+        let most = (items / shortest).max(1);
+        let parts = (self.count * PARTS_PER_THREAD).min(most);
+        items.div_ceil(parts).max(1)
     }
 
     /// Stable sort.

@@ -9,7 +9,7 @@ use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};
-use crate::team::Team;
+use crate::team::{OfItem, Team};
 use std::sync::Arc;
 
 /// How far positions move in a step.
@@ -204,7 +204,7 @@ impl Simulation {
                 )
             };
             let (team, values) = (&self.work.grid.team, &mut self.work.forces);
-            team.collect_into(0..set.len(), evaluate, &[0.0; 3], values);
+            team.fill(0..set.len(), OfItem::Small, evaluate, &[0.0; 3], values);
             for axis in 0..axes {
                 let mut out = std::mem::take(&mut set.columns[force + axis]);
                 let masses = &set.columns[Layout::MASS];

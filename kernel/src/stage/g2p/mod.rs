@@ -271,46 +271,28 @@ fn gather<
         }
     }
     let count = bases.count;
+    macro_rules! interpolate {
+        ($nodes:tt, $bases:tt, $on_nodes:tt, $from:expr) => {
+            interpolate::<L, D, $nodes, KICK, GRADIENT, APIC, UPPER, MOVE, $bases, $on_nodes>(
+                columns,
+                mapping,
+                &$from.reach(nodes),
+                &block,
+                at,
+                sums,
+            )
+        };
+    }
     if N == 2 && block.on_a_node::<D>() {
         // So rare that one instance has to do.
-        interpolate::<L, D, 3, KICK, GRADIENT, APIC, UPPER, MOVE, MOST, true>(
-            columns,
-            mapping,
-            &bases.before::<D>(mapping).reach(nodes),
-            &block,
-            at,
-            sums,
-        );
+        interpolate!(3, MOST, true, bases.before::<D>(mapping));
         return count;
     }
     // Instances of their own: each further base node costs another load of every node. One lane has no second.
     match bases.number {
-        n if n < 2 || L::WIDTH == 1 => {
-            interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, 1, false>(
-                columns,
-                mapping,
-                &bases.reach(nodes),
-                &block,
-                at,
-                sums,
-            );
-        }
-        2 => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, 2, false>(
-            columns,
-            mapping,
-            &bases.reach(nodes),
-            &block,
-            at,
-            sums,
-        ),
-        _ => interpolate::<L, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, MOST, false>(
-            columns,
-            mapping,
-            &bases.reach(nodes),
-            &block,
-            at,
-            sums,
-        ),
+        n if n < 2 || L::WIDTH == 1 => interpolate!(N, 1, false, bases),
+        2 => interpolate!(N, 2, false, bases),
+        _ => interpolate!(N, MOST, false, bases),
     }
     count
 }

@@ -17,7 +17,7 @@ use crate::scene::Vector;
 use crate::simulation::{Simulation, Way};
 use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
-use crate::team::Team;
+use crate::team::{OfItem, Team};
 use nalgebra::SMatrix;
 use std::sync::atomic::{self, AtomicUsize};
 
@@ -193,7 +193,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let team = &hosts.work.grid.team;
             surface.patches.resize(points.len(), Patch::NOWHERE);
             let lost = AtomicUsize::new(usize::MAX);
-            let share = team.share_of_searches(points.len());
+            let share = team.share(points.len(), OfItem::Search);
             let parts = (surface.patches.chunks_mut(share))
                 .zip(surface.velocity.chunks_mut(share))
                 .zip(surface.kick.chunks_mut(share));
@@ -454,7 +454,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                             Some(mesh) => surface.boundary.held(vertex, v * drift - mesh) + mesh,
                         }
                     };
-                    team.search_into(0..surface.patches.len(), moved, &PointIn::zeros(), &mut surface.moved);
+                    team.fill(0..surface.patches.len(), OfItem::Search, moved, &PointIn::zeros(), &mut surface.moved);
                 }
             }
             surface.advance(&way.mesh_shift);

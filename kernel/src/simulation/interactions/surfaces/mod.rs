@@ -8,6 +8,7 @@ mod reached;
 mod words;
 
 use super::Kind;
+use crate::team::OfItem;
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{SetupError, StepError, StepErrorKind};
 use crate::simulation::history::integral;
@@ -313,7 +314,7 @@ impl Simulation {
             self.surface_gap_from(near.triangles[i], place, margin)
         };
         let team = &self.work.grid.team;
-        team.search_into(0..near.particles.len(), gap, &None, gaps);
+        team.fill(0..near.particles.len(), OfItem::Search, gap, &None, gaps);
         for (i, place) in near.particles.iter().enumerate() {
             let Some(gap) = gaps[i] else {
                 continue;

@@ -1,6 +1,7 @@
 //! The particles that may touch a surface until they have moved some way, so that not all are searched for in each step.
 
 use super::gap::{half_lengths, length, velocity};
+use crate::team::OfItem;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 
@@ -109,7 +110,7 @@ impl Simulation {
             nearest.map(|nearest| nearest.triangle)
         };
         let team = &self.work.grid.team;
-        team.search_into(0..particles.len(), triangle, &None, &mut near.nearest);
+        team.fill(0..particles.len(), OfItem::Search, triangle, &None, &mut near.nearest);
         let found = (0..particles.len()).filter(|&p| near.nearest[p].is_some());
         near.by_id.clear();
         near.by_id.extend(found.map(|p| (particles.id[p], p)));

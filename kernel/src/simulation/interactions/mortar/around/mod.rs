@@ -20,7 +20,7 @@ use crate::mortar::PointIn;
 use crate::mortar::motion::Follow;
 use crate::particles::ParticleSet;
 use crate::simulation::BodyRun;
-use crate::team::Team;
+use crate::team::{OfItem, Team};
 use nalgebra::SMatrix;
 use std::array;
 use std::ops::Range;
@@ -155,7 +155,7 @@ impl<const D: usize> Around<D> {
             let base = base_of(&scaled::<D>(set, p, mapping), stencil, shape);
             is_near[place(base, bases)]
         };
-        team.collect_into(0..set.len(), reaches, &false, &mut self.lists.reaches);
+        team.fill(0..set.len(), OfItem::Small, reaches, &false, &mut self.lists.reaches);
         // Written over where the one before was none: which are near is hard to foresee, and a branch on it would cost more.
         self.particles.resize(set.len(), 0);
         let mut count = 0;
