@@ -259,11 +259,14 @@ fn widen(span: &mut Option<(u32, u32)>, low: u32, high: u32) {
 
 /// Reorders all columns: particle `order[i]` becomes particle `i`.
 fn permute(set: &mut ParticleSet, order: &[u32], spares: &mut Spares, team: &Team) {
-    let share = set.columns.len().div_ceil(team.count()).max(1);
+    // The identifiers are one column more, and those of the last share are fewest.
+    let share = (set.columns.len() + 1).div_ceil(team.count()).max(1);
     spares.columns.resize_with(team.count(), Vec::new);
+    let last = set.columns.len().div_ceil(share) - 1;
     let mut ids = Some((&mut set.id, &mut spares.ids));
     let parts = set.columns.chunks_mut(share).zip(&mut spares.columns);
-    let parts = parts.map(|part| (part, ids.take()));
+    let parts = (parts.enumerate())
+        .map(|(number, part)| (part, if number == last { ids.take() } else { None }));
     team.each(parts, |((columns, spare), ids)| {
         for column in columns {
             gather(column, order, spare);

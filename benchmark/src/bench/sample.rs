@@ -72,15 +72,18 @@ impl Work {
     /// # Errors
     /// Why the scene cannot be set up or stepped.
     pub fn sample(&self, settings: &Settings, stop: &AtomicBool) -> Result<Option<Sample>, String> {
-        let options = Options {
+        let mut options = Options {
             threads: Some(self.threads),
             lanes: settings.lanes,
             initial: self.initial.clone(),
             ..Options::default()
         };
         let resets = memory::reset_peak();
-        let start = || Simulation::new(&self.scene, &options).map_err(|e| e.to_string());
-        let mut simulation = start()?;
+        let start =
+            |options: &Options| Simulation::new(&self.scene, options).map_err(|e| e.to_string());
+        let mut simulation = start(&options)?;
+        // New threads would have to find their processors each time that the scene begins anew.
+        options.team = Some(simulation.team());
         let particles = simulation.particles();
         let steps = (settings.particle_steps / particles.max(1) as u64).clamp(3, 10_000);
         let mut timed = match self.kind {
@@ -88,7 +91,10 @@ impl Work {
                 // The first step is not like the others: velocities and positions are at the same time.
                 Timed::stage(&mut simulation, part, settings.warm_up, steps, stop)
             }
-            Kind::Steps => self.steps(&mut simulation, &start, settings.warm_up, steps, stop),
+            Kind::Steps => {
+                let start = || start(&options);
+                self.steps(&mut simulation, &start, settings.warm_up, steps, stop)
+            }
         }?;
         if stop.load(Ordering::Relaxed) {
             return Ok(None);

@@ -147,7 +147,7 @@ impl<'a> Slab<'a> {
 impl Grid {
     /// A grid without particles.
     #[must_use]
-    pub fn new(shape: GridShape, team: Team, least_share: Option<usize>) -> Self {
+    pub fn new(shape: GridShape, team: Arc<Team>, least_share: Option<usize>) -> Self {
         let slabs = std::iter::once(0..shape.nodes[0]).collect();
         Self {
             fields: vec![VelocityField {
@@ -158,7 +158,7 @@ impl Grid {
             slabs,
             joined: vec![true],
             shape,
-            team: Arc::new(team),
+            team,
             least_share: least_share.unwrap_or(LEAST_SHARE).max(1),
             sorter: Sorter::default(),
             cutting: Cutting::default(),

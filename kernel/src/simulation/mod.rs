@@ -65,6 +65,7 @@ use crate::memory::Memory;
 use crate::particles::ParticleSet;
 use crate::plan::Plan;
 use crate::scene::{Scene, Vector};
+use crate::team::Team;
 use std::fmt;
 use std::sync::Arc;
 
@@ -107,6 +108,8 @@ impl Default for InitialState {
 pub struct Options {
     /// Number of threads; else what the scene says, else one for every 8192 particles, at most all of the machine.
     pub threads: Option<usize>,
+    /// Threads that are there already, those of another simulation ([`Simulation::team`]); `threads` is of no account then.
+    pub team: Option<Arc<Team>>,
     /// Fewest particles that are worth a second thread in a step, where there are several; else 2048. No bit depends on it.
     pub least_share: Option<usize>,
     /// Lanes.
@@ -131,6 +134,7 @@ impl fmt::Debug for Options {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Options")
             .field("threads", &self.threads)
+            .field("team", &self.team.as_ref().map(|team| team.count()))
             .field("least_share", &self.least_share)
             .field("lanes", &self.lanes)
             .field("displacement", &self.displacement)

@@ -20,6 +20,7 @@ use crate::scene::{Body, BoxLoad, DomainUpdate, Scene};
 use crate::stage::Mapping;
 use crate::stage::g2p::Found;
 use crate::team::Team;
+use std::sync::Arc;
 
 /// Fewest particles that are worth a thread where none are asked for: with fewer its share of a step takes no longer than
 /// the threads wait for each other.
@@ -127,7 +128,10 @@ impl Simulation {
 }
 
 /// The threads that were asked for, else as many of the machine as there is work for.
-fn team(scene: &Scene, options: &Options, particles: usize) -> Result<Team, SetupError> {
+fn team(scene: &Scene, options: &Options, particles: usize) -> Result<Arc<Team>, SetupError> {
+    if let Some(team) = &options.team {
+        return Ok(Arc::clone(team));
+    }
     let count = match options.threads.or(scene.threads) {
         Some(0) => {
             return Err(SetupError::Threads(
@@ -146,7 +150,8 @@ fn team(scene: &Scene, options: &Options, particles: usize) -> Result<Team, Setu
             .min(particles / PARTICLES_PER_THREAD)
             .max(1),
     };
-    Team::new(count).map_err(|e| SetupError::Threads(e.to_string()))
+    let team = Team::new(count).map_err(|e| SetupError::Threads(e.to_string()))?;
+    Ok(Arc::new(team))
 }
 
 /// Particles of one body and what the cycle knows of it.

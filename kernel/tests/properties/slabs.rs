@@ -3,6 +3,7 @@
 use crate::common::{DIMENSIONS, body, cuboid, empty, options, run};
 use proctor_kernel::prelude::*;
 use proctor_kernel::scene::Dimension;
+use proctor_kernel::team::Team;
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
@@ -103,4 +104,29 @@ fn work_is_shared_evenly() {
 fn few_particles_have_one_thread() {
     assert_eq!(slabs(Dimension::Two, 15, 4, None).len(), 1);
     assert_eq!(slabs(Dimension::Two, 15, 4, Some(1)).len(), 4);
+}
+
+#[test]
+fn a_simulation_takes_the_threads_of_another() {
+    let mut scene = empty(Dimension::Two, [16; 3], 0.1);
+    scene.bodies = vec![body(1, cuboid([0.3; 3], [1.2; 3]))];
+    let new = |team: Option<Arc<Team>>, threads: usize| {
+        let all = Options {
+            threads: Some(threads),
+            least_share: Some(1),
+            team,
+            ..options()
+        };
+        let mut simulation = Simulation::new(&scene, &all).expect("a sound scene");
+        run(&mut simulation, 3);
+        simulation
+    };
+    let first = new(None, 3);
+    let second = new(Some(first.team()), 1);
+    assert!(Arc::ptr_eq(&first.team(), &second.team()));
+    assert_eq!(second.threads(), 3);
+    let hash = first.state_hash();
+    // Threads live as long as a simulation that has them.
+    drop(first);
+    assert_eq!(new(Some(second.team()), 1).state_hash(), hash);
 }

@@ -99,7 +99,7 @@ fn add_rows<
     nodes: &mut [Line],
     j: usize,
 ) {
-    let fast = D - 1;
+    let (middle, fast) = (D - 2, D - 1);
     // The lower lanes have derivatives (distances, that is) of affine velocity only.
     let derivative = GRADIENT && (FULL || PART != LOWER);
     let lanes = match PART {
@@ -107,7 +107,6 @@ fn add_rows<
         UPPER => 4..8,
         _ => 0..8,
     };
-    let products = scratch.products::<D>(below.plane);
     let first = below.first + (j - below.rows.start) * below.row_length;
     let mut sums = [[L::splat(0.0); N]; ROWS];
     for r in 0..ROWS {
@@ -117,41 +116,26 @@ fn add_rows<
         }
     }
     for p in below.run.clone() {
-        let lines = &scratch.lines[p];
-        let by_weight = L::load(&lines[0][lanes.clone()]);
+        let [by_weight, by_middle, by_fast] =
+            in_plane::<L, D, N, FULL, GRADIENT, PART>(scratch, below.plane, p);
         for r in 0..ROWS {
-            let (ww, gw) = (products.ww[j + r][p], products.gw[j + r][p]);
-            let mut s = if derivative && !FULL {
-                halves::<L, PART>(ww, gw) * by_weight
+            let w = scratch.w[middle][j + r][p];
+            let mut s = if D == 2 && GRADIENT && !FULL {
+                halves::<L, PART>(w, scratch.g[middle][j + r][p]) * by_weight
             } else {
-                L::splat(ww) * by_weight
+                L::splat(w) * by_weight
             };
-            if FULL {
-                let along = L::load(&lines[1][lanes.clone()]);
-                s = halves::<L, PART>(products.qw[j + r][p], gw).mul_add(along, s);
-            }
-            if derivative && D == 3 {
-                let along = L::load(&lines[2][lanes.clone()]);
-                let wg = products.wg[j + r][p];
-                let factor = if FULL {
-                    halves::<L, PART>(products.wq[j + r][p], wg)
-                } else {
-                    L::splat(wg)
-                };
-                s = factor.mul_add(along, s);
+            if derivative && (FULL || D == 3) {
+                let factor = along::<L, N, FULL, PART>(scratch, middle, j + r, p);
+                s = factor.mul_add(by_middle, s);
             }
             for k in 0..N {
                 sums[r][k] = L::splat(scratch.w[fast][k][p]).mul_add(s, sums[r][k]);
             }
             if derivative {
-                let t = L::splat(ww) * L::load(&lines[3][lanes.clone()]);
+                let t = L::splat(w) * by_fast;
                 for k in 0..N {
-                    let g = scratch.g[fast][k][p];
-                    let factor = if FULL {
-                        halves::<L, PART>(scratch.q[fast][k][p], g)
-                    } else {
-                        L::splat(g)
-                    };
+                    let factor = along::<L, N, FULL, PART>(scratch, fast, k, p);
                     sums[r][k] = factor.mul_add(t, sums[r][k]);
                 }
             }
@@ -162,6 +146,59 @@ fn add_rows<
         for k in 0..N {
             sums[r][k].store(&mut row[k][lanes.clone()]);
         }
+    }
+}
+
+/// What a particle adds to a plane of the stencil: the lines that go with the weights of rows, with their derivatives, and with
+/// their weights and the derivative along them. In the plane rows lie along the slow axis, and without affine terms its
+/// line is the first.
+#[inline(always)]
+fn in_plane<
+    L: Lanes,
+    const D: usize,
+    const N: usize,
+    const FULL: bool,
+    const GRADIENT: bool,
+    const PART: u8,
+>(
+    scratch: &Scratch<N>,
+    plane: usize,
+    p: usize,
+) -> [L; 3] {
+    let first = if PART == UPPER { 4 } else { 0 };
+    let mut lines = [L::splat(0.0); 4];
+    for number in 0..4 {
+        lines[number] = L::load(&scratch.lines[p][number][first..]);
+    }
+    if D == 2 {
+        return [lines[0], lines[1], lines[3]];
+    }
+    let weight = scratch.w[0][plane][p];
+    let w = L::splat(weight);
+    let by_weight = if FULL {
+        along::<L, N, FULL, PART>(scratch, 0, plane, p).mul_add(lines[1], w * lines[0])
+    } else if GRADIENT {
+        halves::<L, PART>(weight, scratch.g[0][plane][p]) * lines[0]
+    } else {
+        w * lines[0]
+    };
+    [by_weight, w * lines[2], w * lines[3]]
+}
+
+/// Derivative of the weight of a node along an axis; with affine terms in the upper lanes, and distance times weight in the
+/// lower ones.
+#[inline(always)]
+fn along<L: Lanes, const N: usize, const FULL: bool, const PART: u8>(
+    scratch: &Scratch<N>,
+    axis: usize,
+    node: usize,
+    p: usize,
+) -> L {
+    let g = scratch.g[axis][node][p];
+    if FULL {
+        halves::<L, PART>(scratch.q[axis][node][p], g)
+    } else {
+        L::splat(g)
     }
 }
 

@@ -174,12 +174,7 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
                     // So rare that what it needs is not kept.
                     let mut wider = Scratch::<3>::new();
                     onto.add::<B, D, 3, FULL, GRADIENT, EXTRA, true>(
-                        &from,
-                        &block,
-                        &runs,
-                        at,
-                        &mut wider,
-                        &mut counted,
+                        &from, &block, &runs, at, &mut wider,
                     );
                 } else {
                     onto.add::<B, D, N, FULL, GRADIENT, EXTRA, false>(
@@ -188,12 +183,14 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
                         &runs,
                         at,
                         &mut scratch,
-                        &mut counted,
                     );
+                }
+                if own_layer {
+                    counted.add(&runs);
                 }
                 at += block.count;
             }
-            groups += counted.groups() * usize::from(own_layer);
+            groups += counted.groups();
         }
         groups
     }
@@ -206,7 +203,7 @@ struct Onto<'a> {
 }
 
 impl Onto<'_> {
-    /// Adds a block that begins at particle `at`, and counts its runs; with `ON_NODES` the first node of the stencil is that before the base node.
+    /// Adds a block that begins at particle `at`; with `ON_NODES` the first node of the stencil is that before the base node.
     #[inline(always)]
     fn add<
         B: Backend,
@@ -223,25 +220,21 @@ impl Onto<'_> {
         runs: &Runs,
         at: usize,
         scratch: &mut Scratch<N>,
-        counted: &mut Counted,
     ) {
         let Self { planes, nodes } = self;
         let mapping = from.mapping;
-        if runs.reach::<D, N, ON_NODES>(planes) {
-            scratch.fill_weights::<B::Line, D, FULL, GRADIENT, ON_NODES>(from, block, at);
-            if EXTRA == MEAN_STRESS && from.carry == (Carry::MeanStress { averaged: true }) {
-                scratch.take_cell_means::<B::Line, D>();
-            }
-            scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(from, at, block.count);
-            if D == 3 {
-                scratch.multiply::<B::Line, FULL, GRADIENT>();
-            }
+        if !runs.reach::<D, N, ON_NODES>(planes) {
+            return;
         }
+        scratch.fill_weights::<B::Line, D, FULL, GRADIENT, ON_NODES>(from, block, at);
+        if EXTRA == MEAN_STRESS && from.carry == (Carry::MeanStress { averaged: true }) {
+            scratch.take_cell_means::<B::Line, D>();
+        }
+        scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(from, at, block.count);
         let mut first = 0;
         while first < block.count {
             let run = runs.from(first);
             first = run.end;
-            counted.add(runs.index(run.start), run.len());
             let [first_plane, row, along] = runs.base::<D, ON_NODES>(run.start);
             let own = first_plane.max(planes.start)..(first_plane + N).min(planes.end);
             if own.start >= own.end {

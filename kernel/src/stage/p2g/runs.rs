@@ -43,12 +43,6 @@ impl Runs {
         first..(first + more + 1).min(self.count)
     }
 
-    /// Number of the base node of a particle, of which two are the same where their base nodes are.
-    #[inline(always)]
-    pub(super) fn index(&self, particle: usize) -> f64 {
-        self.index[particle]
-    }
-
     /// Plane, row and place in the row of the base node of a particle, with `BEFORE` of the node before it along each axis;
     /// there are no rows in the plane.
     #[inline(always)]
@@ -82,15 +76,25 @@ pub(super) struct Counted {
 }
 
 impl Counted {
-    /// Adds a run, or a part of one.
+    /// Adds the runs of a block, which are no longer than a group: only the first may go on with the run before it, and
+    /// only the last may go on behind the block.
     #[inline(always)]
-    pub(super) fn add(&mut self, index: f64, length: usize) {
-        if index == self.index {
-            self.length += length;
+    pub(super) fn add(&mut self, runs: &Runs) {
+        let first = runs.from(0).len();
+        if runs.index[0] == self.index {
+            self.length += first;
         } else {
             self.groups += self.length.div_ceil(8);
-            (self.index, self.length) = (index, length);
+            (self.index, self.length) = (runs.index[0], first);
         }
+        if first == runs.count {
+            return;
+        }
+        // Bit i is set where particle i + 1 begins a run.
+        let begins = !runs.goes_on & ((1 << (runs.count - 1)) - 1);
+        let last = (u32::BITS - begins.leading_zeros()) as usize;
+        self.groups += self.length.div_ceil(8) + begins.count_ones() as usize - 1;
+        (self.index, self.length) = (runs.index[last], runs.count - last);
     }
 
     /// All of them.

@@ -31,29 +31,9 @@ pub(super) struct Scratch<const N: usize> {
     pub g: [[[f64; 8]; N]; 3],
     /// Weights times distance in cells, for the affine term.
     pub q: [[[f64; 8]; N]; 3],
-    /// Products over slow and middle axis in space, `[plane][row][particle]`: weight and weight, derivative along the slow and
-    /// along the middle axis, and the same with distances.
-    ww: [[[f64; 8]; N]; N],
-    gw: [[[f64; 8]; N]; N],
-    wg: [[[f64; 8]; N]; N],
-    qw: [[[f64; 8]; N]; N],
-    wq: [[[f64; 8]; N]; N],
     /// Per particle: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and
     /// distance (lower lanes) along each axis.
     pub lines: [[[f64; 8]; 4]; 8],
-}
-
-/// Factors of rows, `[row][particle]`.
-pub(super) struct Products<'a, const N: usize> {
-    /// Weight, in space that of the slow times that of the middle axis.
-    pub ww: &'a [[f64; 8]; N],
-    /// The same with the derivative along the slow axis.
-    pub gw: &'a [[f64; 8]; N],
-    /// The same with the derivative along the middle axis, in space alone.
-    pub wg: &'a [[f64; 8]; N],
-    /// The same with the distance along the slow axis, and along the middle one.
-    pub qw: &'a [[f64; 8]; N],
-    pub wq: &'a [[f64; 8]; N],
 }
 
 impl<const N: usize> Scratch<N> {
@@ -63,11 +43,6 @@ impl<const N: usize> Scratch<N> {
             w: [[[0.0; 8]; N]; 3],
             g: [[[0.0; 8]; N]; 3],
             q: [[[0.0; 8]; N]; 3],
-            ww: [[[0.0; 8]; N]; N],
-            gw: [[[0.0; 8]; N]; N],
-            wg: [[[0.0; 8]; N]; N],
-            qw: [[[0.0; 8]; N]; N],
-            wq: [[[0.0; 8]; N]; N],
             lines: [[[0.0; 8]; 4]; 8],
         }
     }
@@ -119,42 +94,6 @@ impl<const N: usize> Scratch<N> {
                 means[n].store(&mut self.w[axis][n]);
             }
         }
-    }
-
-    /// Products over slow and middle axis, in space.
-    #[inline(always)]
-    pub(super) fn multiply<L: Lanes, const FULL: bool, const GRADIENT: bool>(&mut self) {
-        for i in 0..N {
-            let (w_0, g_0, q_0) = (
-                L::load(&self.w[0][i]),
-                L::load(&self.g[0][i]),
-                L::load(&self.q[0][i]),
-            );
-            for j in 0..N {
-                let w_1 = L::load(&self.w[1][j]);
-                (w_0 * w_1).store(&mut self.ww[i][j]);
-                if GRADIENT {
-                    (g_0 * w_1).store(&mut self.gw[i][j]);
-                    (w_0 * L::load(&self.g[1][j])).store(&mut self.wg[i][j]);
-                }
-                if FULL {
-                    (q_0 * w_1).store(&mut self.qw[i][j]);
-                    (w_0 * L::load(&self.q[1][j])).store(&mut self.wq[i][j]);
-                }
-            }
-        }
-    }
-
-    /// The factors of rows: in space of one plane of the stencil, in the plane of all rows.
-    #[inline(always)]
-    pub(super) fn products<const D: usize>(&self, plane: usize) -> Products<'_, N> {
-        let (ww, gw, qw) = if D == 2 {
-            (&self.w[0], &self.g[0], &self.q[0])
-        } else {
-            (&self.ww[plane], &self.gw[plane], &self.qw[plane])
-        };
-        let (wg, wq) = (&self.wg[plane], &self.wq[plane]);
-        Products { ww, gw, wg, qw, wq }
     }
 
     /// Quantities of `count` particles from `at`: formed with lanes = particles, four at a time, and turned to
