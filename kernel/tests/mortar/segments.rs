@@ -24,7 +24,7 @@ fn points(slave: &Boundary, master: &Boundary, detection: Detection) -> Vec<Mort
         detection,
         SEARCH,
     );
-    found.points
+    found.iter().copied().collect()
 }
 
 fn covered(points: &[MortarPoint<2>]) -> f64 {
@@ -176,7 +176,7 @@ fn threads_find_the_same_points() {
             Detection::Mortar,
             SEARCH,
         );
-        found.points
+        found.iter().copied().collect::<Vec<_>>()
     };
     let one = found(1);
     assert!(one.len() > 700, "{}", one.len());

@@ -45,14 +45,29 @@ impl<const D: usize> Bounds<D> {
 pub struct Near<const D: usize> {
     /// Element of the slave and element of the master, ascending.
     pub pairs: Vec<[usize; 2]>,
-    slaves: Vec<(usize, Bounds<D>)>,
-    masters: Vec<(usize, Bounds<D>)>,
+    /// Elements of the slave near the master, ascending, and those of the master near them, along an axis.
+    slaves: Vec<Boxed<D>>,
+    masters: Vec<Boxed<D>>,
+    axis: usize,
+    /// Longest extent of a box of the master along the axis \[m\].
+    widest: f64,
 }
+
+/// An element in its box.
+pub type Boxed<const D: usize> = (usize, Bounds<D>);
 
 impl<const D: usize> Near<D> {
     /// Finds the elements of the slave and those of the master that come within `reach` \[m\] of their box.
     pub fn find<B: Elements<D, T>, const T: usize>(&mut self, slave: &B, master: &B, reach: f64) {
-        self.pairs.clear();
+        self.look(slave, master, reach);
+        let mut pairs = std::mem::take(&mut self.pairs);
+        pairs.clear();
+        self.pairs_of(&self.slaves, &mut pairs);
+        self.pairs = pairs;
+    }
+
+    /// Finds which elements may have a partner, those of the slave in order.
+    pub fn look<B: Elements<D, T>, const T: usize>(&mut self, slave: &B, master: &B, reach: f64) {
         let all = Bounds::around(master.points(), reach);
         let mut region = Bounds::<D>::around([], 0.0);
         self.slaves.clear();
@@ -84,41 +99,39 @@ impl<const D: usize> Near<D> {
                 .total_cmp(&b.1.lower[axis])
                 .then(a.0.cmp(&b.0))
         });
-        let widest = self
-            .masters
-            .iter()
-            .map(|(_, b)| b.upper[axis] - b.lower[axis])
-            .fold(0.0, f64::max);
-        for (s, bounds) in &self.slaves {
+        let extents = self.masters.iter();
+        let extents = extents.map(|(_, b)| b.upper[axis] - b.lower[axis]);
+        (self.axis, self.widest) = (axis, extents.fold(0.0, f64::max));
+    }
+
+    /// The elements of the slave that [`Near::look`] found.
+    #[must_use]
+    pub fn slaves(&self) -> &[Boxed<D>] {
+        &self.slaves
+    }
+
+    /// Adds the pairs of some of these.
+    pub fn pairs_of(&self, slaves: &[Boxed<D>], pairs: &mut Vec<[usize; 2]>) {
+        let (axis, widest) = (self.axis, self.widest);
+        for (s, bounds) in slaves {
             let first = self
                 .masters
                 .partition_point(|(_, b)| b.lower[axis] < bounds.lower[axis] - widest);
-            let own = self.pairs.len();
-            self.pairs.extend(
+            let own = pairs.len();
+            pairs.extend(
                 self.masters[first..]
                     .iter()
                     .take_while(|(_, b)| b.lower[axis] <= bounds.upper[axis])
                     .filter(|(_, b)| b.overlaps(bounds))
                     .map(|(m, _)| [*s, *m]),
             );
-            self.pairs[own..].sort_unstable();
+            pairs[own..].sort_unstable();
         }
     }
 
     /// The pairs of each element of the slave that has any.
     pub fn by_slave(&self) -> impl Iterator<Item = &[[usize; 2]]> {
         by_slave(&self.pairs)
-    }
-
-    /// All pairs in order, `share` at a time or a few more, so that those of an element of the slave are together.
-    pub fn in_shares(&self, share: usize) -> impl Iterator<Item = &[[usize; 2]]> {
-        let mut rest = &self.pairs[..];
-        std::iter::from_fn(move || {
-            let last = rest.get(share.min(rest.len()).checked_sub(1)?)?[0];
-            let (own, behind) = rest.split_at(rest.partition_point(|pair| pair[0] <= last));
-            rest = behind;
-            Some(own)
-        })
     }
 }
 
@@ -131,7 +144,7 @@ pub fn by_slave(pairs: &[[usize; 2]]) -> impl Iterator<Item = &[[usize; 2]]> {
 fn boxes<const D: usize, const T: usize>(
     boundary: &impl Elements<D, T>,
     margin: f64,
-) -> impl Iterator<Item = (usize, Bounds<D>)> {
+) -> impl Iterator<Item = Boxed<D>> {
     let points = boundary.points();
     let margin = PointIn::repeat(margin);
     boundary

@@ -190,7 +190,7 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
 /// Gap, pressure and friction at the slave's sites (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
 /// f_m = M^T lambda (eq. 54, 55).
 ///
-/// The threads of `team` share the search; sums are formed by one, in the order of the points. The slip of a site is
+/// The threads of `team` share the search and what is found at each point; sums are formed by one, in the order of the points. The slip of a site is
 /// forgotten where there is no pressure.
 pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     forces: &mut PairForces<D, T>,
@@ -211,11 +211,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     } = work;
     slave.normals_to(normals);
     found.find(team, slave, normals, master, law.detection, law.search);
-    let points = &found.points;
-
-    rows.clear();
-    rows.resize(count, Row::empty());
-    for point in points {
+    found.compare(team, |point| {
         let apart = point.on_master(master.points()) - point.on_slave(slave.points());
         let moved = point.on_slave(surfaces.slave_moved) - point.on_master(surfaces.master_moved);
         let speed =
@@ -223,6 +219,12 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         let kick = surfaces.ahead.map_or(PointIn::zeros(), |ahead| {
             point.on_slave(ahead.slave_kick) - point.on_master(ahead.master_kick)
         });
+        [apart, moved, speed, kick]
+    });
+
+    rows.clear();
+    rows.resize(count, Row::empty());
+    for (point, [apart, moved, speed, kick]) in found.compared() {
         for (k, (_, share)) in point.sites.into_iter().zip(point.slave) {
             let (row, w) = (&mut rows[k], share * point.weight);
             row.measure += w;
@@ -284,7 +286,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
         });
     }
 
-    for point in points {
+    for point in found.iter() {
         let (mut traction, mut stiffness) = (PointIn::zeros(), 0.0);
         for (k, (_, share)) in point.sites.into_iter().zip(point.slave) {
             traction += point.weight * share * rows[k].lambda;

@@ -84,20 +84,22 @@ fn interpolate<const D: usize>(on: &[(usize, f64); D], values: &[PointIn<D>]) ->
 /// The points of a pair of boundaries. Kept from step to step for its memory alone.
 #[derive(Clone, Debug, Default)]
 pub struct MortarPoints<const D: usize> {
-    /// The points, in order along the slave.
-    pub points: Vec<MortarPoint<D>>,
     near: Near<D>,
-    cuts: Cuts,
-    /// What threads find, each at a time.
+    /// What threads found, each at a time, along the slave.
     shares: Vec<Share<D>>,
 }
 
 /// Points of some elements of the slave.
 #[derive(Clone, Debug, Default)]
 struct Share<const D: usize> {
+    pairs: Vec<[usize; 2]>,
     cuts: Cuts,
     points: Vec<MortarPoint<D>>,
+    apart: Vec<Apart<D>>,
 }
+
+/// How far master and slave are apart at a point, and similar differences.
+pub type Apart<const D: usize> = [PointIn<D>; 4];
 
 /// What one element is cut into, while its points are found: memory alone.
 #[derive(Clone, Debug, Default)]
@@ -120,41 +122,59 @@ impl<const D: usize> MortarPoints<D> {
         detection: Detection,
         search: Search,
     ) {
-        let Self {
-            points,
-            near,
-            cuts,
-            shares,
-        } = self;
-        points.clear();
-        near.find(slave, master, search.margin());
-        match detection {
-            Detection::Mortar if team.count() == 1 => {
-                for pairs in near.by_slave() {
-                    slave.points_of_element(normals, master, pairs, search, cuts, points);
-                }
-            }
-            Detection::Mortar => {
-                let share = SHORTEST_SHARE.max(near.pairs.len() / (4 * team.count()));
-                // A share takes what is asked for at least.
-                shares.resize_with(near.pairs.len().div_ceil(share), Share::default);
-                for share in &mut *shares {
-                    share.points.clear();
-                }
-                let parts = near.in_shares(share).zip(&mut *shares);
-                team.each(parts, |(pairs, Share { cuts, points })| {
-                    for pairs in by_slave(pairs) {
-                        slave.points_of_element(normals, master, pairs, search, cuts, points);
-                    }
-                });
-                // In the order of the elements, whoever found them.
-                for share in shares {
-                    points.extend_from_slice(&share.points);
-                }
-            }
-            Detection::NodeToSegment => {
-                slave.points_of_vertices(normals, master, near, search, points);
-            }
+        let Self { near, shares } = self;
+        for share in &mut *shares {
+            share.points.clear();
         }
+        if detection == Detection::NodeToSegment {
+            near.find(slave, master, search.margin());
+            shares.resize_with(shares.len().max(1), Share::default);
+            return slave.points_of_vertices(normals, master, near, search, &mut shares[0].points);
+        }
+        near.look(slave, master, search.margin());
+        let near = &*near;
+        let slaves = near.slaves();
+        let share = match team.count() {
+            1 => slaves.len().max(1),
+            threads => slaves.len().div_ceil(4 * threads).max(SHORTEST_SHARE),
+        };
+        let count = slaves.len().div_ceil(share);
+        shares.resize_with(shares.len().max(count), Share::default);
+        team.each(slaves.chunks(share).zip(shares), |(slaves, share)| {
+            let Share {
+                pairs,
+                cuts,
+                points,
+                ..
+            } = share;
+            pairs.clear();
+            near.pairs_of(slaves, pairs);
+            for pairs in by_slave(pairs) {
+                slave.points_of_element(normals, master, pairs, search, cuts, points);
+            }
+        });
+    }
+
+    /// The points, in order along the slave, whoever found them.
+    pub fn iter(&self) -> impl Iterator<Item = &MortarPoint<D>> {
+        self.shares.iter().flat_map(|share| &share.points)
+    }
+
+    /// Finds differences at each point, shared among the threads.
+    pub fn compare(
+        &mut self,
+        team: &Team,
+        differences: impl Fn(&MortarPoint<D>) -> Apart<D> + Send + Sync,
+    ) {
+        team.each(self.shares.iter_mut(), |share| {
+            share.apart.clear();
+            share.apart.extend(share.points.iter().map(&differences));
+        });
+    }
+
+    /// The points with what was found at each.
+    pub fn compared(&self) -> impl Iterator<Item = (&MortarPoint<D>, &Apart<D>)> {
+        let shares = self.shares.iter();
+        shares.flat_map(|share| share.points.iter().zip(&share.apart))
     }
 }

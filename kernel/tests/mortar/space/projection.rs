@@ -23,7 +23,7 @@ fn points(slave: &Facets, master: &Facets, detection: Detection) -> Vec<MortarPo
         detection,
         SEARCH,
     );
-    found.points
+    found.iter().copied().collect()
 }
 
 fn covered(points: &[MortarPoint<3>]) -> f64 {

@@ -77,9 +77,8 @@ impl<const D: usize> Kernel for Gathered<'_, D> {
 
     #[inline(always)]
     fn run<B: Backend>(self) {
-        let starts = self.around.starts.windows(2);
-        for (gradient, range) in self.of_particles.iter().zip(starts) {
-            for share in &self.around.shares[range[0]..range[1]] {
+        for (gradient, shares) in self.of_particles.iter().zip(self.around.shares()) {
+            for share in shares {
                 let mass = B::Half::splat(share.mass);
                 let image;
                 let mut from = gradient;

@@ -39,9 +39,8 @@ pub(super) struct Around<const D: usize> {
     /// Particles near the boundary, as numbered in their set, and what they have on their stencils.
     particles: Vec<usize>,
     reaches: Vec<Reach<D>>,
-    /// What particles give to hosts, one particle after the other, and where that of each begins and that of the last ends.
-    shares: Vec<Share>,
-    starts: Vec<usize>,
+    /// What they give to hosts, by as many of them as a thread takes at once.
+    given: Vec<Given>,
     /// Nodes of the stencil, and the first of each of its rows.
     stencil: Vec<StencilNode<D>>,
     rows: Vec<StencilNode<D>>,
@@ -85,6 +84,14 @@ struct Share {
     mass: f64,
 }
 
+/// What some particles give to hosts, one particle after the other.
+#[derive(Clone, Debug, Default)]
+struct Given {
+    shares: Vec<Share>,
+    /// Where that of each particle begins, and that of the last ends.
+    starts: Vec<usize>,
+}
+
 /// Columns of a matrix, each half a line: a vector and lanes that mean nothing.
 type Columns<const D: usize> = [[f64; 4]; D];
 
@@ -119,8 +126,7 @@ impl<const D: usize> Default for Around<D> {
             hosts: vec![],
             particles: vec![],
             reaches: vec![],
-            shares: vec![],
-            starts: vec![],
+            given: vec![],
             stencil: vec![],
             rows: vec![],
             is_near: vec![],
@@ -165,7 +171,16 @@ impl<const D: usize> Around<D> {
         }
         self.particles.truncate(count);
         self.reaches.resize(self.particles.len(), Reach::NOWHERE);
-        let of_part = |(particles, found)| {
+        let share = self.share_of_thread(team);
+        let mut given = std::mem::take(&mut self.given);
+        let mut reaches = std::mem::take(&mut self.reaches);
+        let parts = self.particles.len().div_ceil(share);
+        given.resize_with(given.len().max(parts), Given::default);
+        for given in &mut given {
+            given.clear();
+        }
+        let parts = self.particles.chunks(share).zip(reaches.chunks_mut(share));
+        team.each(parts.zip(&mut given), |((particles, found), given)| {
             lanes.run(Reaches {
                 particles,
                 set,
@@ -175,11 +190,22 @@ impl<const D: usize> Around<D> {
                 stencil,
                 found,
             });
-        };
-        let share = self.share_of_thread(team);
-        let parts = self.particles.chunks(share);
-        team.each(parts.zip(self.reaches.chunks_mut(share)), of_part);
-        self.share(set, shape, mirrors);
+            for (&p, reach) in particles.iter().zip(&*found) {
+                given.add(self, reach, set.columns[Layout::MASS][p], (shape, mirrors));
+            }
+        });
+        for share in given.iter().flat_map(|given| &given.shares) {
+            self.hosts[share.host as usize].mass += share.mass;
+        }
+        (self.given, self.reaches) = (given, reaches);
+    }
+
+    /// What each particle gives to hosts.
+    fn shares(&self) -> impl Iterator<Item = &[Share]> {
+        self.given.iter().flat_map(|given| {
+            let starts = given.starts.windows(2);
+            starts.map(|range| &given.shares[range[0]..range[1]])
+        })
     }
 
     /// How many particles a thread takes at once.
@@ -238,50 +264,6 @@ impl<const D: usize> Around<D> {
                 self.slots[node] = self.hosts.len() as u32;
             }
         }
-    }
-
-    /// What each particle gives to hosts, one after the other.
-    fn share(&mut self, set: &ParticleSet, shape: &GridShape, mirrors: &Mirrors) {
-        self.shares.clear();
-        self.starts.clear();
-        let row_length = self.stencil.len() / self.rows.len();
-        for (&p, reach) in self.particles.iter().zip(&self.reaches) {
-            self.starts.push(self.shares.len());
-            let m_p = set.columns[Layout::MASS][p];
-            // Written over where the one before was none, as above.
-            let mut found = [Share::default(); 64];
-            let mut count = 0;
-            let mut give = |weight: f64, inside: usize, image: u32| {
-                let slot = self.slots[inside];
-                found[count] = Share {
-                    host: slot.wrapping_sub(1),
-                    image,
-                    mass: weight * m_p,
-                };
-                count += usize::from(slot > 0) & usize::from(weight != 0.0);
-            };
-            if reach.mirrored {
-                for node in &self.stencil {
-                    let (inside, sides) = reach.inside(node, shape, mirrors);
-                    let in_axis = |axis: usize| u32::from(sides[axis] < 0.0) << axis;
-                    give(reach.weight(node), inside, (0..D).map(in_axis).sum());
-                }
-            } else {
-                let along = &reach.along_row().0[..row_length];
-                for row in &self.rows {
-                    let (across, _) = reach.across_row(row);
-                    let first = reach.node(row);
-                    for (k, w) in along.iter().enumerate() {
-                        give(across * w, first + k, 0);
-                    }
-                }
-            }
-            for share in &found[..count] {
-                self.hosts[share.host as usize].mass += share.mass;
-            }
-            self.shares.extend_from_slice(&found[..count]);
-        }
-        self.starts.push(self.shares.len());
     }
 
     /// Finds the parts that vertices follow of the velocity gradients at the nodes that they hang on, from the velocities of all
@@ -383,6 +365,55 @@ impl<const D: usize> Around<D> {
             mirrors,
         });
         self.lists = lists;
+    }
+}
+
+impl Given {
+    fn clear(&mut self) {
+        self.shares.clear();
+        self.starts.clear();
+        self.starts.push(0);
+    }
+
+    /// Adds what a particle gives to the hosts that it reaches.
+    fn add<const D: usize>(
+        &mut self,
+        around: &Around<D>,
+        reach: &Reach<D>,
+        m_p: f64,
+        (shape, mirrors): (&GridShape, &Mirrors),
+    ) {
+        // Written over where the one before was none, as above.
+        let mut found = [Share::default(); 64];
+        let mut count = 0;
+        let mut give = |weight: f64, inside: usize, image: u32| {
+            let slot = around.slots[inside];
+            found[count] = Share {
+                host: slot.wrapping_sub(1),
+                image,
+                mass: weight * m_p,
+            };
+            count += usize::from(slot > 0) & usize::from(weight != 0.0);
+        };
+        if reach.mirrored {
+            for node in &around.stencil {
+                let (inside, sides) = reach.inside(node, shape, mirrors);
+                let in_axis = |axis: usize| u32::from(sides[axis] < 0.0) << axis;
+                give(reach.weight(node), inside, (0..D).map(in_axis).sum());
+            }
+        } else {
+            let row_length = around.stencil.len() / around.rows.len();
+            let along = &reach.along_row().0[..row_length];
+            for row in &around.rows {
+                let (across, _) = reach.across_row(row);
+                let first = reach.node(row);
+                for (k, w) in along.iter().enumerate() {
+                    give(across * w, first + k, 0);
+                }
+            }
+        }
+        self.shares.extend_from_slice(&found[..count]);
+        self.starts.push(self.shares.len());
     }
 }
 

@@ -45,9 +45,7 @@ impl<const D: usize> Spread<'_, D> {
             shape,
             mirrors,
         } = self;
-        let starts = around.starts.windows(2);
-        for (reach, range) in around.reaches.iter().zip(starts) {
-            let shares = &around.shares[range[0]..range[1]];
+        for (reach, shares) in around.reaches.iter().zip(around.shares()) {
             let mut any = false;
             for share in shares {
                 any |= is_turned[share.host as usize];
