@@ -1,9 +1,9 @@
 //! Equal bits of contact of every kind: whatever the number of threads and the lanes.
 
-use crate::common::{lanes, options};
+use crate::common::{SCHEMES, TRANSFERS, WEIGHTINGS, lanes, options};
 use crate::touching::{Touching, touching};
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::scene::Vector;
+use proctor_kernel::scene::{StressScheme, Vector};
 use proctor_kernel::simulation::{Options, Simulation};
 
 /// Numbers of threads; a machine need not have so many cores.
@@ -49,4 +49,36 @@ fn threads_and_lanes_change_no_bit_of_contact() {
             }
         }
     }
+}
+
+/// One scene of each kind, with every weighting function, scheme and transfer that it accepts.
+#[test]
+fn threads_and_lanes_change_no_bit_of_contact_whatever_the_method() {
+    let lanes = lanes();
+    let mut compared = 0;
+    let kinds = touching().into_iter();
+    for mut touching in kinds.filter(|one| one.scene.scheme == StressScheme::Usl) {
+        for (w, weighting) in WEIGHTINGS.into_iter().enumerate() {
+            for (s, scheme) in SCHEMES.into_iter().enumerate() {
+                for (t, transfer) in TRANSFERS.into_iter().enumerate() {
+                    let scene = &mut touching.scene;
+                    (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, transfer);
+                    if scene.check().is_err() {
+                        continue;
+                    }
+                    compared += 1;
+                    // Lanes and threads in turn, so that each meets each.
+                    let expected = result(&touching, 1, lanes[(w + s) % lanes.len()]);
+                    let choice = lanes[(w + s + t + 1) % lanes.len()];
+                    let threads = [2, 3, 5][(w + t) % 3];
+                    assert!(
+                        result(&touching, threads, choice) == expected,
+                        "{}: {weighting:?} {scheme:?} {transfer:?}: {threads} threads, {choice:?}",
+                        touching.name
+                    );
+                }
+            }
+        }
+    }
+    assert!(compared > 300, "{compared}");
 }
