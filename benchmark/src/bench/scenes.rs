@@ -76,6 +76,11 @@ pub const BUILT_IN: &[BuiltIn] = &[
         disordered,
     ),
     built_in(
+        "wide",
+        "the moving block, its particles a little wider than a cell",
+        wide,
+    ),
+    built_in(
         "sheared",
         "a block on a fixed base, sheared by its weight sideways",
         sheared,
@@ -252,6 +257,31 @@ impl Block {
     }
 }
 
+impl Block {
+    /// Particles of a list, as wide as that: the lattice, each coordinate moved by some of its distances, and sheared along the
+    /// first axis by `shear` per height.
+    fn particles(&self, width: f64, shear: f64, mut jitter: impl FnMut() -> f64) -> Value {
+        let up = self.axes - 1;
+        let number: Vec<usize> = self.cells.iter().map(|cells| 2 * cells).collect();
+        (0..number.iter().product())
+            .map(|p| {
+                let mut rest = p;
+                let mut x: Vec<f64> = number
+                    .iter()
+                    .map(|&along| {
+                        let place = (rest % along) as f64 + 0.5 + jitter();
+                        rest /= along;
+                        MARGIN as f64 * H + place * (H / 2.0)
+                    })
+                    .collect();
+                x[0] += shear * (x[up] - MARGIN as f64 * H);
+                x.push(width.powi(self.axes as i32));
+                Value::from(x)
+            })
+            .collect()
+    }
+}
+
 /// Speed of compression waves \[m/s\], c² = E (1 - ν) / (ρ (1 + ν) (1 - 2 ν)).
 fn wave_speed() -> f64 {
     let modulus = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
@@ -296,36 +326,32 @@ const SHEAR: f64 = 0.5;
 
 fn disordered(block: &Block) -> Made {
     let mut made = flying(block, 1);
-    let axes = block.axes;
-    let distance = H / 2.0;
-    let number: Vec<usize> = block.cells.iter().map(|cells| 2 * cells).collect();
-    let up = axes - 1;
-    let lean = SHEAR * block.cells[up] as f64 * H;
     let mut random = Random::new(SEED);
-    let particles: Vec<Value> = (0..number.iter().product())
-        .map(|p| {
-            let mut rest = p;
-            let mut x: Vec<f64> = number
-                .iter()
-                .map(|&along| {
-                    let place = (rest % along) as f64 + 0.5 + (random.unit() - 0.5);
-                    rest /= along;
-                    MARGIN as f64 * H + place * distance
-                })
-                .collect();
-            x[0] += SHEAR * (x[up] - MARGIN as f64 * H);
-            x.push(distance.powi(axes as i32));
-            x.into()
-        })
-        .collect();
-    let body = &made.scene["body"][0];
-    made.scene["body"] = json!([{
-        "type": "particles", "id": 1, "material_id": 1, "particles": particles,
-        "initial_velocity": body["initial_velocity"],
-    }]);
+    let particles = block.particles(H / 2.0, SHEAR, || random.unit() - 0.5);
+    of_list(&mut made, &particles);
+    let lean = SHEAR * block.cells[block.axes - 1] as f64 * H;
     let cells = &mut made.scene["mesh"]["cells_number"][0];
     *cells = (cells.as_u64().unwrap_or(0) + (lean / H).ceil() as u64).into();
     made
+}
+
+/// Half-length of a particle of the wide block over that of a cell: contiguous particle domains that are wider than one cell
+/// reach four nodes.
+const WIDE: f64 = 1.01;
+
+fn wide(block: &Block) -> Made {
+    let mut made = flying(block, 1);
+    of_list(&mut made, &block.particles(WIDE * H, 0.0, || 0.0));
+    made
+}
+
+/// Has the body of a scene be a list of particles.
+fn of_list(made: &mut Made, particles: &Value) {
+    let body = &mut made.scene["body"][0];
+    *body = json!({
+        "type": "particles", "id": 1, "material_id": 1, "particles": particles,
+        "initial_velocity": body["initial_velocity"],
+    });
 }
 
 fn sheared(block: &Block) -> Made {
