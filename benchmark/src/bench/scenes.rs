@@ -255,9 +255,7 @@ impl Block {
             }],
         })
     }
-}
 
-impl Block {
     /// Particles of a list, as wide as that: the lattice, each coordinate moved by some of its distances, and sheared along the
     /// first axis by `shear` per height.
     fn particles(&self, width: f64, shear: f64, mut jitter: impl FnMut() -> f64) -> Value {
