@@ -27,6 +27,8 @@ use std::ops::Range;
 
 /// Fewest particles that are worth handing to another thread.
 const LEAST_SHARE: usize = 1 << 8;
+/// Most nodes that a particle reaches.
+const MOST_NODES: usize = 64;
 
 /// The particles that reach the nodes of a boundary, as of the last mapping.
 #[derive(Clone, Debug)]
@@ -190,8 +192,11 @@ impl<const D: usize> Around<D> {
                 stencil,
                 found,
             });
+            // Never emptied: for each particle that would cost more than to find what it gives.
+            let mut room = [Share::default(); MOST_NODES];
             for (&p, reach) in particles.iter().zip(&*found) {
-                given.add(self, reach, set.columns[Layout::MASS][p], (shape, mirrors));
+                let m_p = set.columns[Layout::MASS][p];
+                given.add(self, reach, m_p, (shape, mirrors), &mut room);
             }
         });
         for share in given.iter().flat_map(|given| &given.shares) {
@@ -375,20 +380,20 @@ impl Given {
         self.starts.push(0);
     }
 
-    /// Adds what a particle gives to the hosts that it reaches.
+    /// Adds what a particle gives to the hosts that it reaches; `room` is written over.
     fn add<const D: usize>(
         &mut self,
         around: &Around<D>,
         reach: &Reach<D>,
         m_p: f64,
         (shape, mirrors): (&GridShape, &Mirrors),
+        room: &mut [Share; MOST_NODES],
     ) {
         // Written over where the one before was none, as above.
-        let mut found = [Share::default(); 64];
         let mut count = 0;
         let mut give = |weight: f64, inside: usize, image: u32| {
             let slot = around.slots[inside];
-            found[count] = Share {
+            room[count] = Share {
                 host: slot.wrapping_sub(1),
                 image,
                 mass: weight * m_p,
@@ -412,7 +417,7 @@ impl Given {
                 }
             }
         }
-        self.shares.extend_from_slice(&found[..count]);
+        self.shares.extend_from_slice(&room[..count]);
         self.starts.push(self.shares.len());
     }
 }
