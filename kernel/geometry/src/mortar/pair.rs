@@ -190,8 +190,8 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
 /// Gap, pressure and friction at the slave's sites (eq. 40, 46, 48, 50, 51) and the forces f_s = -D lambda and
 /// f_m = M^T lambda (eq. 54, 55).
 ///
-/// The threads of `team` share the search and what is found at each point; sums are formed by one, in the order of the points. The slip of a site is
-/// forgotten where there is no pressure.
+/// The threads of `team` share the search and what is found at each point; sums are formed by one, in the order of the
+/// points. The slip of a site is forgotten where there is no pressure.
 pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     forces: &mut PairForces<D, T>,
     surfaces: Surfaces<'_, B, D>,
