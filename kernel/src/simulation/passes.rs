@@ -145,6 +145,9 @@ impl Simulation {
     ) -> Result<usize, StepError> {
         for one in self.work.interactions.iter_mut().flatten() {
             one.load(&mut self.work.grid, &self.decided.scene);
+            if one.finds() {
+                ended(Phase::Contact);
+            }
         }
         let mapped = self.work.mapped.take();
         let settles = self.interactions().any(Interaction::settles);

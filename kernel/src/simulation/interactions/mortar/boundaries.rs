@@ -1,5 +1,6 @@
 //! All boundaries and pairs of one dimension, and what a step does with them.
 
+use super::around::NodeSums;
 use super::mirrors::Mirrors;
 use super::pair::MortarPair;
 use super::tied::stays;
@@ -26,6 +27,8 @@ use std::sync::atomic::{self, AtomicUsize};
 pub(crate) struct Boundaries<B, const D: usize, const N: usize, const T: usize> {
     pub(crate) surfaces: Vec<Surface<B, D, N>>,
     pub(crate) pairs: Vec<MortarPair<D, T>>,
+    /// Memory of [`Around::find_gradients`](super::around::Around::find_gradients).
+    sums: NodeSums<D>,
 }
 
 impl<B, const D: usize, const N: usize, const T: usize> Default for Boundaries<B, D, N, T> {
@@ -33,6 +36,7 @@ impl<B, const D: usize, const N: usize, const T: usize> Default for Boundaries<B
         Self {
             surfaces: vec![],
             pairs: vec![],
+            sums: vec![],
         }
     }
 }
@@ -392,7 +396,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 tied.load(lines, forces, shape, mirrors);
             }
             if let Some(around) = &mut surface.around {
-                around.load(lines, &surface.patches, forces, follow, shape, mirrors);
+                around.load(lines, &surface.patches, forces, follow, (shape, mirrors), &grid.team);
             }
         }
     }
@@ -416,7 +420,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         // Positions are relative to the mesh, and what lies in one of its planes goes with it.
         let mesh: Option<PointIn<D>> =
             (way.mesh_shift != [0.0; 3]).then(|| from_vector(&way.mesh_shift));
-        let shape = &hosts.work.grid.shape;
+        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.decided.scene));
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {
             match &surface.carrier {
@@ -436,7 +440,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         continue;
                     }
                     if let Some(around) = &mut surface.around {
-                        around.find_gradients(lines, *follow, team);
+                        around.find_gradients(lines, *follow, (shape, &mirrors), team, &mut self.sums);
                     }
                     let around = surface.around.as_ref();
                     let moved = |vertex: usize| {

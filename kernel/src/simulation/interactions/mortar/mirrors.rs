@@ -6,6 +6,7 @@ use crate::mortar::weights::{NODES, VertexWeights, in_patch};
 use crate::scene::{PlaneCondition, Scene};
 use nalgebra::SMatrix;
 use std::array;
+use std::ops::Range;
 
 /// The planes of the mesh that mirror bodies: those that are not free.
 #[derive(Clone, Copy, Debug)]
@@ -114,18 +115,20 @@ impl Mirrors {
         }
     }
 
-    /// Whether a particle with that base reaches a ghost.
-    pub(super) fn reached_from<const D: usize>(
-        &self,
-        shape: &GridShape,
-        base: [usize; 3],
-        stencil: usize,
-    ) -> bool {
-        (0..D).any(|axis| {
-            let lower = base[shape.direction(axis)];
-            let ends = [lower, lower + stencil - 1];
-            ends.iter().any(|end| self.beyond(axis, *end).is_some())
-        })
+    /// The bases, along each direction of storage, from which a particle reaches no ghost that repeats a node.
+    pub(super) fn inner(&self, shape: &GridShape, stencil: usize) -> [Range<usize>; 3] {
+        let mut inner = [0, 1, 2].map(|_| 0..usize::MAX);
+        for axis in 0..shape.axes {
+            let [below, above] = self.mirrors(axis);
+            let range = &mut inner[shape.direction(axis)];
+            if below {
+                range.start = GHOSTS_BELOW;
+            }
+            if above {
+                range.end = (GHOSTS_BELOW + self.cells[axis] + 2).saturating_sub(stencil);
+            }
+        }
+        inner
     }
 
     /// The node that a ghost repeats, by its storage indices, with -1 for each axis along which it is its mirror image;

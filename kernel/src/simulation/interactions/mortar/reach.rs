@@ -2,13 +2,14 @@
 
 use super::mirrors::Mirrors;
 use crate::grid::{GHOSTS_BELOW, GridShape};
-use crate::lanes::{Backend, Kernel, Lanes};
+use crate::lanes::{Backend, Kernel, Lanes, Quad};
 use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::particles::ParticleSet;
 use crate::stage::Mapping;
 use crate::weights::{axis_weights, axis_weights_at, base_node, base_offset};
 use std::array;
+use std::ops::Range;
 
 /// A node of the stencil of a particle.
 #[derive(Clone, Copy, Debug)]
@@ -66,6 +67,12 @@ pub(super) fn base_of<const D: usize>(
     base
 }
 
+/// Whether a particle with that base reaches a ghost, where bases that do not are `inner`.
+#[inline(always)]
+fn is_mirrored(base: [usize; 3], inner: &[Range<usize>; 3]) -> bool {
+    !(0..3).all(|direction| inner[direction].contains(&base[direction]))
+}
+
 /// What a particle has on the nodes of its stencil.
 #[derive(Clone, Debug)]
 pub(super) struct Reach<const D: usize> {
@@ -90,7 +97,7 @@ impl<const D: usize> Reach<D> {
         let base = base_of(&xi, stencil, shape);
         Self {
             base: shape.index(base),
-            mirrored: mirrors.reached_from::<D>(shape, base, stencil),
+            mirrored: is_mirrored(base, &mirrors.inner(shape, stencil)),
             axes: array::from_fn(|axis| {
                 let l = mapping
                     .half_length_column
@@ -113,6 +120,12 @@ impl<const D: usize> Reach<D> {
         mirrored: false,
         axes: [([0.0; 4], [0.0; 4]); D],
     };
+
+    /// Index of its base in the grid.
+    #[inline(always)]
+    pub(super) fn base(&self) -> usize {
+        self.base
+    }
 
     /// Weights and slopes along the last axis, of the nodes of a row.
     #[inline(always)]
@@ -222,16 +235,16 @@ impl<const D: usize> Kernel for Reaches<'_, D> {
     #[inline(always)]
     fn run<B: Backend>(self) {
         if self.stencil == 3 {
-            self.write::<B::Line, 3>();
+            self.write::<B, 3>();
         } else {
-            self.write::<B::Line, 4>();
+            self.write::<B, 4>();
         }
     }
 }
 
 impl<const D: usize> Reaches<'_, D> {
     #[inline(always)]
-    fn write<L: Lanes, const N: usize>(self) {
+    fn write<B: Backend, const N: usize>(self) {
         let Self {
             particles,
             set,
@@ -241,40 +254,54 @@ impl<const D: usize> Reaches<'_, D> {
             stencil,
             found,
         } = self;
-        let eights = particles.chunks(L::WIDTH);
-        for (particles, reaches) in eights.zip(found.chunks_mut(L::WIDTH)) {
+        let inner = mirrors.inner(shape, stencil);
+        let eights = particles.chunks(B::Line::WIDTH);
+        for (particles, reaches) in eights.zip(found.chunks_mut(B::Line::WIDTH)) {
             let mut bases = [[0; 3]; 8];
             for axis in 0..D {
-                let inverse = L::splat(mapping.inverse_cell[axis]);
-                let xi = values::<L>(set, Layout::POSITION + axis, particles) * inverse;
-                let base = (xi - L::splat(base_offset(N))).floor();
+                let inverse = B::Line::splat(mapping.inverse_cell[axis]);
+                let xi = values::<B::Line>(set, Layout::POSITION + axis, particles) * inverse;
+                let base = (xi - B::Line::splat(base_offset(N))).floor();
                 let l = match mapping.half_length_column {
-                    Some(first) => values::<L>(set, first + axis, particles),
-                    None => L::splat(mapping.half_length[axis]),
+                    Some(first) => values::<B::Line>(set, first + axis, particles),
+                    None => B::Line::splat(mapping.half_length[axis]),
                 };
-                let (w, g) = axis_weights::<L, N>(mapping.family, xi - base, l);
+                let (w, g) = axis_weights::<B::Line, N>(mapping.family, xi - base, l);
                 let mut lanes = [0.0; 8];
                 base.store(&mut lanes);
                 for (base, lane) in bases.iter_mut().zip(lanes) {
                     base[shape.direction(axis)] = (lane + GHOSTS_BELOW as f64) as usize;
                 }
+                let (mut weights, mut slopes) = ([[0.0; 8]; 4], [[0.0; 8]; 4]);
                 for n in 0..N {
-                    w[n].store(&mut lanes);
-                    for (reach, lane) in reaches.iter_mut().zip(lanes) {
-                        reach.axes[axis].0[n] = lane;
-                    }
-                    (g[n] * inverse).store(&mut lanes);
-                    for (reach, lane) in reaches.iter_mut().zip(lanes) {
-                        reach.axes[axis].1[n] = lane;
+                    w[n].store(&mut weights[n]);
+                    (g[n] * inverse).store(&mut slopes[n]);
+                }
+                for (half, reaches) in reaches.chunks_mut(4).enumerate() {
+                    let w = turned::<B::Half>(&weights, 4 * half);
+                    let g = turned::<B::Half>(&slopes, 4 * half);
+                    for (reach, (w, g)) in reaches.iter_mut().zip(w.into_iter().zip(g)) {
+                        w.store(&mut reach.axes[axis].0);
+                        g.store(&mut reach.axes[axis].1);
                     }
                 }
             }
             for (reach, base) in reaches.iter_mut().zip(bases) {
                 reach.base = shape.index(base);
-                reach.mirrored = mirrors.reached_from::<D>(shape, base, stencil);
+                reach.mirrored = is_mirrored(base, &inner);
             }
         }
     }
+}
+
+/// What four particles from the one in lane `from` have at all nodes, from what all particles have at one.
+#[inline(always)]
+fn turned<Q: Quad>(rows: &[[f64; 8]; 4], from: usize) -> [Q; 4] {
+    let mut quads = [Q::splat(0.0); 4];
+    for n in 0..4 {
+        quads[n] = Q::load(&rows[n][from..]);
+    }
+    Q::transpose(quads)
 }
 
 /// Values of a column, and of the first particle again where there are fewer than lanes.

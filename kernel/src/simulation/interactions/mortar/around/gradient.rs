@@ -2,20 +2,22 @@
 //! a line.
 
 use super::{Around, Columns, reflected};
-use crate::grid::Line;
+use crate::grid::{GridShape, Line};
 use crate::lanes::{Backend, Kernel, Lanes};
+use crate::simulation::interactions::mortar::mirrors::Mirrors;
 use crate::simulation::interactions::mortar::reach::{Reach, StencilNode};
 
-/// The gradients of some particles.
+/// The gradients of some particles, times their masses.
 pub(super) struct OfParticles<'a, const D: usize> {
-    /// The particles.
+    /// The particles, and their masses \[kg\].
     pub(super) reaches: &'a [Reach<D>],
+    pub(super) masses: &'a [f64],
     /// Rows of their stencils, and the number of nodes in each.
     pub(super) rows: &'a [StencilNode<D>],
     pub(super) row_length: usize,
     /// All nodes, with their velocities.
     pub(super) lines: &'a [Line],
-    /// One for each particle, to be written \[1/s\].
+    /// One for each particle, to be written \[kg/s\].
     pub(super) gradients: &'a mut [Columns<D>],
 }
 
@@ -36,7 +38,8 @@ impl<const D: usize> OfParticles<'_, D> {
     #[inline(always)]
     fn write<H: Lanes, const N: usize>(self) {
         let zero = H::splat(0.0);
-        for (reach, gradient) in self.reaches.iter().zip(self.gradients) {
+        let all = self.reaches.iter().zip(self.masses);
+        for ((reach, mass), gradient) in all.zip(self.gradients) {
             let (w, g) = reach.along_row();
             let mut columns = [zero; D];
             for row in self.rows {
@@ -55,21 +58,26 @@ impl<const D: usize> OfParticles<'_, D> {
                 }
                 columns[D - 1] = H::splat(weight).mul_add(slope, columns[D - 1]);
             }
+            let m_p = H::splat(*mass);
             for axis in 0..D {
-                columns[axis].store(&mut gradient[axis]);
+                (m_p * columns[axis]).store(&mut gradient[axis]);
             }
         }
     }
 }
 
-/// Sums over the particles around each host, weighted by what they give to it, in the order of the particles.
+/// Sums over the particles around the nodes of some planes, in the order of the particles.
 pub(super) struct Gathered<'a, const D: usize> {
     /// Particles and hosts.
     pub(super) around: &'a Around<D>,
-    /// Gradients of the particles \[1/s\].
+    /// Gradients of the particles, times their masses \[kg/s\].
     pub(super) of_particles: &'a [Columns<D>],
-    /// Sums, to be added to \[kg/s\].
-    pub(super) of_hosts: &'a mut [Columns<D>],
+    /// The first node, and sums to be added to \[kg/s\].
+    pub(super) first: usize,
+    pub(super) sums: &'a mut [Columns<D>],
+    /// The grid, and what lies beyond it.
+    pub(super) shape: &'a GridShape,
+    pub(super) mirrors: &'a Mirrors,
 }
 
 impl<const D: usize> Kernel for Gathered<'_, D> {
@@ -77,20 +85,105 @@ impl<const D: usize> Kernel for Gathered<'_, D> {
 
     #[inline(always)]
     fn run<B: Backend>(self) {
-        for (gradient, shares) in self.of_particles.iter().zip(self.around.shares()) {
-            for share in shares {
-                let mass = B::Half::splat(share.mass);
-                let image;
-                let mut from = gradient;
-                if share.image != 0 {
-                    image = reflected(gradient, share.image);
-                    from = &image;
+        // In the plane both columns are one line.
+        match (D, self.around.stencil.len() / self.around.rows.len()) {
+            (2, 3) => self.add::<B::Line, 3, 1>(),
+            (2, _) => self.add::<B::Line, 4, 1>(),
+            (_, 3) => self.add::<B::Half, 3, 3>(),
+            (_, _) => self.add::<B::Half, 4, 3>(),
+        }
+    }
+}
+
+impl<const D: usize> Gathered<'_, D> {
+    /// Adds runs of particles with the same base, whose sums at a row of nodes are in `N` times `PARTS` registers.
+    #[inline(always)]
+    fn add<L: Lanes, const N: usize, const PARTS: usize>(self) {
+        let Self {
+            around,
+            of_particles,
+            first: own,
+            sums,
+            shape,
+            mirrors,
+        } = self;
+        let reaches = &around.reaches;
+        let mut p = 0;
+        while p < reaches.len() {
+            let reach = &reaches[p];
+            let begin = p;
+            p += 1;
+            if reach.mirrored {
+                to_images(around, reach, &of_particles[begin], (own, &mut *sums), (shape, mirrors));
+                continue;
+            }
+            while p < reaches.len() && reaches[p].base() == reach.base() {
+                p += 1;
+            }
+            for row in &around.rows {
+                let first = reach.node(row);
+                let slots = &around.slots[first..first + N];
+                let Some(nodes) = first.checked_sub(own).and_then(|at| sums.get_mut(at..at + N))
+                else {
+                    continue;
+                };
+                let mut hosts = 0;
+                for k in 0..N {
+                    hosts |= slots[k];
                 }
-                for (column, sum) in from.iter().zip(&mut self.of_hosts[share.host as usize]) {
-                    let more = mass.mul_add(B::Half::load(column), B::Half::load(sum));
-                    more.store(sum);
+                if hosts == 0 {
+                    continue;
+                }
+                let mut row_sums = [[L::splat(0.0); PARTS]; N];
+                for k in 0..N {
+                    for part in 0..PARTS {
+                        row_sums[k][part] =
+                            L::load(&nodes[k].as_flattened()[part * L::WIDTH..]);
+                    }
+                }
+                for q in begin..p {
+                    let (across, _) = reaches[q].across_row(row);
+                    let (w, _) = reaches[q].along_row();
+                    let mut columns = [L::splat(0.0); PARTS];
+                    for part in 0..PARTS {
+                        let column = L::load(&of_particles[q].as_flattened()[part * L::WIDTH..]);
+                        columns[part] = L::splat(across) * column;
+                    }
+                    for k in 0..N {
+                        for part in 0..PARTS {
+                            row_sums[k][part] =
+                                L::splat(w[k]).mul_add(columns[part], row_sums[k][part]);
+                        }
+                    }
+                }
+                for k in 0..N {
+                    for part in 0..PARTS {
+                        row_sums[k][part]
+                            .store(&mut nodes[k].as_flattened_mut()[part * L::WIDTH..]);
+                    }
                 }
             }
+        }
+    }
+}
+
+/// Adds one particle some of whose nodes are ghosts, which its images give to.
+fn to_images<const D: usize>(
+    around: &Around<D>,
+    reach: &Reach<D>,
+    gradient: &Columns<D>,
+    (own, sums): (usize, &mut [Columns<D>]),
+    (shape, mirrors): (&GridShape, &Mirrors),
+) {
+    for node in &around.stencil {
+        let (inside, sides) = reach.inside(node, shape, mirrors);
+        let Some(sum) = inside.checked_sub(own).and_then(|at| sums.get_mut(at)) else {
+            continue;
+        };
+        let weight = reach.weight(node);
+        let columns = reflected(gradient, &sides);
+        for (sum, x) in sum.as_flattened_mut().iter_mut().zip(columns.as_flattened()) {
+            *sum += weight * x;
         }
     }
 }

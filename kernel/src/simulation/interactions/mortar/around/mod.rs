@@ -9,9 +9,10 @@
 
 mod gradient;
 mod moment;
+mod near;
 
 use super::mirrors::Mirrors;
-use super::reach::{Reach, Reaches, StencilNode, base_of, scaled, stencil_nodes, stencil_rows};
+use super::reach::{Reach, Reaches, StencilNode, stencil_nodes, stencil_rows};
 use super::surface::Patch;
 use crate::grid::{GridShape, Line};
 use crate::lanes::Selected;
@@ -22,13 +23,11 @@ use crate::particles::ParticleSet;
 use crate::simulation::BodyRun;
 use crate::team::{OfItem, Team};
 use nalgebra::SMatrix;
+use near::{Bases, Near};
 use std::array;
-use std::ops::Range;
 
 /// Fewest particles that are worth handing to another thread.
 const LEAST_SHARE: usize = 1 << 8;
-/// Most nodes that a particle reaches.
-const MOST_NODES: usize = 64;
 
 /// The particles that reach the nodes of a boundary, as of the last mapping.
 #[derive(Clone, Debug)]
@@ -38,17 +37,16 @@ pub(super) struct Around<const D: usize> {
     /// Place of each node of the grid in `hosts`, plus one; zero for nodes that no vertex hangs on.
     slots: Vec<u32>,
     hosts: Vec<Host<D>>,
-    /// Particles near the boundary, as numbered in their set, and what they have on their stencils.
+    /// Particles near the boundary, as numbered in their set, what they have on their stencils, and their masses \[kg\].
     particles: Vec<usize>,
     reaches: Vec<Reach<D>>,
-    /// What they give to hosts, by as many of them as a thread takes at once.
-    given: Vec<Given>,
+    masses: Vec<f64>,
     /// Nodes of the stencil, and the first of each of its rows.
     stencil: Vec<StencilNode<D>>,
     rows: Vec<StencilNode<D>>,
-    /// Bases from which a particle reaches a host, and a list of them.
-    is_near: Vec<bool>,
-    near: Vec<usize>,
+    /// Bases from which a particle reaches a host, and one whose moment is not zero.
+    near: Bases,
+    turned: Bases,
     /// The parts that vertices follow of the velocity gradients at hosts \[1/s\].
     gradients: Vec<SMatrix<f64, D, D>>,
     lists: Lists<D>,
@@ -60,11 +58,13 @@ struct Lists<const D: usize> {
     /// Whether each particle is near.
     reaches: Vec<bool>,
     of_particles: Vec<Columns<D>>,
-    of_hosts: Vec<Columns<D>>,
-    moments: Vec<SMatrix<f64, D, D>>,
-    /// Hosts whose moment is not zero.
-    is_turned: Vec<bool>,
+    /// Moments of the hosts, and before them none, for nodes that are no host.
+    moments: Vec<Columns<D>>,
 }
+
+/// Sums at the nodes of the grid, for one body after the other. Those at nodes that no vertex hangs on mean nothing, and
+/// are not set to zero.
+pub(super) type NodeSums<const D: usize> = Vec<Columns<D>>;
 
 /// A node that a vertex hangs on.
 #[derive(Clone, Copy, Debug)]
@@ -76,35 +76,17 @@ struct Host<const D: usize> {
     kept: SMatrix<f64, D, D>,
 }
 
-/// What a particle, or its image beyond a plane of symmetry, gives to a host.
-#[derive(Clone, Copy, Debug, Default)]
-struct Share {
-    host: u32,
-    /// A bit for each axis in which it is an image.
-    image: u32,
-    /// S_kp m_p \[kg\].
-    mass: f64,
-}
-
-/// What some particles give to hosts, one particle after the other.
-#[derive(Clone, Debug, Default)]
-struct Given {
-    shares: Vec<Share>,
-    /// Where that of each particle begins, and that of the last ends.
-    starts: Vec<usize>,
-}
-
 /// Columns of a matrix, each half a line: a vector and lanes that mean nothing.
-type Columns<const D: usize> = [[f64; 4]; D];
+pub(super) type Columns<const D: usize> = [[f64; 4]; D];
 
-/// A matrix beyond planes of symmetry from that on this side, or the other way round.
+/// A matrix beyond planes of symmetry from that on this side, or the other way round; `sides` is -1 along axes in which it
+/// is an image.
 #[inline(always)]
-fn reflected<const D: usize>(columns: &Columns<D>, image: u32) -> Columns<D> {
-    let sign = |axis: usize| if image >> axis & 1 == 1 { -1.0 } else { 1.0 };
+fn reflected<const D: usize>(columns: &Columns<D>, sides: &PointIn<D>) -> Columns<D> {
     let mut reflected = *columns;
-    for (j, column) in reflected.iter_mut().enumerate() {
+    for j in 0..D {
         for i in 0..D {
-            column[i] *= sign(i) * sign(j);
+            reflected[j][i] *= sides[i] * sides[j];
         }
     }
     reflected
@@ -128,11 +110,11 @@ impl<const D: usize> Default for Around<D> {
             hosts: vec![],
             particles: vec![],
             reaches: vec![],
-            given: vec![],
+            masses: vec![],
             stencil: vec![],
             rows: vec![],
-            is_near: vec![],
-            near: vec![],
+            near: Bases::default(),
+            turned: Bases::default(),
             gradients: vec![],
             lists: Lists::default(),
         }
@@ -140,7 +122,7 @@ impl<const D: usize> Default for Around<D> {
 }
 
 impl<const D: usize> Around<D> {
-    /// Finds the particles that reach a node of a patch, by their base, and what they give to it.
+    /// Finds the particles that reach a node of a patch, by their base, and their weights.
     pub(super) fn find<const N: usize>(
         &mut self,
         patches: &[Patch<D, N>],
@@ -156,14 +138,21 @@ impl<const D: usize> Around<D> {
             self.rows = stencil_rows(stencil, shape);
         }
         self.find_hosts(patches, shape, mirrors, stencil);
-        let bases = shape.bases();
         let mapping = &body.mapping;
-        let is_near = &self.is_near;
-        let reaches = |p: usize| {
-            let base = base_of(&scaled::<D>(set, p, mapping), stencil, shape);
-            is_near[place(base, bases)]
-        };
-        team.fill(0..set.len(), OfItem::Small, reaches, &false, &mut self.lists.reaches);
+        let reaches = &mut self.lists.reaches;
+        reaches.resize(set.len(), false);
+        let share = team.share(set.len(), OfItem::Small);
+        team.each(reaches.chunks_mut(share).enumerate(), |(part, found)| {
+            lanes.run(Near::<D> {
+                first: part * share,
+                set,
+                mapping,
+                shape,
+                stencil,
+                bases: &self.near,
+                found,
+            });
+        });
         // Written over where the one before was none: which are near is hard to foresee, and a branch on it would cost more.
         self.particles.resize(set.len(), 0);
         let mut count = 0;
@@ -172,17 +161,11 @@ impl<const D: usize> Around<D> {
             count += usize::from(reaches);
         }
         self.particles.truncate(count);
-        self.reaches.resize(self.particles.len(), Reach::NOWHERE);
+        self.reaches.resize(count, Reach::NOWHERE);
         let share = self.share_of_thread(team);
-        let mut given = std::mem::take(&mut self.given);
-        let mut reaches = std::mem::take(&mut self.reaches);
-        let parts = self.particles.len().div_ceil(share);
-        given.resize_with(given.len().max(parts), Given::default);
-        for given in &mut given {
-            given.clear();
-        }
-        let parts = self.particles.chunks(share).zip(reaches.chunks_mut(share));
-        team.each(parts.zip(&mut given), |((particles, found), given)| {
+        let parts = self.particles.chunks(share);
+        let parts = parts.zip(self.reaches.chunks_mut(share));
+        team.each(parts, |(particles, found)| {
             lanes.run(Reaches {
                 particles,
                 set,
@@ -192,25 +175,10 @@ impl<const D: usize> Around<D> {
                 stencil,
                 found,
             });
-            // Never emptied: for each particle that would cost more than to find what it gives.
-            let mut room = [Share::default(); MOST_NODES];
-            for (&p, reach) in particles.iter().zip(&*found) {
-                let m_p = set.columns[Layout::MASS][p];
-                given.add(self, reach, m_p, (shape, mirrors), &mut room);
-            }
         });
-        for share in given.iter().flat_map(|given| &given.shares) {
-            self.hosts[share.host as usize].mass += share.mass;
-        }
-        (self.given, self.reaches) = (given, reaches);
-    }
-
-    /// What each particle gives to hosts.
-    fn shares(&self) -> impl Iterator<Item = &[Share]> {
-        self.given.iter().flat_map(|given| {
-            let starts = given.starts.windows(2);
-            starts.map(|range| &given.shares[range[0]..range[1]])
-        })
+        let all = &set.columns[Layout::MASS];
+        self.masses.clear();
+        self.masses.extend(self.particles.iter().map(|&p| all[p]));
     }
 
     /// How many particles a thread takes at once.
@@ -229,15 +197,11 @@ impl<const D: usize> Around<D> {
         mirrors: &Mirrors,
         stencil: usize,
     ) {
-        let bases = shape.bases();
         self.slots.resize(shape.nodes.iter().product(), 0);
-        self.is_near.resize(bases.iter().product(), false);
         for host in self.hosts.drain(..) {
             self.slots[host.node] = 0;
         }
-        for base in self.near.drain(..) {
-            self.is_near[base] = false;
-        }
+        self.near.clear(shape);
         for patch in patches {
             for k in 0..N {
                 let node = patch.nodes[k];
@@ -245,25 +209,11 @@ impl<const D: usize> Around<D> {
                     continue;
                 }
                 let at = shape.indices(node);
-                let along: [Range<usize>; 3] = array::from_fn(|direction| {
-                    // An image reaches a node from ghosts that its particle reaches, whose base is among these too.
-                    at[direction].saturating_sub(stencil - 1)
-                        ..(at[direction] + 1).min(bases[direction])
-                });
-                for i in along[0].clone() {
-                    for j in along[1].clone() {
-                        for k in along[2].clone() {
-                            let base = place([i, j, k], bases);
-                            if !self.is_near[base] {
-                                self.is_near[base] = true;
-                                self.near.push(base);
-                            }
-                        }
-                    }
-                }
+                self.near.add(at, stencil, shape);
                 self.hosts.push(Host {
                     node,
-                    mass: 0.0,
+                    // That of the body, what it gave to ghosts included.
+                    mass: patch.masses[k],
                     kept: mirrors.kept(shape, at),
                 });
                 self.slots[node] = self.hosts.len() as u32;
@@ -273,40 +223,71 @@ impl<const D: usize> Around<D> {
 
     /// Finds the parts that vertices follow of the velocity gradients at the nodes that they hang on, from the velocities of all
     /// nodes (eq. 28 for the whole gradient).
-    pub(super) fn find_gradients(&mut self, lines: &[Line], follow: Follow, team: &Team) {
-        let mut lists = std::mem::take(&mut self.lists);
-        let Lists {
-            of_particles,
-            of_hosts,
-            ..
-        } = &mut lists;
-        // Each particle by whatever thread; the sums by one, in the order of the particles.
+    pub(super) fn find_gradients(
+        &mut self,
+        lines: &[Line],
+        follow: Follow,
+        (shape, mirrors): (&GridShape, &Mirrors),
+        team: &Team,
+        sums: &mut NodeSums<D>,
+    ) {
+        let mut of_particles = std::mem::take(&mut self.lists.of_particles);
         of_particles.resize(self.particles.len(), [[0.0; 4]; D]);
         let share = self.share_of_thread(team);
-        let parts = self.reaches.chunks(share);
+        let parts = self.reaches.chunks(share).zip(self.masses.chunks(share));
         let parts = parts.zip(of_particles.chunks_mut(share));
-        team.each(parts, |(reaches, gradients)| {
+        team.each(parts, |((reaches, masses), gradients)| {
             self.lanes.run(gradient::OfParticles {
                 reaches,
+                masses,
                 rows: &self.rows,
                 row_length: self.stencil.len() / self.rows.len(),
                 lines,
                 gradients,
             });
         });
-        of_hosts.clear();
-        of_hosts.resize(self.hosts.len(), [[0.0; 4]; D]);
-        self.lanes.run(gradient::Gathered {
-            around: self,
-            of_particles,
-            of_hosts,
+        if sums.len() != self.slots.len() {
+            *sums = vec![[[0.0; 4]; D]; self.slots.len()];
+        }
+        for host in &self.hosts {
+            sums[host.node] = [[0.0; 4]; D];
+        }
+        team.each(self.parts(sums, shape, team), |(first, sums)| {
+            self.lanes.run(gradient::Gathered {
+                around: self,
+                of_particles: &of_particles,
+                first,
+                sums,
+                shape,
+                mirrors,
+            });
         });
-        let found = self.hosts.iter().zip(&*of_hosts);
+        let part = |host: &Host<D>| follow.part(&host.per_mass(as_matrix(&sums[host.node])));
         self.gradients.clear();
-        self.gradients.extend(
-            found.map(|(host, columns)| follow.part(&host.per_mass(as_matrix(columns)))),
-        );
-        self.lists = lists;
+        self.gradients.extend(self.hosts.iter().map(part));
+        self.lists.of_particles = of_particles;
+    }
+
+    /// Divides the nodes of the grid among threads, plane by plane, so that each has about as many of the particles: the first
+    /// node of each part, and its nodes.
+    fn parts<'a, T>(
+        &self,
+        nodes: &'a mut [T],
+        shape: &GridShape,
+        team: &Team,
+    ) -> impl Iterator<Item = (usize, &'a mut [T])> {
+        let count = self.particles.len().div_ceil(self.share_of_thread(team)).max(1);
+        let (all, plane) = (nodes.len(), shape.plane_nodes());
+        let (mut first, mut rest) = (0, nodes);
+        (1..=count).map(move |part| {
+            let reach = self.reaches.get(part * self.reaches.len() / count);
+            // Of the planes that it reaches about half lie on either side.
+            let end = reach.map_or(all, |reach| (reach.base() / plane + 2) * plane);
+            let end = end.clamp(first, all);
+            let (own, after) = std::mem::take(&mut rest).split_at_mut(end - first);
+            rest = after;
+            (std::mem::replace(&mut first, end), own)
+        })
     }
 
     /// What was found at a node \[1/s\]; zero where no vertex hangs on it.
@@ -325,22 +306,59 @@ impl<const D: usize> Around<D> {
         patches: &[Patch<D, N>],
         forces: &[PointIn<D>],
         follow: Follow,
-        shape: &GridShape,
-        mirrors: &Mirrors,
+        (shape, mirrors): (&GridShape, &Mirrors),
+        team: &Team,
     ) {
         if forces.iter().flatten().all(|f| *f == 0.0) {
             return;
         }
-        let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         let mut lists = std::mem::take(&mut self.lists);
+        self.find_moments(&mut lists.moments, patches, forces, follow, shape);
         let Lists {
-            of_hosts,
+            of_particles,
             moments,
-            is_turned,
             ..
         } = &mut lists;
+        of_particles.resize(self.particles.len(), [[0.0; 4]; D]);
+        let share = self.share_of_thread(team);
+        let parts = self.reaches.chunks(share).zip(self.masses.chunks(share));
+        let parts = parts.zip(of_particles.chunks_mut(share));
+        team.each(parts, |((reaches, masses), found)| {
+            self.lanes.run(moment::OfParticles {
+                around: self,
+                reaches,
+                masses,
+                moments,
+                found,
+                shape,
+                mirrors,
+            });
+        });
+        team.each(self.parts(lines, shape, team), |(first, lines)| {
+            self.lanes.run(moment::Spread {
+                around: self,
+                of_particles,
+                first,
+                lines,
+                shape,
+                mirrors,
+            });
+        });
+        self.lists = lists;
+    }
+
+    /// Moments per mass at the hosts \[N m/kg\], and from where particles reach those that are not zero.
+    fn find_moments<const N: usize>(
+        &mut self,
+        moments: &mut Vec<Columns<D>>,
+        patches: &[Patch<D, N>],
+        forces: &[PointIn<D>],
+        follow: Follow,
+        shape: &GridShape,
+    ) {
+        let cell = PointIn::<D>::from_fn(|axis, _| shape.cell[axis]);
         moments.clear();
-        moments.resize(self.hosts.len(), SMatrix::zeros());
+        moments.resize(self.hosts.len() + 1, [[0.0; 4]; D]);
         for (patch, force) in patches.iter().zip(forces) {
             if force.iter().all(|f| *f == 0.0) {
                 continue;
@@ -350,75 +368,20 @@ impl<const D: usize> Around<D> {
                 let slot = self.slots[patch.nodes[k]];
                 if w > 0.0 && slot > 0 {
                     let distance = patch.weights.offset(k).component_mul(&cell);
-                    moments[slot as usize - 1] += force * distance.transpose() * w;
+                    let moment = force * distance.transpose() * w;
+                    let sum = &mut moments[slot as usize];
+                    *sum = in_columns(&(as_matrix(sum) + moment));
                 }
             }
         }
-        let all = moments.iter().zip(&self.hosts);
-        of_hosts.clear();
-        of_hosts.extend(
-            all.map(|(moment, host)| in_columns(&host.per_mass(follow.part(moment)))),
-        );
-        is_turned.clear();
-        is_turned.extend(of_hosts.iter().map(|m| *m != [[0.0; 4]; D]));
-        self.lanes.run(moment::Spread {
-            around: self,
-            moments: of_hosts,
-            is_turned,
-            lines,
-            shape,
-            mirrors,
-        });
-        self.lists = lists;
-    }
-}
-
-impl Given {
-    fn clear(&mut self) {
-        self.shares.clear();
-        self.starts.clear();
-        self.starts.push(0);
-    }
-
-    /// Adds what a particle gives to the hosts that it reaches; `room` is written over.
-    fn add<const D: usize>(
-        &mut self,
-        around: &Around<D>,
-        reach: &Reach<D>,
-        m_p: f64,
-        (shape, mirrors): (&GridShape, &Mirrors),
-        room: &mut [Share; MOST_NODES],
-    ) {
-        // Written over where the one before was none, as above.
-        let mut count = 0;
-        let mut give = |weight: f64, inside: usize, image: u32| {
-            let slot = around.slots[inside];
-            room[count] = Share {
-                host: slot.wrapping_sub(1),
-                image,
-                mass: weight * m_p,
-            };
-            count += usize::from(slot > 0) & usize::from(weight != 0.0);
-        };
-        if reach.mirrored {
-            for node in &around.stencil {
-                let (inside, sides) = reach.inside(node, shape, mirrors);
-                let in_axis = |axis: usize| u32::from(sides[axis] < 0.0) << axis;
-                give(reach.weight(node), inside, (0..D).map(in_axis).sum());
-            }
-        } else {
-            let row_length = around.stencil.len() / around.rows.len();
-            let along = &reach.along_row().0[..row_length];
-            for row in &around.rows {
-                let (across, _) = reach.across_row(row);
-                let first = reach.node(row);
-                for (k, w) in along.iter().enumerate() {
-                    give(across * w, first + k, 0);
-                }
+        self.turned.clear(shape);
+        let stencil = self.stencil.len() / self.rows.len();
+        for (moment, host) in moments[1..].iter_mut().zip(&self.hosts) {
+            *moment = in_columns(&host.per_mass(follow.part(&as_matrix(moment))));
+            if *moment != [[0.0; 4]; D] {
+                self.turned.add(shape.indices(host.node), stencil, shape);
             }
         }
-        self.shares.extend_from_slice(&room[..count]);
-        self.starts.push(self.shares.len());
     }
 }
 
@@ -431,9 +394,4 @@ impl<const D: usize> Host<D> {
             SMatrix::zeros()
         }
     }
-}
-
-/// Place of a base among all bases.
-fn place(base: [usize; 3], bases: [usize; 3]) -> usize {
-    (base[0] * bases[1] + base[1]) * bases[2] + base[2]
 }

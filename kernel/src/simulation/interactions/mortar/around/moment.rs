@@ -6,15 +6,89 @@ use crate::lanes::{Backend, Kernel, Lanes};
 use crate::simulation::interactions::mortar::mirrors::Mirrors;
 use crate::simulation::interactions::mortar::reach::Reach;
 
-/// Spreads moments over the nodes, particle by particle.
+/// What some particles take of the moments of the hosts that they reach.
+pub(super) struct OfParticles<'a, const D: usize> {
+    /// Particles and hosts.
+    pub(super) around: &'a Around<D>,
+    /// The particles, and their masses \[kg\].
+    pub(super) reaches: &'a [Reach<D>],
+    pub(super) masses: &'a [f64],
+    /// Moments per mass of the hosts \[N m/kg\], and before them none.
+    pub(super) moments: &'a [Columns<D>],
+    /// One for each particle that reaches one that is not zero, to be written \[N m\].
+    pub(super) found: &'a mut [Columns<D>],
+    /// The grid, and what lies beyond it.
+    pub(super) shape: &'a GridShape,
+    pub(super) mirrors: &'a Mirrors,
+}
+
+impl<const D: usize> Kernel for OfParticles<'_, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<B: Backend>(self) {
+        if self.around.stencil.len() == 3 * self.around.rows.len() {
+            self.write::<B::Half, 3>();
+        } else {
+            self.write::<B::Half, 4>();
+        }
+    }
+}
+
+impl<const D: usize> OfParticles<'_, D> {
+    #[inline(always)]
+    fn write<H: Lanes, const N: usize>(self) {
+        let (around, moments) = (self.around, self.moments);
+        let zero = H::splat(0.0);
+        let all = self.reaches.iter().zip(self.masses);
+        for ((reach, mass), found) in all.zip(self.found) {
+            if !around.turned.has(reach.base()) {
+                continue;
+            }
+            let mut sum = [zero; D];
+            if reach.mirrored {
+                for node in &around.stencil {
+                    let (inside, sides) = reach.inside(node, self.shape, self.mirrors);
+                    let moment = reflected(&moments[around.slots[inside] as usize], &sides);
+                    let weight = H::splat(reach.weight(node));
+                    for axis in 0..D {
+                        sum[axis] = weight.mul_add(H::load(&moment[axis]), sum[axis]);
+                    }
+                }
+            } else {
+                let (w, _) = reach.along_row();
+                for row in &around.rows {
+                    let first = reach.node(row);
+                    let slots = &around.slots[first..first + N];
+                    let mut along = [zero; D];
+                    for k in 0..N {
+                        let moment = &moments[slots[k] as usize];
+                        for axis in 0..D {
+                            along[axis] =
+                                H::splat(w[k]).mul_add(H::load(&moment[axis]), along[axis]);
+                        }
+                    }
+                    let (across, _) = reach.across_row(row);
+                    for axis in 0..D {
+                        sum[axis] = H::splat(across).mul_add(along[axis], sum[axis]);
+                    }
+                }
+            }
+            for axis in 0..D {
+                (H::splat(*mass) * sum[axis]).store(&mut found[axis]);
+            }
+        }
+    }
+}
+
+/// Spreads what particles have over the nodes of some planes, particle by particle.
 pub(super) struct Spread<'a, const D: usize> {
     /// Particles and hosts.
     pub(super) around: &'a Around<D>,
-    /// Moments per mass of the hosts \[N m/kg\].
-    pub(super) moments: &'a [Columns<D>],
-    /// Which of them are not zero.
-    pub(super) is_turned: &'a [bool],
-    /// All nodes, to whose forces is added.
+    /// Moments of the particles \[N m\].
+    pub(super) of_particles: &'a [Columns<D>],
+    /// The first node, and nodes to whose forces is added.
+    pub(super) first: usize,
     pub(super) lines: &'a mut [Line],
     /// The grid, and what lies beyond it.
     pub(super) shape: &'a GridShape,
@@ -39,45 +113,31 @@ impl<const D: usize> Spread<'_, D> {
     fn spread<H: Lanes, const N: usize>(self) {
         let Self {
             around,
-            moments,
-            is_turned,
+            of_particles,
+            first: own,
             lines,
             shape,
             mirrors,
         } = self;
-        for (reach, shares) in around.reaches.iter().zip(around.shares()) {
-            let mut any = false;
-            for share in shares {
-                any |= is_turned[share.host as usize];
+        for (reach, moment) in around.reaches.iter().zip(of_particles) {
+            if !around.turned.has(reach.base()) {
+                continue;
             }
-            if !any {
+            if reach.mirrored {
+                to_images(around, reach, moment, (own, &mut *lines), (shape, mirrors));
                 continue;
             }
             let mut sum = [H::splat(0.0); D];
-            for share in shares {
-                let moment = &moments[share.host as usize];
-                let image;
-                let mut from = moment;
-                if share.image != 0 {
-                    image = reflected(moment, share.image);
-                    from = &image;
-                }
-                for axis in 0..D {
-                    sum[axis] = H::splat(share.mass).mul_add(H::load(&from[axis]), sum[axis]);
-                }
-            }
-            if reach.mirrored {
-                let mut columns = [[0.0; 4]; D];
-                for axis in 0..D {
-                    sum[axis].store(&mut columns[axis]);
-                }
-                to_images(around, reach, &columns, lines, (shape, mirrors));
-                continue;
+            for axis in 0..D {
+                sum[axis] = H::load(&moment[axis]);
             }
             let (w, g) = reach.along_row();
             for row in &around.rows {
                 let first = reach.node(row);
-                let nodes = &mut lines[first..first + N];
+                let Some(nodes) = first.checked_sub(own).and_then(|at| lines.get_mut(at..at + N))
+                else {
+                    continue;
+                };
                 let (weight, slopes) = reach.across_row(row);
                 let mut across = H::splat(slopes[0]) * sum[0];
                 for axis in 1..D - 1 {
@@ -94,21 +154,24 @@ impl<const D: usize> Spread<'_, D> {
     }
 }
 
-/// The same for one particle some of whose nodes are ghosts, with the sum of its moments.
+/// The same for one particle some of whose nodes are ghosts.
 fn to_images<const D: usize>(
     around: &Around<D>,
     reach: &Reach<D>,
-    sum: &Columns<D>,
-    lines: &mut [Line],
+    moment: &Columns<D>,
+    (own, lines): (usize, &mut [Line]),
     (shape, mirrors): (&GridShape, &Mirrors),
 ) {
-    let moment = as_matrix(sum);
+    let moment = as_matrix(moment);
     for node in &around.stencil {
+        let (inside, _) = reach.inside(node, shape, mirrors);
+        let Some(line) = inside.checked_sub(own).and_then(|at| lines.get_mut(at)) else {
+            continue;
+        };
         let mut force = moment * reach.slope(node);
         force.component_mul_assign(&reach.prescribed(node, shape, mirrors));
-        let (inside, _) = reach.inside(node, shape, mirrors);
         for axis in 0..D {
-            lines[inside][4 + axis] += force[axis];
+            line[4 + axis] += force[axis];
         }
     }
 }
