@@ -40,8 +40,8 @@ pub trait Lanes:
 
     /// All lanes equal to `x`.
     fn splat(x: f64) -> Self;
-    /// The lower half of the lanes equal to `lower`, the upper half to `upper`.
-    fn splat_halves(lower: f64, upper: f64) -> Self;
+    /// The lanes whose bits are set in `lanes` equal to `b`, the others to `a`.
+    fn splat_two(a: f64, b: f64, lanes: u8) -> Self;
     /// The first `WIDTH` values of `from`. Panics where there are fewer.
     fn load(from: &[f64]) -> Self;
     /// The first `count <= WIDTH` values of `from`, the other lanes zero.

@@ -59,8 +59,8 @@ impl Lanes for Scalar {
         Self(x)
     }
     #[inline(always)]
-    fn splat_halves(lower: f64, _upper: f64) -> Self {
-        Self(lower)
+    fn splat_two(a: f64, b: f64, lanes: u8) -> Self {
+        Self(if lanes & 1 == 1 { b } else { a })
     }
     #[inline(always)]
     fn load(from: &[f64]) -> Self {
@@ -127,8 +127,11 @@ impl<T: Lanes> Lanes for Pair<T> {
         Self(T::splat(x), T::splat(x))
     }
     #[inline(always)]
-    fn splat_halves(lower: f64, upper: f64) -> Self {
-        Self(T::splat(lower), T::splat(upper))
+    fn splat_two(a: f64, b: f64, lanes: u8) -> Self {
+        Self(
+            T::splat_two(a, b, lanes),
+            T::splat_two(a, b, lanes >> T::WIDTH),
+        )
     }
     #[inline(always)]
     fn load(from: &[f64]) -> Self {

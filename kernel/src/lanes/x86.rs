@@ -119,8 +119,14 @@ impl Lanes for Avx2Lanes {
         Self(unsafe { _mm256_set1_pd(x) })
     }
     #[inline(always)]
-    fn splat_halves(lower: f64, upper: f64) -> Self {
-        Self(unsafe { _mm256_setr_pd(lower, lower, upper, upper) })
+    fn splat_two(a: f64, b: f64, lanes: u8) -> Self {
+        let mut all = [a; 4];
+        for lane in 0..4 {
+            if lanes >> lane & 1 == 1 {
+                all[lane] = b;
+            }
+        }
+        Self(unsafe { _mm256_setr_pd(all[0], all[1], all[2], all[3]) })
     }
     #[inline(always)]
     fn load(from: &[f64]) -> Self {
@@ -205,8 +211,8 @@ impl Lanes for Avx512Lanes {
         Self(unsafe { _mm512_set1_pd(x) })
     }
     #[inline(always)]
-    fn splat_halves(lower: f64, upper: f64) -> Self {
-        Self(unsafe { _mm512_mask_blend_pd(0xf0, _mm512_set1_pd(lower), _mm512_set1_pd(upper)) })
+    fn splat_two(a: f64, b: f64, lanes: u8) -> Self {
+        Self(unsafe { _mm512_mask_blend_pd(lanes, _mm512_set1_pd(a), _mm512_set1_pd(b)) })
     }
     #[inline(always)]
     fn load(from: &[f64]) -> Self {

@@ -35,6 +35,8 @@ pub(super) fn bodies_onto<'a>(
         lanes: decided.lanes,
         stencil,
         affine: plan.affine != Affine::Leave,
+        leaves_parts: [carry, Carry::MassGradient]
+            .map(|carry| p2g::leaves_parts(plan.axes, plan.full_mapping, carry)),
         free: instance(carry),
         driven: instance(Carry::Momentum),
         gradient: instance(Carry::MassGradient),
@@ -63,6 +65,8 @@ pub(super) struct BodiesOnto<'a> {
     pub(super) stencil: usize,
     /// Whether momentum has an affine part.
     affine: bool,
+    /// Whether a mapping leaves nodes in two parts, and that of the mass gradient.
+    leaves_parts: [bool; 2],
     /// Of bodies that move freely.
     free: Carrier,
     /// Of bodies with a field of their own whose motion is prescribed: their mass alone counts.
@@ -101,7 +105,7 @@ impl BodiesOnto<'_> {
     /// Maps the bodies of one field.
     pub(super) fn run_field(&self, field: &mut SlabField<'_>) -> usize {
         let planes = &mut field.planes;
-        match field.owner {
+        let groups = match field.owner {
             Owner::Body(body) => self.map(body, planes),
             Owner::Phase => {
                 let mut groups = 0;
@@ -112,7 +116,11 @@ impl BodiesOnto<'_> {
                 }
                 groups
             }
+        };
+        if self.leaves_parts[0] {
+            planes.join();
         }
+        groups
     }
 
     /// Maps one body.
@@ -148,6 +156,9 @@ impl BodiesOnto<'_> {
             planes,
             self.gradient,
         );
+        if self.leaves_parts[1] {
+            planes.join();
+        }
     }
 
     /// Layers of particles that reach planes. A particle may have left its layer by one cell since the last sort.

@@ -10,6 +10,7 @@ mod damped;
 mod remapped;
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
+use crate::stage::p2g::join;
 use std::ops::{AddAssign, Range};
 
 /// A boundary plane with a condition.
@@ -140,6 +141,11 @@ impl Planes<'_> {
                 }
             }
         }
+    }
+
+    /// Adds both parts of what was mapped to each node in the plane.
+    pub(crate) fn join(&mut self) {
+        self.for_rows(|row| row.iter_mut().for_each(join));
     }
 
     /// Folds what lies on ghost nodes onto their mirror nodes: mass and momentum (`lower`), force (`upper`).

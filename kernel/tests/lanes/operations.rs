@@ -166,10 +166,16 @@ fn parts<L: Lanes>() {
             );
         }
     }
-    if L::WIDTH == 8 {
-        let mut halves = [0.0; 8];
-        L::splat_halves(1.0, 2.0).store(&mut halves);
-        assert_eq!(halves, [1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0]);
+    for lanes in 0..=255 {
+        let mut two = [0.0; 8];
+        L::splat_two(1.0, 2.0, lanes).store(&mut two);
+        for (i, &x) in two[..L::WIDTH].iter().enumerate() {
+            assert_eq!(
+                x,
+                if lanes >> i & 1 == 1 { 2.0 } else { 1.0 },
+                "lane {i} of {lanes:b}"
+            );
+        }
     }
 }
 

@@ -115,6 +115,9 @@ fn check(
             viscous_rate,
         },
     );
+    if axes == 2 {
+        nodes.lines_mut().iter_mut().for_each(p2g::join);
+    }
     let (sums, moment) = nodal_sums(&shape, &nodes);
 
     let n = draws.len() as f64;

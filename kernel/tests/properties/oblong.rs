@@ -197,6 +197,9 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
                     viscous_rate: 0.0,
                 },
             );
+            if axes == 2 {
+                nodes.lines_mut().iter_mut().for_each(p2g::join);
+            }
             for a in 0..axes {
                 for b in 0..axes {
                     let lines = nodes.lines().iter().enumerate();

@@ -100,8 +100,11 @@ fn add_rows<
     j: usize,
 ) {
     let (middle, fast) = (D - 2, D - 1);
+    // In the plane the force through the derivative along the slow axis and that along the fast one lie side by side, so that
+    // a line times its factors along both is all.
+    let packed = D == 2 && GRADIENT && !FULL;
     // The lower lanes have derivatives (distances, that is) of affine velocity only.
-    let derivative = GRADIENT && (FULL || PART != LOWER);
+    let derivative = GRADIENT && !packed && (FULL || PART != LOWER);
     let lanes = match PART {
         LOWER => 0..4,
         UPPER => 4..8,
@@ -120,8 +123,8 @@ fn add_rows<
             in_plane::<L, D, N, FULL, GRADIENT, PART>(scratch, below.plane, p);
         for r in 0..ROWS {
             let w = scratch.w[middle][j + r][p];
-            let mut s = if D == 2 && GRADIENT && !FULL {
-                halves::<L, PART>(w, scratch.g[middle][j + r][p]) * by_weight
+            let mut s = if packed {
+                splat_for::<L, PART>(w, scratch.g[middle][j + r][p], SLOW) * by_weight
             } else {
                 L::splat(w) * by_weight
             };
@@ -130,7 +133,13 @@ fn add_rows<
                 s = factor.mul_add(by_middle, s);
             }
             for k in 0..N {
-                sums[r][k] = L::splat(scratch.w[fast][k][p]).mul_add(s, sums[r][k]);
+                let w = scratch.w[fast][k][p];
+                let factor = if packed {
+                    splat_for::<L, PART>(w, scratch.g[fast][k][p], FAST)
+                } else {
+                    L::splat(w)
+                };
+                sums[r][k] = factor.mul_add(s, sums[r][k]);
             }
             if derivative {
                 let t = L::splat(w) * by_fast;
@@ -150,8 +159,8 @@ fn add_rows<
 }
 
 /// What a particle adds to a plane of the stencil: the lines that go with the weights of rows, with their derivatives, and with
-/// their weights and the derivative along them. In the plane rows lie along the slow axis, and without affine terms its
-/// line is the first.
+/// their weights and the derivative along them. In the plane rows lie along the slow axis, and without affine terms all is in
+/// the first line.
 #[inline(always)]
 fn in_plane<
     L: Lanes,
@@ -178,7 +187,7 @@ fn in_plane<
     let by_weight = if FULL {
         along::<L, N, FULL, PART>(scratch, 0, plane, p).mul_add(lines[1], w * lines[0])
     } else if GRADIENT {
-        halves::<L, PART>(weight, scratch.g[0][plane][p]) * lines[0]
+        splat_for::<L, PART>(weight, scratch.g[0][plane][p], UPPER_LANES) * lines[0]
     } else {
         w * lines[0]
     };
@@ -196,18 +205,24 @@ fn along<L: Lanes, const N: usize, const FULL: bool, const PART: u8>(
 ) -> L {
     let g = scratch.g[axis][node][p];
     if FULL {
-        halves::<L, PART>(scratch.q[axis][node][p], g)
+        splat_for::<L, PART>(scratch.q[axis][node][p], g, UPPER_LANES)
     } else {
         L::splat(g)
     }
 }
 
-/// The factor of the lanes in use: `lower`, `upper`, or each in its half.
+/// The lanes of a line that go with a derivative: the upper half; in the plane, where lines are packed, those of the slow axis
+/// or of the fast one.
+const UPPER_LANES: u8 = 0xf0;
+const SLOW: u8 = 0x30;
+const FAST: u8 = 0xc0;
+
+/// Of a line with `b` in some lanes and `a` in the others the lanes in use.
 #[inline(always)]
-fn halves<L: Lanes, const PART: u8>(lower: f64, upper: f64) -> L {
+fn splat_for<L: Lanes, const PART: u8>(a: f64, b: f64, lanes: u8) -> L {
     match PART {
-        LOWER => L::splat(lower),
-        UPPER => L::splat(upper),
-        _ => L::splat_halves(lower, upper),
+        LOWER => L::splat_two(a, b, lanes & 0xf),
+        UPPER => L::splat_two(a, b, lanes >> 4),
+        _ => L::splat_two(a, b, lanes),
     }
 }

@@ -196,6 +196,27 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
     }
 }
 
+/// Adds both parts of what was mapped to the upper lanes of a node in the plane, where what came through the derivative along the
+/// fast axis lies beside what came through that along the slow one: each is a sum in the order of the particles.
+#[inline(always)]
+pub fn join(line: &mut Line) {
+    for lane in 4..6 {
+        line[lane] += line[lane + 2];
+        line[lane + 2] = 0.0;
+    }
+}
+
+/// Whether a stage leaves a node in two parts, which [`join`] adds.
+#[must_use]
+pub fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
+    let derivative = match carry {
+        Carry::Momentum => false,
+        Carry::Remap => full,
+        Carry::All | Carry::Force | Carry::MassGradient | Carry::MeanStress { .. } => true,
+    };
+    axes == 2 && derivative
+}
+
 /// The nodes that the caller owns.
 struct Onto<'a> {
     planes: Range<usize>,

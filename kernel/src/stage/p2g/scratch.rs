@@ -117,12 +117,13 @@ impl<const N: usize> Scratch<N> {
             let (lower, upper) = rows::<Q, D, FULL, EXTRA>(from, at + done, part);
             let lines = &mut self.lines[done..done + 4];
             for line in 0..4 {
-                // Line 1 exists with affine terms only, line 2 in space only; without a derivative there is line 0.
+                // Line 1 exists with affine terms only, line 2 in space only, where there are no affine terms line 3 as well;
+                // without a derivative there is line 0.
                 let exists = match line {
                     0 => true,
                     1 => FULL,
                     2 => D == 3 && GRADIENT,
-                    _ => GRADIENT,
+                    _ => GRADIENT && (FULL || D == 3),
                 };
                 // Momentum alone has nothing in the upper lanes, and mapped again nothing in the lower ones.
                 if exists && (GRADIENT || from.carry != Carry::Momentum) {
@@ -154,7 +155,8 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
     let m = load::<Q>(&columns[Layout::MASS], at, count);
     if EXTRA == MASS_GRADIENT {
         for axis in 0..D {
-            upper[lean_line_of::<D>(axis)][axis] = m * Q::splat(mapping.inverse_cell[axis]);
+            let (line, lane) = place_of::<D, false>(axis, axis);
+            upper[line][lane] = m * Q::splat(mapping.inverse_cell[axis]);
         }
         return (lower, upper);
     }
@@ -169,8 +171,8 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
             trace = trace + load::<Q>(&columns[Layout::stress(D) + axis], at, count);
         }
         for axis in 0..D {
-            upper[lean_line_of::<D>(axis)][axis] =
-                volume * Q::splat(mapping.inverse_cell[axis]) * trace;
+            let (line, lane) = place_of::<D, false>(axis, axis);
+            upper[line][lane] = volume * Q::splat(mapping.inverse_cell[axis]) * trace;
         }
         return (lower, upper);
     }
@@ -198,7 +200,8 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
                 let rate = load::<Q>(&columns[affine + c * D + axis], at, count);
                 let along = m * rate * cell;
                 if carry == Carry::Remap {
-                    upper[line_of::<D>(axis)][c] = along;
+                    let (line, lane) = place_of::<D, true>(axis, c);
+                    upper[line][lane] = along;
                 } else {
                     lower[line_of::<D>(axis)][1 + c] = along;
                 }
@@ -209,14 +212,10 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
         let volume = -load::<Q>(&columns[Layout::VOLUME], at, count);
         for axis in 0..D {
             let scale = volume * Q::splat(mapping.inverse_cell[axis]);
-            let line = if FULL {
-                line_of::<D>(axis)
-            } else {
-                lean_line_of::<D>(axis)
-            };
             for c in 0..D {
                 let stress = &columns[Layout::stress(D) + voigt::<D>(c, axis)];
-                upper[line][c] = scale * load::<Q>(stress, at, count);
+                let (line, lane) = place_of::<D, FULL>(axis, c);
+                upper[line][lane] = scale * load::<Q>(stress, at, count);
             }
         }
         if FULL {
@@ -242,8 +241,16 @@ const fn line_of<const D: usize>(axis: usize) -> usize {
     if axis + 1 == D { 3 } else { axis + 1 }
 }
 
-/// As [`line_of`]; without affine terms the slow axis shares line 0, whose upper lanes are free.
+/// Line and upper lane of component `c` of what goes with the derivative along an axis. Without affine terms the slow axis
+/// shares line 0, whose upper lanes are free. In the plane what goes with the fast axis lies in lanes of its own
+/// ([`join`](super::join)), and without affine terms in line 0 as well.
 #[inline(always)]
-const fn lean_line_of<const D: usize>(axis: usize) -> usize {
-    if axis == 0 { 0 } else { line_of::<D>(axis) }
+const fn place_of<const D: usize, const FULL: bool>(axis: usize, c: usize) -> (usize, usize) {
+    let lane = if D == 2 && axis == 1 { 2 + c } else { c };
+    let line = if !FULL && (D == 2 || axis == 0) {
+        0
+    } else {
+        line_of::<D>(axis)
+    };
+    (line, lane)
 }
