@@ -67,15 +67,19 @@ fn threads_and_lanes_change_no_bit_of_contact_whatever_the_method() {
                         continue;
                     }
                     compared += 1;
-                    // Lanes and threads in turn, so that each meets each.
-                    let expected = result(&touching, 1, lanes[(w + s) % lanes.len()]);
-                    let choice = lanes[(w + s + t + 1) % lanes.len()];
-                    let threads = [2, 3, 5][(w + t) % 3];
-                    assert!(
-                        result(&touching, threads, choice) == expected,
-                        "{}: {weighting:?} {scheme:?} {transfer:?}: {threads} threads, {choice:?}",
-                        touching.name
-                    );
+                    let expected = result(&touching, 1, lanes[0]);
+                    let alone = lanes[1..].iter().map(|choice| (1, *choice));
+                    // Lanes in turn, so that each number of threads meets each of them.
+                    let of_threads = [2, 3, 5].into_iter().enumerate();
+                    let together = of_threads
+                        .map(|(k, threads)| (threads, lanes[(w + s + t + k) % lanes.len()]));
+                    for (threads, choice) in alone.chain(together) {
+                        assert!(
+                            result(&touching, threads, choice) == expected,
+                            "{}: {weighting:?} {scheme:?} {transfer:?}: {threads} threads, {choice:?}",
+                            touching.name
+                        );
+                    }
                 }
             }
         }
