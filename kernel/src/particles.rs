@@ -65,6 +65,7 @@ impl ParticleSet {
     }
 
     /// A vector of a particle, from `axes` columns; the missing third component is zero.
+    #[inline]
     #[must_use]
     pub fn vector(&self, first_column: usize, p: usize) -> [f64; 3] {
         let mut v = [0.0; 3];
@@ -75,18 +76,21 @@ impl ParticleSet {
     }
 
     /// Position of a particle relative to the mesh origin \[m\].
+    #[inline]
     #[must_use]
     pub fn position(&self, p: usize) -> [f64; 3] {
         self.vector(Layout::POSITION, p)
     }
 
     /// Velocity of a particle \[m/s\].
+    #[inline]
     #[must_use]
     pub fn velocity(&self, p: usize) -> [f64; 3] {
         self.vector(Layout::velocity(self.layout.axes), p)
     }
 
     /// Cauchy stress of a particle \[Pa\]: xx, yy, zz, yz, xz, xy.
+    #[inline]
     #[must_use]
     pub fn stress(&self, p: usize) -> [f64; 6] {
         let s = |i: usize| self.columns[Layout::stress(self.layout.axes) + i][p];

@@ -128,6 +128,7 @@ impl Law for Bingham {
         (slope + L::splat(4.0 / 3.0 * self.shear())) * (increment.volume / increment.mass)
     }
 
+    #[inline]
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         let initial = particle.mass / particle.density;
         let s = &particle.stress;

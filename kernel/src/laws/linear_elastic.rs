@@ -62,6 +62,7 @@ impl LinearElastic {
     }
 
     /// Strain energy density of a stress state, sigma : C^-1 : sigma / 2 \[J/m³\]; stress xx, yy, zz, yz, xz, xy.
+    #[inline]
     #[must_use]
     pub fn energy_density(&self, s: &[f64; 6]) -> f64 {
         let trace = s[0] + s[1] + s[2];
@@ -106,6 +107,7 @@ impl Law for LinearElastic {
             * (increment.volume / increment.mass)
     }
 
+    #[inline]
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         self.energy_density(&particle.stress) * particle.volume
     }

@@ -11,6 +11,7 @@ pub mod plastic;
 mod point;
 pub mod principal;
 mod state;
+mod stored;
 mod strain;
 mod strength;
 pub mod tensor;
@@ -24,6 +25,7 @@ pub use mohr_coulomb::{Residual, Softening};
 pub use plastic::Yielding;
 pub use point::{Point, PointFault};
 pub use state::EquationOfState;
+pub use stored::Stored;
 pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 

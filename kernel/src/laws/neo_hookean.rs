@@ -66,6 +66,7 @@ impl Law for NeoHookean {
         speed_squared::<L, D>(self, f, j, increment.density)
     }
 
+    #[inline]
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         let f = &particle.deformation;
         let trace: f64 = f.iter().flatten().map(|x| x * x).sum();

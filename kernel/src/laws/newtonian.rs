@@ -117,6 +117,7 @@ impl Law for Newtonian {
         slope * (increment.volume / increment.mass)
     }
 
+    #[inline]
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         let initial = particle.mass / particle.density;
         self.state.energy_density(particle.volume / initial) * initial

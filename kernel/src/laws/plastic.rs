@@ -156,6 +156,7 @@ impl<Y: Yielding> Law for Y {
         speed_squared
     }
 
+    #[inline]
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         self.elastic().energy(particle)
     }

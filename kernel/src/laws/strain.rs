@@ -4,7 +4,7 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{AnyLaw, Constant, Curve, Increment, Law, Particle, Rows, Unfit};
+use super::{AnyLaw, Constant, Curve, Increment, Law, Particle, Rows, Stored, Unfit};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -120,6 +120,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64;
     /// See [`Law::energy`].
     fn energy(&self, particle: &Particle<'_>) -> f64;
+    /// The same of a particle where it is stored.
+    fn energy_of(&self, particle: &Stored<'_>) -> f64;
     /// See [`Law::dissipated`].
     fn dissipated(&self, particle: &Particle<'_>) -> f64;
     /// See [`Law::algorithmic`].
@@ -174,6 +176,9 @@ impl<M: Law> Strain for M {
     }
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         Law::energy(self, particle)
+    }
+    fn energy_of(&self, particle: &Stored<'_>) -> f64 {
+        particle.ask(|particle| Law::energy(self, particle))
     }
     fn dissipated(&self, particle: &Particle<'_>) -> f64 {
         Law::dissipated(self, particle)

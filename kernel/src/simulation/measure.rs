@@ -2,10 +2,11 @@
 //! they do not depend on how particles are stored.
 
 use super::{BodyEnergy, Simulation};
-use crate::laws::{Particle, UNDEFORMED};
+use crate::laws::{Particle, Stored};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
+use crate::team::OfItem;
 use std::sync::{MutexGuard, PoisonError};
 
 impl Simulation {
@@ -76,8 +77,8 @@ impl Simulation {
         for (index, set) in self.state.sets.iter().enumerate() {
             self.add_each(
                 set,
-                |p| self.strain_energy_of(index, p),
-                |term| total += term,
+                |p| [self.strain_energy_of(index, p)],
+                |[term]| total += term,
             );
         }
         total
@@ -85,7 +86,7 @@ impl Simulation {
 
     fn strain_energy_of(&self, index: usize, p: usize) -> f64 {
         let law = &self.decided.bodies[index].law;
-        self.of_particle(index, p, |particle| law.energy(particle))
+        law.energy_of(&self.stored(index, p))
     }
 
     /// Energy that laws have dissipated in the particles \[J\].
@@ -99,8 +100,8 @@ impl Simulation {
             }
             self.add_each(
                 set,
-                |p| self.plastic_work_of(index, p),
-                |term| total += term,
+                |p| [self.plastic_work_of(index, p)],
+                |[term]| total += term,
             );
         }
         total
@@ -142,16 +143,17 @@ impl Simulation {
 
     /// What a law says of a particle.
     fn of_particle<T>(&self, index: usize, p: usize, ask: impl FnOnce(&Particle<'_>) -> T) -> T {
-        let (set, body) = (&self.state.sets[index], &self.decided.bodies[index]);
-        let (mass, volume) = self.mass_and_volume(index, p);
-        ask(&Particle {
-            mass,
-            volume,
-            density: body.density,
-            stress: set.stress(p),
-            deformation: self.deformation(index, p).unwrap_or(UNDEFORMED),
-            variables: &set.variables(p),
-        })
+        self.stored(index, p).ask(ask)
+    }
+
+    fn stored(&self, index: usize, p: usize) -> Stored<'_> {
+        let set = &self.state.sets[index];
+        Stored {
+            columns: &set.columns,
+            layout: &set.layout,
+            density: self.decided.bodies[index].density,
+            p,
+        }
     }
 
     /// Hash of the particle state in order of the identifier; see [`state_hash`].
@@ -160,31 +162,33 @@ impl Simulation {
         state_hash(&self.state.sets)
     }
 
-    /// Adds up what `term` says of each particle of a set, in order of the identifier. Threads find terms, as many at a time as
-    /// [`TERMS`]; one adds them.
-    fn add_each<T: Send + Copy + Default>(
+    /// Adds up what `term` says of each particle of a set, in order of the identifier. Threads find terms of as many particles
+    /// at a time as [`AT_ONCE`]; one adds them.
+    fn add_each<const K: usize>(
         &self,
         set: &ParticleSet,
-        term: impl Fn(usize) -> T + Send + Sync,
-        mut add: impl FnMut(T),
+        term: impl Fn(usize) -> [f64; K] + Send + Sync,
+        mut add: impl FnMut([f64; K]),
     ) {
-        let mut order = self.order();
-        let order = order.of(set);
+        let mut kept = self.order();
+        let ByIdentifier { places, terms } = kept.fill(set);
         let team = self.work.grid.team_of_particles();
         if team.count() == 1 {
-            order.iter().map(|&p| term(p as usize)).for_each(add);
+            places.iter().map(|&p| term(p as usize)).for_each(add);
             return;
         }
-        let mut terms = [T::default(); TERMS];
-        for order in order.chunks(TERMS) {
-            let share = order.len().div_ceil(team.count());
-            let parts = order.chunks(share).zip(terms.chunks_mut(share));
-            team.each(parts, |(order, terms)| {
-                for (&p, found) in order.iter().zip(terms) {
+        for places in places.chunks(AT_ONCE) {
+            terms.resize(K * places.len(), 0.0);
+            let share = team.share(places.len(), OfItem::Small);
+            let parts = places.chunks(share).zip(terms.chunks_mut(K * share));
+            team.each(parts, |(places, terms)| {
+                let (terms, _) = terms.as_chunks_mut();
+                for (&p, found) in places.iter().zip(terms) {
                     *found = term(p as usize);
                 }
             });
-            terms[..order.len()].iter().copied().for_each(&mut add);
+            let (terms, _) = terms.as_chunks();
+            terms.iter().copied().for_each(&mut add);
         }
     }
 
@@ -200,7 +204,7 @@ impl Simulation {
     fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64 + Sync) -> f64 {
         let mut sum = Sum::default();
         for set in &self.state.sets {
-            self.add_each(set, |p| term(set, p), |x| sum.add(x));
+            self.add_each(set, |p| [term(set, p)], |[x]| sum.add(x));
         }
         sum.value()
     }
@@ -262,28 +266,35 @@ impl Sum {
     }
 }
 
-/// Terms of a sum that are held at a time.
-const TERMS: usize = 1 << 12;
+/// Particles whose terms are held at a time: as many as a thread is worth being woken for, but not as many as there may be.
+const AT_ONCE: usize = 1 << 16;
 
-/// Indices of a set in order of the identifier.
+/// Indices of a set in order of the identifier, and memory for terms of sums in this order.
 #[derive(Debug, Default)]
-pub(crate) struct ByIdentifier(Vec<u32>);
+pub(crate) struct ByIdentifier {
+    places: Vec<u32>,
+    terms: Vec<f64>,
+}
 
 impl ByIdentifier {
     /// Those of a set. Identifiers of a set are consecutive but for removed particles, so a table of places takes the time of
     /// one pass.
     fn of(&mut self, set: &ParticleSet) -> &[u32] {
+        &self.fill(set).places
+    }
+
+    fn fill(&mut self, set: &ParticleSet) -> &mut Self {
         let (first, last) = set.id.iter().fold((u64::MAX, 0), |(low, high), &id| {
             (low.min(id), high.max(id))
         });
-        let places = &mut self.0;
+        let places = &mut self.places;
         places.clear();
         places.resize((last + 1).saturating_sub(first) as usize, u32::MAX);
         for (p, &id) in set.id.iter().enumerate() {
             places[(id - first) as usize] = p as u32;
         }
         places.retain(|&p| p != u32::MAX);
-        places
+        self
     }
 }
 

@@ -208,10 +208,18 @@ impl Planes<'_> {
 
     /// v_I = p_I / m_I in the lower lanes.
     pub fn velocities(&mut self) {
+        if self.shape.axes == 2 {
+            self.divide_by_mass::<2>();
+        } else {
+            self.divide_by_mass::<3>();
+        }
+    }
+
+    fn divide_by_mass<const D: usize>(&mut self) {
         self.for_rows(|row| {
             for node in row {
                 if node[0] > 0.0 {
-                    for c in 1..4 {
+                    for c in 1..=D {
                         node[c] /= node[0];
                     }
                 }
