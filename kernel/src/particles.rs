@@ -90,7 +90,7 @@ impl ParticleSet {
     }
 
     /// Cauchy stress of a particle \[Pa\]: xx, yy, zz, yz, xz, xy.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn stress(&self, p: usize) -> [f64; 6] {
         let s = |i: usize| self.columns[Layout::stress(self.layout.axes) + i][p];
@@ -99,6 +99,22 @@ impl ParticleSet {
         } else {
             [s(0), s(1), s(2), s(3), s(4), s(5)]
         }
+    }
+
+    /// Deformation gradient of a particle, where its law keeps one.
+    #[inline(always)]
+    #[must_use]
+    pub fn deformation(&self, p: usize) -> Option<[[f64; 3]; 3]> {
+        let first = self.layout.deformation?;
+        let axes = self.layout.axes;
+        let mut f = [[0.0; 3]; 3];
+        f[2][2] = 1.0;
+        for a in 0..axes {
+            for b in 0..axes {
+                f[a][b] = self.columns[first + a * axes + b][p];
+            }
+        }
+        Some(f)
     }
 
     /// Particles of the base layers `layers`, as of the last sort.

@@ -27,6 +27,7 @@ pub(super) fn bodies_onto<'a>(
     let instance = |carry| Carrier {
         carry,
         call: p2g::instance(plan.axes, nodes, plan.full_mapping, carry),
+        leaves_parts: p2g::leaves_parts(plan.axes, plan.full_mapping, carry),
     };
     BodiesOnto {
         sets: &state.sets,
@@ -35,8 +36,6 @@ pub(super) fn bodies_onto<'a>(
         lanes: decided.lanes,
         stencil,
         affine: plan.affine != Affine::Leave,
-        leaves_parts: [carry, Carry::MassGradient]
-            .map(|carry| p2g::leaves_parts(plan.axes, plan.full_mapping, carry)),
         free: instance(carry),
         driven: instance(Carry::Momentum),
         gradient: instance(Carry::MassGradient),
@@ -50,6 +49,8 @@ pub(super) fn bodies_onto<'a>(
 struct Carrier {
     carry: Carry,
     call: P2gFn,
+    /// Whether it leaves nodes in two parts.
+    leaves_parts: bool,
 }
 
 /// A mapping of bodies onto one slab after the other.
@@ -65,8 +66,6 @@ pub(super) struct BodiesOnto<'a> {
     pub(super) stencil: usize,
     /// Whether momentum has an affine part.
     affine: bool,
-    /// Whether a mapping leaves nodes in two parts, and that of the mass gradient.
-    leaves_parts: [bool; 2],
     /// Of bodies that move freely.
     free: Carrier,
     /// Of bodies with a field of their own whose motion is prescribed: their mass alone counts.
@@ -117,7 +116,7 @@ impl BodiesOnto<'_> {
                 groups
             }
         };
-        if self.leaves_parts[0] {
+        if self.free.leaves_parts {
             planes.join();
         }
         groups
@@ -156,7 +155,7 @@ impl BodiesOnto<'_> {
             planes,
             self.gradient,
         );
-        if self.leaves_parts[1] {
+        if self.gradient.leaves_parts {
             planes.join();
         }
     }
@@ -171,7 +170,7 @@ impl BodiesOnto<'_> {
         index: usize,
         layers: &mut dyn Iterator<Item = (Range<usize>, bool)>,
         planes: &mut Planes<'_>,
-        Carrier { carry, call }: Carrier,
+        Carrier { carry, call, .. }: Carrier,
     ) -> usize {
         let (set, body) = (&self.sets[index], &self.bodies[index]);
         let layout = Layout {

@@ -147,10 +147,8 @@ impl Simulation {
     }
 
     fn stored(&self, index: usize, p: usize) -> Stored<'_> {
-        let set = &self.state.sets[index];
         Stored {
-            columns: &set.columns,
-            layout: &set.layout,
+            set: &self.state.sets[index],
             density: self.decided.bodies[index].density,
             p,
         }

@@ -287,17 +287,7 @@ impl Simulation {
     /// Deformation gradient of a particle, where the plan keeps it.
     #[must_use]
     pub fn deformation(&self, set: usize, p: usize) -> Option<[[f64; 3]; 3]> {
-        let set = &self.state.sets[set];
-        let first = set.layout.deformation?;
-        let axes = set.layout.axes;
-        let mut f = [[0.0; 3]; 3];
-        f[2][2] = 1.0;
-        for a in 0..axes {
-            for b in 0..axes {
-                f[a][b] = set.columns[first + a * axes + b][p];
-            }
-        }
-        Some(f)
+        self.state.sets[set].deformation(p)
     }
 
     /// Mass and volume of a particle \[kg, m³\].
