@@ -115,6 +115,53 @@ fn a_scene_is_told_its_limit_and_what_would_allow_more() {
     }
 }
 
+/// Ground and fluid at rest, too: gravity, to which their stress refers, is no part of the linear step. It is that of the same
+/// scene without stress.
+#[test]
+fn scenes_at_rest_are_told_their_limit() {
+    for scene in ["ground_2d", "soil_element", "fluid_element"] {
+        let output = proctor(&[
+            "stability",
+            &fixture(&format!("fixtures/scenes/{scene}.json")),
+        ]);
+        let text = stdout(&output);
+        assert_eq!(code(&output), 0, "{scene}: {text}{}", stderr(&output));
+        assert!(text.contains("predicted critical step"), "{scene}: {text}");
+    }
+    let desk = Desk::new();
+    let step = |stress: Option<Value>, axes: usize| {
+        let point = |x: f64| vec![x; axes];
+        let mut gravity = vec![0.0; axes];
+        gravity[axes - 1] = -9.81;
+        let mut scene = json!({
+            "dimension": axes, "time": 1, "gravity": gravity,
+            "mesh": {"cells_dimension": point(0.25), "cells_number": vec![4; axes]},
+            "material": [{"type": "elastic", "id": 1, "young": 1e6, "poisson": 0.3, "density": 1800}],
+            "body": [{
+                "type": "cuboid", "id": 1, "material_id": 1, "point_p1": point(0.0), "point_p2": point(0.75),
+            }],
+        });
+        if let Some(stress) = stress {
+            scene["body"][0]["initial_stress"] = stress;
+        }
+        let output = proctor(&["stability", &desk.scene("scene.json", &scene)]);
+        assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+        let line = stdout(&output);
+        let line = line
+            .lines()
+            .find(|line| line.contains("predicted critical step"));
+        line.expect("a step").to_owned()
+    };
+    for axes in [2, 3] {
+        let rest = json!({"type": "at_rest", "ratio": 0.5, "level": 0.75});
+        assert_eq!(step(Some(rest), axes), step(None, axes));
+        assert_eq!(
+            step(Some(json!({"type": "isotropic", "value": -1e3})), axes),
+            step(None, axes)
+        );
+    }
+}
+
 #[test]
 fn a_step_above_the_predicted_one_fails() {
     let desk = Desk::new();

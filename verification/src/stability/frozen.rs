@@ -1,7 +1,7 @@
 //! One step of the kernel as a linear map of velocities and stresses, with particles that stay where they are.
 
 use proctor_kernel::layout::Layout;
-use proctor_kernel::scene::{Damping, Mortar, PlaneCondition, Scene, TimeStep};
+use proctor_kernel::scene::{Damping, InitialStress, Mortar, PlaneCondition, Scene, TimeStep};
 use proctor_kernel::simulation::{Options, Saved, Simulation};
 
 use super::StabilityError;
@@ -194,6 +194,8 @@ fn linear_part(scene: &Scene) -> Scene {
     }
     for body in &mut part.bodies {
         body.velocity = [0.0; 3];
+        // The stress of ground at rest refers to gravity, which is taken away below.
+        body.initial_stress = InitialStress::None;
         if let Some(motion) = &mut body.motion {
             motion.values.fill([0.0; 3]);
         }
