@@ -202,8 +202,10 @@ pub enum StepErrorKind {
     },
     /// All particles have left the mesh, and there is no time to step to.
     NothingLeft,
-    /// A nodal load acts where no particle reaches.
+    /// A load acts where no particle reaches.
     LoadOnEmptyNode {
+        /// Which load, as a path into the scene; `None` where it is none of the scene's.
+        load: Option<String>,
         /// Position of the node \[m\].
         position: [f64; 3],
     },
@@ -358,11 +360,14 @@ impl fmt::Display for StepError {
                 "all particles have left the mesh; accepted: a larger mesh, or a time that ends before"
             ),
             StepErrorKind::LoadOnEmptyNode {
+                load,
                 position: [x, y, z],
             } => {
+                let load = load.as_deref().unwrap_or("a load");
                 write!(
                     f,
-                    "a nodal load acts at ({x}, {y}, {z}) m, where no particle reaches"
+                    "{load} acts at ({x}, {y}, {z}) m, where no particle reaches; accepted: a load that bodies stay under, \
+                     or a `box_load`, which moves with its particles"
                 )
             }
             StepErrorKind::Tunnelling {

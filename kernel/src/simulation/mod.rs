@@ -1,5 +1,6 @@
 //! A scene in motion: state, explicit cycle, and what can be asked of it.
 
+mod carried;
 mod change;
 mod clock;
 pub(crate) mod conditions;

@@ -1,6 +1,6 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
-use super::conditions::Acting;
+use super::conditions::{Acting, load_on};
 use super::error::{StepError, StepErrorKind};
 use super::fields::Grid;
 use super::interactions::{
@@ -218,7 +218,8 @@ impl Simulation {
     fn load_on_empty_node(&self, node: usize) -> StepError {
         let local = self.work.grid.shape.position(node);
         let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
-        self.error(StepErrorKind::LoadOnEmptyNode { position })
+        let load = load_on(&self.decided.scene, &self.work.grid.shape, node);
+        self.error(StepErrorKind::LoadOnEmptyNode { load, position })
     }
 
     /// The second mapping of a step, of the velocities after the kick: for MUSL at the old positions, for USF at the new

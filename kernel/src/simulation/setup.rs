@@ -114,6 +114,7 @@ impl Simulation {
             set.sort_by_position(&simulation.work.grid.team);
         }
         simulation.sort_if_stale(&mut |_| ());
+        simulation.require_carried()?;
         for one in simulation.interactions() {
             one.start(&simulation)?;
         }

@@ -133,9 +133,10 @@ fn a_load_on_an_empty_node_is_an_error() {
     let error = simulation(&scene)
         .step(NEVER)
         .expect_err("nobody carries the load");
-    let StepErrorKind::LoadOnEmptyNode { position } = error.kind else {
+    let StepErrorKind::LoadOnEmptyNode { load, position } = error.kind else {
         panic!("{error}")
     };
+    assert_eq!(load.as_deref(), Some("nodal_point_load[0]"));
     assert!(close(&position, &[0.8, 0.6, 0.1], 1.0), "{position:?}");
 
     scene.point_loads[0].position = [0.83, 0.6, 0.1];

@@ -7,6 +7,7 @@ mod balance;
 mod bar;
 mod beside;
 mod books;
+mod carried;
 mod contact;
 mod contact_symmetry;
 mod crowd;

@@ -136,6 +136,9 @@ impl Places {
                 .filter(|(pair, _)| pair == bodies)
                 .map(|(_, path)| path.clone())
                 .collect(),
+            StepErrorKind::LoadOnEmptyNode { load, .. } => {
+                load.iter().map(|path| self.spelt(path)).collect()
+            }
             _ => vec![],
         };
         self.told(&paths, &error.to_string())

@@ -212,8 +212,29 @@ fn node_at(scene: &Scene, shape: &GridShape, x: &Vector, path: &str) -> Result<u
     Ok(shape.index(shape.mesh_node(at)))
 }
 
+/// The first load that acts on a node, as a path into the scene; `None` where none does.
+pub(in crate::simulation) fn load_on(
+    scene: &Scene,
+    shape: &GridShape,
+    node: usize,
+) -> Option<String> {
+    let mut points = scene.point_loads.iter().enumerate();
+    let at_node = points.find_map(|(i, load)| {
+        let path = format!("nodal_point_load[{i}]");
+        let own = node_at(scene, shape, &load.position, &path).ok()?;
+        (own == node).then_some(path)
+    });
+    at_node.or_else(|| {
+        let mut tractions = scene.tractions.iter().enumerate();
+        tractions.find_map(|(i, load)| {
+            let areas = areas(scene, shape, i, load).ok()?;
+            (areas.iter().any(|(own, _)| *own == node)).then(|| format!("traction[{i}]"))
+        })
+    })
+}
+
 /// Nodes that a traction acts on, each with its area \[m²\]: the integral of its hat, exact for rectangles that cut cells.
-fn areas(
+pub(in crate::simulation) fn areas(
     scene: &Scene,
     shape: &GridShape,
     i: usize,

@@ -11,6 +11,7 @@
 
 mod nodes;
 
+pub(super) use loads::{areas as nodes_of_traction, load_on};
 pub use nodes::{FieldNodes, Node};
 
 use super::error::SetupError;
