@@ -1,5 +1,6 @@
 //! Reading tables of numbers: separators found by looking, every fault with its line and column.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use crate::json::unreadable;
@@ -8,7 +9,7 @@ use proctor_kernel::scene::{Dimension, History, Location, ParticleSeed, Problem,
 /// More problems than this in one file say the same again.
 const MOST_PROBLEMS: usize = 10;
 
-/// Reads an accelerogram: columns t, ax, ay and in three dimensions az, separated by `,`, `;` or tabs.
+/// Reads an accelerogram: columns t, ax, ay and in three dimensions az, separated by `,`, `;`, tabs or blanks.
 ///
 /// `header` says whether the first line holds names; `None` looks. Blank lines are skipped.
 ///
@@ -122,11 +123,12 @@ impl<'a> Table<'a> {
 
     fn parse(&mut self, text: &str, header: Option<bool>, names: &[&str]) {
         let lines: Vec<&str> = text.lines().collect();
-        let separator = separator(&lines);
+        let separator = Separator::of(&lines);
+        let text = separator.alone(text);
         let mut reader = csv::ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
-            .delimiter(separator)
+            .delimiter(separator.byte())
             .trim(csv::Trim::All)
             .from_reader(text.as_bytes());
         let mut is_first = true;
@@ -143,11 +145,11 @@ impl<'a> Table<'a> {
             if record.iter().all(str::is_empty) {
                 continue;
             }
-            let columns = columns(lines.get(line - 1).copied().unwrap_or(""), separator);
+            let columns = separator.columns(lines.get(line - 1).copied().unwrap_or(""));
             let is_header = is_first && self.is_header(&record, header, line, names);
             is_first = false;
             if !is_header {
-                self.take(&record, line, columns, names);
+                self.take(&record, line, columns, names, separator);
             }
             if self.problems.len() >= MOST_PROBLEMS {
                 return;
@@ -190,12 +192,21 @@ impl<'a> Table<'a> {
         line: usize,
         columns: Vec<usize>,
         names: &[&str],
+        separator: Separator,
     ) {
         if record.len() != names.len() {
+            let found = match record.len() {
+                1 => "one column: no `,`, `;`, tab or blank separates two".to_owned(),
+                count => format!("{count} columns, separated by {}", separator.words()),
+            };
             self.add(
                 (line, 1),
-                format!("{} columns", record.len()),
-                format!("{} columns: {}", names.len(), names.join(", ")),
+                found,
+                format!(
+                    "{} columns, separated by `,`, `;`, tabs or blanks: {}",
+                    names.len(),
+                    names.join(", ")
+                ),
             );
             return;
         }
@@ -206,7 +217,11 @@ impl<'a> Table<'a> {
                 _ => self.add(
                     (line, columns.get(i).copied().unwrap_or(1)),
                     format!("{text:?} in column {}", names[i]),
-                    "a finite number",
+                    if text.contains(',') && text.replacen(',', ".", 1).parse::<f64>().is_ok() {
+                        "a finite number with a decimal point"
+                    } else {
+                        "a finite number"
+                    },
                 ),
             }
         }
@@ -241,25 +256,99 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Tab or `;` if the first line that is not blank holds one, else `,`.
-fn separator(lines: &[&str]) -> u8 {
-    let first = lines.iter().find(|line| !line.trim().is_empty());
-    match first {
-        Some(line) if line.trim().contains('\t') => b'\t',
-        Some(line) if line.contains(';') => b';',
-        _ => b',',
-    }
+/// What stands between the columns of a table.
+#[derive(Clone, Copy)]
+enum Separator {
+    Comma,
+    Semicolon,
+    Tab,
+    Blanks,
 }
 
-/// Column, counted from 1 in characters, at which the text of each field starts.
-fn columns(line: &str, separator: u8) -> Vec<usize> {
-    let mut start = 0;
-    line.split(separator as char)
-        .map(|field| {
-            let blank = field.chars().take_while(|c| c.is_whitespace()).count();
-            let column = start + blank + 1;
-            start += field.chars().count() + 1;
-            column
-        })
-        .collect()
+impl Separator {
+    /// That of the first line that begins with a number, else of the first that is not blank: a header may have blanks within
+    /// its names.
+    fn of(lines: &[&str]) -> Self {
+        let mut filled = lines.iter().map(|line| line.trim());
+        let is_number = |line: &&str| {
+            let first = line.split(|c: char| c.is_whitespace() || ",;".contains(c));
+            (first.into_iter().next()).is_some_and(|text| text.parse::<f64>().is_ok())
+        };
+        let line = (filled.clone().find(is_number))
+            .or_else(|| filled.find(|line| !line.is_empty()))
+            .unwrap_or("");
+        // A blank beside a comma is no separator; a comma within what blanks separate is a decimal one.
+        let alone = |field: &str| !field.starts_with([',', ';']) && !field.ends_with([',', ';']);
+        let by_blanks = line.contains(char::is_whitespace) && line.split_whitespace().all(alone);
+        let has_blank = |field: &str| field.trim().contains(char::is_whitespace);
+        if by_blanks && line.contains('\t') && !line.split('\t').any(has_blank) {
+            Self::Tab
+        } else if by_blanks {
+            Self::Blanks
+        } else if line.contains(';') {
+            Self::Semicolon
+        } else {
+            Self::Comma
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::Comma => "`,`",
+            Self::Semicolon => "`;`",
+            Self::Tab => "tabs",
+            Self::Blanks => "blanks",
+        }
+    }
+
+    /// What is left of it in [`Separator::alone`].
+    fn byte(self) -> u8 {
+        match self {
+            Self::Comma => b',',
+            Self::Semicolon => b';',
+            Self::Tab | Self::Blanks => b'\t',
+        }
+    }
+
+    /// The text with one character between two columns, line by line.
+    fn alone(self, text: &str) -> Cow<'_, str> {
+        if !matches!(self, Self::Blanks) {
+            return text.into();
+        }
+        let mut alone = String::with_capacity(text.len());
+        for line in text.lines() {
+            for (i, field) in line.split_whitespace().enumerate() {
+                if i > 0 {
+                    alone.push('\t');
+                }
+                alone.push_str(field);
+            }
+            alone.push('\n');
+        }
+        alone.into()
+    }
+
+    /// Column, counted from 1 in characters, at which the text of each field starts.
+    fn columns(self, line: &str) -> Vec<usize> {
+        if matches!(self, Self::Blanks) {
+            let mut columns = vec![];
+            let mut before = ' ';
+            for (i, c) in line.chars().enumerate() {
+                if before.is_whitespace() && !c.is_whitespace() {
+                    columns.push(i + 1);
+                }
+                before = c;
+            }
+            return columns;
+        }
+        let mut start = 0;
+        line.split(self.byte() as char)
+            .map(|field| {
+                let blank = field.chars().take_while(|c| c.is_whitespace()).count();
+                let column = start + blank + 1;
+                start += field.chars().count() + 1;
+                column
+            })
+            .collect()
+    }
 }

@@ -28,6 +28,81 @@ fn separators_and_headers_are_found() {
     assert_eq!(flat.values, [[1.0, 2.0, 0.0], [-1e-3, 0.0, 0.0]]);
 }
 
+/// A file of a folder of its own with this text.
+fn written(text: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::TempDir::new().expect("a folder");
+    let path = folder.path().join("record.txt");
+    std::fs::write(&path, text).expect("a record");
+    (folder, path)
+}
+
+/// Columns stand apart by commas, semicolons, tabs or blanks, with blanks around each; names in a header may have blanks.
+#[test]
+fn any_separator_is_read() {
+    let expected = History {
+        times: vec![0.0, 0.02, 0.04],
+        values: vec![[0.5, -1.25, 3.0], [1e-3, 0.0, 0.25], [0.0, 7.0, -0.5]],
+    };
+    let rows = ["0 0.5 -1.25 3", "0.02 1e-3 0 0.25", "0.04 0 7 -0.5"];
+    for separator in [
+        ",", ", ", " , ", ";", " ; ", "\t", " \t", " ", "    ", "  \t  ",
+    ] {
+        for header in [
+            "",
+            "t ax ay az\n",
+            "t,ax,ay,az\n",
+            "time [s], a x, a y, a z\n",
+        ] {
+            for before in ["", "   "] {
+                let rows = rows.map(|row| before.to_owned() + &row.replace(' ', separator));
+                let text = header.to_owned() + &rows.join(" \r\n") + "\n";
+                let (_folder, path) = written(&text);
+                let record = read(&path, None, Dimension::Three);
+                assert_eq!(record.as_ref(), Ok(&expected), "{text:?}");
+                let seeds = rows.join("\n").replace('-', "");
+                std::fs::write(&path, &seeds).expect("particles");
+                let seeds = read_particles(&path, Dimension::Three);
+                assert_eq!(seeds.as_ref().map(Vec::len), Ok(3), "{seeds:?}");
+            }
+        }
+    }
+}
+
+/// What cannot be read says which separators there are, and a decimal comma what is wrong with it.
+#[test]
+fn a_record_that_cannot_be_split_names_the_separators() {
+    let said = |text: &str| {
+        let (_folder, path) = written(text);
+        let error = read(&path, None, Dimension::Two).expect_err(text);
+        let said = error.to_string();
+        said.split_once("record.txt:")
+            .expect("a place")
+            .1
+            .to_owned()
+    };
+    for text in ["0|1|2\n1|2|3\n", "0:1:2\n1:2:3\n"] {
+        let said = said(text);
+        assert!(
+            said.contains("separated by `,`, `;`, tabs or blanks"),
+            "{said}"
+        );
+    }
+    let told = said("0 1\n1 2\n");
+    assert!(
+        told.starts_with("1:1: found 2 columns, separated by blanks"),
+        "{told}"
+    );
+    for (text, place) in [
+        ("0,5 1,0 2,0\n1,5 1,0 2,0\n", "2:1"),
+        ("0 1 2\n1  0,5 2\n", "2:4"),
+        ("0;0,5;2\n", "1:3"),
+    ] {
+        let told = said(text);
+        assert!(told.starts_with(place), "{told}");
+        assert!(told.contains("with a decimal point"), "{told}");
+    }
+}
+
 #[test]
 fn faults_have_line_and_column() {
     let cases = [

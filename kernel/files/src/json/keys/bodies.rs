@@ -78,7 +78,8 @@ pub(in crate::json) struct RawBody {
         "examples" = [[[0.25, 0.25, 0.25], [0.75, 0.25, 0.25]], [[0.25, 0.25, 0.25, 0.125], [0.75, 0.25, 0.25, 0.125]]]
     ))]
     pub particles: Option<Vec<Vec<f64>>>,
-    /// Particles from a text file with the columns x, y, z, volume; a path relative to the folder of the scene.
+    /// Particles from a text file with the columns x, y, z, volume, separated by `,`, `;`, tabs or blanks; a path relative to
+    /// the folder of the scene.
     #[schemars(extend(
         "x-unit" = "m, m³", "x-needs" = "`type` \"particles\" without `particles`", "x-needed" = true, "x-file" = true,
         "examples" = ["particles.csv"]

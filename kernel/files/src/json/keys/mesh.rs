@@ -97,7 +97,7 @@ pub(in crate::json) struct RawEarthquake {
     /// Whether it acts; nothing else here is read where it does not.
     #[schemars(extend("x-needed" = true, "examples" = [true]))]
     pub active: Option<bool>,
-    /// Record with the columns t, ax, ay, az; a path relative to the folder of the scene.
+    /// Record with the columns t, ax, ay, az, separated by `,`, `;`, tabs or blanks; a path relative to the folder of the scene.
     #[schemars(extend(
         "x-unit" = "s, m/s² or m/s", "x-needed" = true, "x-file" = true, "examples" = ["record.csv"]
     ))]
