@@ -58,7 +58,21 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
 fn check_bodies(scene: &Scene, contact: &Contact, path: &str, problems: &mut Collector) -> bool {
     let mut known = true;
     for (key, id) in [("master_id", contact.master), ("slave_id", contact.slave)] {
-        if !scene.bodies.iter().any(|b| b.id == id) {
+        let rigid = (scene
+            .mortar
+            .lines
+            .iter()
+            .map(|line| (line.id, "a rigid line")))
+        .chain((scene.mortar.facets.iter()).map(|facets| (facets.id, "a rigid surface")))
+        .find(|(own, _)| *own == id);
+        if let Some((_, what)) = rigid {
+            problems.add(
+                format!("{path}.{key}"),
+                format!("{id}, {what}, in a contact on the grid, which only bodies have"),
+                "`\"method\": \"mortar\"` beside it, with `critical_gap` and `normal_stiffness`; or the id of a body",
+            );
+            known = false;
+        } else if !scene.bodies.iter().any(|b| b.id == id) {
             let ids: Vec<String> = scene.bodies.iter().map(|b| b.id.to_string()).collect();
             problems.add(
                 format!("{path}.{key}"),
