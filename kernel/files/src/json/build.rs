@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use super::elsewhere;
 use super::keys::RawScene;
 use super::words::{listed, meaning, nearest};
 use proctor_kernel::scene::{Dimension, Problem, Scene, SceneError, Vector};
@@ -14,6 +15,8 @@ pub(super) struct Build<'a> {
     /// Number of dimensions.
     pub dimension: Dimension,
     problems: Vec<Problem>,
+    /// Which of them say of a word or a choice that it is none, whatever else is in the scene.
+    of_words: Vec<usize>,
     /// How paths of the checked scene are spelt in the file, where that differs.
     spellings: Vec<(String, String)>,
     /// Paths that hold a stand-in, about which the check is not to speak.
@@ -26,6 +29,7 @@ impl<'a> Build<'a> {
             folder,
             dimension: Dimension::Three,
             problems: Vec::new(),
+            of_words: Vec::new(),
             spellings: Vec::new(),
             stand_ins: Vec::new(),
         }
@@ -70,7 +74,18 @@ impl<'a> Build<'a> {
                 format!("{phases}: a second phase is not built yet"),
                 "1",
             );
+            self.of_words.push(self.problems.len() - 1);
         }
+    }
+
+    /// The words and choices that are none. A shape of another number of dimensions is left out: that number may be what could
+    /// not be read.
+    pub fn of_words(&self) -> Vec<Problem> {
+        let hint_at_dimension = |problem: &&Problem| {
+            (problem.hint.as_ref()).is_some_and(|hint| hint.contains("`dimension`"))
+        };
+        let all = self.of_words.iter().map(|i| &self.problems[*i]);
+        all.filter(|problem| !hint_at_dimension(problem)).cloned().collect()
     }
 
     /// Adds a problem.
@@ -169,9 +184,12 @@ impl<'a> Build<'a> {
         if meaning.is_none() {
             let known = || words.iter().map(|(known, _)| *known);
             let mut problem = Problem::new(path, format!("{word:?}"), listed(known()));
-            if let Some(near) = nearest(word, known()) {
+            if let Some(other) = elsewhere::of_word(path, word) {
+                problem = problem.hint(other.answer);
+            } else if let Some(near) = nearest(word, known()) {
                 problem = problem.hint(format!("did you mean `{near}`?"));
             }
+            self.of_words.push(self.problems.len());
             self.problems.push(problem);
         }
         meaning

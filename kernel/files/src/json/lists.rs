@@ -10,7 +10,7 @@ use std::marker::PhantomData;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
 use super::keys::{RawContact, RawTerrainContact};
 
@@ -134,6 +134,14 @@ impl<'de> Visitor<'de> for CountsVisitor {
         usize::try_from(value)
             .map(Counts::One)
             .map_err(|_| E::custom(format!("invalid value: integer `{value}`, expected usize")))
+    }
+
+    fn visit_f64<E: Error>(self, value: f64) -> Result<Counts, E> {
+        // As for other whole numbers: 2.0 is one.
+        if value.fract() == 0.0 && (0.0..=1e9).contains(&value) {
+            return Ok(Counts::One(value as usize));
+        }
+        Err(E::invalid_type(Unexpected::Float(value), &self))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Counts, A::Error> {

@@ -231,14 +231,26 @@ impl JsonSchema for RawMaterial {
 
 /// The schema of a number that some laws need.
 fn of_constant(constant: &Constant) -> Value {
+    let own = |law: &'static Kind| law.constants.iter().find(|own| own.key == constant.key);
     let mut property = json!({
-        "description": format!("{}.", constant.meaning),
+        "description": said_by_laws(|law| Some(own(law)?.meaning.to_owned())) + ".",
         "type": ["number", "null"],
         "format": "double",
         "x-unit": if constant.unit.is_empty() { "1" } else { constant.unit },
         "examples": [example(constant)],
     });
+    let all = || ALL.iter().filter_map(own);
     match constant.given {
+        given if all().any(|other| other.given != given) => {
+            let otherwise = said_by_laws(|law| {
+                Some(match own(law)?.given {
+                    Given::Needed => "none".to_owned(),
+                    Given::Or(value) => value.to_string(),
+                    Given::As(key) => format!("`{key}`"),
+                })
+            });
+            property["x-default"] = otherwise.into();
+        }
         Given::Needed => property["x-needed"] = true.into(),
         Given::Or(value) => property["default"] = value.into(),
         Given::As(key) => property["x-default"] = format!("`{key}`").into(),
@@ -290,11 +302,12 @@ fn of_choice(choice: &Choice) -> Value {
 
 /// The schema of a curve that some laws may be given.
 fn of_curve(curve: &Curve) -> Value {
+    let own = |law: &'static Kind| law.curves.iter().find(|own| own.key == curve.key);
     let units = curve
         .units
         .map(|unit| if unit.is_empty() { "1" } else { unit });
     let mut property = json!({
-        "description": format!("{}.", curve.meaning),
+        "description": said_by_laws(|law| Some(own(law)?.meaning.to_owned())) + ".",
         "type": ["array", "null"],
         "items": {
             "type": "array",
@@ -310,6 +323,26 @@ fn of_curve(curve: &Curve) -> Value {
         law.curves.iter().any(|own| own.key == curve.key)
     });
     property
+}
+
+/// What laws say of a key: once where all that have it say the same, else each with the types that say so.
+fn said_by_laws(of: impl Fn(&'static Kind) -> Option<String>) -> String {
+    let mut all: Vec<(String, Vec<&str>)> = vec![];
+    for law in ALL {
+        let Some(said) = of(law) else { continue };
+        match all.iter_mut().find(|(known, _)| *known == said) {
+            Some((_, laws)) => laws.push(law.name),
+            None => all.push((said, vec![law.name])),
+        }
+    }
+    if let [(said, _)] = &all[..] {
+        return said.clone();
+    }
+    let each = all.iter().map(|(said, laws)| {
+        let laws: Vec<String> = laws.iter().map(|law| format!("{law:?}")).collect();
+        format!("{said} (`type` {})", laws.join(" or "))
+    });
+    each.collect::<Vec<_>>().join("; ")
 }
 
 /// Says of a key which laws have it, unless all do.

@@ -2,6 +2,7 @@
 
 use serde_json::error::Category;
 
+use super::elsewhere;
 use super::position::{find, location, offset};
 use super::words::{listed, nearest};
 use proctor_kernel::scene::Problem;
@@ -69,6 +70,9 @@ fn unknown_key(file: &str, text: &str, path: &str, said: &str) -> Problem {
         listed(known.iter().copied()),
     )
     .at(location(file, text, at));
+    if let Some(other) = elsewhere::of_key(path, key) {
+        return problem.hint(other.answer);
+    }
     match nearest(key, known) {
         Some(near) => problem.hint(format!("did you mean `{near}`?")),
         None => problem,

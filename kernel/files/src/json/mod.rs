@@ -4,6 +4,7 @@
 mod bodies;
 mod build;
 mod contact;
+mod elsewhere;
 mod glossary;
 mod keys;
 mod lists;
@@ -14,22 +15,25 @@ mod mesh;
 mod message;
 mod method;
 mod mortar;
+mod parse;
 mod position;
 mod shapes;
 mod source;
 mod surfaces;
+mod tree;
 mod words;
 mod write;
 
 use std::path::Path;
 
-use serde::de::DeserializeOwned;
-
 use self::build::Build;
 use self::keys::RawScene;
+use self::parse::Unread;
 use proctor_kernel::scene::{Problem, Scene, SceneError};
 
+pub use self::elsewhere::{Elsewhere, all_elsewhere, elsewhere};
 pub use self::glossary::{Block, Key, Otherwise, Range, blocks, schema};
+pub use self::parse::parse;
 pub use self::source::{Places, Source, unreadable};
 pub use self::words::{listed, nearest, words_of};
 pub use self::write::{NotWritten, Written, write};
@@ -46,8 +50,8 @@ pub fn read(path: &Path) -> Result<Scene, SceneError> {
 /// the scene; files that the scene names are looked for in `folder`.
 ///
 /// # Errors
-/// The first place where the text is not JSON, holds an unknown key or a value of another type; otherwise all
-/// problems at once: keys that are missing or contradict each other, and all that [`Scene::check`] finds.
+/// The first place where the text is not JSON; all unknown keys and words and values of another type at once; otherwise all
+/// other problems: keys that are missing or contradict each other, and all that [`Scene::check`] finds.
 pub fn from_json(text: &str, source_name: &str, folder: &Path) -> Result<Scene, SceneError> {
     placed(text, source_name, folder).map(|(scene, _)| scene)
 }
@@ -58,8 +62,17 @@ fn placed(
     source_name: &str,
     folder: &Path,
 ) -> Result<(Scene, Vec<(String, String)>), SceneError> {
-    let raw: RawScene = parse(text, source_name)?;
     let mut build = Build::new(folder);
+    let raw: RawScene = match parse::all(text, source_name) {
+        Ok(raw) => raw,
+        Err(Unread { mut problems, rest }) => {
+            if let Some(rest) = rest {
+                build.scene(&rest);
+                problems.extend(build.of_words());
+            }
+            return Err(parse::told(problems, text, source_name));
+        }
+    };
     let mut scene = build.scene(&raw);
     scene.name = Path::new(source_name)
         .file_stem()
@@ -78,29 +91,6 @@ fn placed(
 
 /// Problems of a scene that are told one by one.
 const MOST_PROBLEMS: usize = 100;
-
-/// Reads a value of raw keys from JSON text, as [`from_json`] reads a scene; `source_name` stands for the text in
-/// messages. For other files in the same strict style: their raw types deny unknown keys and leave every key optional.
-///
-/// # Errors
-/// The first place where the text is not JSON, holds an unknown key or a value of another type.
-pub fn parse<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<T, SceneError> {
-    // A byte order mark is no JSON, but some editors write it.
-    let text = text.trim_start_matches('\u{feff}');
-    let mut parser = serde_json::Deserializer::from_str(text);
-    let raw = serde_path_to_error::deserialize(&mut parser).map_err(|error| SceneError {
-        problems: vec![message::problem(source_name, text, &error)],
-    })?;
-    parser.end().map_err(|error| {
-        let at = position::offset(text, error.line(), error.column());
-        let problem = Problem::new("", "more text behind its end", "the end of the file")
-            .at(position::location(source_name, text, at));
-        SceneError {
-            problems: vec![problem],
-        }
-    })?;
-    Ok(raw)
-}
 
 /// Gives problems that have a path and no place their place in the text, and sorts them in the order of the text.
 pub fn place(problems: &mut [Problem], text: &str, source_name: &str) {

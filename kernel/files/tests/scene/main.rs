@@ -9,4 +9,5 @@ mod manual;
 mod mortar;
 mod records;
 mod soils;
+mod unknown;
 mod written;

@@ -1,0 +1,125 @@
+//! Keys of the examples and of the reader of MPM-Geomechanics that are not in the manuals.
+
+use super::{Elsewhere, entry};
+
+/// Its entries.
+pub(super) const ALL: &[Elsewhere] = &[
+    entry(
+        "",
+        &["load_state"],
+        &[],
+        "here a command: `proctor run SCENE --out DIR --restart DIR/checkpoint.bin` goes on from a checkpoint",
+    ),
+    entry(
+        "",
+        &["save_state"],
+        &["results.checkpoint"],
+        "here `results.checkpoint`, true by default: the state is written with each frame, and `proctor run --restart` takes it up",
+    ),
+    entry(
+        "",
+        &["load_distributed_box", "no_load_distributed_box"],
+        &["box_load"],
+        "here `box_load`, a list whose `force` is the total over the particles in a box",
+    ),
+    entry(
+        "",
+        &["boundary_conditions_fluid"],
+        &["n_phases"],
+        "not covered: boundary conditions of a second phase, the pore fluid; only `n_phases` 1 is built",
+    ),
+    entry(
+        "",
+        &[
+            "density_fluid",
+            "porosity",
+            "bulk_fluid",
+            "hydraulic_conductivity",
+            "permeability",
+            "porous",
+        ],
+        &["n_phases"],
+        "not covered: a pore fluid, the second phase; only `n_phases` 1 is built",
+    ),
+    entry(
+        "",
+        &[
+            "initial_pressure_box",
+            "prescribed_pressure_box",
+            "pressure_force_box",
+            "initial_pressure_material",
+        ],
+        &["n_phases"],
+        "not covered: pore pressure of a second phase; only `n_phases` 1 is built",
+    ),
+    entry(
+        "",
+        &[
+            "hydro_mechanical_coupling",
+            "pore_pressure",
+            "pore_pressure_field",
+        ],
+        &["n_phases"],
+        "not covered: pore pressure; only `n_phases` 1 is built",
+    ),
+    entry(
+        "",
+        &["diameter"],
+        &["body.radius"],
+        "here `radius`, half of the diameter",
+    ),
+    entry(
+        "",
+        &["extrude_direction"],
+        &["body.axis"],
+        "here `axis` of the `type` \"extruded_polygon\": \"x\", \"y\" or \"z\"",
+    ),
+    entry(
+        "",
+        &["extrude_displacement"],
+        &["body.range"],
+        "here `range` of the `type` \"extruded_polygon\": its lower and upper coordinate along `axis`",
+    ),
+    entry(
+        "",
+        &["discretization_length"],
+        &["particles_per_cell", "body.particles_per_cell"],
+        "here `particles_per_cell`: the cell over this length",
+    ),
+    entry(
+        "body",
+        &["mesh_file", "physical_to_material", "particle_distribution"],
+        &["body.particles", "body.file"],
+        "not covered: bodies from a gmsh mesh; here `type` \"particles\" with `file`, a table of centres and volumes, one body for each material",
+    ),
+    entry(
+        "body",
+        &["active"],
+        &[],
+        "not covered: a switch for a body; leave the body out",
+    ),
+    entry(
+        "body",
+        &["position", "volume"],
+        &["body.particles", "body.file"],
+        "here `particles`, rows of position and volume, or `file` with such a table",
+    ),
+    entry(
+        "",
+        &["su_vertical_stress"],
+        &["material.cohesion"],
+        "not covered: strength that grows with the vertical stress; here layers of `type` \"tresca\" with a `cohesion` each",
+    ),
+    entry(
+        "",
+        &["stl_contact_mesh"],
+        &[],
+        "not covered: rigid surfaces are not written; a viewer opens their STL files beside particles.pvd",
+    ),
+    entry(
+        "mesh",
+        &["type"],
+        &[],
+        "not needed: every mesh is a regular one; leave the key out",
+    ),
+];

@@ -1,0 +1,198 @@
+//! Usual names and symbols.
+
+use super::{Elsewhere, entry};
+
+/// Its entries.
+pub(super) const ALL: &[Elsewhere] = &[
+    entry(
+        "",
+        &[
+            "E",
+            "modulus",
+            "youngs_modulus",
+            "young_modulus",
+            "elastic_modulus",
+        ],
+        &["material.young"],
+        "here `young`, Young's modulus [Pa]",
+    ),
+    entry(
+        "",
+        &["nu", "poisson_ratio", "poissons_ratio"],
+        &["material.poisson"],
+        "here `poisson`",
+    ),
+    entry(
+        "",
+        &["rho", "mass_density"],
+        &["material.density"],
+        "here `density`",
+    ),
+    entry(
+        "",
+        &["K", "bulk_modulus"],
+        &["material.bulk"],
+        "here `bulk` of a fluid, and `young` with `poisson` of a solid",
+    ),
+    entry(
+        "",
+        &["G", "shear_modulus", "lame", "mu_lame"],
+        &["material.shear", "material.young"],
+        "here `young` with `poisson`: G = young/(2 (1 + poisson)); `shear` of a Bingham fluid",
+    ),
+    entry(
+        "",
+        &[
+            "phi",
+            "friction_angle",
+            "internal_friction",
+            "friction_angle_peak",
+        ],
+        &["material.friction"],
+        "here `friction`, the angle in degrees",
+    ),
+    entry(
+        "",
+        &["psi", "dilation_angle", "dilatancy"],
+        &["material.dilation"],
+        "here `dilation`, the angle in degrees",
+    ),
+    entry(
+        "material",
+        &["c", "coh"],
+        &["material.cohesion"],
+        "here `cohesion` [Pa]",
+    ),
+    entry(
+        "",
+        &["tension_cutoff", "tensile_strength"],
+        &["material.tensile"],
+        "here `tensile` [Pa]",
+    ),
+    entry(
+        "",
+        &["sigma_y", "tau_y", "tau0", "yield_strength"],
+        &["material.yield_stress"],
+        "here `yield_stress`",
+    ),
+    entry(
+        "",
+        &["dynamic_viscosity", "eta"],
+        &["material.viscosity"],
+        "here `viscosity`, the dynamic one [Pa s]",
+    ),
+    entry(
+        "contact",
+        &["mu", "friction_coefficient"],
+        &["contact.friction", "terrain_contact.friction"],
+        "here `friction` of a contact or of a `terrain_contact`",
+    ),
+    entry("", &["g"], &["gravity"], "here `gravity`, a vector [m/s²]"),
+    entry(
+        "",
+        &[
+            "h",
+            "dx",
+            "dy",
+            "dz",
+            "cell_size",
+            "spacing",
+            "cell_dimension",
+        ],
+        &["mesh.cells_dimension"],
+        "here `cells_dimension` of the `mesh`, one edge per axis [m]",
+    ),
+    entry(
+        "",
+        &[
+            "cells",
+            "n_cells",
+            "ncells",
+            "number_of_cells",
+            "nx",
+            "ny",
+            "nz",
+        ],
+        &["mesh.cells_number"],
+        "here `cells_number` of the `mesh`, one number per axis",
+    ),
+    entry(
+        "",
+        &["dt", "delta_t", "timestep"],
+        &["time_step"],
+        "here `time_step` [s]; without it the largest safe one is taken",
+    ),
+    entry(
+        "",
+        &["cfl", "courant", "dt_fraction"],
+        &["critical_time_step_multiplier"],
+        "here `critical_time_step_multiplier`, a factor on min(h)/max(c + |v|)",
+    ),
+    entry(
+        "",
+        &[
+            "t_end",
+            "tend",
+            "end_time",
+            "total_time",
+            "duration",
+            "t_max",
+        ],
+        &["time"],
+        "here `time`, the end time [s]",
+    ),
+    entry(
+        "",
+        &["nsteps", "n_steps", "steps"],
+        &["time", "time_step"],
+        "here `time`, the end time [s]: number of steps times `time_step`",
+    ),
+    entry(
+        "",
+        &[
+            "ppc",
+            "particles_per_direction",
+            "particles_per_cell_per_direction",
+        ],
+        &["particles_per_cell", "body.particles_per_cell"],
+        "here `particles_per_cell`, a number per cell and axis, of the scene or of a body",
+    ),
+    entry(
+        "",
+        &[
+            "output",
+            "outputs",
+            "interval",
+            "frames",
+            "output_steps",
+            "output_interval",
+            "output_number",
+        ],
+        &["results.print"],
+        "here `results.print`, the number of frames",
+    ),
+    entry(
+        "",
+        &["threads", "num_threads"],
+        &["n_threads"],
+        "here `n_threads`, or `--threads` of the command line",
+    ),
+    entry(
+        "",
+        &["scheme", "mpm_scheme", "integration"],
+        &["stress_scheme_update"],
+        "here `stress_scheme_update`: USF, USL or MUSL",
+    ),
+    entry(
+        "",
+        &["interpolation", "weighting", "basis"],
+        &["shape_function"],
+        "here `shape_function`",
+    ),
+    entry(
+        "",
+        &["velocity_update", "flip", "apic"],
+        &["transfer", "pic_fraction"],
+        "here `transfer`, FLIP, APIC or TPIC, with `pic_fraction` for a share of PIC",
+    ),
+];
