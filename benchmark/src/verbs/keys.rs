@@ -3,7 +3,7 @@
 use crate::exit::{Failure, Outcome};
 use crate::show::keys::{BlockTable, EVERYWHERE, InFull};
 use clap::Args;
-use proctor_files::json::{Block, Key, blocks};
+use proctor_files::json::{Block, Key, blocks, elsewhere};
 use std::io::Write;
 
 /// Nearest names that are told where no key has the name.
@@ -11,23 +11,6 @@ const NEAREST: usize = 3;
 /// Least likeness of a name to an unknown word, 0 to 1, for it to be among them.
 const LIKENESS: f64 = 0.4;
 
-/// Other words for keys, short and usual ones.
-const USUAL: &[(&str, &str)] = &[
-    ("E", "young"),
-    ("modulus", "young"),
-    ("nu", "poisson"),
-    ("rho", "density"),
-    ("mu", "friction"),
-    ("g", "gravity"),
-    ("h", "cells_dimension"),
-    ("cells", "cells_number"),
-    ("dt", "time_step"),
-    ("ppc", "particles_per_cell"),
-    ("output", "print"),
-    ("outputs", "print"),
-    ("interval", "print"),
-    ("frames", "print"),
-];
 /// Fewest letters of a word that is looked for inside of names.
 const PART: usize = 3;
 
@@ -50,22 +33,43 @@ impl Keys {
         let Some(word) = &self.word else {
             return all(&blocks, out);
         };
-        let found = matching(word, &blocks);
-        if found.is_empty() {
+        let named = named(word, &blocks);
+        let others = if named.is_empty() {
+            elsewhere(word)
+        } else {
+            vec![]
+        };
+        let found = if !named.is_empty() {
+            named
+        } else if others.is_empty() {
+            matching(word, &blocks)
+        } else {
+            let keys = others.iter().flat_map(|other| other.keys);
+            keys.flat_map(|name| self::named(name, &blocks)).collect()
+        };
+        if found.is_empty() && others.is_empty() {
             return Err(Failure::BadInput(unknown(word, &blocks)));
         }
-        for (i, (block, key)) in found.iter().enumerate() {
-            let gap = if i > 0 { "\n" } else { "" };
-            write!(
-                out,
-                "{gap}{}",
-                InFull {
-                    path: &block.path,
-                    key
-                }
-            )?;
+        let mut told: Vec<(&str, &str)> = vec![];
+        for (block, key) in found {
+            let name = (block.path.as_str(), key.name.as_str());
+            if told.contains(&name) {
+                continue;
+            }
+            let gap = if told.is_empty() { "" } else { "\n" };
+            told.push(name);
+            let path = &block.path;
+            write!(out, "{gap}{}", InFull { path, key })?;
         }
-        for block in blocks.iter().filter(|block| is(word, &block.path)) {
+        for (i, other) in others.iter().enumerate() {
+            let gap = if told.is_empty() || i > 0 { "" } else { "\n" };
+            writeln!(out, "{gap}`{word}`: {}", other.answer)?;
+        }
+        let of_word = |block: &&Block| {
+            let last = block.path.rsplit('.').next().unwrap_or("");
+            is(word, &block.path) || is(word, last)
+        };
+        for block in blocks.iter().filter(of_word) {
             write!(out, "\n{}", BlockTable(block))?;
         }
         Ok(Outcome::Fine)
@@ -84,18 +88,31 @@ fn all(blocks: &[Block], out: &mut dyn Write) -> Result<Outcome, Failure> {
     Ok(Outcome::Fine)
 }
 
-/// The keys of that name, or of the one for which it is another word; else those that have the word as a value; else those
-/// with it in their name; else those with it in their meaning.
+/// The keys of scenes with their blocks; that which every object has once.
+fn keys(blocks: &[Block]) -> impl Iterator<Item = (&Block, &Key)> {
+    let all = blocks
+        .iter()
+        .flat_map(|block| block.keys.iter().map(move |key| (block, key)));
+    all.filter(|(block, key)| block.path.is_empty() || key.name != EVERYWHERE)
+}
+
+/// The keys of that name, with their block or without.
+fn named<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
+    // A key of the top has no block before it.
+    let whole = |block: &Block, key: &Key| {
+        is(
+            word,
+            format!("{}.{}", block.path, key.name).trim_start_matches('.'),
+        )
+    };
+    let all: Vec<_> = keys(blocks)
+        .filter(|(block, key)| is(word, &key.name) || whole(block, key))
+        .collect();
+    all
+}
+
+/// The keys that have the word as a value; else those with it in their name; else those with it in their meaning.
 fn matching<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
-    let all = || {
-        blocks
-            .iter()
-            .flat_map(|block| block.keys.iter().map(move |key| (block, key)))
-            .filter(|(block, key)| block.path.is_empty() || key.name != EVERYWHERE)
-    };
-    let named = |(block, key): &(&Block, &Key)| {
-        is(word, &key.name) || is(word, &format!("{}.{}", block.path, key.name))
-    };
     let part = |(_, key): &(&Block, &Key)| {
         word.len() >= PART && key.name.to_lowercase().contains(&word.to_lowercase())
     };
@@ -103,23 +120,17 @@ fn matching<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
         let mut words = key.meaning.split(|c: char| !c.is_alphanumeric());
         words.any(|known| is(word, known))
     };
-    let usual = USUAL.iter().find(|(usual, _)| is(word, usual));
-    let usually = |(_, key): &(&Block, &Key)| usual.is_some_and(|(_, name)| is(name, &key.name));
     let valued = |(_, key): &(&Block, &Key)| {
         let mut words = key.words.iter().filter_map(|word| word.as_str());
         words.any(|known| is(word, known))
     };
-    let found: Vec<_> = all().filter(named).collect();
-    if !found.is_empty() {
-        return found;
-    }
-    for search in [&usually as &dyn Fn(&(&Block, &Key)) -> bool, &valued, &part] {
-        let found: Vec<_> = all().filter(search).collect();
+    for search in [&valued as &dyn Fn(&(&Block, &Key)) -> bool, &part] {
+        let found: Vec<_> = keys(blocks).filter(search).collect();
         if !found.is_empty() {
             return found;
         }
     }
-    all().filter(meant).collect()
+    keys(blocks).filter(meant).collect()
 }
 
 /// Whether a word is a name; upper and lower case are the same.

@@ -373,3 +373,42 @@ fn numbers_beyond_all_use_are_refused_with_their_place() {
         }
     }
 }
+
+/// A traction that lies beside its body, or in part: its name and its place in the file, before the first step; and in the step
+/// where the body leaves it.
+#[test]
+fn a_traction_that_no_body_carries_is_named_with_its_place() {
+    let desk = Desk::new();
+    let with = |from: f64, to: f64, name: &str| {
+        let mut scene = flying_block();
+        scene["traction"] = json!([
+            {"point_p1": [0.4, 0.3], "point_p2": [0.5, 0.3], "traction": [0, 1]},
+            {"point_p1": [from, 0.6], "point_p2": [to, 0.6], "traction": [0, -10]},
+        ]);
+        desk.scene(name, &scene)
+    };
+    for (from, to, told) in [
+        (0.3, 1.1, "from (0.7, 0.6) to (1.1, 0.6) m, 50 %"),
+        (1.2, 1.4, "lies over no body;"),
+    ] {
+        let scene = with(from, to, "scene.json");
+        for verb in ["plan", "run"] {
+            let output = proctor(&[verb, &scene]);
+            let message = stderr(&output);
+            assert_eq!(code(&output), 2, "{message}");
+            assert!(message.starts_with(&format!("{scene}:")), "{message}");
+            assert!(message.contains("traction[1]: the rectangle"), "{message}");
+            assert!(message.contains(told), "{message}");
+        }
+    }
+    let mut scene = flying_block();
+    scene["body"][0]["initial_velocity"] = json!([5.0, 0.0]);
+    scene["time_step"] = json!(0.001);
+    scene["traction"] =
+        json!([{"point_p1": [0.3, 0.6], "point_p2": [0.5, 0.6], "traction": [0, -1e-6]}]);
+    let left = desk.scene("left.json", &scene);
+    let output = proctor(&["run", &left]);
+    let message = stderr(&output);
+    assert_ne!(code(&output), 0, "{message}");
+    assert!(message.contains("traction[0] acts at"), "{message}");
+}

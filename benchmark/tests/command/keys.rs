@@ -60,6 +60,71 @@ fn usual_words_lead_to_their_keys() {
     }
 }
 
+/// Words of other programs, of books and of the command: each says which key or verb does it here.
+#[test]
+fn words_from_elsewhere_are_answered() {
+    for (word, key, answer) in [
+        ("k0", "body.initial_stress.ratio", "`ratio`"),
+        ("dem", "terrain_contact.stl_mesh", "`terrain_contact`"),
+        ("base", "earthquake.file", "`earthquake`"),
+        ("restart", "", "--restart"),
+        ("load_state", "", "--restart"),
+        ("stage", "", "`Simulation::set_gravity`"),
+        ("diameter", "body.radius", "half of the diameter"),
+        ("extrude_direction", "body.axis", "\"extruded_polygon\""),
+        ("polygon_2d", "body.type", "\"extruded_polygon\""),
+        ("particles_from_file", "body.type", "`file`"),
+        ("boundary_conditions_fluid", "n_phases", "not covered"),
+        ("youngs_modulus", "material.young", "`young`"),
+    ] {
+        let output = proctor(&["keys", word]);
+        assert_eq!(code(&output), 0, "{word}: {}", stderr(&output));
+        let text = stdout(&output);
+        assert!(
+            text.starts_with(if key.is_empty() { "`" } else { key }),
+            "{word}: {text}"
+        );
+        assert!(text.contains(answer), "{word}: {text}");
+    }
+    // All that are answered in a scene are answered here.
+    for other in proctor_files::json::all_elsewhere() {
+        for word in other.words {
+            let output = proctor(&["keys", word]);
+            assert_eq!(code(&output), 0, "{word}: {}", stderr(&output));
+        }
+    }
+}
+
+#[test]
+fn a_block_within_another_is_told_with_its_keys() {
+    for (word, keys) in [
+        (
+            "initial_stress",
+            &["isotropic", "ratio", "level", "surcharge"][..],
+        ),
+        ("body.initial_stress", &["ratio", "level", "surcharge"]),
+        ("boundary_conditions", &["plane_X0", "plane_Yn"]),
+        ("mesh", &["cells_number", "origin"]),
+    ] {
+        let text = stdout(&proctor(&["keys", word]));
+        for key in keys {
+            assert!(text.contains(key), "{word}, {key}: {text}");
+        }
+    }
+}
+
+/// A key that laws take for different things shows each of them with its law.
+#[test]
+fn a_key_with_two_meanings_shows_both() {
+    let text = stdout(&proctor(&["keys", "yield_stress"]));
+    for said in [
+        "yields in uniaxial tension (`type` \"von_mises\")",
+        "Shear stress up to which the fluid does not flow (`type` \"bingham\")",
+    ] {
+        assert!(text.contains(said), "{text}");
+    }
+}
+
 #[test]
 fn a_word_that_is_no_key_is_answered_with_the_nearest() {
     let output = proctor(&["keys", "yuong"]);

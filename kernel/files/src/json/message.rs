@@ -53,7 +53,13 @@ pub(super) fn problem(
         || found.to_owned(),
         |place| piece(&text[place.value..place.end]),
     );
-    Problem::new(path, found, accepted).at(location(file, text, at))
+    // MPM-Geomechanics has lists of identifiers, positions, volumes and materials there.
+    let is_particles = path.ends_with(".particles");
+    let problem = Problem::new(path, found, accepted).at(location(file, text, at));
+    if is_particles {
+        return problem.hint("here rows of position and volume; materials are those of bodies");
+    }
+    problem
 }
 
 /// A key that no object of this kind has.

@@ -67,12 +67,12 @@ pub(super) fn all<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<
     // A byte order mark is no JSON, but some editors write it.
     let text = text.trim_start_matches('\u{feff}');
     match whole(text, source_name) {
-        Err((_, Category::Data)) => {}
-        Err((problem, _)) => return Err(problem.into()),
         Ok(raw) => return Ok(raw),
+        Err(fault) if fault.1 == Category::Data => {}
+        Err(fault) => return Err(fault.0.into()),
     }
     let tree: Result<Tree, _> = whole(text, source_name);
-    let mut tree = tree.map_err(|(problem, _)| Unread::from(problem))?;
+    let mut tree = tree.map_err(|fault| Unread::from(fault.0))?;
     let most = if text.len() > LONG {
         MOST_OF_LONG
     } else {
@@ -106,17 +106,20 @@ pub(super) fn all<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<
 }
 
 /// Reads all of a text; else the problem, and of which category it is.
-fn whole<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<T, (Problem, Category)> {
+fn whole<T: DeserializeOwned>(
+    text: &str,
+    source_name: &str,
+) -> Result<T, Box<(Problem, Category)>> {
     let mut parser = serde_json::Deserializer::from_str(text);
     let raw = serde_path_to_error::deserialize(&mut parser).map_err(|error| {
         let category = error.inner().classify();
-        (message::problem(source_name, text, &error), category)
+        Box::new((message::problem(source_name, text, &error), category))
     })?;
     parser.end().map_err(|error| {
         let at = position::offset(text, error.line(), error.column());
         let problem = Problem::new("", "more text behind its end", "the end of the file")
             .at(position::location(source_name, text, at));
-        (problem, Category::Syntax)
+        Box::new((problem, Category::Syntax))
     })?;
     Ok(raw)
 }
@@ -179,5 +182,6 @@ impl Replaced {
 
 /// A path in words, each segment apart.
 fn name(path: &[Segment]) -> String {
-    path.iter().map(|segment| format!("{segment}\n")).collect()
+    let segments: Vec<String> = path.iter().map(ToString::to_string).collect();
+    segments.join("\n")
 }

@@ -164,7 +164,7 @@ fn a_whole_number_may_be_written_with_a_point() {
         let text = text
             .replace("\"id\":1", "\"id\":1.0")
             .replace("[4,4]", "[4.0,4e0]");
-        text.replacen("{", "{\"particles_per_cell\": 3.0, \"n_threads\": 2.0, ", 1)
+        text.replacen('{', "{\"particles_per_cell\": 3.0, \"n_threads\": 2.0, ", 1)
     };
     for number in ["20.0", "2e1", "20", "0.2e2", "2.00E+1"] {
         let scene = read(&with(number)).unwrap_or_else(|all| panic!("{number}: {all:?}"));
@@ -297,6 +297,22 @@ fn a_body_of_another_program_is_answered_whole() {
             "n_phases",
         ],
         "{all:?}"
+    );
+}
+
+/// The peer's list of particles, an object of lists.
+#[test]
+fn particles_as_lists_are_answered() {
+    let mut scene = sound();
+    scene["body"][0] = json!({
+        "type": "particles", "id": 1, "material_id": 1, "particles": {"id": [1], "position": [[0, 0, 0]], "volume": [1]},
+    });
+    let all = problems(&scene.to_string());
+    assert_eq!(all.len(), 1, "{all:?}");
+    assert!(
+        all[0].to_string().contains("rows of position and volume"),
+        "{}",
+        all[0]
     );
 }
 

@@ -35,17 +35,17 @@ pub fn elsewhere(word: &str) -> Vec<&'static Elsewhere> {
 
 /// The entry of a key that the object at a path does not have; the path ends with the key.
 pub(super) fn of_key(path: &str, key: &str) -> Option<&'static Elsewhere> {
-    at(KEYS.into_iter().flatten(), path, key)
+    at(&KEYS.into_iter().flatten(), path, key)
 }
 
 /// The entry of a word that the key at a path does not accept.
 pub(super) fn of_word(path: &str, word: &str) -> Option<&'static Elsewhere> {
-    at(words::ALL.iter(), path, word)
+    at(&words::ALL.iter(), path, word)
 }
 
 /// The entry that is meant at a path: one of its block, or of any.
 fn at(
-    all: impl Iterator<Item = &'static Elsewhere> + Clone,
+    all: &(impl Iterator<Item = &'static Elsewhere> + Clone),
     path: &str,
     word: &str,
 ) -> Option<&'static Elsewhere> {
