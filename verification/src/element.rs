@@ -2,6 +2,7 @@
 //! makes of it is kept, by the law's own code.
 
 mod closed_form;
+mod held;
 pub mod path;
 
 pub use closed_form::{exact_deviator, exact_pressure};

@@ -304,3 +304,42 @@ fn fluids_have_closed_forms() {
     assert_eq!(exact_pressure(Test::Extension, &newtonian, 0.0, 0.01), None);
     assert_eq!(exact_pressure(Test::Oedometer, &laws()[0], 0.0, 0.01), None);
 }
+
+/// Pressed until it flows under held stress, unloaded, sheared under another: the way back begins along Young's line whatever
+/// the flow before, and each stress of the way is met.
+#[test]
+fn a_table_unloads_at_held_stress() {
+    let soil = [30.0, 5e3, 10.0];
+    let mut all = laws();
+    all.push(MohrCoulomb::new(YOUNG, POISSON, soil).into());
+    all.push(MohrCoulomb::new(YOUNG, POISSON, [35.0, 0.0, 5.0]).into());
+    all.push(DruckerPrager::new(YOUNG, POISSON, soil, Match::Outer).into());
+    for law in all {
+        let p = -PRESSURE;
+        let row = |time, values| Row { time, values };
+        let path = Path {
+            stress: [true, true, false, false, false, false],
+            rows: vec![
+                row(1.0, [p, p, -0.05, 0.0, 0.0, 0.0]),
+                row(2.0, [p, p, -0.02, 0.0, 0.0, 0.0]),
+                row(3.0, [1.5 * p, p, -0.05, 0.0, 0.01, 0.0]),
+            ],
+        };
+        for steps in [7, 50, 200] {
+            let (times, states, ended) = follow(&law, 2000.0, PRESSURE, &path, steps);
+            ended.unwrap_or_else(|error| panic!("{law:?} in {steps} steps: {error}"));
+            assert_eq!(states.len(), 3 * steps + 1);
+            for (time, state) in times.iter().zip(&states) {
+                let x = p * (1.0 + 0.5 * (time - 2.0).max(0.0));
+                let off = (state.stress[0] - x).abs().max((state.stress[1] - p).abs());
+                assert!(off < 1e-8 * 5.0 * PRESSURE, "{law:?}: {:?}", state.stress);
+            }
+            let (flown, back) = (&states[steps], &states[steps + 1]);
+            assert!(flown.dissipated > 0.0, "{law:?}");
+            let slope = (back.stress[2] - flown.stress[2]) / (back.strain[2] - flown.strain[2]);
+            if steps == 200 {
+                assert!((slope / YOUNG - 1.0).abs() < 1e-6, "{law:?}: {slope}");
+            }
+        }
+    }
+}

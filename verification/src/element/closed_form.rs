@@ -156,7 +156,8 @@ fn strains(test: Test, strain: f64) -> Option<[f64; 6]> {
     Some(all)
 }
 
-fn constant(law: &AnyLaw, key: &str) -> Option<f64> {
+/// A constant of a law by its key.
+pub(super) fn constant(law: &AnyLaw, key: &str) -> Option<f64> {
     let all = law.constants().into_iter();
     all.into_iter()
         .find(|(constant, _)| constant.key == key)
