@@ -98,7 +98,7 @@ impl Plan {
             .bodies
             .iter()
             .map(|body| {
-                let law = &scene.materials[body.material].law;
+                let law = scene.law_of(body);
                 Layout::new(
                     axes,
                     Optional {

@@ -54,6 +54,8 @@ impl PartialEq for AnyLaw {
 pub trait Readable: Law {
     /// The word of scene files.
     const NAME: &'static str;
+    /// What it is for, in a few words.
+    const MEANING: &'static str;
     /// Words that it may be given.
     const CHOICES: &'static [Choice] = &[];
 
@@ -75,6 +77,8 @@ pub trait Readable: Law {
 pub struct Kind {
     /// The word of scene files.
     pub name: &'static str,
+    /// What it is for, in a few words.
+    pub meaning: &'static str,
     /// Numbers that it needs.
     pub constants: &'static [Constant],
     /// Words that it may be given.
@@ -91,6 +95,7 @@ impl Kind {
     pub const fn of<M: Readable>() -> Self {
         Self {
             name: M::NAME,
+            meaning: M::MEANING,
             constants: M::CONSTANTS,
             choices: M::CHOICES,
             curves: M::CURVES,

@@ -1,10 +1,15 @@
 //! A weakly compressible fluid that flows where its shear stress is above a yield stress.
 
+use super::linear_elastic::strain;
 use super::newtonian::{TENSION, VISCOSITY, VISCOUS_WORK};
 use super::plastic::{deviator, second_invariant};
 use super::principal::components;
 use super::state::{BULK, EXPONENT, EquationOfState};
-use super::{Accepted, Choice, Constant, Given, Increment, Law, LinearElastic, Particle, Readable};
+use super::tensor::volume_ratio;
+use super::{
+    Accepted, AnyLaw, Choice, Constant, Given, Increment, Law, LinearElastic, Particle, Pressed,
+    Readable,
+};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 
@@ -93,6 +98,14 @@ impl Law for Bingham {
         (self.state.sound_squared(density) + 4.0 / 3.0 * self.shear() / density).sqrt()
     }
 
+    fn pressed(&self) -> Option<AnyLaw> {
+        Some(Pressed(*self).into())
+    }
+
+    fn parts(&self) -> bool {
+        !self.state.carries_tension
+    }
+
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64 {
         self.state.volume_ratio(mean_stress)
     }
@@ -107,9 +120,24 @@ impl Law for Bingham {
         let j = increment.volume / increment.mass * L::splat(increment.density);
         let (pressure, slope) = self.state.pressure(j);
         self.elastic.update::<L, D>(increment, stress, &mut []);
-        let (_, s) = deviator::<L, D>(stress);
+        let (_, mut s) = deviator::<L, D>(stress);
+        let mut limit = L::splat(self.yield_stress);
+        let mut softness = L::splat(1.0 / self.shear());
+        if !self.state.carries_tension {
+            // What has parted is as stiff and as strong as its share of fluid, and carries what that share did.
+            let share = self.state.share(j);
+            let grown = volume_ratio::<L, D>(&increment.gradient, increment.configuration);
+            let thinned = share / self.state.share(j / grown) - L::splat(1.0);
+            let missing = L::splat(1.0) - share;
+            let (_, e) = deviator::<L, D>(&strain::<L, D>(increment));
+            for slot in 0..components(D) {
+                let added = L::splat(2.0 * self.shear()) * e[slot];
+                s[slot] = s[slot] + (thinned * (s[slot] - added) - missing * added);
+            }
+            limit = limit * share;
+            softness = softness / share;
+        }
         let trial = second_invariant::<L, D>(&s).sqrt();
-        let limit = L::splat(self.yield_stress);
         // The implicit rule tau = tau_trial - G dt (tau - tau_y)/mu.
         let remains = L::splat(self.viscosity / (self.viscosity + self.shear() * increment.dt));
         let beyond = trial - limit;
@@ -117,7 +145,7 @@ impl Law for Bingham {
         let after = remains.mul_add(beyond, limit);
         let ratio = L::select(flows, after / trial, L::splat(1.0));
         // s : e_v with e_v = (s_trial - s)/(2 G), and s : s = 2 tau².
-        let work = after * (trial - after) * L::splat(1.0 / self.shear());
+        let work = after * (trial - after) * softness;
         variables[0] = L::select(flows, work, L::splat(0.0)).mul_add(j, variables[0]);
         for slot in 0..components(D) {
             stress[slot] = s[slot] * ratio;
@@ -125,7 +153,7 @@ impl Law for Bingham {
         for entry in &mut stress[..3] {
             *entry = *entry - pressure;
         }
-        (slope + L::splat(4.0 / 3.0 * self.shear())) * (increment.volume / increment.mass)
+        (slope + L::splat(4.0 / 3.0 * self.shear())) * self.state.specific_volume(increment)
     }
 
     #[inline]
@@ -135,8 +163,14 @@ impl Law for Bingham {
         let mean = (s[0] + s[1] + s[2]) / 3.0;
         let normal: f64 = s[..3].iter().map(|x| (x - mean) * (x - mean)).sum();
         let sheared: f64 = s[3..].iter().map(|x| x * x).sum();
-        self.state.energy_density(particle.volume / initial) * initial
-            + (normal + 2.0 * sheared) / (4.0 * self.shear()) * particle.volume
+        let j = particle.volume / initial;
+        let share = if self.state.carries_tension {
+            1.0
+        } else {
+            1.0 / j.max(1.0)
+        };
+        self.state.energy_density(j) * initial
+            + (normal + 2.0 * sheared) / (4.0 * share * self.shear()) * particle.volume
     }
 
     /// What the flow has dissipated.
@@ -147,6 +181,7 @@ impl Law for Bingham {
 
 impl Readable for Bingham {
     const NAME: &'static str = "bingham";
+    const MEANING: &'static str = "a fluid that flows beyond a yield stress";
     const CHOICES: &'static [Choice] = &[TENSION];
 
     fn read(values: &[f64], choices: &[usize]) -> Self {

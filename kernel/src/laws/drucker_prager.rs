@@ -1,10 +1,14 @@
 //! Elasticity that yields by the criterion of Drucker and Prager, with tension cut-off.
 
-use super::plastic::{RELAXATION, Yielding, deviator, second_invariant};
+use super::gap::{GAP, Tip};
+use super::plastic::{
+    ALGORITHMIC, RELAXATION, Returned, STRAIN, WORK, Yielding, deviator, second_invariant,
+};
 use super::principal::components;
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
 use super::{Choice, Constant, LinearElastic, Readable, Unfit};
 use crate::lanes::Lanes;
+use crate::layout::Variable;
 
 /// Where the cone of Drucker and Prager touches the pyramid of Mohr and Coulomb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,6 +100,12 @@ impl DruckerPrager {
         Self { relaxation, ..self }
     }
 
+    /// Radius of the disc that ends the cone, sqrt(J_2) \[Pa\].
+    fn edge(&self) -> f64 {
+        let [eta, limit, _] = self.cone;
+        (limit - eta * self.most).max(0.0)
+    }
+
     /// eta, xi c \[Pa\] and eta_psi of the cone.
     #[must_use]
     pub const fn cone(&self) -> [f64; 3] {
@@ -113,6 +123,8 @@ impl Yielding for DruckerPrager {
         TENSILE,
         RELAXATION,
     ];
+    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, ALGORITHMIC, GAP];
+    const GAP: Option<usize> = Some(3);
 
     fn name(&self) -> &'static str {
         Self::NAME
@@ -149,11 +161,7 @@ impl Yielding for DruckerPrager {
 
     /// The return to the cone; beyond the largest mean stress that to the disc which ends it, along the axis or to its edge.
     #[inline(always)]
-    fn returned<L: Lanes, const D: usize>(
-        &self,
-        trial: &[L; 6],
-        _: &[L],
-    ) -> Option<([L; 6], L::Mask)> {
+    fn returned<L: Lanes, const D: usize>(&self, trial: &[L; 6], _: &[L]) -> Option<Returned<L>> {
         let zero = L::splat(0.0);
         let [eta, limit, eta_psi] = self.cone;
         let (shear, bulk) = {
@@ -174,7 +182,7 @@ impl Yielding for DruckerPrager {
             mean - multiplier * L::splat(bulk * eta_psi),
         );
         // The edge of the disc, which is its centre where the cone ends there.
-        let edge = L::splat((limit - eta * self.most).max(0.0));
+        let edge = L::splat(self.edge());
         let too_far = most.lt(on_cone.1);
         let is_turned = on_cone.0.lt(zero);
         let (new_radius, new_mean) = (
@@ -198,12 +206,28 @@ impl Yielding for DruckerPrager {
                 s[slot] * ratio
             };
         }
-        Some((out, yields))
+        // What of the volume is no flow from the cone.
+        let swollen = (mean - new_mean) * L::splat(1.0 / bulk);
+        let sheared = (radius - new_radius) * L::splat(eta_psi / shear);
+        Some(Returned {
+            stress: out,
+            yields,
+            opened: L::select(too_far, (swollen - sheared).max(zero), zero),
+        })
+    }
+
+    #[inline(always)]
+    fn tip<L: Lanes>(&self, _: &[L]) -> Tip<L> {
+        Tip {
+            tension: L::splat(self.most),
+            radius: L::splat(self.edge()),
+        }
     }
 }
 
 impl Readable for DruckerPrager {
     const NAME: &'static str = "drucker_prager";
+    const MEANING: &'static str = "soil with friction on a cone";
     const CHOICES: &'static [Choice] = &[Choice {
         key: "match",
         words: &["plane_strain", "outer", "inner"],

@@ -115,6 +115,7 @@ impl Law for LinearElastic {
 
 impl Readable for LinearElastic {
     const NAME: &'static str = "elastic";
+    const MEANING: &'static str = "elasticity in rate form, for strains of some percent; it has no energy, so that a cycle of large strain gains or loses work: take `neo_hookean` or `hencky` there";
     const CHOICES: &'static [Choice] = &[Choice {
         key: "objective_rate",
         words: &["hughes_winget", "jaumann"],

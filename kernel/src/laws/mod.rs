@@ -6,9 +6,11 @@
 mod any;
 mod band;
 mod constants;
+mod gap;
 mod marks;
 pub mod plastic;
 mod point;
+mod pressed;
 pub mod principal;
 mod state;
 mod stored;
@@ -20,10 +22,12 @@ pub use any::{AnyLaw, Kind, Readable};
 pub use band::Band;
 pub use constants::{Accepted, Choice, Constant, Curve, Given, Isotropic, Rows, Unfit};
 pub use drucker_prager::Match;
+pub use gap::{GAP, Tip};
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
-pub use plastic::Yielding;
+pub use plastic::{Returned, Yielding};
 pub use point::{Point, PointFault};
+pub use pressed::{Pressed, UNPRESSED};
 pub use state::EquationOfState;
 pub use stored::Stored;
 pub(crate) use strain::MOST_LANES;
@@ -51,6 +55,7 @@ macro_rules! list {
 list! {
     linear_elastic: LinearElastic,
     neo_hookean: NeoHookean,
+    hencky: Hencky,
     von_mises: VonMises,
     tresca: Tresca,
     mohr_coulomb: MohrCoulomb,
@@ -128,6 +133,18 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// remembered and does not follow from the volume.
     fn initial_volume_ratio(&self, _mean_stress: f64) -> f64 {
         1.0
+    }
+
+    /// The law of a body that has a stress at the start, for one whose stress follows from the volume: it remembers the volume
+    /// that each particle has without pressure ([`Pressed`]). Particles of a law without one weigh what is pressed into them.
+    fn pressed(&self) -> Option<AnyLaw> {
+        None
+    }
+
+    /// Whether it parts where it would be in tension, and carries nothing then, however far its volume grows: nothing of it
+    /// stiffens as it does.
+    fn parts(&self) -> bool {
+        false
     }
 
     /// Stress and internal variables after a strain increment; returns the square of the speed of the fastest wave

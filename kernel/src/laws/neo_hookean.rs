@@ -77,6 +77,7 @@ impl Law for NeoHookean {
 
 impl Readable for NeoHookean {
     const NAME: &'static str = "neo_hookean";
+    const MEANING: &'static str = "hyperelasticity for large strain, with an energy";
 
     fn read(values: &[f64], _: &[usize]) -> Self {
         Self::new(values[0], values[1])

@@ -4,7 +4,9 @@ use super::linear_elastic::strain;
 use super::plastic::{deviator, second_invariant};
 use super::principal::components;
 use super::state::{BULK, EXPONENT, EquationOfState};
-use super::{Accepted, Choice, Constant, Given, Increment, Law, Particle, Readable};
+use super::{
+    Accepted, AnyLaw, Choice, Constant, Given, Increment, Law, Particle, Pressed, Readable,
+};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 
@@ -86,6 +88,14 @@ impl Law for Newtonian {
         4.0 / 3.0 * self.viscosity
     }
 
+    fn pressed(&self) -> Option<AnyLaw> {
+        Some(Pressed(*self).into())
+    }
+
+    fn parts(&self) -> bool {
+        !self.state.carries_tension
+    }
+
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64 {
         self.state.volume_ratio(mean_stress)
     }
@@ -103,7 +113,10 @@ impl Law for Newtonian {
         if self.viscosity > 0.0 && increment.dt > 0.0 {
             let e = strain::<L, D>(increment);
             let (_, e) = deviator::<L, D>(&e);
-            let twice = L::splat(2.0 * self.viscosity / increment.dt);
+            let mut twice = L::splat(2.0 * self.viscosity / increment.dt);
+            if !self.state.carries_tension {
+                twice = twice * self.state.share(j);
+            }
             for slot in 0..components(D) {
                 stress[slot] = twice * e[slot];
             }
@@ -114,7 +127,7 @@ impl Law for Newtonian {
         for entry in &mut stress[..3] {
             *entry = *entry - pressure;
         }
-        slope * (increment.volume / increment.mass)
+        slope * self.state.specific_volume(increment)
     }
 
     #[inline]
@@ -131,6 +144,7 @@ impl Law for Newtonian {
 
 impl Readable for Newtonian {
     const NAME: &'static str = "newtonian";
+    const MEANING: &'static str = "a weakly compressible fluid with a viscosity";
     const CHOICES: &'static [Choice] = &[TENSION];
 
     fn read(values: &[f64], choices: &[usize]) -> Self {

@@ -3,6 +3,7 @@
 //! The elastic increment of Hughes and Winget gives a trial stress; a law returns it to its yield surface by the implicit
 //! (backward Euler) rule, sigma = sigma_trial - C : de_p. A particle that does not yield keeps the bits of the trial stress.
 
+use super::gap::{self, Tip};
 use super::linear_elastic::strain;
 use super::principal::components;
 use super::{
@@ -30,6 +31,17 @@ pub(super) const RELAXATION: Constant = Constant {
     given: Given::Or(0.0),
 };
 
+/// The stress after a return to a yield surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Returned<L: Lanes> {
+    /// The stress that the trial stress returns to, ordered as a law is given a stress \[Pa\].
+    pub stress: [L; 6],
+    /// The lanes that yield.
+    pub yields: L::Mask,
+    /// The part of the plastic volume strain that opens a gap: not negative, and zero for a law that does not part.
+    pub opened: L,
+}
+
 /// A law with a yield surface. Whoever has it is a [`Law`]: elastic until its trial stress lies beyond the surface.
 pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// See [`Law::CONSTANTS`].
@@ -39,8 +51,14 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     const CURVES: &'static [Curve] = &[];
 
     /// See [`Law::VARIABLES`]. The first three are the plastic strain, the plastic work and the algorithmic work ([`STRAIN`],
-    /// [`WORK`], [`ALGORITHMIC`]); a fourth one is the plastic volume strain ([`VOLUME_STRAIN`]).
+    /// [`WORK`], [`ALGORITHMIC`]).
     const VARIABLES: &'static [Variable] = &[STRAIN, WORK, ALGORITHMIC];
+
+    /// Which of them is the plastic volume strain ([`VOLUME_STRAIN`]), that of the gap included.
+    const VOLUME: Option<usize> = None;
+
+    /// Which of them is the gap ([`GAP`](super::GAP)), for a law that parts where it would bear too much tension.
+    const GAP: Option<usize> = None;
 
     /// See [`Law::name`].
     fn name(&self) -> &'static str;
@@ -73,13 +91,21 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// Relaxation time \[s\], 0 for none.
     fn relaxation(&self) -> f64;
 
-    /// The stress that the trial stress returns to, and where it does: `None` where no lane yields. Ordered as a law is
-    /// given a stress. `variables` are those before the step. Must be `#[inline(always)]`.
+    /// The stress that the trial stress returns to: `None` where no lane yields. `trial` is ordered as a law is given a
+    /// stress; `variables` are those before the step. Must be `#[inline(always)]`.
     fn returned<L: Lanes, const D: usize>(
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<([L; 6], L::Mask)>;
+    ) -> Option<Returned<L>>;
+
+    /// The end of the surface on the side of tension, for a law with a [`Yielding::GAP`]. Must be `#[inline(always)]`.
+    fn tip<L: Lanes>(&self, _variables: &[L]) -> Tip<L> {
+        Tip {
+            tension: L::splat(0.0),
+            radius: L::splat(0.0),
+        }
+    }
 }
 
 impl<Y: Yielding> Law for Y {
@@ -120,7 +146,12 @@ impl<Y: Yielding> Law for Y {
         self.elastic().wave_speed(density)
     }
 
-    /// The square of the elastic wave speed, which is the fastest.
+    fn parts(&self) -> bool {
+        Y::GAP.is_some()
+    }
+
+    /// The square of the elastic wave speed, which is the fastest; of a material that has parted that of the volume at which
+    /// its gap closes.
     #[inline(always)]
     fn update<L: Lanes, const D: usize>(
         &self,
@@ -128,30 +159,76 @@ impl<Y: Yielding> Law for Y {
         stress: &mut [L; 6],
         variables: &mut [L],
     ) -> L {
-        let speed_squared = self.elastic().update::<L, D>(increment, stress, &mut []);
-        if let Some((mut returned, yields)) = self.returned::<L, D>(stress, variables) {
+        let zero = L::splat(0.0);
+        let elasticity = self.elastic().elasticity();
+        let mut speed_squared = self.elastic().update::<L, D>(increment, stress, &mut []);
+        let parted = parted::<L, Y>(variables);
+        let (mut closed, mut before) = (zero, zero);
+        if let (true, Some(gap)) = (parted, Y::GAP) {
+            before = (stress[0] + stress[1] + stress[2]) * L::splat(1.0 / 3.0);
+            closed = gap::close(stress, variables[gap], elasticity.bulk());
+            variables[gap] = variables[gap] - closed;
+        }
+        let mut returned = self.returned::<L, D>(stress, variables);
+        if let (true, Some(gap)) = (parted, Y::GAP) {
+            returned = Some(opened::<L, Y, D>(self, stress, variables, gap, returned));
+        }
+        let volume = increment.volume / increment.mass * L::splat(increment.density);
+        if let Some(Returned {
+            stress: mut after,
+            yields,
+            mut opened,
+        }) = returned
+        {
             let tau = self.relaxation();
             if tau > 0.0 {
                 // Implicit in time: sigma = (sigma_trial + (dt/tau) sigma_returned)/(1 + dt/tau).
                 let share = L::splat(increment.dt / (tau + increment.dt));
+                opened = share * opened;
                 for slot in 0..components(D) {
-                    returned[slot] = share.mul_add(returned[slot] - stress[slot], stress[slot]);
+                    after[slot] = share.mul_add(after[slot] - stress[slot], stress[slot]);
                 }
             }
-            let elasticity = self.elastic().elasticity();
-            let strain = strain::<L, D>(increment);
-            let way = way_back::<L, D>(&elasticity, stress, &returned, &strain);
-            let volume = increment.volume / increment.mass * L::splat(increment.density);
-            let zero = L::splat(0.0);
+            let mut strain = strain::<L, D>(increment);
+            if parted {
+                // The strain without that of the gap that closed.
+                for entry in &mut strain[..3] {
+                    *entry = closed.mul_add(L::splat(1.0 / 3.0), *entry);
+                }
+            }
+            let way = way_back::<L, D>(&elasticity, stress, &after, &strain);
             variables[0] = variables[0] + L::select(yields, way.strain, zero);
             variables[1] = variables[1] + L::select(yields, way.work * volume, zero);
             variables[2] = variables[2] + L::select(yields, way.algorithmic * volume, zero);
-            if let Some(dilation) = variables.get_mut(3) {
-                *dilation = *dilation + L::select(yields, way.dilation, zero);
+            if let Some(dilation) = Y::VOLUME {
+                variables[dilation] = variables[dilation] + L::select(yields, way.dilation, zero);
+            }
+            if let Some(gap) = Y::GAP {
+                // Shear of what is afloat is no flow along the surface: all of its volume is that of the gap.
+                let afloat = zero.lt(variables[gap]);
+                let more = L::select(afloat, way.dilation.max(-variables[gap]), opened);
+                variables[gap] = variables[gap] + L::select(yields, more, zero);
             }
             for slot in 0..components(D) {
-                stress[slot] = L::select(yields, returned[slot], stress[slot]);
+                stress[slot] = L::select(yields, after[slot], stress[slot]);
             }
+        }
+        if parted {
+            // A gap closes under no pressure: nothing is dissipated, and the trapezoidal work of its strain is algorithmic.
+            let e = strain::<L, D>(increment);
+            let trace = e[0] + e[1] + e[2];
+            let turned = before - L::splat(elasticity.bulk()) * trace;
+            let after = (stress[0] + stress[1] + stress[2]) * L::splat(1.0 / 3.0);
+            let work = L::splat(0.5) * closed * (turned + after) * volume;
+            variables[2] = variables[2] - work;
+            if let Some(dilation) = Y::VOLUME {
+                variables[dilation] = variables[dilation] - closed;
+            }
+        }
+        if let (true, Some(gap)) = (self::parted::<L, Y>(variables), Y::GAP) {
+            let confined = elasticity.lambda + 2.0 * elasticity.shear;
+            let at_rest = speed_squared.min(L::splat(confined / increment.density));
+            speed_squared = L::select(zero.lt(variables[gap]), at_rest, speed_squared);
         }
         speed_squared
     }
@@ -168,6 +245,44 @@ impl<Y: Yielding> Law for Y {
 
     fn algorithmic(&self, particle: &Particle<'_>) -> f64 {
         particle.variables[2] * particle.mass / particle.density
+    }
+}
+
+/// Whether a gap of a group is open.
+#[inline(always)]
+fn parted<L: Lanes, Y: Yielding>(variables: &[L]) -> bool {
+    match Y::GAP {
+        Some(gap) => L::bits(L::splat(0.0).lt(variables[gap])) != 0,
+        None => false,
+    }
+}
+
+/// The return of a group in which gaps were open: lanes whose gap still is carry what the tip does, others return as they
+/// would.
+#[inline(always)]
+fn opened<L: Lanes, Y: Yielding, const D: usize>(
+    law: &Y,
+    trial: &[L; 6],
+    variables: &[L],
+    gap: usize,
+    returned: Option<Returned<L>>,
+) -> Returned<L> {
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let afloat = zero.lt(variables[gap]);
+    let mut stress = gap::carried::<L, D>(trial, &law.tip(variables));
+    let (mut yields, mut opened) = (afloat, zero);
+    if let Some(otherwise) = returned {
+        for slot in 0..components(D) {
+            stress[slot] = L::select(afloat, stress[slot], otherwise.stress[slot]);
+        }
+        let either = L::select(otherwise.yields, one, zero) + L::select(afloat, one, zero);
+        yields = zero.lt(either);
+        opened = otherwise.opened;
+    }
+    Returned {
+        stress,
+        yields,
+        opened,
     }
 }
 

@@ -1,6 +1,6 @@
 //! The pressure of a fluid as a function of its volume.
 
-use super::{Accepted, Constant, Given};
+use super::{Accepted, Constant, Given, Increment};
 use crate::lanes::{Lanes, functions};
 
 /// Bulk modulus of a fluid.
@@ -39,7 +39,8 @@ pub struct EquationOfState {
 }
 
 impl EquationOfState {
-    /// Pressure \[Pa\], compression positive, and its slope -J dp/dJ \[Pa\], at a volume ratio.
+    /// Pressure \[Pa\], compression positive, and its slope -J dp/dJ \[Pa\], at a volume ratio. The slope of a fluid that has
+    /// parted is that at which it closes.
     #[inline(always)]
     pub(super) fn pressure<L: Lanes>(&self, j: L) -> (L, L) {
         let bulk = L::splat(self.bulk);
@@ -56,7 +57,30 @@ impl EquationOfState {
         if self.carries_tension {
             (pressure, slope)
         } else {
-            (pressure.max(L::splat(0.0)), slope)
+            (pressure.max(L::splat(0.0)), slope.max(bulk))
+        }
+    }
+
+    /// The share of a volume that is fluid: 1, or 1/J where the fluid has parted. Shear stress is carried by that share alone.
+    #[inline(always)]
+    pub(super) fn share<L: Lanes>(&self, j: L) -> L {
+        let one = L::splat(1.0);
+        if self.carries_tension {
+            one
+        } else {
+            one / j.max(one)
+        }
+    }
+
+    /// The volume of a unit of mass \[m³/kg\] on which a wave speed depends, of a particle: no more than that at which a
+    /// fluid that has parted closes.
+    #[inline(always)]
+    pub(super) fn specific_volume<L: Lanes>(&self, increment: &Increment<L>) -> L {
+        let specific = increment.volume / increment.mass;
+        if self.carries_tension {
+            specific
+        } else {
+            specific.min(L::splat(1.0 / increment.density))
         }
     }
 

@@ -118,6 +118,10 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn viscosity(&self) -> f64;
     /// See [`Law::initial_volume_ratio`].
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64;
+    /// See [`Law::pressed`].
+    fn pressed(&self) -> Option<AnyLaw>;
+    /// See [`Law::parts`].
+    fn parts(&self) -> bool;
     /// See [`Law::energy`].
     fn energy(&self, particle: &Particle<'_>) -> f64;
     /// The same of a particle where it is stored.
@@ -173,6 +177,12 @@ impl<M: Law> Strain for M {
     }
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64 {
         Law::initial_volume_ratio(self, mean_stress)
+    }
+    fn pressed(&self) -> Option<AnyLaw> {
+        Law::pressed(self)
+    }
+    fn parts(&self) -> bool {
+        Law::parts(self)
     }
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         Law::energy(self, particle)

@@ -1,6 +1,7 @@
 //! Elasticity that yields by the criterion of Tresca: Mohr and Coulomb without friction.
 
-use super::plastic::{RELAXATION, Yielding};
+use super::gap::Tip;
+use super::plastic::{RELAXATION, Returned, Yielding};
 use super::strength::{COHESION, TENSILE};
 use super::{Constant, LinearElastic, MohrCoulomb, Readable, Unfit};
 use crate::lanes::Lanes;
@@ -40,6 +41,8 @@ impl Yielding for Tresca {
     const CONSTANTS: &'static [Constant] =
         &[super::YOUNG, super::POISSON, COHESION, TENSILE, RELAXATION];
     const VARIABLES: &'static [Variable] = <MohrCoulomb as Yielding>::VARIABLES;
+    const VOLUME: Option<usize> = <MohrCoulomb as Yielding>::VOLUME;
+    const GAP: Option<usize> = <MohrCoulomb as Yielding>::GAP;
 
     fn name(&self) -> &'static str {
         Self::NAME
@@ -71,13 +74,19 @@ impl Yielding for Tresca {
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<([L; 6], L::Mask)> {
+    ) -> Option<Returned<L>> {
         self.0.returned::<L, D>(trial, variables)
+    }
+
+    #[inline(always)]
+    fn tip<L: Lanes>(&self, variables: &[L]) -> Tip<L> {
+        self.0.tip(variables)
     }
 }
 
 impl Readable for Tresca {
     const NAME: &'static str = "tresca";
+    const MEANING: &'static str = "clay that is not drained";
 
     fn read(values: &[f64], _: &[usize]) -> Self {
         Self::new(values[0], values[1], values[2])

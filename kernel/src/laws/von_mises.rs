@@ -1,9 +1,11 @@
 //! Elasticity that yields by the criterion of von Mises, with isotropic hardening.
 
 use super::marks::{CURVE, Marks};
-use super::plastic::{RELAXATION, Yielding, deviator, second_invariant};
+use super::plastic::{RELAXATION, Returned, Yielding, deviator, second_invariant};
 use super::principal::components;
-use super::{Accepted, Band, Choice, Constant, Curve, Given, LinearElastic, Readable, Rows, Unfit, band};
+use super::{
+    Accepted, Band, Choice, Constant, Curve, Given, LinearElastic, Readable, Rows, Unfit, band,
+};
 use crate::lanes::{Lanes, functions};
 
 /// Von Mises: sqrt(3 J_2) <= Y(k) with the yield stress Y(k) = Y_0 + H k + Q (1 - exp(-b k)) of the plastic strain k
@@ -252,7 +254,7 @@ impl Yielding for VonMises {
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<([L; 6], L::Mask)> {
+    ) -> Option<Returned<L>> {
         let (mean, s) = deviator::<L, D>(trial);
         let q = (L::splat(3.0) * second_invariant::<L, D>(&s)).sqrt();
         let zero = L::splat(0.0);
@@ -295,12 +297,17 @@ impl Yielding for VonMises {
                 s[slot] * ratio
             };
         }
-        Some((out, yields))
+        Some(Returned {
+            stress: out,
+            yields,
+            opened: zero,
+        })
     }
 }
 
 impl Readable for VonMises {
     const NAME: &'static str = "von_mises";
+    const MEANING: &'static str = "metal that yields and hardens";
     const CHOICES: &'static [Choice] = &[band::REGULARISATION];
 
     fn read(values: &[f64], choices: &[usize]) -> Self {

@@ -108,7 +108,7 @@ impl Plan {
         );
         let mut variables: Vec<String> = vec![];
         for body in &scene.bodies {
-            let law = &scene.materials[body.material].law;
+            let law = scene.law_of(body);
             for variable in law.variables() {
                 let words = format!("{} of the law {}", variable.name, law.name());
                 if !variables.contains(&words) {

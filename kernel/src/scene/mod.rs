@@ -37,6 +37,8 @@ pub use mortar::{
 pub use results::{Field, NodalField, OnImbalance, Outside, Probe, Results};
 pub use surface::RigidSurface;
 
+use crate::laws::AnyLaw;
+
 /// Everything that is simulated.
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -135,6 +137,17 @@ impl Scene {
             probes: Vec::new(),
             threads: None,
         }
+    }
+
+    /// The law of a body: that of its material, or the one that remembers the pressure of its start.
+    #[must_use]
+    pub(crate) fn law_of(&self, body: &Body) -> AnyLaw {
+        let law = &self.materials[body.material].law;
+        let pressed = match body.initial_stress {
+            InitialStress::None => None,
+            _ => law.pressed(),
+        };
+        pressed.unwrap_or_else(|| law.clone())
     }
 
     /// Size of a cell \[m\]: its side, or the mean of sides that differ, that of the cube as large.

@@ -4,6 +4,7 @@ use super::Simulation;
 use super::error::{StepError, StepErrorKind, Unstable};
 use super::interactions::Interaction;
 use super::phase::{Phase, Watcher};
+use crate::laws::UNPRESSED;
 use crate::layout::Layout;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
 use crate::scene::{TimeStep, Vector};
@@ -236,7 +237,14 @@ impl Simulation {
                 let [mass, volume] =
                     [Layout::MASS, Layout::VOLUME].map(|column| &set.columns[column]);
                 let specific = volume.iter().zip(mass).map(|(v, m)| v / m);
-                most = most.max(viscosity * specific.fold(0.0, f64::max));
+                let mut specific = specific.fold(0.0, f64::max);
+                if body.law.parts() {
+                    // Shear stress of what has parted is carried by its share of fluid alone.
+                    let unpressed = set.column(UNPRESSED.name).unwrap_or(&[1.0]);
+                    let unpressed = unpressed.iter().copied().fold(0.0, f64::max);
+                    specific = specific.min(unpressed / body.density);
+                }
+                most = most.max(viscosity * specific);
             }
         }
         most

@@ -1,23 +1,35 @@
 //! The stress that bodies have at the start.
 
+use super::BodyRun;
 use super::error::SetupError;
-use crate::laws::Point;
+use crate::laws::{Particle, Point, UNDEFORMED, UNPRESSED};
 use crate::layout::Layout;
 use crate::number::Number;
 use crate::particles::ParticleSet;
 use crate::scene::{InitialStress, Scene, Vector};
+use crate::stage::g2p::Found;
 
-/// Sets the stress of a body, by its index, at the start.
+/// Sets the stress of a body, by its index, at the start, and what the first time step depends on.
 ///
 /// # Errors
 /// Where the law of the body does not bear it, with the particle that is farthest from what it bears.
-pub(super) fn set(set: &mut ParticleSet, scene: &Scene, index: usize) -> Result<(), SetupError> {
+pub(super) fn set(
+    set: &mut ParticleSet,
+    scene: &Scene,
+    index: usize,
+    run: &BodyRun,
+    found: &mut Found,
+) -> Result<(), SetupError> {
     let body = &scene.bodies[index];
     if body.initial_stress == InitialStress::None {
         return Ok(());
     }
     let material = &scene.materials[body.material];
     let axes = set.layout.axes;
+    // Where each particle of a fluid remembers its volume without pressure.
+    let unpressed = (set.layout.components())
+        .find(|(variable, ..)| **variable == UNPRESSED)
+        .map(|(_, _, column)| column);
     let mut point = Point::new(&material.law, material.density, [0.0; 6]);
     let mut worst: Option<Beyond> = None;
     for p in 0..set.len() {
@@ -36,7 +48,21 @@ pub(super) fn set(set: &mut ParticleSet, scene: &Scene, index: usize) -> Result<
             set.columns[Layout::stress(axes) + i][p] = *value;
         }
         let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
-        compress(set, p, material.law.initial_volume_ratio(mean));
+        let ratio = material.law.initial_volume_ratio(mean);
+        if let Some(column) = unpressed {
+            set.columns[column][p] = 1.0 / ratio;
+            let square = run.law.speed_squared(&Particle {
+                mass: set.columns[Layout::MASS][p],
+                volume: set.columns[Layout::VOLUME][p],
+                density: run.density,
+                stress,
+                deformation: UNDEFORMED,
+                variables: &set.variables(p),
+            });
+            found.wave_speed_squared = found.wave_speed_squared.max(square);
+        } else {
+            compress(set, p, ratio);
+        }
     }
     let Some(Beyond { by, x, stress }) = worst else {
         return Ok(());
@@ -65,7 +91,8 @@ pub(super) fn set(set: &mut ParticleSet, scene: &Scene, index: usize) -> Result<
     })
 }
 
-/// Gives a particle the mass of what was pressed into its volume: `ratio` is that volume over the one without stress.
+/// Gives a particle whose law does not remember a volume without pressure the mass of what was pressed into its own: `ratio`
+/// is that volume over the one without stress.
 fn compress(set: &mut ParticleSet, p: usize, ratio: f64) {
     if ratio == 1.0 {
         return;

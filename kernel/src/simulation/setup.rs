@@ -65,7 +65,7 @@ impl Simulation {
                     what: format!("more than {} particles", u32::MAX),
                 });
             }
-            initial_stress::set(&mut set, scene, i)?;
+            initial_stress::set(&mut set, scene, i, &run, &mut found)?;
             if let Some(initial) = &options.initial {
                 start_from(&mut set, scene, &run, &mut found, initial.as_ref());
             }
@@ -183,8 +183,8 @@ fn fill_body(
     .map_err(refused)?;
     needs::particles(filled.count(), &room, memory).map_err(refused)?;
     let material = &scene.materials[body.material];
-    let in_cells = material.law.in_cells(scene.size_of_cell());
-    let law = in_cells.unwrap_or_else(|| material.law.clone());
+    let law = scene.law_of(body);
+    let law = law.in_cells(scene.size_of_cell()).unwrap_or(law);
     let layout = plan.layouts[index];
     let axes = plan.axes;
     let mut set = ParticleSet::zeros(layout, first_id, filled.volume.len());

@@ -193,8 +193,10 @@ impl Simulation {
         let mut farthest = (1.0, None);
         for (index, (set, body)) in self.state.sets.iter().zip(&self.decided.bodies).enumerate() {
             let columns = (&set.columns[Layout::VOLUME], &set.columns[Layout::MASS]);
+            // What parts may grow as it likes.
+            let most = if body.law.parts() { 1.0 } else { f64::INFINITY };
             for (p, (volume, mass)) in columns.0.iter().zip(columns.1).enumerate() {
-                let ratio = volume * body.density / mass;
+                let ratio = (volume * body.density / mass).min(most);
                 let factor = ratio.max(1.0 / ratio);
                 let first =
                     |(_, other): (usize, usize)| set.id[p] < self.state.sets[index].id[other];

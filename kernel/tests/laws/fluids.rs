@@ -2,7 +2,9 @@
 
 use crate::support::{DENSITY, close, first_order, midpoint, numbers, point, strain, tensor};
 use nalgebra::Matrix3;
-use proctor_kernel::laws::{AnyLaw, Bingham, EquationOfState, Newtonian, Point};
+use proctor_kernel::laws::{
+    AnyLaw, Bingham, EquationOfState, Newtonian, Particle, Point, UNDEFORMED,
+};
 
 const BULK: f64 = 2.0e5;
 const VISCOSITY: f64 = 3.0;
@@ -246,6 +248,50 @@ fn work_is_stored_or_dissipated() {
         let sum = point.energy() + point.dissipated();
         assert!(point.dissipated() > 0.0);
         close(sum, work, 0.03, work);
+    }
+}
+
+/// What has parted is no faster than at rest, carries shear by its share of fluid alone, and keeps its books.
+#[test]
+fn a_fluid_that_has_parted_is_no_faster_than_at_rest() {
+    let bingham = Bingham::new(BULK, VISCOSITY, LIMIT, SHEAR).with_state(state(7.0, false));
+    for (law, strength) in [(newtonian(state(7.0, false)), 0.0), (bingham.into(), LIMIT)] {
+        let law: AnyLaw = law;
+        assert!(law.parts());
+        let mut point = point(&law);
+        let mut work = 0.0;
+        for _ in 0..2000 {
+            let (before, volume) = (tensor(point.stress()), point.volume());
+            // Sheared beyond what it bears, and drawn apart.
+            let step = [1e-3, 1e-3, 1e-3, 0.0, 0.0, 2e-5];
+            point.strain(&step, 1e-3).expect("a finite stress");
+            let after = tensor(point.stress());
+            let shear = if strength > 0.0 {
+                0.5 * (before + after)
+            } else {
+                after
+            };
+            work += 2.0 * shear[(0, 1)] * 2e-5 * 0.5 * (volume + point.volume());
+        }
+        let j = point.volume();
+        assert!(j > 300.0);
+        let viscous = 2.0 * VISCOSITY * 2e-2;
+        let shear = point.stress()[5];
+        if strength > 0.0 {
+            assert!(shear > 0.9 * strength / j, "{shear}");
+        }
+        assert!(shear * j < strength + viscous * 1.001, "{shear} {j}");
+        close(point.energy() + point.dissipated(), work, 0.01, work);
+        let square = law.speed_squared(&Particle {
+            mass: DENSITY,
+            volume: j,
+            density: DENSITY,
+            stress: point.stress(),
+            deformation: UNDEFORMED,
+            variables: &point.variables(),
+        });
+        let at_rest = law.wave_speed(DENSITY).powi(2);
+        close(square, at_rest, 1e-12, at_rest);
     }
 }
 

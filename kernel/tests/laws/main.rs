@@ -4,6 +4,8 @@ mod bands;
 mod channels;
 mod cone;
 mod fluids;
+mod gap;
+mod hencky;
 mod marks;
 mod pyramid;
 mod reported;

@@ -26,6 +26,7 @@ mod mortar_limits;
 mod mortar_space;
 mod moving_base;
 mod own_law;
+mod parted;
 mod planes;
 mod reach;
 mod rotation;

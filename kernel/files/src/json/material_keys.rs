@@ -175,12 +175,16 @@ impl JsonSchema for RawMaterial {
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let names: Vec<&str> = ALL.iter().map(|law| law.name).collect();
+        let meanings = ALL
+            .iter()
+            .map(|law| format!("`{}`: {}.", law.name, law.meaning));
+        let meanings: Vec<String> = meanings.collect();
         let mut schema = json_schema!({
             "description": "A material.",
             "type": "object",
             "properties": {
                 "type": {
-                    "description": "Constitutive law.",
+                    "description": format!("Constitutive law. {}", meanings.join(" ")),
                     "type": ["string", "null"],
                     "enum": names,
                     "x-needed": true,

@@ -5,8 +5,10 @@ mod softening;
 
 pub use softening::{Residual, Softening};
 
+use super::gap::{GAP, Tip};
 use super::plastic::{
-    ALGORITHMIC, RELAXATION, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator, second_invariant,
+    ALGORITHMIC, RELAXATION, Returned, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator,
+    second_invariant,
 };
 use super::principal::{components, spectrum};
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
@@ -226,7 +228,9 @@ impl Yielding for MohrCoulomb {
         softening::CONSTANTS[6],
         band::WIDTH,
     ];
-    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, ALGORITHMIC, VOLUME_STRAIN];
+    const VARIABLES: &'static [Variable] = &[STRAIN, WORK, ALGORITHMIC, VOLUME_STRAIN, GAP];
+    const VOLUME: Option<usize> = Some(3);
+    const GAP: Option<usize> = Some(4);
 
     fn name(&self) -> &'static str {
         Self::NAME
@@ -288,8 +292,9 @@ impl Yielding for MohrCoulomb {
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<([L; 6], L::Mask)> {
-        let strength = self.strength(variables[0], variables[3]);
+    ) -> Option<Returned<L>> {
+        let dilated = variables[3] - variables[4];
+        let mut strength = self.strength(variables[0], dilated);
         if L::bits(may_yield::<L, D>(&strength, trial)) == 0 {
             return None;
         }
@@ -301,10 +306,11 @@ impl Yielding for MohrCoulomb {
             // Once more with the strength after the step: a fixed number of passes, so that lanes do the same.
             let way = deviatoric(&spectrum.values, &after)
                 * L::splat((2.0_f64 / 3.0).sqrt() / (2.0 * elasticity.shear));
-            let strength = self.strength(variables[0] + way, variables[3]);
+            strength = self.strength(variables[0] + way, dilated);
             after = region::returned(&elasticity, &strength, &spectrum.values);
         }
         // As a correction: what the directions lack of round-off then counts for the correction alone.
+        let opened = region::opened(&elasticity, &strength, &spectrum.values, &after);
         let change = [
             after[0] - spectrum.values[0],
             after[1] - spectrum.values[1],
@@ -315,7 +321,20 @@ impl Yielding for MohrCoulomb {
         for slot in 0..components(D) {
             out[slot] = trial[slot] + change[slot];
         }
-        Some((out, yields))
+        Some(Returned {
+            stress: out,
+            yields,
+            opened,
+        })
+    }
+
+    /// All three principal stresses are at the tension there.
+    #[inline(always)]
+    fn tip<L: Lanes>(&self, variables: &[L]) -> Tip<L> {
+        Tip {
+            tension: self.strength(variables[0], variables[3]).tension,
+            radius: L::splat(0.0),
+        }
     }
 }
 
@@ -350,6 +369,8 @@ fn deviatoric<L: Lanes>(from: &[L; 3], to: &[L; 3]) -> L {
 
 impl Readable for MohrCoulomb {
     const NAME: &'static str = "mohr_coulomb";
+    const MEANING: &'static str =
+        "soil or rock with friction, dilation, tension cut-off and softening";
     const CHOICES: &'static [Choice] = &[
         softening::CHOICES[0],
         softening::CHOICES[1],

@@ -146,3 +146,42 @@ fn sheared_and_torn<L: Lanes>(
     let second = s[1] - sheared * swell - torn * lambda;
     [t, smallest.max(second.min(t)), smallest]
 }
+
+/// The part of the plastic volume strain that opens a gap, where all three principal stresses return to the tension. At the
+/// apex of the pyramid it is what is left beside shear: three times the strain d for which e - d is flow of planes of the
+/// pyramid, along which a positive principal strain weighs 1/(1 + sin psi) and a negative one 1/(1 - sin psi), and all of them
+/// together nothing. Where the tension is cut off before, no plane takes part.
+#[inline(always)]
+pub(super) fn opened<L: Lanes>(
+    elasticity: &Isotropic,
+    strength: &Strength<L>,
+    trial: &[L; 3],
+    after: &[L; 3],
+) -> L {
+    // Digits that a return to the apex may be off by.
+    const NEARLY: f64 = 1.0 - 1e-12;
+    let (zero, one, three) = (L::splat(0.0), L::splat(1.0), L::splat(3.0));
+    let t = strength.tension;
+    let held = after[2].lt(t * L::splat(NEARLY));
+    if L::bits(held) == L::bits(one.lt(three)) {
+        return zero;
+    }
+    let mut e = [zero; 3];
+    for i in 0..3 {
+        e[i] = trial[i] - after[i];
+    }
+    let mean = (e[0] + e[1] + e[2]) * L::splat(1.0 / 3.0);
+    let swollen = mean * L::splat(1.0 / elasticity.bulk());
+    for entry in &mut e {
+        let sheared = (*entry - mean) * L::splat(0.5 / elasticity.shear);
+        *entry = swollen.mul_add(L::splat(1.0 / 3.0), sheared);
+    }
+    let (more, less) = (one + strength.flow, one - strength.flow);
+    // With two negative strains, and with one.
+    let first = (less * e[0] + more * (e[1] + e[2])) / (less + more + more);
+    let second = (less * (e[0] + e[1]) + more * e[2]) / (less + less + more);
+    let beside = three * L::select(first.lt(e[1]), second, first);
+    let is_cut = (L::splat(2.0) * strength.sine * t).lt(strength.cohesive * L::splat(NEARLY));
+    let opened = L::select(is_cut, swollen, beside).max(zero);
+    L::select(held, zero, opened)
+}

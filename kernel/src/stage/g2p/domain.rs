@@ -6,10 +6,12 @@ use crate::layout::Layout;
 use crate::scene::DomainUpdate;
 use std::ops::Range;
 
-/// Half-lengths of the domains of some particles after their deformation gradient; the largest, in cells.
+/// Half-lengths of the domains of some particles after their deformation gradient; the largest, in cells. Where the law parts
+/// (`parts`), the domain of a particle without pressure does not grow: what opens there is a gap.
 pub(super) fn follow(
     lanes: Selected,
     update: DomainUpdate,
+    parts: bool,
     columns: &mut [&mut [f64]],
     layout: &Layout,
     range: Range<usize>,
@@ -25,6 +27,7 @@ pub(super) fn follow(
         deformation,
         half_length,
         initial,
+        stress: parts.then(|| Layout::stress(layout.axes)),
     };
     if layout.axes == 2 {
         lanes.run(Follow::<2>(update, columns, first, range))
@@ -38,6 +41,8 @@ struct First {
     deformation: usize,
     half_length: usize,
     initial: usize,
+    /// That of the stress, where it matters.
+    stress: Option<usize>,
 }
 
 struct Follow<'a, 'b, const D: usize>(DomainUpdate, &'a mut [&'b mut [f64]], First, Range<usize>);
@@ -61,7 +66,16 @@ impl<const D: usize> Kernel for Follow<'_, '_, D> {
             }
             let factor = factors::<B::Native, D>(update, &f);
             for axis in 0..D {
-                let l = factor[axis] * load::<B::Native>(columns[first.initial + axis], at, count);
+                let mut l =
+                    factor[axis] * load::<B::Native>(columns[first.initial + axis], at, count);
+                if let Some(stress) = first.stress {
+                    let mut sum: B::Native = load(columns[stress], at, count);
+                    for normal in 1..3 {
+                        sum = sum + load(columns[stress + normal], at, count);
+                    }
+                    let before = load(columns[first.half_length + axis], at, count);
+                    l = B::Native::select(sum.lt(zero), l, l.min(before));
+                }
                 store(l, columns[first.half_length + axis], at, count);
                 most = most.max(B::Native::select(B::Native::first(count), l, zero));
             }

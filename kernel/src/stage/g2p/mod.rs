@@ -321,7 +321,8 @@ fn strain(
     found.wave_speed_squared = found.wave_speed_squared.max(strained.speed_squared);
     found.increment_squared = found.increment_squared.max(strained.increment_squared);
     if let Some(update) = call.domain_update {
-        let most = domain::follow(call.lanes, update, call.columns, call.layout, range);
+        let parts = call.law.parts();
+        let most = domain::follow(call.lanes, update, parts, call.columns, call.layout, range);
         found.half_length = found.half_length.max(most);
     }
     strained.fault

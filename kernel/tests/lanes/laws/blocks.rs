@@ -3,8 +3,8 @@
 use proctor_kernel::lanes::{LaneChoice, Lanes, Selected};
 use proctor_kernel::laws::tensor::Configuration;
 use proctor_kernel::laws::{
-    Block, DruckerPrager, Gradients, Increment, Law, LinearElastic, Match, MohrCoulomb, NeoHookean,
-    Particle, Residual, Softening, Strained, Tresca, VonMises,
+    Block, DruckerPrager, GAP, Gradients, Hencky, Increment, Law, LinearElastic, Match,
+    MohrCoulomb, NeoHookean, Particle, Residual, Softening, Strained, Tresca, VonMises,
 };
 use proctor_kernel::layout::{Layout, Optional, Variable};
 use proctor_kernel::particles::ParticleSet;
@@ -82,6 +82,14 @@ fn particles<M: Law>(axes: usize) -> (ParticleSet, Gradients) {
             }
         }
     }
+    // Of what may part some particles have.
+    for (variable, _, column) in layout.components() {
+        if *variable == GAP {
+            set.columns[column] = (0..PARTICLES)
+                .map(|p| (1e-3 * number(p)).max(0.0))
+                .collect();
+        }
+    }
     let mut gradients = Gradients::zero();
     for (c, column) in gradients.0.iter_mut().enumerate() {
         for (i, value) in column.iter_mut().enumerate() {
@@ -137,6 +145,7 @@ fn check<M: Law>(law: &M) {
 fn blocks_have_the_same_bits_for_all_lanes() {
     check(&LinearElastic::new(1.0e3, 0.3));
     check(&NeoHookean::new(1.0e3, 0.3));
+    check(&Hencky::new(1.0e3, 0.3));
     check(&Counting(LinearElastic::new(1.0e3, 0.3)));
     // Particles of the block are stressed up to 1 Pa: some of them yield, some do not.
     check(&VonMises::new(1.0e3, 0.3, 1.0, 3.0).saturating(0.5, 20.0));
@@ -148,6 +157,13 @@ fn blocks_have_the_same_bits_for_all_lanes() {
         [25.0, 0.5, 10.0],
         Match::PlaneStrain,
     ));
+    check(&DruckerPrager::new(
+        1.0e3,
+        0.3,
+        [25.0, 0.0, 10.0],
+        Match::Outer,
+    ));
+    check(&MohrCoulomb::new(1.0e3, 0.3, [30.0, 0.0, 0.0]));
     let residual = Residual {
         friction: Some(15.0),
         cohesion: Some(0.1),
