@@ -55,6 +55,30 @@ impl Family {
     }
 }
 
+/// Overlap in cells up to which a domain meets the cells around a node by round-off alone.
+///
+/// A domain that ends on a node ends an ulp before or behind it, by how its position was rounded: a coordinate of 1e6 m is
+/// good to some 1e-9 cells, and positions are sums over many steps. The node has a weight of 1e-32 then, or none. Where the
+/// weight alone acts this is the same; where being reached decides, as of a node whose velocity a body prescribes, it
+/// is not. This is the one test of where a domain ends: weights on this side of it count as none.
+pub const ROUND_OFF: f64 = 1e-8;
+
+/// Largest weight of a node that a domain of half-length `l`, in cells, reaches by round-off alone: that at an overlap of
+/// [`ROUND_OFF`]. Without a half-length the weight grows as the overlap itself.
+#[must_use]
+pub fn round_off_weight(family: Family, l: f64) -> f64 {
+    match family {
+        Family::Hat => ROUND_OFF,
+        Family::Gimp => ROUND_OFF * ROUND_OFF / (4.0 * l),
+    }
+}
+
+/// Weights along an axis, those of nodes that are reached by round-off alone set to zero.
+#[must_use]
+pub fn reached<const N: usize>(weights: [f64; N], round_off: f64) -> [f64; N] {
+    weights.map(|w| if w > round_off { w } else { 0.0 })
+}
+
 /// Offset of the base: b = floor(xi - `base_offset(N)`).
 #[inline(always)]
 #[must_use]

@@ -11,7 +11,9 @@ use crate::scene::Vector;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
-use crate::weights::{Family, axis_weights_at, base_node, mean_of_hat};
+use crate::weights::{
+    Family, ROUND_OFF, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight,
+};
 use std::ops::{Deref, Range};
 
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
@@ -35,6 +37,7 @@ pub(super) fn bodies_onto<'a>(
         own_field,
         lanes: decided.lanes,
         stencil,
+        family: decided.family(),
         affine: plan.affine != Affine::Leave,
         free: instance(carry),
         driven: instance(Carry::Momentum),
@@ -64,6 +67,8 @@ pub(super) struct BodiesOnto<'a> {
     lanes: Selected,
     /// Nodes per axis of the stencil.
     pub(super) stencil: usize,
+    /// Weighting functions.
+    pub(super) family: Family,
     /// Whether momentum has an affine part.
     affine: bool,
     /// Of bodies that move freely.
@@ -201,7 +206,7 @@ pub(super) fn fold(slab: &mut Slab<'_>, walls: &[Wall]) {
     }
 }
 
-/// Nodes with a positive weight of one particle, increasing, with their weights.
+/// Nodes that one particle reaches by more than round-off, increasing, with their weights.
 pub(super) struct NodeWeights {
     entries: [(usize, f64); Self::MOST],
     count: usize,
@@ -230,12 +235,13 @@ pub(super) fn node_weights(
 ) -> NodeWeights {
     weights_of(set, body, shape, stencil, p, |_, xi, l| {
         let family = body.mapping.family;
-        if stencil == 3 {
+        let weights = if stencil == 3 {
             let (_, [u, v, w], _) = axis_weights_at::<3>(family, xi, l);
             [u, v, w, 0.0]
         } else {
             axis_weights_at::<4>(family, xi, l).1
-        }
+        };
+        reached(weights, round_off_weight(family, l))
     })
 }
 
@@ -269,7 +275,7 @@ pub(super) fn node_weights_touching(
             for n in 0..stencil {
                 weights[n] = mean_of_hat(at - n as f64, l - off.abs());
             }
-            return weights;
+            return reached(weights, ROUND_OFF);
         }
         let share = 1.0 / parts as f64;
         let l_part = l * share;
@@ -282,7 +288,7 @@ pub(super) fn node_weights_touching(
                 weights[n] += share * mean_of_hat(place - n as f64, l_part - off.abs());
             }
         }
-        weights
+        reached(weights, ROUND_OFF)
     })
 }
 

@@ -15,6 +15,7 @@ mod mortar_work;
 mod motion;
 mod oblong;
 mod rehearsal;
+mod round_off;
 mod saved;
 mod scaling;
 mod slabs;

@@ -133,7 +133,7 @@ fn dead_load(set: &ParticleSet, gravity: f64, axis: usize) -> f64 {
     weight + force.map_or(0.0, |first| set.columns[first + axis].iter().sum())
 }
 
-/// Nodes with a positive weight of any particle of a driven body, each once, increasing, in place of those before.
+/// Nodes that any particle of a driven body reaches by more than round-off, each once, increasing, in place of those before.
 fn nodes_of(
     set: &ParticleSet,
     body: &BodyRun,

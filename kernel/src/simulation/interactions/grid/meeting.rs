@@ -6,14 +6,16 @@ mod gaps;
 pub(crate) use done::{Done, Tunnelling};
 use done::{taken, touched};
 
+use super::faces::SlabFields;
 use crate::contact::Pair;
 use crate::contact::coulomb::{Coulomb, Law, Member, Touch};
-use super::faces::SlabFields;
 use crate::contact::surface::{Side, normal};
+use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::fields::Owner;
 use crate::stage::solve::{Wall, is_ghost};
+use crate::weights::{Family, round_off_weight};
 use smallvec::SmallVec;
 use std::ops::Range;
 
@@ -95,6 +97,19 @@ pub(crate) struct Bodies<'a> {
     pub walls: &'a [Wall],
     /// Nodes per axis of the stencil.
     pub stencil: usize,
+    /// Weighting functions.
+    pub family: Family,
+}
+
+impl Bodies<'_> {
+    /// Largest mass of a field at a node that counts as none \[kg\]: of a driven body that which its particles give by
+    /// round-off alone, as every other field there would take its velocity. Between bodies that move freely contact goes
+    /// with their masses.
+    fn least_mass(&self, owner: Owner) -> f64 {
+        let driven = owner.body().filter(|&body| self.prescribed[body].is_some());
+        let mass = driven.and_then(|body| self.sets[body].columns[Layout::MASS].first());
+        mass.map_or(0.0, |mass| mass * round_off_weight(self.family, 0.25))
+    }
 }
 
 /// Which velocities contact acts on.
@@ -129,6 +144,8 @@ pub(crate) struct Lists {
     which: Vec<usize>,
     /// Numbers of the fields of each pair that is near.
     sides: Vec<Option<[usize; 2]>>,
+    /// Largest mass of each field at a node that counts as none.
+    least: Vec<f64>,
     gaps: gaps::Lists,
 }
 
@@ -161,6 +178,11 @@ impl Meetings {
         });
         lists.sides.clear();
         lists.sides.extend(sides);
+        lists.least.clear();
+        let owners = fields.slab.fields.iter().map(|field| field.owner);
+        lists
+            .least
+            .extend(owners.map(|owner| bodies.least_mass(owner)));
         for plane in fields.range() {
             for row in 0..shape.nodes[1] {
                 let Some(span) = shared_span(fields, plane, row) else {
@@ -168,7 +190,7 @@ impl Meetings {
                 };
                 for k in span {
                     if !is_ghost(shape, bodies.walls, [plane, row, k]) {
-                        self.add(fields, bodies, &lists.sides, [plane, row, k]);
+                        self.add(fields, bodies, lists, [plane, row, k]);
                     }
                 }
             }
@@ -181,14 +203,14 @@ impl Meetings {
         &mut self,
         fields: &SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
-        sides: &[Option<[usize; 2]>],
+        Lists { sides, least, .. }: &Lists,
         at: [usize; 3],
     ) {
         let shape = fields.shape();
         let node = shape.index(at) - fields.range().start * shape.plane_nodes();
         let first = (self.fields.len(), self.touches.len());
         for number in 0..fields.count() {
-            if mass(fields, number, at, node) > 0.0 {
+            if mass(fields, number, at, node) > least[number] {
                 self.fields.push(number);
             }
         }
@@ -357,8 +379,11 @@ impl Meetings {
                     for axis in 0..3 {
                         sum[axis] += touch.force[axis];
                     }
-                    let [friction, impact] =
-                        taken(impulse, &touch.normal, touch.sides.map(|side| &members[side]));
+                    let [friction, impact] = taken(
+                        impulse,
+                        &touch.normal,
+                        touch.sides.map(|side| &members[side]),
+                    );
                     done.sums[plane].friction += friction;
                     done.sums[plane].impact += impact;
                 }

@@ -1,12 +1,12 @@
 //! Contact on the grid in one slab.
 
-use crate::simulation::interactions::grid::faces::{SlabFace, SlabFields};
-use crate::simulation::interactions::grid::meeting::{Bodies, On, States};
 use super::{Met, State};
-use crate::simulation::interactions::{OfSlab, SlabPart};
 use crate::contact::{Pair, surface};
 use crate::simulation::fields::{Grid, Slab};
+use crate::simulation::interactions::grid::faces::{SlabFace, SlabFields};
+use crate::simulation::interactions::grid::meeting::{Bodies, On, States};
 use crate::simulation::interactions::{Again, Now, OnSlab, Visit};
+use crate::simulation::interactions::{OfSlab, SlabPart};
 use crate::stage::solve::{PlaneSums, Planes};
 use smallvec::SmallVec;
 
@@ -66,6 +66,7 @@ impl SlabContact<'_> {
             prescribed: now.prescribed,
             walls: &now.walls,
             stencil: now.mapping.stencil,
+            family: now.mapping.family,
         }
     }
 }
