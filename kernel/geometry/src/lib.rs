@@ -13,5 +13,6 @@ pub mod mortar;
 pub mod number;
 pub mod polygon;
 pub mod shape;
+pub mod solid;
 pub mod surface;
 pub mod team;

@@ -35,10 +35,9 @@ impl Interface {
         stencil: usize,
     ) {
         let Self { runs, rows, shared } = self;
-        let own = pairs
-            .iter()
-            .zip(near)
-            .filter(|(pair, near)| **near && (pair.master == body || pair.slave == body));
+        let own = pairs.iter().zip(near).filter(|(pair, near)| {
+            **near && !pair.by_shape && (pair.master == body || pair.slave == body)
+        });
         shared.clear();
         shared.extend(own.map(|(pair, _)| -> Shared {
             std::array::from_fn(|axis| {

@@ -44,6 +44,8 @@ pub struct Pair {
     pub distance: Vector,
     /// Whether that distance is a condition for contact.
     pub corrects_distance: bool,
+    /// Whether one of the bodies is driven and its shape known: then that shape acts, not the nodes where both bodies are.
+    pub by_shape: bool,
 }
 
 impl Pair {

@@ -85,6 +85,9 @@ pub struct Scene {
     /// Factor lambda of the real-distance correction: contact acts where the surfaces of the particles of a pair are
     /// closer than lambda cells (contact manual, section 1.2). 0 switches the correction off. `None`: the sum of the
     /// half-lengths of the particles of both bodies, which is the manual's 0.5 with two particles per cell and axis.
+    ///
+    /// The shape of a driven body touches a particle at the half-length of that particle; with a factor above 0 at lambda
+    /// cells less the half-length of its own particles.
     pub contact_distance: Option<f64>,
     /// Mortar contact, with the boundaries and rigid lines that it needs.
     pub mortar: Mortar,

@@ -133,6 +133,7 @@ impl Simulation {
             }
         }
         self.decided.scene.bodies[index].motion.clone_from(&motion);
+        self.decided.bodies[index].keeps_shape &= motion.is_some();
         self.decided.bodies[index].motion = motion;
         let found = &mut self.state.found[index];
         let fastest = fastest(&self.decided.scene.bodies[index]);

@@ -50,6 +50,8 @@ pub(crate) struct BodyRun {
     pub(crate) mapping: Mapping,
     pub(crate) domain_update: Option<DomainUpdate>,
     pub(crate) motion: Option<History>,
+    /// Whether its motion has been prescribed since the start, so that its shape has only moved.
+    pub(crate) keeps_shape: bool,
     /// Rate of viscous damping \[1/s\].
     pub(crate) viscous_rate: f64,
     /// Half-lengths of its particles at the start \[m\], the mean where they differ.

@@ -235,6 +235,7 @@ fn fill_body(
         mapping,
         domain_update: plan.domain_update,
         motion: body.motion.clone(),
+        keeps_shape: body.motion.is_some(),
         viscous_rate: plan
             .viscous_damping
             .map_or(0.0, |alpha| alpha / h * (young / material.density).sqrt()),

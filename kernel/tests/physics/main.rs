@@ -15,6 +15,7 @@ mod damping;
 mod dilation;
 mod dimension;
 mod driven;
+mod driven_shapes;
 mod faults;
 mod fluids;
 mod initial_stress;

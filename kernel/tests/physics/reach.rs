@@ -78,6 +78,7 @@ proptest! {
         let places = [at, std::array::from_fn(|axis| inside(at[axis] + apart[axis]))];
         let sets = places.map(|place| body(place, &shape, stencil));
         let pair = Pair {
+            by_shape: false,
             id: 1,
             master: 0,
             slave: 1,

@@ -73,7 +73,7 @@ fn on_plate(dimension: Dimension, contact: bool, scale: f64, shift: f64) -> Scen
 #[test]
 fn odd_scales_and_shifts_change_nothing() {
     for dimension in DIMENSIONS {
-        for contact in [false] {
+        for contact in [false, true] {
             for weighting in [Weighting::UniformGimp, Weighting::QuadraticBSpline] {
                 let found = |scale: f64, shift: f64| {
                     let mut scene = on_plate(dimension, contact, scale, shift);

@@ -7,5 +7,6 @@ mod pressed;
 mod search;
 mod slide;
 mod slope;
+mod solid;
 mod symmetry;
 mod topology;

@@ -221,6 +221,9 @@ impl Meetings {
         }
         for (index, numbers) in sides.iter().enumerate() {
             let Some(numbers) = numbers else { continue };
+            if bodies.pairs[index].by_shape {
+                continue;
+            }
             let [Some(m), Some(s)] = numbers.map(|n| present.iter().position(|p| *p == n)) else {
                 continue;
             };

@@ -9,21 +9,21 @@ mod on_slab;
 
 pub(super) use on_slab::SlabContact;
 
+use super::Kind;
+use crate::contact::overlap::overlap;
+use crate::contact::{Pair, broad};
+use crate::memory::Memory;
+use crate::plan::Words;
+use crate::scene::{Contact, ContactNormal, Scene, Shape, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use crate::simulation::fields::Grid;
-use super::Kind;
 use crate::simulation::interactions::{
     BodyList, Interaction, Made, PairList, Remembered, SlabPart, Visit,
 };
 use crate::simulation::{BodyRun, Simulation};
 use faces::Faces;
 use meeting::{Done, Lists, Meetings, States, Tunnelling};
-use crate::contact::overlap::overlap;
-use crate::contact::{Pair, broad};
-use crate::memory::Memory;
-use crate::plan::Words;
-use crate::scene::{Contact, ContactNormal, Scene, Vector};
 
 /// Contact on the grid.
 pub(super) const GRID: Kind = Kind {
@@ -72,22 +72,8 @@ impl State {
         any.then(|| Ok(Box::new(Self::new(scene, bodies)) as _))
     }
 
-    /// The pairs of a scene. Two bodies whose motion is prescribed cannot act on each other.
     fn new(scene: &Scene, bodies: &[BodyRun]) -> Self {
-        let index = |id: i64| bodies.iter().position(|b| b.id == id);
-        let mut pairs: Vec<Pair> = scene
-            .contacts
-            .iter()
-            .filter_map(|contact| {
-                let (master, slave) = (index(contact.master)?, index(contact.slave)?);
-                let both = bodies[master].motion.is_some() && bodies[slave].motion.is_some();
-                (!both).then(|| pair(scene, bodies, contact, master, slave))
-            })
-            .collect();
-        pairs.sort_by_key(|pair| {
-            let (a, b) = (bodies[pair.master].id, bodies[pair.slave].id);
-            (a.min(b), a.max(b))
-        });
+        let pairs = pairs_of(scene, bodies);
         let count = pairs.len();
         Self {
             pairs,
@@ -255,6 +241,26 @@ impl Interaction for State {
     }
 }
 
+/// The pairs of a scene, in order of the identifiers of their bodies. Two bodies whose motion is prescribed cannot act on
+/// each other.
+pub(super) fn pairs_of(scene: &Scene, bodies: &[BodyRun]) -> Vec<Pair> {
+    let index = |id: i64| bodies.iter().position(|b| b.id == id);
+    let mut pairs: Vec<Pair> = scene
+        .contacts
+        .iter()
+        .filter_map(|contact| {
+            let (master, slave) = (index(contact.master)?, index(contact.slave)?);
+            let both = bodies[master].motion.is_some() && bodies[slave].motion.is_some();
+            (!both).then(|| pair(scene, bodies, contact, master, slave))
+        })
+        .collect();
+    pairs.sort_by_key(|pair| {
+        let (a, b) = (bodies[pair.master].id, bodies[pair.slave].id);
+        (a.min(b), a.max(b))
+    });
+    pairs
+}
+
 fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, slave: usize) -> Pair {
     let of_particles: Vector = std::array::from_fn(|axis| {
         bodies[master].particle_half_length[axis] + bodies[slave].particle_half_length[axis]
@@ -271,15 +277,27 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
         normal: contact.normal,
         distance,
         corrects_distance: scene.contact_distance != Some(0.0),
+        by_shape: [master, slave]
+            .into_iter()
+            .any(|body| acts_by_shape(scene, bodies, body)),
     }
 }
 
+/// Whether a body is driven and its shape known, so that this shape acts on its partners.
+pub(super) fn acts_by_shape(scene: &Scene, bodies: &[BodyRun], body: usize) -> bool {
+    bodies[body].keeps_shape && !matches!(scene.bodies[body].shape, Shape::Particles(_))
+}
+
 impl Simulation {
-    /// Contact force on a body in the last step \[N\]: the sum over its pairs and the rigid surfaces. On the two bodies
+    /// Contact force on a body in the last step \[N\]: the sum over its pairs, driven ones among them, and the rigid surfaces. On the two bodies
     /// of a pair that have no other it is the same number with opposite signs.
     #[must_use]
     pub fn contact_force(&self, set: usize) -> Vector {
-        let mut sum = self.mortar_force(self.decided.bodies[set].id).unwrap_or_default();
+        let mut sum = self
+            .mortar_force(self.decided.bodies[set].id)
+            .unwrap_or_default();
+        let of_shapes = self.shape_force_on(set);
+        sum = std::array::from_fn(|axis| sum[axis] + of_shapes[axis]);
         for surface in 0..self.decided.scene.surfaces.len() {
             let force = self.surface_force_on(surface, set);
             sum = std::array::from_fn(|axis| sum[axis] + force[axis]);
@@ -320,10 +338,8 @@ impl Simulation {
 /// What the plan says of each pair.
 fn pair_words(scene: &Scene, list: &mut Words) {
     let driven = |id: i64| {
-        scene
-            .bodies
-            .iter()
-            .any(|b| b.id == id && b.motion.is_some())
+        let mut bodies = scene.bodies.iter();
+        bodies.find(|b| b.id == id && b.motion.is_some())
     };
     for contact in &scene.contacts {
         let normal = match contact.normal {
@@ -331,12 +347,25 @@ fn pair_words(scene: &Scene, list: &mut Words) {
             ContactNormal::Slave => "normal of the slave",
             ContactNormal::Collinear => "mean of both normals",
         };
+        let with_shape = [contact.master, contact.slave]
+            .into_iter()
+            .filter_map(driven);
+        let mut with_shape = with_shape.filter(|b| !matches!(b.shape, Shape::Particles(_)));
+        let how = with_shape.next().map_or_else(
+            || format!("{normal}; on the grid, while the boxes of the bodies meet"),
+            |b| {
+                format!(
+                    "the shape of body {}, which is driven, pushes the particles that touch it, along its own normal",
+                    b.id
+                )
+            },
+        );
         list.choose(
             "stage",
             &format!("contact {}", contact.id),
-            !(driven(contact.master) && driven(contact.slave)),
+            !(driven(contact.master).is_some() && driven(contact.slave).is_some()),
             &format!(
-                "bodies {} (master) and {}, friction {}, {normal}; on the grid, while the boxes of the bodies meet",
+                "bodies {} (master) and {}, friction {}, {how}",
                 contact.master, contact.slave, contact.friction
             ),
             "the motion of both bodies is prescribed",

@@ -1,6 +1,7 @@
 //! Gaps between particles and surfaces, and the motion of surfaces.
 
 use super::near::Place;
+use super::rigid::Rigid;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{RigidSurface, Scene, Vector};
@@ -26,34 +27,25 @@ impl Simulation {
         p: usize,
         within: f64,
     ) -> Option<(f64, Nearest)> {
-        self.gap_by(surface, set, p, within, Surface::nearest)
-    }
-
-    /// The same, where the nearest triangle is known but for a little.
-    pub(super) fn surface_gap_from(
-        &self,
-        triangle: usize,
-        Place { surface, set, p }: Place,
-        within: f64,
-    ) -> Option<(f64, Nearest)> {
-        self.gap_by(surface, set, p, within, |surface, x, within| {
-            surface.nearest_from(triangle, x, within)
-        })
-    }
-
-    fn gap_by(
-        &self,
-        surface: usize,
-        set: usize,
-        p: usize,
-        within: f64,
-        nearest: impl Fn(&Surface, &Vector, f64) -> Option<Nearest>,
-    ) -> Option<(f64, Nearest)> {
         let shift = self.surface_shift(surface, self.state.clock.time);
-        let x = self.on_surface(&self.state.sets[set].position(p), &shift);
-        let half = half_lengths(&self.state.sets[set], &self.decided.bodies[set], p);
-        let surface = &self.decided.local_surfaces[surface];
-        let mut nearest = nearest(surface, &x, within + length(&half))?;
+        let place = Place { surface, set, p };
+        self.gap_to(&Rigid::Surface(surface), place, &shift, within, None)
+    }
+
+    /// The same for anything rigid that has moved by `shift`, where the nearest triangle of a surface may be known but for a
+    /// little.
+    pub(super) fn gap_to(
+        &self,
+        rigid: &Rigid,
+        Place { set, p, .. }: Place,
+        shift: &Vector,
+        within: f64,
+        triangle: Option<usize>,
+    ) -> Option<(f64, Nearest)> {
+        let own = half_lengths(&self.state.sets[set], &self.decided.bodies[set], p);
+        let half = rigid.half_lengths(own);
+        let (x, within_centre) = (self.state.sets[set].position(p), within + length(&half));
+        let mut nearest = rigid.nearest(self, &x, shift, within_centre, triangle)?;
         if nearest.on_rim {
             return None;
         }

@@ -5,10 +5,12 @@ mod gap;
 mod near;
 mod nodes;
 mod reached;
+mod rigid;
 mod words;
 
 use super::Kind;
-use crate::team::OfItem;
+use crate::memory::Memory;
+use crate::scene::{Scene, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{SetupError, StepError, StepErrorKind};
 use crate::simulation::history::integral;
@@ -16,16 +18,16 @@ use crate::simulation::interactions::{Again, Interaction, Made, Remembered};
 use crate::simulation::mapping::node_weights_touching;
 use crate::simulation::motion::at_half_step_after;
 use crate::simulation::{BodyRun, Simulation};
-use crate::memory::Memory;
-use crate::scene::{Scene, Vector};
 use crate::stage::solve::Planes;
 use crate::stage::touch::{Touch, TouchedNode, Touches};
 use crate::surface::Nearest;
+use crate::team::OfItem;
 use fields::Fields;
 pub(in crate::simulation) use gap::local;
-use gap::{half_lengths, touching_point, velocity};
+use gap::{half_lengths, touching_point};
 use near::{Near, Place};
 use reached::{Known, Reached};
+use rigid::Rigid;
 
 /// Contact with rigid surfaces.
 pub(super) const SURFACES: Kind = Kind {
@@ -42,6 +44,8 @@ const SWEEPS: usize = 50;
 /// spares searches, and the impulses are records.
 #[derive(Clone, Debug)]
 pub(crate) struct Surfaces {
+    /// What pushes.
+    rigid: Vec<Rigid>,
     near: Near,
     /// Touches of the last equation of motion, and those of a second mapping.
     trial: Found,
@@ -68,12 +72,14 @@ struct Found {
 
 impl Surfaces {
     /// Rigid surfaces, where a scene has any.
-    pub(super) fn of(scene: &Scene, _: &[BodyRun], _: &mut Memory) -> Option<Made> {
-        if scene.surfaces.is_empty() {
+    pub(super) fn of(scene: &Scene, bodies: &[BodyRun], _: &mut Memory) -> Option<Made> {
+        let rigid = rigid::all(scene, bodies);
+        if rigid.is_empty() {
             return None;
         }
-        let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; scene.surfaces.len()];
+        let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; rigid.len()];
         Some(Ok(Box::new(Self {
+            rigid,
             near: Near::default(),
             trial: Found::default(),
             mapped: Found::default(),
@@ -94,8 +100,34 @@ impl Interaction for Surfaces {
         simulation.refuse_overlap_with_surfaces()
     }
 
-    fn sorted(&mut self, _: &Simulation) {
+    fn sorted(&mut self, simulation: &Simulation) {
         self.near.forget();
+        for rigid in &mut self.rigid {
+            if let Rigid::Driven(driven) = rigid {
+                driven.note_start(simulation);
+            }
+        }
+    }
+
+    /// A body that is no longer driven acts on its partners at the nodes.
+    fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
+        if simulation.decided.bodies[body].keeps_shape {
+            return;
+        }
+        let mut place = 0;
+        self.rigid.retain(|rigid| {
+            let keep = !matches!(rigid, Rigid::Driven(driven) if driven.body == body);
+            if keep {
+                place += 1;
+            } else {
+                self.last.remove(place);
+                self.total.remove(place);
+            }
+            keep
+        });
+        self.near.forget();
+        self.trial = Found::default();
+        self.pushed.clear();
     }
 
     fn settles(&self) -> bool {
@@ -103,8 +135,7 @@ impl Interaction for Surfaces {
     }
 
     fn settle(&mut self, simulation: &mut Simulation, acting: &Acting) -> Result<usize, StepError> {
-        simulation.push(self, acting)?;
-        Ok(0)
+        simulation.push(self, acting)
     }
 
     fn settle_again(
@@ -140,31 +171,6 @@ impl Interaction for Surfaces {
 }
 
 impl Simulation {
-    /// Force of the bodies on a surface in the last step \[N\].
-    #[must_use]
-    pub fn surface_force(&self, surface: usize) -> Vector {
-        let mut force = [0.0; 3];
-        for set in 0..self.state.sets.len() {
-            let own = self.surface_force_on(surface, set);
-            force = std::array::from_fn(|axis| force[axis] - own[axis]);
-        }
-        force
-    }
-
-    pub(super) fn surface_force_on(&self, surface: usize, set: usize) -> Vector {
-        match self.interaction::<Surfaces>() {
-            Some(s) if s.last_kick > 0.0 => s.last[surface][set].map(|i| i / s.last_kick),
-            _ => [0.0; 3],
-        }
-    }
-
-    /// Impulse of a surface on a body since the start \[N s\].
-    #[must_use]
-    pub fn surface_impulse(&self, surface: usize, set: usize) -> Vector {
-        self.interaction::<Surfaces>()
-            .map_or([0.0; 3], |s| s.total[surface][set])
-    }
-
     /// Displacement of a surface since the start \[m\].
     #[must_use]
     pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
@@ -172,9 +178,16 @@ impl Simulation {
         motion.map_or([0.0; 3], |motion| integral(motion, time))
     }
 
-    /// Corrects the nodal velocities after the solve so that no particle goes through a surface.
-    fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<(), StepError> {
-        self.touches(&mut surfaces.near, acting, 1, &mut surfaces.trial)?;
+    /// Corrects the nodal velocities after the solve so that no particle goes through a surface or into a driven body; the
+    /// number of particles that driven bodies push.
+    fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<usize, StepError> {
+        self.touches(
+            &surfaces.rigid,
+            &mut surfaces.near,
+            acting,
+            1,
+            &mut surfaces.trial,
+        )?;
         let Found {
             touches, places, ..
         } = &mut surfaces.trial;
@@ -196,12 +209,12 @@ impl Simulation {
         }
         surfaces.last_kick = acting.kick;
         surfaces.pushed.clear();
+        let mut by_bodies = 0;
         for (touch, place) in touches.list.iter().zip(&*places) {
             if let (true, held) = touch.pushes_and_holds() {
                 let id = self.state.sets[place.set].id[place.p];
-                surfaces
-                    .pushed
-                    .push(((place.surface, place.set, id), held));
+                surfaces.pushed.push(((place.surface, place.set, id), held));
+                by_bodies += usize::from(matches!(surfaces.rigid[place.surface], Rigid::Driven(_)));
             }
             let impulse = touch.impulse();
             for axis in 0..3 {
@@ -210,7 +223,7 @@ impl Simulation {
         }
         let mut power = 0.0;
         for surface in 0..surfaces.last.len() {
-            let v = velocity(&self.decided.scene.surfaces[surface], self.state.clock.time, acting.drift);
+            let v = surfaces.rigid[surface].velocity(self, acting);
             for set in 0..self.state.sets.len() {
                 for axis in 0..3 {
                     let impulse = surfaces.last[surface][set][axis];
@@ -232,7 +245,7 @@ impl Simulation {
         self.work.sums.impact += impact;
         self.change_velocities(touches, 1, true);
         self.sum_after_contact(acting, power);
-        Ok(())
+        Ok(by_bodies)
     }
 
     /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
@@ -253,7 +266,13 @@ impl Simulation {
         acting: &Acting,
         lane: usize,
     ) -> Result<(), StepError> {
-        self.touches(&mut surfaces.near, acting, lane, &mut surfaces.mapped)?;
+        self.touches(
+            &surfaces.rigid,
+            &mut surfaces.near,
+            acting,
+            lane,
+            &mut surfaces.mapped,
+        )?;
         let Found {
             touches, places, ..
         } = &mut surfaces.mapped;
@@ -282,7 +301,9 @@ impl Simulation {
                 planes.unfold(&still, false);
             }
         };
-        self.work.grid.visit(|mut slab| slab.planes().for_each(keep));
+        self.work
+            .grid
+            .visit(|mut slab| slab.planes().for_each(keep));
         Ok(())
     }
 
@@ -291,6 +312,7 @@ impl Simulation {
     /// which no one looks at.
     fn touches(
         &self,
+        rigid: &[Rigid],
         near: &mut Near,
         acting: &Acting,
         lane: usize,
@@ -303,15 +325,15 @@ impl Simulation {
             gaps,
         } = found;
         places.clear();
-        self.find_near_surfaces(near, acting.drift);
+        self.find_near_surfaces(rigid, near, acting.drift);
         let fields = self.all_fields();
         let mut reached = known.begin(touches);
         // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
         let gap = |i: usize| {
             let place = near.particles[i];
-            let rigid = &self.decided.scene.surfaces[place.surface];
-            let margin = rigid.distance_threshold + self.smallest_cell();
-            self.surface_gap_from(near.triangles[i], place, margin)
+            let (rigid, shift) = (&rigid[place.surface], &near.now[place.surface]);
+            let margin = rigid.widest_threshold(self) + self.smallest_cell();
+            self.gap_to(rigid, place, shift, margin, Some(near.triangles[i]))
         };
         let team = &self.work.grid.team;
         team.fill(0..near.particles.len(), OfItem::Search, gap, &None, gaps);
@@ -320,7 +342,8 @@ impl Simulation {
                 continue;
             };
             near.triangles[i] = gap.1.triangle;
-            let touch = self.touch(*place, gap, acting, lane, &fields, &mut reached)?;
+            let rigid = &rigid[place.surface];
+            let touch = self.touch(rigid, *place, gap, acting, lane, &fields, &mut reached)?;
             if let Some(touch) = touch {
                 reached.touches.list.push(touch);
                 places.push(*place);
@@ -332,6 +355,7 @@ impl Simulation {
     /// The touch of one particle with this gap, if it is within the threshold.
     fn touch(
         &self,
+        rigid: &Rigid,
         place: Place,
         (gap, nearest): (f64, Nearest),
         acting: &Acting,
@@ -339,12 +363,11 @@ impl Simulation {
         fields: &Fields<'_>,
         reached: &mut Reached<'_>,
     ) -> Result<Option<Touch>, StepError> {
-        let Place { surface, set, p } = place;
-        let rigid = &self.decided.scene.surfaces[surface];
-        if nearest.distance < 0.0 {
+        let Place { set, p, .. } = place;
+        if let (Rigid::Surface(surface), true) = (rigid, nearest.distance < 0.0) {
             return Err(self.error(StepErrorKind::ThroughSurface {
                 particle: self.particle_at(set, p),
-                surface: rigid.name.clone(),
+                surface: self.decided.scene.surfaces[*surface].name.clone(),
                 depth: -nearest.distance,
             }));
         }
@@ -353,10 +376,11 @@ impl Simulation {
         let normal = nearest.normal;
         let half = half_lengths(particles, body, p);
         let touching = [&touching_point(&half, &nearest), &half];
-        let weights = node_weights_touching(particles, body, shape, self.state.stencil, p, touching);
+        let weights =
+            node_weights_touching(particles, body, shape, self.state.stencil, p, touching);
         let field = fields.of(set);
         let lines = fields.lines(field);
-        let v_s = velocity(rigid, self.state.clock.time, acting.drift);
+        let v_s = rigid.velocity(self, acting);
         let mut relative = v_s.map(|v| -v);
         for &(node, w) in weights.iter() {
             for axis in 0..3 {
@@ -367,29 +391,43 @@ impl Simulation {
             * (0..3)
                 .map(|axis| normal[axis] * relative[axis])
                 .sum::<f64>();
-        if approach > gap.max(0.0) && approach > rigid.distance_threshold {
-            return Err(self.error(StepErrorKind::TooFastForSurface {
-                particle: self.particle_at(set, p),
-                surface: rigid.name.clone(),
-                approach,
-                threshold: rigid.distance_threshold,
+        let threshold = rigid.threshold(self, &normal);
+        if approach > gap.max(0.0) && approach > threshold {
+            return Err(self.error(match rigid {
+                Rigid::Surface(surface) => StepErrorKind::TooFastForSurface {
+                    particle: self.particle_at(set, p),
+                    surface: self.decided.scene.surfaces[*surface].name.clone(),
+                    approach,
+                    threshold,
+                },
+                Rigid::Driven(driven) => StepErrorKind::Tunnelling {
+                    bodies: [driven.pair.master, driven.pair.slave]
+                        .map(|b| self.decided.bodies[b].id),
+                    position: Some(nearest.point),
+                    approach,
+                    distance: threshold,
+                },
             }));
         }
-        if gap >= rigid.distance_threshold {
+        if gap >= threshold {
             return Ok(None);
         }
         let weights = reached.reach(shape, acting, fields, field, &weights);
         let (m_p, _) = self.mass_and_volume(set, p);
-        let penalty = penalty_impulse(rigid.penalty_stiffness.unwrap_or(0.0), m_p, -gap, acting);
+        let stiffness = match rigid {
+            Rigid::Surface(surface) => self.decided.scene.surfaces[*surface].penalty_stiffness,
+            Rigid::Driven(_) => None,
+        };
+        let penalty = penalty_impulse(stiffness.unwrap_or(0.0), m_p, -gap, acting);
         Ok(Some(Touch {
             weights,
             normal,
             relative,
             gap,
-            bound: -gap.max(0.0) / acting.drift,
+            bound: rigid.bound(gap, nearest.distance, acting.drift),
             floor: 0.0,
             penalty,
-            friction: rigid.friction,
+            friction: rigid.friction(self),
             normal_impulse: 0.0,
             tangential_impulse: [0.0; 3],
         }))

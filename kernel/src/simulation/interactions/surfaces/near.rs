@@ -1,9 +1,10 @@
 //! The particles that may touch a surface until they have moved some way, so that not all are searched for in each step.
 
-use super::gap::{half_lengths, length, velocity};
-use crate::team::OfItem;
+use super::gap::{half_lengths, length};
+use super::rigid::Rigid;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
+use crate::team::OfItem;
 
 /// Particles that may touch a surface until they have moved by half the margin.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +18,8 @@ pub(super) struct Near {
     /// Travel of the particles \[cells\] and displacement of the surfaces \[m\] when the list was made.
     travel: f64,
     shifts: Vec<Vector>,
+    /// Their displacements now \[m\].
+    pub(super) now: Vec<Vector>,
     /// Of one body, while the list is made: the triangle nearest to each particle, and those of them that are near, by
     /// identifier.
     nearest: Vec<Option<usize>>,
@@ -39,7 +42,7 @@ pub(super) struct Place {
 
 impl Simulation {
     /// Makes the list of particles near a surface anew where it no longer covers what may touch in this step.
-    pub(super) fn find_near_surfaces(&self, near: &mut Near, dt: f64) {
+    pub(super) fn find_near_surfaces(&self, rigid: &[Rigid], near: &mut Near, dt: f64) {
         let cell = &self.decided.scene.mesh.cell;
         let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
         let speed = self
@@ -49,11 +52,11 @@ impl Simulation {
             .map(|found| found.speed_squared)
             .fold(0.0, f64::max)
             .sqrt();
-        let surfaces = &self.decided.scene.surfaces;
-        let shift = |surface: usize| self.surface_shift(surface, self.state.clock.time);
-        let fastest = surfaces
+        near.now.clear();
+        near.now.extend(rigid.iter().map(|one| one.shift(self)));
+        let fastest = rigid
             .iter()
-            .map(|s| length(&velocity(s, self.state.clock.time, dt)))
+            .map(|one| length(&one.mean_velocity(self, dt)))
             .fold(0.0, f64::max);
         // Twice the way at the present speed, since contact and forces may make particles faster within the step.
         let step = 2.0 * dt * (speed + fastest);
@@ -63,7 +66,7 @@ impl Simulation {
                 .iter()
                 .enumerate()
                 .map(|(surface, then)| {
-                    let now = shift(surface);
+                    let now = &near.now[surface];
                     length(&std::array::from_fn(|axis| now[axis] - then[axis]))
                 })
                 .fold(0.0, f64::max);
@@ -78,39 +81,34 @@ impl Simulation {
         near.particles.clear();
         near.triangles.clear();
         near.shifts.clear();
-        for surface in 0..surfaces.len() {
-            let shift = shift(surface);
-            near.shifts.push(shift);
+        for (surface, one) in rigid.iter().enumerate() {
+            near.shifts.push(near.now[surface]);
             for set in 0..self.state.sets.len() {
-                if self.decided.bodies[set].motion.is_none() {
-                    self.add_near(near, [surface, set], &shift, margin);
+                if one.pushes(self, set) {
+                    self.add_near(one, near, [surface, set], margin);
                 }
             }
         }
     }
 
     /// Adds the particles of a set near a surface, in the order of their identifiers.
-    fn add_near(
-        &self,
-        near: &mut Near,
-        [surface, set]: [usize; 2],
-        shift: &Vector,
-        margin: f64,
-    ) {
-        let (rigid, particles, body) = (
-            &self.decided.scene.surfaces[surface],
-            &self.state.sets[set],
-            &self.decided.bodies[set],
-        );
+    fn add_near(&self, rigid: &Rigid, near: &mut Near, [surface, set]: [usize; 2], margin: f64) {
+        let (particles, body) = (&self.state.sets[set], &self.decided.bodies[set]);
+        let (shift, threshold) = (near.now[surface], rigid.widest_threshold(self));
         let triangle = |p: usize| {
-            let local = self.on_surface(&particles.position(p), shift);
-            let reach = length(&half_lengths(particles, body, p));
-            let within = rigid.distance_threshold + reach + margin;
-            let nearest = self.decided.local_surfaces[surface].nearest(&local, within);
+            let reach = length(&rigid.half_lengths(half_lengths(particles, body, p)));
+            let within = threshold + reach + margin;
+            let nearest = rigid.nearest(self, &particles.position(p), &shift, within, None);
             nearest.map(|nearest| nearest.triangle)
         };
         let team = &self.work.grid.team;
-        team.fill(0..particles.len(), OfItem::Search, triangle, &None, &mut near.nearest);
+        team.fill(
+            0..particles.len(),
+            OfItem::Search,
+            triangle,
+            &None,
+            &mut near.nearest,
+        );
         let found = (0..particles.len()).filter(|&p| near.nearest[p].is_some());
         near.by_id.clear();
         near.by_id.extend(found.map(|p| (particles.id[p], p)));

@@ -1,34 +1,98 @@
-//! What surfaces did at the nodes, for those who look at it from outside.
+//! What surfaces and driven bodies did, on the whole and at the nodes, for those who look at it from outside.
 
+use super::rigid::Rigid;
 use super::{Found, Surfaces};
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 
 impl Simulation {
-    /// Force of the surfaces on a body at a node in the last step \[N\] and the gap of the particle that brought it
-    /// there \[m\], particle by particle: `(body, node, force, gap)`. Particles within the threshold that do not touch
-    /// bring no force.
+    /// Force of the bodies on a surface in the last step \[N\].
+    #[must_use]
+    pub fn surface_force(&self, surface: usize) -> Vector {
+        let mut force = [0.0; 3];
+        for set in 0..self.state.sets.len() {
+            let own = self.surface_force_on(surface, set);
+            force = std::array::from_fn(|axis| force[axis] - own[axis]);
+        }
+        force
+    }
+
+    pub(in crate::simulation::interactions) fn surface_force_on(
+        &self,
+        surface: usize,
+        set: usize,
+    ) -> Vector {
+        match self.interaction::<Surfaces>() {
+            Some(s) if s.last_kick > 0.0 => s.last[surface][set].map(|i| i / s.last_kick),
+            _ => [0.0; 3],
+        }
+    }
+
+    /// Force on a body in the last step \[N\] of contact with the shapes of driven bodies; on a driven one the reaction.
+    pub(in crate::simulation::interactions) fn shape_force_on(&self, set: usize) -> Vector {
+        let mut sum = [0.0; 3];
+        let surfaces = self.interaction::<Surfaces>();
+        for s in surfaces.into_iter().filter(|s| s.last_kick > 0.0) {
+            for (rigid, impulses) in s.rigid.iter().zip(&s.last) {
+                let Rigid::Driven(driven) = rigid else {
+                    continue;
+                };
+                let force = impulses[driven.partner].map(|i| i / s.last_kick);
+                for axis in 0..3 {
+                    if driven.partner == set {
+                        sum[axis] += force[axis];
+                    } else if driven.body == set {
+                        sum[axis] -= force[axis];
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// Impulse of a surface on a body since the start \[N s\].
+    #[must_use]
+    pub fn surface_impulse(&self, surface: usize, set: usize) -> Vector {
+        self.interaction::<Surfaces>()
+            .map_or([0.0; 3], |s| s.total[surface][set])
+    }
+
+    /// Force of the surfaces and of driven bodies on a body at a node in the last step \[N\] and the gap of the particle that
+    /// brought it there \[m\], particle by particle: `(body, node, force, gap)`. Particles within the threshold that do not
+    /// touch bring no force. A driven body has the reaction, at those of the nodes that it reaches itself.
     pub(in crate::simulation) fn surface_forces_at_nodes(
         &self,
     ) -> impl Iterator<Item = (usize, usize, Vector, f64)> {
         let surfaces = self.interaction::<Surfaces>();
-        let surfaces = surfaces.into_iter().filter(|s| s.last_kick > 0.0);
-        surfaces.flat_map(|s| {
+        let mut all = vec![];
+        for s in surfaces.into_iter().filter(|s| s.last_kick > 0.0) {
             let Found {
                 touches, places, ..
             } = &s.trial;
-            touches
-                .list
-                .iter()
-                .zip(places)
-                .flat_map(move |(touch, place)| {
-                    let force = touch.impulse().map(|i| i / s.last_kick);
-                    let weights = &touches.weights[touch.weights.clone()];
-                    weights.iter().map(move |(node, w)| {
-                        let share = std::array::from_fn(|axis| w[axis] * force[axis]);
-                        (place.set, touches.nodes[*node].node, share, touch.gap)
-                    })
-                })
-        })
+            for (touch, place) in touches.list.iter().zip(places) {
+                let force = touch.impulse().map(|i| i / s.last_kick);
+                let weights = &touches.weights[touch.weights.clone()];
+                let nodes = || weights.iter().map(|(n, w)| (touches.nodes[*n].node, w));
+                for (node, w) in nodes() {
+                    let share = std::array::from_fn(|axis| w[axis] * force[axis]);
+                    all.push((place.set, node, share, touch.gap));
+                }
+                let Rigid::Driven(driven) = &s.rigid[place.surface] else {
+                    continue;
+                };
+                let Some(field) = self.work.grid.own_field(driven.body) else {
+                    continue;
+                };
+                let own =
+                    || nodes().filter(|(node, _)| field.mass(&self.work.grid.shape, *node) > 0.0);
+                let sum: Vector = std::array::from_fn(|axis| own().map(|(_, w)| w[axis]).sum());
+                let part = |w: f64, sum: f64| if sum > 0.0 { w / sum } else { 0.0 };
+                for (node, w) in own() {
+                    let share = std::array::from_fn(|k| -force[k] * part(w[k], sum[k]));
+                    all.push((driven.body, node, share, touch.gap));
+                }
+            }
+        }
+        all.into_iter()
     }
 }

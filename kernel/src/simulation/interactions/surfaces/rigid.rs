@@ -1,0 +1,218 @@
+//! Rigid things that push particles: surfaces of the scene, and the shapes of driven bodies.
+//!
+//! A body whose motion is prescribed keeps its shape: it acts on a partner of contact with the surface of that shape, at the
+//! points where particles touch it, and not at the nodes that both reach. Nodes cannot do it: under one stress a body whose
+//! face lies at theta in its cell has the internal forces 1 - theta and theta at the two nodes around the face, and a driven
+//! body that prescribes both velocities holds a cell that is not its own.
+
+use super::gap::{length, velocity};
+use crate::contact::Pair;
+use crate::scene::{Scene, Shape, Vector};
+use crate::simulation::conditions::Acting;
+use crate::simulation::interactions::grid::{acts_by_shape, pairs_of};
+use crate::simulation::{BodyRun, Simulation, history_value};
+use crate::surface::{Feature, Nearest};
+
+/// Share of the depth by which a particle that lies with its centre in a driven body moves out of it in a step.
+const OUTWARD: f64 = 0.01;
+
+/// A rigid thing that pushes particles.
+#[derive(Clone, Debug)]
+pub(super) enum Rigid {
+    /// A surface of the scene, by its place there. It pushes all bodies.
+    Surface(usize),
+    /// A driven body.
+    Driven(Box<Driven>),
+}
+
+/// A driven body that pushes a partner of contact.
+#[derive(Clone, Debug)]
+pub(super) struct Driven {
+    /// Place of the body in the scene.
+    pub(super) body: usize,
+    /// That of its partner.
+    pub(super) partner: usize,
+    /// The pair.
+    pub(super) pair: Pair,
+    /// Shape at the start, relative to the origin of the mesh.
+    shape: Shape,
+    /// Half-lengths with which particles of the partner touch \[m\], where the scene gives the distance of contact; else
+    /// those of their domains.
+    half: Option<Vector>,
+    /// A particle of the body and its position at the start, relative to the origin of the mesh \[m\].
+    start: Option<(u64, Vector)>,
+}
+
+/// All of a scene: its surfaces, then driven bodies pair by pair.
+pub(super) fn all(scene: &Scene, bodies: &[BodyRun]) -> Vec<Rigid> {
+    let surfaces = (0..scene.surfaces.len()).map(Rigid::Surface);
+    let pairs = pairs_of(scene, bodies).into_iter();
+    let driven = pairs.filter(|pair| pair.by_shape).map(|pair| {
+        let [body, partner] = if acts_by_shape(scene, bodies, pair.master) {
+            [pair.master, pair.slave]
+        } else {
+            [pair.slave, pair.master]
+        };
+        let given = scene.contact_distance.is_some_and(|lambda| lambda > 0.0);
+        let own = &bodies[body].particle_half_length;
+        let half = std::array::from_fn(|axis| (pair.distance[axis] - own[axis]).max(0.0));
+        Rigid::Driven(Box::new(Driven {
+            body,
+            partner,
+            shape: scene.bodies[body].shape.relative_to(&scene.mesh.origin),
+            half: given.then_some(half),
+            start: None,
+            pair,
+        }))
+    });
+    surfaces.chain(driven).collect()
+}
+
+impl Driven {
+    /// Notes where the body is at the start.
+    pub(super) fn note_start(&mut self, simulation: &Simulation) {
+        let set = &simulation.state.sets[self.body];
+        if self.start.is_none() && set.len() > 0 {
+            self.start = Some((set.id[0], set.position(0)));
+        }
+    }
+
+    /// Displacement since the start, relative to the mesh \[m\]: that of one of its particles.
+    fn shift(&self, simulation: &Simulation) -> Vector {
+        let set = &simulation.state.sets[self.body];
+        let moved = self.start.as_ref().and_then(|(id, start)| {
+            let p = set.id.iter().position(|one| one == id)?;
+            let now = set.position(p);
+            Some(std::array::from_fn(|axis| now[axis] - start[axis]))
+        });
+        moved.unwrap_or_default()
+    }
+}
+
+impl Rigid {
+    /// Displacement since the start \[m\]: of a surface in space, of a body relative to the mesh.
+    pub(super) fn shift(&self, simulation: &Simulation) -> Vector {
+        match self {
+            Self::Surface(surface) => {
+                simulation.surface_shift(*surface, simulation.state.clock.time)
+            }
+            Self::Driven(driven) => driven.shift(simulation),
+        }
+    }
+
+    /// Mean velocity in a step of length `dt` \[m/s\].
+    pub(super) fn mean_velocity(&self, simulation: &Simulation, dt: f64) -> Vector {
+        let time = simulation.state.clock.time;
+        match self {
+            Self::Surface(surface) => {
+                velocity(&simulation.decided.scene.surfaces[*surface], time, dt)
+            }
+            Self::Driven(driven) => {
+                let motion = &simulation.decided.bodies[driven.body].motion;
+                let at = |motion| history_value(motion, time + 0.5 * dt);
+                motion.as_ref().map_or([0.0; 3], at)
+            }
+        }
+    }
+
+    /// Velocity over the step that is being done \[m/s\].
+    pub(super) fn velocity(&self, simulation: &Simulation, acting: &Acting) -> Vector {
+        match self {
+            Self::Surface(_) => self.mean_velocity(simulation, acting.drift),
+            Self::Driven(driven) => acting.prescribed[driven.body].map_or([0.0; 3], |[_, v]| v),
+        }
+    }
+
+    /// Whether it pushes a body.
+    pub(super) fn pushes(&self, simulation: &Simulation, set: usize) -> bool {
+        match self {
+            Self::Surface(_) => simulation.decided.bodies[set].motion.is_none(),
+            Self::Driven(driven) => driven.partner == set,
+        }
+    }
+
+    /// Coefficient of friction.
+    pub(super) fn friction(&self, simulation: &Simulation) -> f64 {
+        let scene = &simulation.decided.scene;
+        match self {
+            Self::Surface(surface) => scene.surfaces[*surface].friction,
+            Self::Driven(driven) => {
+                let contact = scene.contacts.iter().find(|c| c.id == driven.pair.id);
+                // Without end a particle would stick that nothing presses.
+                contact.map_or(0.0, |contact| contact.friction.min(f64::MAX))
+            }
+        }
+    }
+
+    /// Gap along a normal below which contact is looked for, and the longest way that a particle may approach in a step \[m\].
+    pub(super) fn threshold(&self, simulation: &Simulation, normal: &Vector) -> f64 {
+        match self {
+            Self::Surface(surface) => {
+                simulation.decided.scene.surfaces[*surface].distance_threshold
+            }
+            Self::Driven(driven) => driven.pair.distance_along(normal),
+        }
+    }
+
+    /// The largest of them along any normal \[m\].
+    pub(super) fn widest_threshold(&self, simulation: &Simulation) -> f64 {
+        match self {
+            Self::Surface(surface) => {
+                simulation.decided.scene.surfaces[*surface].distance_threshold
+            }
+            Self::Driven(driven) => length(&driven.pair.distance),
+        }
+    }
+
+    /// Half-lengths within which a particle touches \[m\], of which the domain has the half-lengths `own`.
+    pub(super) fn half_lengths(&self, own: Vector) -> Vector {
+        match self {
+            Self::Surface(_) => own,
+            Self::Driven(driven) => driven.half.unwrap_or(own),
+        }
+    }
+
+    /// Smallest normal velocity of a touching point over the surface \[m/s\], over a step of length `dt` \[s\].
+    pub(super) fn bound(&self, gap: f64, distance: f64, dt: f64) -> f64 {
+        match self {
+            Self::Driven(_) if distance < 0.0 => -OUTWARD * distance / dt,
+            _ => -gap.max(0.0) / dt,
+        }
+    }
+
+    /// The nearest point to `x` within some distance, for a thing that has moved by `shift`, relative to the mesh; `guess` is
+    /// the triangle of a surface near which it was.
+    pub(super) fn nearest(
+        &self,
+        simulation: &Simulation,
+        x: &Vector,
+        shift: &Vector,
+        within: f64,
+        guess: Option<usize>,
+    ) -> Option<Nearest> {
+        match self {
+            Self::Surface(surface) => {
+                let local = simulation.on_surface(x, shift);
+                let surface = &simulation.decided.local_surfaces[*surface];
+                match guess {
+                    None => surface.nearest(&local, within),
+                    Some(triangle) => surface.nearest_from(triangle, &local, within),
+                }
+            }
+            Self::Driven(driven) => {
+                let local: Vector = std::array::from_fn(|axis| x[axis] - shift[axis]);
+                let found = driven
+                    .shape
+                    .nearest(simulation.decided.scene.dimension, &local)?;
+                (found.distance < within).then_some(Nearest {
+                    triangle: 0,
+                    feature: Feature::Face,
+                    point: found.point,
+                    distance: found.distance,
+                    normal: found.normal,
+                    on_rim: false,
+                })
+            }
+        }
+    }
+}
