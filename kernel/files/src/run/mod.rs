@@ -20,7 +20,7 @@ mod state;
 pub use error::RunError;
 
 use crate::output::summary::{
-    BoundaryDrift, Energy, Event as SummaryEvent, Status, VOLUME_RATIO, YieldingBody,
+    BoundaryDrift, Energy, Event as SummaryEvent, OVERLAP, Status, VOLUME_RATIO, YieldingBody,
 };
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
@@ -289,6 +289,11 @@ fn event(event: &Event) -> SummaryEvent {
             particle: Some(particle.id),
             position: particle.position.to_vec(),
             mass: Some(particle.mass),
+            ..base
+        },
+        EventKind::Overlap { position, .. } => SummaryEvent {
+            kind: OVERLAP.into(),
+            position: position.to_vec(),
             ..base
         },
     }
