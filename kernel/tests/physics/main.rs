@@ -9,6 +9,7 @@ mod beside;
 mod books;
 mod carried;
 mod contact;
+mod contact_normals;
 mod contact_symmetry;
 mod crowd;
 mod damping;
