@@ -1,7 +1,7 @@
 //! What is decided of a scene before its first step, and again only between two stages.
 
 use super::conditions::Condition;
-use super::{BaseVelocity, BodyForce};
+use super::{BaseVelocity, BodyForce, Displacement};
 use crate::lanes::Selected;
 use crate::laws::AnyLaw;
 use crate::plan::Plan;
@@ -30,6 +30,8 @@ pub(crate) struct Decided {
     /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
     /// 1e-10 m only.
     pub(crate) local_surfaces: Vec<Arc<Surface>>,
+    /// Displacements of those that move.
+    pub(crate) surface_ways: Vec<Option<Displacement>>,
 }
 
 impl Decided {

@@ -6,7 +6,7 @@ use crate::scene::{History, Motion, Vector};
 #[must_use]
 pub fn value(history: &History, time: f64) -> Vector {
     let times = &history.times;
-    let next = times.partition_point(|t| *t <= time);
+    let next = rows_until(times.len(), |row| times[row] <= time);
     if next == 0 {
         return history.values.first().copied().unwrap_or_default();
     }
@@ -20,25 +20,84 @@ pub fn value(history: &History, time: f64) -> Vector {
     })
 }
 
-/// Integral of a history from time zero \[m\] for a velocity in m/s: exact, because the history is linear between
-/// its times.
+/// Number of leading rows that satisfy a condition, of `count` rows in which no row satisfies it after one that does not.
+/// Bisection: it looks at no more rows than `count` has binary digits.
 #[must_use]
-pub(super) fn integral(history: &History, time: f64) -> Vector {
-    let mut sum = [0.0; 3];
-    let mut from = (0.0, value(history, 0.0));
-    let inner = history
-        .times
-        .iter()
-        .copied()
-        .filter(|t| (0.0..time).contains(t));
-    for t in inner.chain(std::iter::once(time)) {
-        let to = (t, value(history, t));
-        for axis in 0..3 {
-            sum[axis] += 0.5 * (from.1[axis] + to.1[axis]) * (to.0 - from.0);
+pub fn rows_until(count: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
+    let (mut low, mut high) = (0, count);
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if holds(middle) {
+            low = middle + 1;
+        } else {
+            high = middle;
         }
-        from = to;
     }
-    sum
+    low
+}
+
+/// Displacement of a surface that moves with a prescribed velocity: the integral of the velocity from time zero, exact,
+/// because the velocity is linear between its times. Integrals up to the times are summed once, in their order.
+#[derive(Clone, Debug)]
+pub struct Displacement {
+    velocity: History,
+    /// Number of the first row at time zero or later.
+    first: usize,
+    /// Displacements at that row and those after it \[m\].
+    at_rows: Vec<Vector>,
+}
+
+impl Displacement {
+    /// Sums the integrals up to each row once.
+    #[must_use]
+    pub fn new(velocity: &History) -> Self {
+        let times = &velocity.times;
+        let first = rows_until(times.len(), |row| times[row] < 0.0);
+        let mut sum = [0.0; 3];
+        let mut from = (0.0, value(velocity, 0.0));
+        let rows = times.iter().zip(&velocity.values).skip(first);
+        let at_rows = rows.map(|(&time, &value)| {
+            add_trapezoid(&mut sum, from, (time, value));
+            from = (time, value);
+            sum
+        });
+        Self {
+            first,
+            at_rows: at_rows.collect(),
+            velocity: velocity.clone(),
+        }
+    }
+
+    /// Displacement since time zero \[m\].
+    #[must_use]
+    pub fn at(&self, time: f64) -> Vector {
+        let times = &self.velocity.times;
+        let next = rows_until(times.len(), |row| times[row] < time);
+        let to = (time, value(&self.velocity, time));
+        let (from, mut sum) = match next.checked_sub(self.first) {
+            None | Some(0) => ((0.0, value(&self.velocity, 0.0)), [0.0; 3]),
+            Some(rows) => (
+                (times[next - 1], self.velocity.values[next - 1]),
+                self.at_rows[rows - 1],
+            ),
+        };
+        add_trapezoid(&mut sum, from, to);
+        sum
+    }
+
+    /// Mean velocity from a time on, over `dt` \[m/s\].
+    #[must_use]
+    pub fn mean_velocity(&self, time: f64, dt: f64) -> Vector {
+        let (from, to) = (self.at(time), self.at(time + dt));
+        std::array::from_fn(|axis| (to[axis] - from[axis]) / dt)
+    }
+}
+
+/// Adds the integral of what is linear between two times.
+fn add_trapezoid(sum: &mut Vector, from: (f64, Vector), to: (f64, Vector)) {
+    for axis in 0..3 {
+        sum[axis] += 0.5 * (from.1[axis] + to.1[axis]) * (to.0 - from.0);
+    }
 }
 
 /// Velocity of a moving plane.
@@ -78,7 +137,8 @@ impl BaseVelocity {
         match &self.motion {
             Motion::Velocity(history) => value(history, time),
             Motion::Acceleration(record) => {
-                let next = record.times.partition_point(|t| *t <= time);
+                let times = &record.times;
+                let next = rows_until(times.len(), |row| times[row] <= time);
                 if next == 0 {
                     return [0.0; 3];
                 }

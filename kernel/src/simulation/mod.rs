@@ -37,7 +37,7 @@ pub use energy::{BodyEnergy, Energy};
 pub use error::{Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
 pub use event::{Event, EventKind};
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
-pub use history::{BaseVelocity, value as history_value};
+pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
 pub use interactions::mortar::{BoundaryVertex, Drift, VertexState};
 pub use interactions::{
     Again, BodyList, Interaction, Now, OnSlab, PairList, Remembered, SlabPart, Visit,

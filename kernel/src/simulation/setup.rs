@@ -5,8 +5,8 @@ use super::error::SetupError;
 use super::fields::Grid;
 use super::work::Work;
 use super::{
-    BaseVelocity, BodyRun, Decided, InitialState, MOST_VOLUME_RATIO, Options, Simulation, State,
-    conditions, initial_stress, interactions, needs,
+    BaseVelocity, BodyRun, Decided, Displacement, InitialState, MOST_VOLUME_RATIO, Options,
+    Simulation, State, conditions, initial_stress, interactions, needs,
 };
 use crate::bodies::{FillError, HalfLength, Room, fill_within};
 use crate::grid::GridShape;
@@ -108,6 +108,9 @@ impl Simulation {
                 body_force: options.body_force.clone(),
                 load_acceleration,
                 local_surfaces: interactions::surfaces::local(scene),
+                surface_ways: (scene.surfaces.iter())
+                    .map(|rigid| rigid.motion.as_ref().map(Displacement::new))
+                    .collect(),
             },
         };
         for set in &mut simulation.state.sets {

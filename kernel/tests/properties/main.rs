@@ -9,6 +9,7 @@ mod conservation;
 mod contact;
 mod contact_bits;
 mod far_origin;
+mod histories;
 mod interactions;
 mod mapping;
 mod mortar_work;

@@ -74,12 +74,7 @@ impl Simulation {
 
     /// Adds the changes of touched nodes to the velocities of all their fields, in the lanes from `lane` on, and where
     /// asked for to their increments.
-    pub(super) fn change_velocities(
-        &mut self,
-        touches: &Touches,
-        lane: usize,
-        increments: bool,
-    ) {
+    pub(super) fn change_velocities(&mut self, touches: &Touches, lane: usize, increments: bool) {
         for (number, field) in self.work.grid.fields.iter_mut().enumerate() {
             touches.apply(number, field.nodes.lines_mut(), lane, increments);
         }

@@ -6,7 +6,6 @@ use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{RigidSurface, Scene, Vector};
 use crate::simulation::error::SetupError;
-use crate::simulation::history::integral;
 use crate::simulation::{BodyRun, Simulation};
 use crate::surface::{Nearest, Surface};
 use std::sync::Arc;
@@ -135,15 +134,6 @@ pub(super) fn half_lengths(set: &ParticleSet, body: &BodyRun, p: usize) -> Vecto
         }),
         None => [0.5 * libm::cbrt(set.columns[Layout::VOLUME][p]); 3],
     }
-}
-
-/// Mean velocity of a surface over a step \[m/s\].
-pub(super) fn velocity(rigid: &RigidSurface, time: f64, dt: f64) -> Vector {
-    let Some(motion) = &rigid.motion else {
-        return [0.0; 3];
-    };
-    let (from, to) = (integral(motion, time), integral(motion, time + dt));
-    std::array::from_fn(|axis| (to[axis] - from[axis]) / dt)
 }
 
 pub(super) fn length(v: &Vector) -> f64 {

@@ -13,7 +13,6 @@ use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{SetupError, StepError, StepErrorKind};
-use crate::simulation::history::integral;
 use crate::simulation::interactions::{Again, Interaction, Made, Remembered};
 use crate::simulation::mapping::node_weights_touching;
 use crate::simulation::motion::at_half_step_after;
@@ -174,8 +173,8 @@ impl Simulation {
     /// Displacement of a surface since the start \[m\].
     #[must_use]
     pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
-        let motion = self.decided.scene.surfaces[surface].motion.as_ref();
-        motion.map_or([0.0; 3], |motion| integral(motion, time))
+        let way = self.decided.surface_ways[surface].as_ref();
+        way.map_or([0.0; 3], |way| way.at(time))
     }
 
     /// Corrects the nodal velocities after the solve so that no particle goes through a surface or into a driven body; the
@@ -223,7 +222,7 @@ impl Simulation {
         }
         let mut power = 0.0;
         for surface in 0..surfaces.last.len() {
-            let v = surfaces.rigid[surface].velocity(self, acting);
+            let v = surfaces.near.now[surface].velocity;
             for set in 0..self.state.sets.len() {
                 for axis in 0..3 {
                     let impulse = surfaces.last[surface][set][axis];
@@ -325,13 +324,13 @@ impl Simulation {
             gaps,
         } = found;
         places.clear();
-        self.find_near_surfaces(rigid, near, acting.drift);
+        self.find_near_surfaces(rigid, near, acting);
         let fields = self.all_fields();
         let mut reached = known.begin(touches);
         // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
         let gap = |i: usize| {
             let place = near.particles[i];
-            let (rigid, shift) = (&rigid[place.surface], &near.now[place.surface]);
+            let (rigid, shift) = (&rigid[place.surface], &near.now[place.surface].shift);
             let margin = rigid.widest_threshold(self) + self.smallest_cell();
             self.gap_to(rigid, place, shift, margin, Some(near.triangles[i]))
         };
@@ -342,8 +341,16 @@ impl Simulation {
                 continue;
             };
             near.triangles[i] = gap.1.triangle;
-            let rigid = &rigid[place.surface];
-            let touch = self.touch(rigid, *place, gap, acting, lane, &fields, &mut reached)?;
+            let (rigid, v_s) = (&rigid[place.surface], &near.now[place.surface].velocity);
+            let touch = self.touch(
+                rigid,
+                *place,
+                gap,
+                v_s,
+                (acting, lane),
+                &fields,
+                &mut reached,
+            )?;
             if let Some(touch) = touch {
                 reached.touches.list.push(touch);
                 places.push(*place);
@@ -352,14 +359,14 @@ impl Simulation {
         Ok(())
     }
 
-    /// The touch of one particle with this gap, if it is within the threshold.
+    /// The touch of one particle with this gap, if it is within the threshold; `v_s` is the velocity of the surface \[m/s\].
     fn touch(
         &self,
         rigid: &Rigid,
         place: Place,
         (gap, nearest): (f64, Nearest),
-        acting: &Acting,
-        lane: usize,
+        v_s: &Vector,
+        (acting, lane): (&Acting, usize),
         fields: &Fields<'_>,
         reached: &mut Reached<'_>,
     ) -> Result<Option<Touch>, StepError> {
@@ -380,7 +387,6 @@ impl Simulation {
             node_weights_touching(particles, body, shape, self.state.stencil, p, touching);
         let field = fields.of(set);
         let lines = fields.lines(field);
-        let v_s = rigid.velocity(self, acting);
         let mut relative = v_s.map(|v| -v);
         for &(node, w) in weights.iter() {
             for axis in 0..3 {

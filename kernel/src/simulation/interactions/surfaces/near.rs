@@ -4,6 +4,7 @@ use super::gap::{half_lengths, length};
 use super::rigid::Rigid;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
+use crate::simulation::conditions::Acting;
 use crate::team::OfItem;
 
 /// Particles that may touch a surface until they have moved by half the margin.
@@ -18,12 +19,21 @@ pub(super) struct Near {
     /// Travel of the particles \[cells\] and displacement of the surfaces \[m\] when the list was made.
     travel: f64,
     shifts: Vec<Vector>,
-    /// Their displacements now \[m\].
-    pub(super) now: Vec<Vector>,
+    /// How each rigid thing moves in this step: found once, not for each particle.
+    pub(super) now: Vec<RigidMotion>,
     /// Of one body, while the list is made: the triangle nearest to each particle, and those of them that are near, by
     /// identifier.
     nearest: Vec<Option<usize>>,
     by_id: Vec<(u64, usize)>,
+}
+
+/// Motion of a rigid thing in one step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RigidMotion {
+    /// Displacement since the start, at the beginning of the step \[m\].
+    pub(super) shift: Vector,
+    /// Mean velocity in the step \[m/s\].
+    pub(super) velocity: Vector,
 }
 
 impl Near {
@@ -42,7 +52,7 @@ pub(super) struct Place {
 
 impl Simulation {
     /// Makes the list of particles near a surface anew where it no longer covers what may touch in this step.
-    pub(super) fn find_near_surfaces(&self, rigid: &[Rigid], near: &mut Near, dt: f64) {
+    pub(super) fn find_near_surfaces(&self, rigid: &[Rigid], near: &mut Near, acting: &Acting) {
         let cell = &self.decided.scene.mesh.cell;
         let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
         let speed = self
@@ -53,23 +63,19 @@ impl Simulation {
             .fold(0.0, f64::max)
             .sqrt();
         near.now.clear();
-        near.now.extend(rigid.iter().map(|one| one.shift(self)));
-        let fastest = rigid
-            .iter()
-            .map(|one| length(&one.mean_velocity(self, dt)))
-            .fold(0.0, f64::max);
+        near.now.extend(rigid.iter().map(|one| RigidMotion {
+            shift: one.shift(self),
+            velocity: one.velocity(self, acting),
+        }));
+        let speeds = near.now.iter().map(|now| length(&now.velocity));
+        let fastest = speeds.fold(0.0, f64::max);
         // Twice the way at the present speed, since contact and forces may make particles faster within the step.
-        let step = 2.0 * dt * (speed + fastest);
+        let step = 2.0 * acting.drift * (speed + fastest);
         if let Some(margin) = near.margin {
-            let by_surface = near
-                .shifts
-                .iter()
-                .enumerate()
-                .map(|(surface, then)| {
-                    let now = &near.now[surface];
-                    length(&std::array::from_fn(|axis| now[axis] - then[axis]))
-                })
-                .fold(0.0, f64::max);
+            let ways = near.shifts.iter().zip(&near.now).map(|(then, now)| {
+                length(&std::array::from_fn(|axis| now.shift[axis] - then[axis]))
+            });
+            let by_surface = ways.fold(0.0, f64::max);
             let moved = (self.state.travel - near.travel) * diagonal + by_surface;
             if moved + step <= margin {
                 return;
@@ -82,7 +88,7 @@ impl Simulation {
         near.triangles.clear();
         near.shifts.clear();
         for (surface, one) in rigid.iter().enumerate() {
-            near.shifts.push(near.now[surface]);
+            near.shifts.push(near.now[surface].shift);
             for set in 0..self.state.sets.len() {
                 if one.pushes(self, set) {
                     self.add_near(one, near, [surface, set], margin);
@@ -94,7 +100,7 @@ impl Simulation {
     /// Adds the particles of a set near a surface, in the order of their identifiers.
     fn add_near(&self, rigid: &Rigid, near: &mut Near, [surface, set]: [usize; 2], margin: f64) {
         let (particles, body) = (&self.state.sets[set], &self.decided.bodies[set]);
-        let (shift, threshold) = (near.now[surface], rigid.widest_threshold(self));
+        let (shift, threshold) = (near.now[surface].shift, rigid.widest_threshold(self));
         let triangle = |p: usize| {
             let reach = length(&rigid.half_lengths(half_lengths(particles, body, p)));
             let within = threshold + reach + margin;

@@ -5,7 +5,7 @@ use crate::grid::GridShape;
 use crate::simulation::conditions::Acting;
 use crate::simulation::mapping::NodeWeights;
 use crate::stage::solve::Wall;
-use crate::stage::touch::{Touches, TouchedNode, Weight};
+use crate::stage::touch::{TouchedNode, Touches, Weight};
 use std::ops::Range;
 
 /// Where a node stands in the list of reached nodes, by field and node. Of an earlier list nothing is cleared: an entry holds

@@ -5,12 +5,12 @@
 //! face lies at theta in its cell has the internal forces 1 - theta and theta at the two nodes around the face, and a driven
 //! body that prescribes both velocities holds a cell that is not its own.
 
-use super::gap::{length, velocity};
+use super::gap::length;
 use crate::contact::Pair;
 use crate::scene::{Scene, Shape, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::interactions::grid::{acts_by_shape, pairs_of};
-use crate::simulation::{BodyRun, Simulation, history_value};
+use crate::simulation::{BodyRun, Simulation};
 use crate::surface::{Feature, Nearest};
 
 /// Share of the depth by which a particle that lies with its centre in a driven body moves out of it in a step.
@@ -100,25 +100,14 @@ impl Rigid {
         }
     }
 
-    /// Mean velocity in a step of length `dt` \[m/s\].
-    pub(super) fn mean_velocity(&self, simulation: &Simulation, dt: f64) -> Vector {
-        let time = simulation.state.clock.time;
-        match self {
-            Self::Surface(surface) => {
-                velocity(&simulation.decided.scene.surfaces[*surface], time, dt)
-            }
-            Self::Driven(driven) => {
-                let motion = &simulation.decided.bodies[driven.body].motion;
-                let at = |motion| history_value(motion, time + 0.5 * dt);
-                motion.as_ref().map_or([0.0; 3], at)
-            }
-        }
-    }
-
     /// Velocity over the step that is being done \[m/s\].
     pub(super) fn velocity(&self, simulation: &Simulation, acting: &Acting) -> Vector {
         match self {
-            Self::Surface(_) => self.mean_velocity(simulation, acting.drift),
+            Self::Surface(surface) => {
+                let way = simulation.decided.surface_ways[*surface].as_ref();
+                let time = simulation.state.clock.time;
+                way.map_or([0.0; 3], |way| way.mean_velocity(time, acting.drift))
+            }
             Self::Driven(driven) => acting.prescribed[driven.body].map_or([0.0; 3], |[_, v]| v),
         }
     }
