@@ -8,6 +8,7 @@ pub mod cases;
 pub mod convergence;
 pub mod element;
 pub mod exact;
+pub mod generated;
 pub mod guest;
 pub mod random;
 pub mod sensitivity;

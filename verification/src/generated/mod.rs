@@ -1,0 +1,214 @@
+//! Scenes made of random choices, judged by what holds of every scene: answers that need no reference.
+//!
+//! A [`Question`] turns choices into a [`Trial`]: one or more scenes, and a property that their results must have, with a
+//! bound and the reason for it. The scene of a number follows from a seed and that number alone. Each is small, so that
+//! thousands are asked in minutes.
+//!
+//! What the method is known not to do stays out of the scenes, and where it is left out says why.
+
+mod change;
+mod column;
+mod compare;
+mod crowd;
+mod dice;
+mod flight;
+mod frames;
+mod ground;
+mod law;
+mod momentum;
+mod order;
+mod pressed;
+mod seen;
+mod units;
+
+pub use dice::Dice;
+pub use seen::{Particle, Seen};
+
+use proctor_kernel::scene::Scene;
+use proctor_kernel::simulation::Options;
+
+/// All questions; scene `k` of a seed asks the one of number `k` modulo their count.
+pub static QUESTIONS: &[&Question] = &[
+    &flight::FLIGHT,
+    &momentum::MOMENTUM,
+    &momentum::SPIN,
+    &units::POWERS,
+    &units::ODD,
+    &frames::MIRROR,
+    &frames::TURN,
+    &frames::SHIFT,
+    &order::BODIES,
+    &order::THREADS,
+    &order::CUT,
+    &pressed::JOINED,
+    &pressed::CONTACT,
+    &pressed::DRIVEN,
+    &pressed::PLATE,
+    &ground::GROUND,
+    &ground::WALLS,
+];
+
+/// Most steps of a scene: none that is meant to be small may take minutes.
+const MOST_STEPS: u64 = 50_000;
+
+/// A property that holds of every scene of some kind.
+pub struct Question {
+    /// Name in tables: lower case.
+    pub name: &'static str,
+    /// The property.
+    pub holds: &'static str,
+    /// Why the bound is what it is.
+    pub because: &'static str,
+    /// A scene of the kind.
+    pub make: fn(&mut Dice) -> Trial,
+}
+
+/// A scene, and what must hold of it.
+pub struct Trial {
+    /// What is run; the first is the scene that is shown, the others the same in other words.
+    pub runs: Vec<Run>,
+    /// Distances from what should be, of the runs in their order.
+    pub judge: Judge,
+}
+
+/// Distances of results from what they should be.
+pub type Judge = Box<dyn Fn(&[Seen]) -> Vec<Deviation> + Send + Sync>;
+
+/// A scene with the number of threads that run it, to its end.
+pub struct Run {
+    /// The scene.
+    pub scene: Scene,
+    /// Number of threads.
+    pub threads: usize,
+}
+
+impl From<Scene> for Run {
+    fn from(scene: Scene) -> Self {
+        Self { scene, threads: 1 }
+    }
+}
+
+/// How far a result is from what it should be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deviation {
+    /// What is compared, and over what.
+    pub what: String,
+    /// How far it is off.
+    pub value: f64,
+    /// How far it may be off.
+    pub bound: f64,
+}
+
+impl Deviation {
+    /// A distance with its bound.
+    #[must_use]
+    pub fn new(what: impl Into<String>, value: f64, bound: f64) -> Self {
+        Self {
+            what: what.into(),
+            value,
+            bound,
+        }
+    }
+
+    /// Whether it is beyond its bound; what is not a number is.
+    #[must_use]
+    pub fn violates(&self) -> bool {
+        self.value.is_nan() || self.value > self.bound
+    }
+
+    /// Distance over bound; infinite where the distance is not a number, or where none is allowed and there is one.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        if self.value.is_nan() {
+            f64::INFINITY
+        } else if self.value == 0.0 {
+            0.0
+        } else {
+            self.value / self.bound
+        }
+    }
+}
+
+/// A scene with its answer.
+pub struct Answer {
+    /// The question.
+    pub question: &'static Question,
+    /// Number of the scene.
+    pub number: u64,
+    /// The scene.
+    pub scene: Scene,
+    /// Distances, at least one, or the reason why there are none: the scene was refused, or a step failed.
+    pub found: Result<Vec<Deviation>, String>,
+}
+
+impl Answer {
+    /// Whether the property does not hold.
+    #[must_use]
+    pub fn violates(&self) -> bool {
+        match &self.found {
+            Ok(all) => all.is_empty() || all.iter().any(Deviation::violates),
+            Err(_) => true,
+        }
+    }
+
+    /// The distance nearest to its bound, or furthest beyond it.
+    #[must_use]
+    pub fn worst(&self) -> Option<&Deviation> {
+        let all = self.found.as_ref().ok()?;
+        all.iter().max_by(|a, b| a.share().total_cmp(&b.share()))
+    }
+}
+
+/// The question of a scene, and the scene.
+#[must_use]
+pub fn trial(seed: u64, number: u64) -> (&'static Question, Trial) {
+    let question = QUESTIONS[(number % QUESTIONS.len() as u64) as usize];
+    let trial = (question.make)(&mut Dice::new(seed, number));
+    (question, trial)
+}
+
+/// Makes the scene of that number, runs it and judges it.
+#[must_use]
+pub fn answer(seed: u64, number: u64) -> Answer {
+    let (question, mut trial) = trial(seed, number);
+    for run in &mut trial.runs {
+        run.scene.name = format!("{}-{seed}-{number}", question.name);
+    }
+    let found = results(&trial.runs).map(|seen| (trial.judge)(&seen));
+    Answer {
+        question,
+        number,
+        scene: trial.runs.swap_remove(0).scene,
+        found,
+    }
+}
+
+/// Results of the runs, in their order.
+///
+/// # Errors
+/// Why a scene is refused, or a step of it fails.
+pub fn results(runs: &[Run]) -> Result<Vec<Seen>, String> {
+    runs.iter().map(result).collect()
+}
+
+fn result(run: &Run) -> Result<Seen, String> {
+    let options = Options {
+        threads: Some(run.threads),
+        // Small as scenes are here, all threads take part.
+        least_share: Some(1),
+        ..Options::default()
+    };
+    let mut simulation = run.scene.simulate(&options).map_err(|e| e.to_string())?;
+    let start = Seen::start(&simulation);
+    let end = run.scene.time;
+    while simulation.time() < end {
+        if simulation.steps() >= MOST_STEPS {
+            return Err(format!(
+                "{MOST_STEPS} steps end at {:e} s of {end:e} s",
+                simulation.time()
+            ));
+        }
+        simulation.step(end).map_err(|e| e.to_string())?;
+    }
+    Ok(start.end(&simulation))
+}
