@@ -1,5 +1,5 @@
 //! The raw stage: from JSON text to a checked scene, with a place in the text for every problem.
-//! Other programs get a scene by [`fn@write`].
+//! Other programs get a scene by [`fn@write`]; [`write_own`] has what only this one reads, too.
 
 mod bodies;
 mod build;
@@ -15,6 +15,7 @@ mod mesh;
 mod message;
 mod method;
 mod mortar;
+mod own;
 mod parse;
 mod position;
 mod shapes;
@@ -33,6 +34,7 @@ use proctor_kernel::scene::{Problem, Scene, SceneError};
 
 pub use self::elsewhere::{Elsewhere, all_elsewhere, elsewhere};
 pub use self::glossary::{Block, Key, Otherwise, Range, blocks, schema};
+pub use self::own::write_own;
 pub use self::parse::parse;
 pub use self::source::{Places, Source, unreadable};
 pub use self::words::{listed, nearest, words_of};

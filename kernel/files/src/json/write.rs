@@ -143,7 +143,7 @@ pub fn write(scene: &Scene) -> Result<Written, NotWritten> {
     Ok(Written { scene: keys, files })
 }
 
-fn refuse(is: bool, what: &str) -> Result<(), NotWritten> {
+pub(super) fn refuse(is: bool, what: &str) -> Result<(), NotWritten> {
     if is {
         return Err(NotWritten {
             what: what.to_owned(),
@@ -153,7 +153,7 @@ fn refuse(is: bool, what: &str) -> Result<(), NotWritten> {
 }
 
 /// The first word of a meaning.
-fn word<T: PartialEq>(words: Words<T>, meaning: &T) -> &'static str {
+pub(super) fn word<T: PartialEq>(words: Words<T>, meaning: &T) -> &'static str {
     words
         .iter()
         .find(|(_, known)| known == meaning)

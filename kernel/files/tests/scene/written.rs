@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use proctor_files::json::{from_json, read, write};
+use proctor_files::json::{from_json, read, write, write_own};
 use proctor_kernel::scene::{ContactNormal, Scene, TimeStep};
 
 /// Writes a scene and reads it back, in a folder with the files that it names.
@@ -74,6 +74,50 @@ fn every_choice_is_written() {
     scene.contact_distance = Some(0.25);
     scene.bodies[0].velocity = [1.0, 2.0, 3.0];
     assert_eq!(format!("{:?}", back(&scene)), format!("{scene:?}"));
+}
+
+/// Mortar contact belongs to this program: a block on a line, as it is written for itself.
+#[test]
+fn mortar_contact_is_written_for_this_program() {
+    let text = r#"{
+        "dimension": 2, "time": 1.0, "stress_scheme_update": "MUSL",
+        "mesh": { "cells_dimension": [0.1, 0.1], "cells_number": [4, 10] },
+        "material": [{ "type": "elastic", "id": 1, "young": 1e6, "density": 1000, "poisson": 0.3 }],
+        "body": [
+            { "type": "rectangle", "id": 1, "material_id": 1, "point_p1": [0, 0.33], "point_p2": [0.4, 0.6],
+              "boundary_segment": 0.05, "boundary_follows": "material" },
+            { "type": "rectangle", "id": 2, "material_id": 1, "point_p1": [0, 0.61], "point_p2": [0.4, 0.8],
+              "boundary": [[0, 0.61], [0.4, 0.61], [0.4, 0.8], [0, 0.8]] }
+        ],
+        "rigid_line": [{ "id": 9, "points": [[0.5, 0.32], [-0.1, 0.32]] }],
+        "contact": [
+            { "method": "mortar", "id": 1, "master_id": 9, "slave_id": 1, "friction": 0, "critical_gap": 0.02,
+              "normal_stiffness": 1e6, "detection": "node_to_segment" },
+            { "method": "mortar", "id": 2, "master_id": 1, "slave_id": 2, "friction": 0.2, "critical_gap": 0.02,
+              "normal_stiffness": 1e6, "tangential_stiffness": 2e6, "enforcement": "penalty" }
+        ]
+    }"#;
+    let scene = from_json(text, "mortar.json", Path::new("")).expect("a scene");
+    let written = write_own(&scene).expect("written");
+    let again = from_json(
+        &format!("{:#}", written.scene),
+        "mortar.json",
+        Path::new(""),
+    );
+    let again = again.unwrap_or_else(|error| panic!("{error}: {:#}", written.scene));
+    assert_eq!(format!("{again:?}"), format!("{scene:?}"));
+    // For others it is refused as before.
+    assert!(write(&scene).is_err());
+    // And what has none is written as for others.
+    let plain = read(Path::new("../../fixtures/scenes/sliding_block_2d.json")).expect("a scene");
+    let plain = Scene {
+        probes: vec![],
+        ..plain
+    };
+    assert_eq!(
+        write_own(&plain).expect("written"),
+        write(&plain).expect("written")
+    );
 }
 
 #[test]
