@@ -7,9 +7,9 @@ use proctor_kernel::scene::{InitialStress, Mesh, Scene, Shape, Vector};
 pub struct Frame {
     /// Where each axis goes.
     pub to: [usize; 3],
-    /// Whether it keeps its direction, 1, or turns round, -1.
+    /// Its direction: 1 where it is kept, -1 where it turns round.
     pub sign: [f64; 3],
-    /// What is added to coordinates, along the new axes \[m\].
+    /// Added to coordinates, along the new axes \[m\].
     pub shift: Vector,
 }
 

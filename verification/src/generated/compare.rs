@@ -12,7 +12,7 @@ use super::{Deviation, Judge};
 pub struct Scale {
     /// Shortest edge of a cell \[m\].
     length: f64,
-    /// What velocities change by, or are \[m/s\].
+    /// Largest velocity \[m/s\].
     velocity: f64,
     /// Stress of a wave of that velocity, or the largest of the start \[Pa\].
     stress: f64,

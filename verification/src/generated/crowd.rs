@@ -1,4 +1,4 @@
-//! Bodies of all kinds that move, meet and rebound: what a comparison of two runs is asked of.
+//! Bodies of all kinds that move, meet and rebound, for comparisons of two runs.
 
 use proctor_kernel::scene::{
     Body, BoxLoad, Contact, ContactNormal, Damping, Dimension, DomainUpdate, InitialStress,
@@ -29,7 +29,7 @@ pub const NORMALS: [ContactNormal; 3] = [
     ContactNormal::Collinear,
 ];
 
-/// What a crowd may have.
+/// The choices of a crowd.
 #[derive(Clone, Copy, Debug)]
 pub struct Allowed {
     /// Conditions on the planes of the mesh, gravity, loads and damping. Without them momentum is kept.
@@ -203,7 +203,7 @@ fn contacts(dice: &mut Dice, scene: &mut Scene) {
     }
 }
 
-/// What acts from outside; `speed` \[m/s\] is what it may change velocities by.
+/// Gravity, planes, loads and damping; `speed` \[m/s\] bounds their changes of velocity.
 fn outside(dice: &mut Dice, scene: &mut Scene, allowed: Allowed, speed: f64) {
     let axes = scene.dimension.axes();
     if dice.chance(0.5) {

@@ -20,7 +20,7 @@ pub static GROUND: Question = Question {
 pub static WALLS: Question = Question {
     name: "walls",
     holds: "ground between smooth walls that are driven bodies carries the weight above each row, with each normal",
-    because: "2 % of the stress at the base, and what half a cell less a particle weighs; two cells at the surface and the base are not asked",
+    because: "2 % of the stress at the base, and what half a cell less a particle weighs; two cells at the surface and the base are left out",
     make: walls,
 };
 
@@ -114,7 +114,7 @@ fn weigh(dice: &mut Dice, column: &mut Column) -> f64 {
     weight
 }
 
-/// The column under its weight; so many cells at the surface and at the base are not asked.
+/// The column under its weight; so many cells at the surface and at the base are left out.
 fn judged(dice: &mut Dice, mut column: Column, weight: f64, surface: f64, base: f64) -> Trial {
     let (h, up) = (column.h(), column.up());
     let (bottom, top) = (column.faces[0], column.top());

@@ -4,7 +4,7 @@
 //! bound and the reason for it. The scene of a number follows from a seed and that number alone. Each is small, so that
 //! thousands are asked in minutes.
 //!
-//! What the method is known not to do stays out of the scenes, and where it is left out says why.
+//! Known limits of the method stay out of the scenes by construction; a comment at the choice has the reason.
 
 mod change;
 mod column;
@@ -15,6 +15,7 @@ mod flight;
 mod frames;
 mod ground;
 mod law;
+mod line;
 mod momentum;
 mod order;
 mod pressed;
@@ -44,6 +45,7 @@ pub static QUESTIONS: &[&Question] = &[
     &pressed::CONTACT,
     &pressed::DRIVEN,
     &pressed::PLATE,
+    &line::LINE,
     &ground::GROUND,
     &ground::WALLS,
 ];
@@ -57,7 +59,7 @@ pub struct Question {
     pub name: &'static str,
     /// The property.
     pub holds: &'static str,
-    /// Why the bound is what it is.
+    /// The reason for the bound.
     pub because: &'static str,
     /// A scene of the kind.
     pub make: fn(&mut Dice) -> Trial,
@@ -65,7 +67,7 @@ pub struct Question {
 
 /// A scene, and what must hold of it.
 pub struct Trial {
-    /// What is run; the first is the scene that is shown, the others the same in other words.
+    /// Runs; the first is the scene that is shown, the others the same in other words.
     pub runs: Vec<Run>,
     /// Distances from what should be, of the runs in their order.
     pub judge: Judge,
@@ -88,14 +90,14 @@ impl From<Scene> for Run {
     }
 }
 
-/// How far a result is from what it should be.
+/// The distance of a result from the right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
-    /// What is compared, and over what.
+    /// The quantity, and its scale.
     pub what: String,
-    /// How far it is off.
+    /// The distance.
     pub value: f64,
-    /// How far it may be off.
+    /// The largest distance at which the property holds.
     pub bound: f64,
 }
 
@@ -110,7 +112,7 @@ impl Deviation {
         }
     }
 
-    /// Whether it is beyond its bound; what is not a number is.
+    /// True beyond the bound, and for a distance that is not a number.
     #[must_use]
     pub fn violates(&self) -> bool {
         self.value.is_nan() || self.value > self.bound
@@ -142,7 +144,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Whether the property does not hold.
+    /// True where the property does not hold.
     #[must_use]
     pub fn violates(&self) -> bool {
         match &self.found {
@@ -186,7 +188,7 @@ pub fn answer(seed: u64, number: u64) -> Answer {
 /// Results of the runs, in their order.
 ///
 /// # Errors
-/// Why a scene is refused, or a step of it fails.
+/// The reason for which a scene is refused, or a step of it fails.
 pub fn results(runs: &[Run]) -> Result<Vec<Seen>, String> {
     runs.iter().map(result).collect()
 }

@@ -1,4 +1,4 @@
-//! What collisions keep: mass, momentum and, with an affine transfer, angular momentum.
+//! Balances of collisions: mass, momentum and, with an affine transfer, angular momentum.
 
 use proctor_kernel::scene::{Scene, Transfer, TransferKind, Vector, Weighting};
 

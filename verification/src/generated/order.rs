@@ -85,9 +85,11 @@ fn cut(dice: &mut Dice) -> Trial {
     let Shape::Cuboid { p1, p2 } = &mut scene.bodies[index].shape else {
         unreachable!("a cuboid")
     };
-    // Wider than two particles, however it is rounded: no body is thinner than a cell.
-    (p1[axis], p2[axis]) = (line(p1[axis]), line(p2[axis]));
-    let rows = ((p2[axis] - p1[axis]) / spacing).round() as usize;
+    // At least two rows, however the ends are rounded.
+    let rows = ((p2[axis] - p1[axis]) / spacing).round().max(2.0);
+    p1[axis] = line(p1[axis]);
+    p2[axis] = line(p1[axis] + rows * spacing);
+    let rows = rows as usize;
     let at = line(p1[axis] + dice.whole(1, rows - 1) as f64 * spacing);
     let other = parted(&scene, index, axis, at);
     Trial {

@@ -11,7 +11,7 @@ use super::{Deviation, Question, Trial, crowd};
 pub static JOINED: Question = Question {
     name: "joined",
     holds: "joined layers under one pressure carry it in every row",
-    because: "2 % of the pressure: a load on rows of particles is felt about two cells below them, which are not asked",
+    because: "2 % of the pressure: a load on rows of particles is felt about two cells below them, which are left out",
     make: joined,
 };
 

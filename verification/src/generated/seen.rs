@@ -30,7 +30,7 @@ pub struct Particle {
     pub affine: [[f64; 3]; 3],
 }
 
-/// What is looked at of a run.
+/// The particles and the end of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// Particles by body and identifier.
