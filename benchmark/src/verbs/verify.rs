@@ -1,6 +1,7 @@
 //! `proctor verify`: cases, errors, observed orders, gates.
 
 mod earlier;
+mod generated;
 
 use super::settings::Settings;
 use super::{Amount, names};
@@ -15,6 +16,7 @@ use crate::show::summary::{Kept, Lines, Verdict};
 use crate::suite::{self, Ran};
 use clap::Args;
 use earlier::Earlier;
+use generated::Generated;
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{self, Case, Size};
@@ -30,7 +32,8 @@ use std::time::Instant;
 #[derive(Args)]
 #[command(after_help = "Example: proctor verify boussinesq base-acceleration\n\
     A short ladder, as record: proctor verify --quick --json record.json\n\
-    After Ctrl-C, or a case that failed: proctor verify --resume record.json")]
+    After Ctrl-C, or a case that failed: proctor verify --resume record.json\n\
+    A thousand scenes made of random choices: proctor verify --generated 1000 --seed 7")]
 pub struct Verify {
     /// Cases to run [default: all]
     #[arg(value_name = "CASE")]
@@ -53,6 +56,21 @@ pub struct Verify {
     /// Run only the cases that failed in this record, on its ladders [default: that of the main job]
     #[arg(long, value_name = "RECORD", num_args = 0..=1, default_missing_value = MAIN_JOB, conflicts_with_all = ["quick", "list"])]
     failed: Option<PathBuf>,
+    /// Run N small scenes made of random choices instead of cases, judged by what holds of every scene: conservation,
+    /// invariance, equilibrium. A scene that violates its property is written as a scene file; --json FILE takes the result
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["cases", "quick", "list", "resume", "failed", "repetitions"])]
+    generated: Option<u64>,
+    /// Seed of the generated scenes: the scene of a number is the same for the same seed
+    #[arg(long, value_name = "S", default_value_t = 1, requires = "generated")]
+    seed: u64,
+    /// Folder for generated scenes that violate their property
+    #[arg(
+        long,
+        value_name = "DIR",
+        default_value = "target/proctor/generated",
+        requires = "generated"
+    )]
+    out: PathBuf,
     #[command(flatten)]
     amount: Amount,
     #[command(flatten)]
@@ -85,6 +103,20 @@ impl Verify {
         }
         let options = self.settings.options()?;
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        if let Some(count) = self.generated {
+            if !self.amount.more_than_the_verdict() {
+                progress::hide();
+            }
+            return Generated {
+                count,
+                seed: self.seed,
+                threads: options.threads,
+                folder: &self.out,
+                json: self.json.as_deref(),
+                table: self.amount.more_than_the_verdict(),
+            }
+            .run(out);
+        }
         let task = self.task(&options, &chosen)?;
         if let (Some(path), true) = (&self.failed, task.cases.is_empty()) {
             writeln!(out, "no case failed in {}", path.display())?;

@@ -11,6 +11,7 @@ mod drift;
 mod element;
 mod energy;
 mod folder;
+mod generated;
 #[cfg(unix)]
 mod guests;
 mod keys;

@@ -36,6 +36,7 @@ fn how(arguments: &[&str]) -> How {
         ["verify"] | ["verify", "--quick"] => {
             How::NotRun("all cases take a minute; tests/cases.rs of the verification runs them")
         }
+        ["verify", "--generated", ..] => How::Instead(&["verify", "--generated", "12"]),
         // Names and options are looked at; the runs are those of tests/cases.rs.
         ["verify", ..] => How::With(&["--quick", "--list"]),
         ["precision"] => How::NotRun("all studies take minutes"),
