@@ -19,6 +19,7 @@ mod driven;
 mod driven_shapes;
 mod faults;
 mod fluids;
+mod hencky;
 mod initial_stress;
 mod limits;
 mod loads;
