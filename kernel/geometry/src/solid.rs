@@ -198,7 +198,7 @@ fn polygon(
 
 /// A unit vector across another.
 fn normal_to(v: &Vector) -> Vector {
-    let axis = if v[0].abs() < 0.6 { 0 } else { 1 };
+    let axis = usize::from(v[0].abs() >= 0.6);
     let mut across = v.map(|c| -c * v[axis]);
     across[axis] += 1.0;
     let length = dot(&across, &across).sqrt();

@@ -343,8 +343,7 @@ impl Simulation {
             near.triangles[i] = gap.1.triangle;
             let (rigid, v_s) = (&rigid[place.surface], &near.now[place.surface].velocity);
             let touch = self.touch(
-                rigid,
-                *place,
+                (rigid, *place),
                 gap,
                 v_s,
                 (acting, lane),
@@ -362,8 +361,7 @@ impl Simulation {
     /// The touch of one particle with this gap, if it is within the threshold; `v_s` is the velocity of the surface \[m/s\].
     fn touch(
         &self,
-        rigid: &Rigid,
-        place: Place,
+        (rigid, place): (&Rigid, Place),
         (gap, nearest): (f64, Nearest),
         v_s: &Vector,
         (acting, lane): (&Acting, usize),

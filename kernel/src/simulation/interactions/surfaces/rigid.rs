@@ -72,7 +72,7 @@ impl Driven {
     /// Notes where the body is at the start.
     pub(super) fn note_start(&mut self, simulation: &Simulation) {
         let set = &simulation.state.sets[self.body];
-        if self.start.is_none() && set.len() > 0 {
+        if self.start.is_none() && !set.is_empty() {
             self.start = Some((set.id[0], set.position(0)));
         }
     }
