@@ -128,6 +128,46 @@ pub struct ParticleSeed {
 }
 
 impl Shape {
+    /// Lower and upper corner of the box around it \[m\]; `None` for a polygon or a list of particles with nothing in it.
+    #[must_use]
+    pub fn bounds(&self) -> Option<[Vector; 2]> {
+        let around = |center: &Vector, radius: f64| {
+            [-1.0, 1.0].map(|side| center.map(|x| x + side * radius))
+        };
+        Some(match self {
+            Self::Cuboid { p1, p2 } => [*p1, *p2],
+            Self::Sphere { center, radius } => around(center, *radius),
+            Self::Ring { center, outer, .. } => around(center, *outer),
+            Self::Cylinder { p1, p2, radius } => {
+                let along: Vector = std::array::from_fn(|axis| p2[axis] - p1[axis]);
+                let square: f64 = along.iter().map(|c| c * c).sum();
+                let of_end = |axis: usize| {
+                    radius * (1.0 - along[axis] * along[axis] / square).max(0.0).sqrt()
+                };
+                [
+                    std::array::from_fn(|axis| p1[axis].min(p2[axis]) - of_end(axis)),
+                    std::array::from_fn(|axis| p1[axis].max(p2[axis]) + of_end(axis)),
+                ]
+            }
+            Self::Polygon { points } => box_around(points.iter().copied())?,
+            Self::ExtrudedPolygon {
+                points,
+                axis,
+                range,
+            } => {
+                let corner = |end: f64| {
+                    points.iter().map(move |[u, v]| match axis {
+                        0 => [end, *u, *v],
+                        1 => [*u, end, *v],
+                        _ => [*u, *v, end],
+                    })
+                };
+                box_around(corner(range[0]).chain(corner(range[1])))?
+            }
+            Self::Particles(seeds) => box_around(seeds.iter().map(|seed| seed.position))?,
+        })
+    }
+
     /// A rectangle of the plane between two corners \[m\].
     #[must_use]
     pub fn rectangle([x_1, y_1]: [f64; 2], [x_2, y_2]: [f64; 2]) -> Self {
@@ -213,4 +253,15 @@ impl Shape {
             (Self::Particles(_), _) => "particles",
         }
     }
+}
+
+/// Lower and upper corner of the box around points; `None` where there are none.
+fn box_around(points: impl Iterator<Item = Vector>) -> Option<[Vector; 2]> {
+    points.fold(None, |all, x| {
+        let [low, high] = all.unwrap_or([x, x]);
+        Some([
+            std::array::from_fn(|axis| low[axis].min(x[axis])),
+            std::array::from_fn(|axis| high[axis].max(x[axis])),
+        ])
+    })
 }

@@ -1,5 +1,10 @@
 //! What a scene may do, but not well.
 
+mod beside;
+mod places;
+mod sides;
+mod strain;
+
 use crate::scene::{
     Body, Damping, MOST_CREEP, Material, MortarContact, Scene, StressScheme, Transfer,
     TransferKind, VolumetricStrain,
@@ -19,6 +24,10 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(creeping_contacts(scene));
     all.extend(gains_in_turns(scene));
     all.extend(compressed_by_speed(scene));
+    all.extend(sides::held_by_sides(scene));
+    all.extend(sides::carried_by_sides(scene));
+    all.extend(beside::stiff_beside_soft(scene));
+    all.extend(strain::large_strain(scene));
     for material in &scene.materials {
         let own = material.law.warnings().into_iter();
         all.extend(own.map(|warning| format!("{}: {warning}", material.name)));

@@ -222,7 +222,7 @@ impl Simulation {
 }
 
 /// What acting for half a step changes and is put back.
-struct Kept {
+pub(super) struct Kept {
     interactions: Interactions,
     groups: Groups,
     sums: PlaneSums,
@@ -234,7 +234,7 @@ struct Kept {
 }
 
 impl Kept {
-    fn take(simulation: &mut Simulation) -> Self {
+    pub(super) fn take(simulation: &mut Simulation) -> Self {
         // Surfaces of bodies in contact are found anew in each visit, and a copy would be as large as the mesh.
         let faces = simulation.take_faces();
         let interactions = simulation.work.interactions.clone();
@@ -262,7 +262,7 @@ impl Kept {
         }
     }
 
-    fn put_back(self, simulation: &mut Simulation) {
+    pub(super) fn put_back(self, simulation: &mut Simulation) {
         let faces = simulation.take_faces();
         simulation.work.interactions = self.interactions;
         simulation.give_faces(faces);

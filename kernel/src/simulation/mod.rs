@@ -1,6 +1,7 @@
 //! A scene in motion: state, explicit cycle, and what can be asked of it.
 
 mod carried;
+mod caution;
 mod change;
 mod clock;
 pub(crate) mod conditions;
@@ -8,9 +9,11 @@ mod decided;
 mod energy;
 mod error;
 mod event;
+mod extremes;
 mod faults;
 pub(crate) mod fields;
 mod history;
+mod imbalance;
 mod initial_stress;
 pub(crate) mod interactions;
 mod mapping;
@@ -31,11 +34,13 @@ mod work;
 
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
+pub use caution::{Caution, MOST_REMAINDER, MOST_STRETCH_RATIO};
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Acting, Condition, FieldNodes, Node};
 pub use energy::{BodyEnergy, Energy};
 pub use error::{Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
 pub use event::{Event, EventKind};
+pub use extremes::Extremes;
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
 pub use interactions::mortar::{BoundaryVertex, Drift, VertexState};

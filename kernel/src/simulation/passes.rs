@@ -120,12 +120,17 @@ impl Simulation {
         stale
     }
 
-    /// Mass, momentum and force to the nodes of all fields, where an interaction looks at them before the time step is
-    /// chosen. Elsewhere the equation of motion follows at once, and the same visit does both.
+    /// Whether mapping and equation of motion take two visits of the slabs, since something looks at the nodes between them.
+    pub(super) fn maps_first(&self) -> bool {
+        self.finds() || self.decided.conditions.iter().any(|one| one.finds())
+    }
+
+    /// Mass, momentum and force to the nodes of all fields, where an interaction or a condition looks at them before the
+    /// equation of motion. Elsewhere the equation of motion follows at once, and the same visit does both.
     pub(super) fn map_to_nodes(&mut self) {
         self.set_body_force();
         self.work.mapped = None;
-        if self.finds() {
+        if self.maps_first() {
             let acting = self.acting(self.state.clock.dt_before);
             let (now, grid, _) = self.divide(Carry::All, &acting);
             let groups = AtomicUsize::new(0);

@@ -127,6 +127,8 @@ impl Simulation {
             simulation.state.trust.volume_left = libm::log(MOST_VOLUME_RATIO);
         }
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
+        let imbalance = simulation.initial_imbalance();
+        simulation.decided.plan.warnings.extend(imbalance);
         Ok(simulation)
     }
 }

@@ -7,6 +7,7 @@
 use super::Simulation;
 use super::clock::Clock;
 use super::event::Event;
+use super::extremes::Extremes;
 use super::interactions::{Interaction, Remembered};
 use super::passes::Groups;
 use super::trust::Trust;
@@ -42,6 +43,8 @@ pub struct State {
     pub events: Vec<Event>,
     /// What the balances were seen to do so far.
     pub trust: Trust,
+    /// Largest deformations so far.
+    pub extremes: Extremes,
 }
 
 /// Running sums of the energy balance.
@@ -134,6 +137,7 @@ impl State {
             books: Books::default(),
             events: vec![],
             trust: Trust::default(),
+            extremes: Extremes::default(),
         }
     }
 }

@@ -38,7 +38,7 @@ pub const LEAST_VOLUME_RATIO: f64 = 0.1;
 /// Largest volume of a particle over that of the start at which nothing is said.
 pub const MOST_VOLUME_RATIO: f64 = 10.0;
 /// Energy that is no more than round-off, over that of the mass at the speed of its waves.
-const ROUND_OFF: f64 = 1e-20;
+pub(super) const ROUND_OFF: f64 = 1e-20;
 
 /// What a run was seen to do so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -155,6 +155,7 @@ impl Simulation {
         self.doubt(info, Reason::Increment, increment, MOST_INCREMENT);
         self.watch_volumes(info, increment);
         if Self::looks_after(info.step) {
+            self.watch_extremes();
             if self.knows_all_work() {
                 self.watch_energy(info);
             }
@@ -173,7 +174,7 @@ impl Simulation {
     }
 
     /// Whether all that does work on the bodies is known here.
-    fn knows_all_work(&self) -> bool {
+    pub(super) fn knows_all_work(&self) -> bool {
         self.decided.body_force.is_none() && !self.decided.has_own
     }
 

@@ -1,5 +1,6 @@
 //! Point loads and tractions, as forces on nodes.
 
+use super::light::Masses;
 use super::{Acting, Condition, FieldNodes, Kind, Made};
 use crate::grid::GridShape;
 use crate::scene::{History, Scene, Traction, Vector};
@@ -16,6 +17,8 @@ struct NodalLoads {
     steady: Vec<NodeForce>,
     /// Tractions that change in time.
     changing: Vec<Changing>,
+    /// Nodes that only tractions act on, increasing: a traction acts where the body is.
+    of_tractions: Vec<usize>,
 }
 
 /// A traction that changes in time.
@@ -50,9 +53,15 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
 }
 
 impl Condition for NodalLoads {
-    /// Those that change, at the middle of the kick.
-    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
-        if self.changing.is_empty() {
+    fn finds(&self) -> bool {
+        true
+    }
+
+    /// Those that change, at the middle of the kick; those on nodes that are nearly empty, as the nodes around bear them.
+    fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
+        let masses = Masses::of(simulation);
+        let left = self.left(simulation, &masses);
+        if self.changing.is_empty() && !left && masses.bear(&self.steady) {
             return;
         }
         let [before, after] = acting.half_steps;
@@ -65,6 +74,15 @@ impl Condition for NodalLoads {
                 }
             }
         }
+        if left {
+            acting
+                .loads
+                .retain(|load| !self.is_left(load.node, &masses));
+        }
+        if !masses.bear(&acting.loads) {
+            masses.spread(&mut acting.loads);
+        }
+        acting.spread = true;
     }
 
     fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
@@ -84,18 +102,32 @@ impl Condition for NodalLoads {
             planes.add_power_of_loads(&[own], sums);
             Ok(())
         });
-        debug_assert_eq!(found, Ok(()), "the loads found their nodes when they were added");
+        debug_assert_eq!(
+            found,
+            Ok(()),
+            "the loads found their nodes when they were added"
+        );
     }
 }
 
 impl NodalLoads {
     /// All of them in a step.
     fn now<'a>(&'a self, acting: &'a Acting) -> &'a [NodeForce] {
-        if self.changing.is_empty() {
-            &self.steady
-        } else {
+        if acting.spread {
             &acting.loads
+        } else {
+            &self.steady
         }
+    }
+
+    /// Whether a body has left a traction behind: it acted when the run began, and a node of it is empty.
+    fn left(&self, simulation: &Simulation, masses: &Masses<'_>) -> bool {
+        let nodes = &self.of_tractions;
+        simulation.state.clock.step > 0 && nodes.iter().any(|node| masses.at(*node) <= 0.0)
+    }
+
+    fn is_left(&self, node: usize, masses: &Masses<'_>) -> bool {
+        self.of_tractions.binary_search(&node).is_ok() && masses.at(node) <= 0.0
     }
 
     /// Calls `act` with the nodes of a field, its share of each load on them, and the sums of the planes. The share is that of
@@ -135,16 +167,46 @@ impl NodalLoads {
     }
 }
 
+impl Simulation {
+    /// The tractions that bodies have left behind, by their places in the scene, with the share of each that acts on nothing.
+    pub(in crate::simulation) fn tractions_left(&self) -> Vec<(usize, f64)> {
+        let mut all = vec![];
+        if self.state.clock.step == 0 || self.nodes_with_mass() == 0 {
+            return all;
+        }
+        let (scene, masses) = (&self.decided.scene, Masses::of(self));
+        for (i, load) in scene.tractions.iter().enumerate() {
+            let Ok(areas) = areas(scene, &self.work.grid.shape, i, load) else {
+                continue;
+            };
+            let sum = |left: bool| {
+                let of = areas
+                    .iter()
+                    .filter(|(node, _)| !left || masses.at(*node) <= 0.0);
+                of.map(|(_, area)| area).sum::<f64>()
+            };
+            let (lost, whole) = (sum(true), sum(false));
+            if lost > 0.0 {
+                all.push((i, lost / whole));
+            }
+        }
+        all
+    }
+}
+
 /// All nodal loads of a scene, one entry per node, in order of the node.
 ///
 /// # Errors
 /// A point load that is not at a node, or a traction outside the mesh.
 fn nodal(scene: &Scene, shape: &GridShape) -> Result<NodalLoads, SetupError> {
     let (mut all, mut changing) = (vec![], vec![]);
+    let mut points = vec![];
     for (i, load) in scene.point_loads.iter().enumerate() {
         let path = format!("nodal_point_load[{i}]");
+        let node = node_at(scene, shape, &load.position, &path)?;
+        points.push(node);
         all.push(NodeForce {
-            node: node_at(scene, shape, &load.position, &path)?,
+            node,
             force: load.force,
         });
     }
@@ -178,8 +240,10 @@ fn nodal(scene: &Scene, shape: &GridShape) -> Result<NodalLoads, SetupError> {
             .map(|(node, area)| (place(node), area))
             .collect(),
     });
+    let nodes = merged.iter().map(|load| load.node);
     Ok(NodalLoads {
         changing: changing.collect(),
+        of_tractions: nodes.filter(|node| !points.contains(node)).collect(),
         steady: merged,
     })
 }

@@ -9,6 +9,7 @@
 //! kinetic damping on all particles at once (`relaxation.rs`), box loads and body forces on particles: none of these is a
 //! condition on nodes.
 
+mod light;
 mod nodes;
 
 pub(super) use loads::{areas as nodes_of_traction, load_on};
@@ -31,6 +32,12 @@ use std::sync::Arc;
 /// once by several threads, and their number must not change a result: what is done at a node may depend on that node
 /// alone. A body whose motion is prescribed has no equation of motion, and no condition is asked about its field.
 pub trait Condition: Send + Sync {
+    /// Whether [`Condition::prescribe`] looks at the masses of the nodes: mapping and equation of motion take two visits of the
+    /// slabs then.
+    fn finds(&self) -> bool {
+        false
+    }
+
     /// Adds what it prescribes in a step to what others do.
     fn prescribe(&self, _simulation: &Simulation, _acting: &mut Acting) {}
 
@@ -62,6 +69,8 @@ pub struct Acting {
     pub prescribed: Vec<Option<[Vector; 2]>>,
     /// Forces of loads on nodes that change with time, with those that do not, in order of the nodes \[N\].
     pub loads: Vec<NodeForce>,
+    /// Whether those are all that act in this step, in place of those that stay what they are.
+    pub(super) spread: bool,
     /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
     pub driven: Vec<DrivenNode>,
     /// Nodes while they are sought.

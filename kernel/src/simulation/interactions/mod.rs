@@ -450,8 +450,10 @@ impl Simulation {
 
     /// Gaps, forces, and the time steps that they allow.
     pub(super) fn find(&mut self, ended: Watcher<'_>) -> Result<(), StepError> {
-        if self.finds() {
+        if self.maps_first() {
             ended(Phase::NodesFromParticles);
+        }
+        if self.finds() {
             self.each(|one, simulation| one.find(simulation))?;
             ended(Phase::Contact);
         }

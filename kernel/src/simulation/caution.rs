@@ -1,0 +1,299 @@
+//! Reasons for caution with the results of a run that went on to its end: energy that no channel explains, and deformations
+//! that a law or the particle domains do not bear.
+//!
+//! The scale of the energy balance is the largest energy that there was to turn over: what the start and the work done have
+//! given at most, or what moves and is strained now. A negative remainder is energy from nowhere, which no transfer explains.
+//! A positive one is dissipation, which affine transfers, a share of PIC, USL, friction of mortar contact and planes that stop
+//! what hits them explain; nothing explains more of it than there was.
+
+use super::Simulation;
+use super::energy::Energy;
+use super::extremes::Extremes;
+use super::trust::ROUND_OFF;
+use crate::laws::LinearElastic;
+use crate::scene::{Damping, StressScheme, Transfer, TransferKind, Weighting};
+use std::fmt;
+
+/// Largest remainder of the energy balance over its scale that needs no explanation.
+pub const MOST_REMAINDER: f64 = 0.02;
+/// Largest ratio of principal stretches that particle domains bear which do not follow it. A hanging neo-Hookean bar is off by
+/// 0.2 % of its elongation where it is 1.22, by 2.6 % where it is 1.48, with quadratic B-splines by 1.5 and 12 %, and not by
+/// less on smaller cells.
+pub const MOST_STRETCH_RATIO: f64 = 1.25;
+/// Largest share of the mass of a body beyond that. A beam that bends under its own weight has 17 % near its root, and its tip is
+/// where domains that follow have it within 0.05 %; of the bar at 1.48 it is 40 %.
+const MOST_STRETCHED: f64 = 0.25;
+/// Round-off of potentials that cancel, over their size.
+const CANCELLED: f64 = 1e-12;
+/// Share of PIC from which it explains dissipation.
+const HARDLY_PIC: f64 = 1e-6;
+
+/// A reason for caution with results.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Caution {
+    /// The energy balance does not close.
+    Energy {
+        /// What no channel accounts for \[J\]; negative where it came from nowhere.
+        remainder: f64,
+        /// The largest energy that there was to turn over \[J\].
+        scale: f64,
+        /// Probable causes, each with what to use.
+        causes: Vec<&'static str>,
+    },
+    /// Incremental elasticity at large strain.
+    Strain {
+        /// J - 1 where its magnitude was largest.
+        volume_change: f64,
+    },
+    /// A traction that its body has left behind.
+    Traction {
+        /// Its place in the scene.
+        index: usize,
+        /// The share of its area that acts on nothing.
+        share: f64,
+    },
+    /// Particle domains that do not follow a large stretch.
+    Stretch {
+        /// Largest ratio of principal stretches.
+        ratio: f64,
+        /// Share of the mass of a body beyond [`MOST_STRETCH_RATIO`].
+        share: f64,
+        /// Whether the weighting function is a B-spline, which has no domains that could follow.
+        bspline: bool,
+    },
+}
+
+impl Caution {
+    /// Kinds of cautions, as words for files.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Energy { .. } => "energy",
+            Self::Strain { .. } => "strain",
+            Self::Traction { .. } => "traction",
+            Self::Stretch { .. } => "stretch",
+        }
+    }
+
+    /// Whether it is of the same kind as another, and of the same load.
+    #[must_use]
+    pub fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Traction { index, .. }, Self::Traction { index: of, .. }) => index == of,
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+        }
+    }
+
+    /// How far it is over what is accepted: of two of one kind the larger tells more.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        match self {
+            Self::Energy {
+                remainder, scale, ..
+            } => remainder.abs() / scale,
+            Self::Strain { volume_change } => volume_change.abs(),
+            Self::Traction { share, .. } => *share,
+            Self::Stretch { ratio, .. } => *ratio,
+        }
+    }
+}
+
+impl fmt::Display for Caution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Energy {
+                remainder,
+                scale,
+                causes,
+            } => {
+                let share = 100.0 * remainder.abs() / scale;
+                if *remainder < 0.0 {
+                    write!(f, "{:.4e} J of energy came from nowhere", -remainder)?;
+                } else {
+                    write!(
+                        f,
+                        "{remainder:.4e} J of energy went where no channel accounts for it"
+                    )?;
+                }
+                write!(
+                    f,
+                    ", {share:.1} % of the {scale:.4e} J that there was; probable cause: "
+                )?;
+                f.write_str(&causes.join("; or "))
+            }
+            Self::Strain { volume_change } => write!(
+                f,
+                "`elastic` was strained to J - 1 = {volume_change:.3}, beyond {}: the stress of increments has no energy there, and \
+                 what is stored is off by {:.0} %; `neo_hookean` and `hencky` have an energy at any strain",
+                LinearElastic::MOST_VOLUME_CHANGE,
+                100.0 * LinearElastic::energy_error(1.0 + volume_change)
+            ),
+            Self::Traction { index, share } => write!(
+                f,
+                "traction[{index}] is fixed in space, and no particle reaches {:.0} % of it any more: that part acts on nothing; \
+                 \"box_load\" moves with the particles",
+                100.0 * share
+            ),
+            Self::Stretch {
+                ratio,
+                share,
+                bspline,
+            } => {
+                write!(
+                    f,
+                    "principal stretches differ by a factor of up to {ratio:.3}, by more than {MOST_STRETCH_RATIO} in {:.0} % of a \
+                     body: ",
+                    100.0 * share
+                )?;
+                if *bspline {
+                    f.write_str(
+                        "quadratic B-splines take particles for points, whose distance no longer fits the cells (12 % of the \
+                         elongation at a factor of 1.5, more on smaller cells); \"shape_function\": \"cpGIMP\" with \
+                         \"domain_update\": \"stretch\" holds within 0.5 %",
+                    )
+                } else {
+                    f.write_str(
+                        "particle domains of the update \"determinant\" keep the ratio of their sides, so that they part along one \
+                         axis and overlap along the other (2.6 % of the elongation at a factor of 1.5, 3 to 6 % at 1.7, more on \
+                         smaller cells); \"domain_update\": \"stretch\" holds within 0.5 %",
+                    )
+                }
+            }
+        }
+    }
+}
+
+impl Simulation {
+    /// Reasons for caution with the results as they are now, none where all is well; `energy` is the balance of
+    /// [`Simulation::energy`].
+    #[must_use]
+    pub fn cautions(&self, energy: &Energy) -> Vec<Caution> {
+        let extremes = self.extremes();
+        let mut all = vec![];
+        all.extend(self.energy_caution(energy, &extremes));
+        if extremes.volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE {
+            all.push(Caution::Strain {
+                volume_change: extremes.volume_change,
+            });
+        }
+        let left = self.tractions_left().into_iter();
+        all.extend(left.map(|(index, share)| Caution::Traction { index, share }));
+        if extremes.stretched_share > MOST_STRETCHED {
+            all.push(Caution::Stretch {
+                ratio: extremes.stretch_ratio,
+                share: extremes.stretched_share,
+                bspline: self.decided.scene.weighting == Weighting::QuadraticBSpline,
+            });
+        }
+        all
+    }
+
+    fn energy_caution(&self, energy: &Energy, extremes: &Extremes) -> Option<Caution> {
+        if !self.knows_all_work() {
+            return None;
+        }
+        let scale = self.scale_of_energy(energy);
+        // Local damping is booked with the velocities that bodies would have without each other; what contact makes of them moves
+        // between damping and remainder.
+        let scene = &self.decided.scene;
+        let meets = !(scene.contacts.is_empty() && scene.surfaces.is_empty());
+        let remainder = if meets && matches!(scene.damping, Damping::Local { .. }) {
+            energy.remainder + energy.damping
+        } else {
+            energy.remainder
+        };
+        let most = if remainder < 0.0 || !self.dissipates() {
+            MOST_REMAINDER
+        } else {
+            1.0
+        };
+        (remainder.abs() > most * scale).then(|| Caution::Energy {
+            remainder,
+            scale,
+            causes: self.causes(remainder, extremes),
+        })
+    }
+
+    /// The largest energy that there was to turn over \[J\], and never less than round-off of its parts.
+    fn scale_of_energy(&self, energy: &Energy) -> f64 {
+        let books = &self.state.books;
+        let waves = self
+            .state
+            .found
+            .iter()
+            .map(|found| found.wave_speed_squared);
+        let at_rest = ROUND_OFF * self.mass() * waves.fold(0.0, f64::max);
+        let given = self
+            .state
+            .trust
+            .given
+            .max(books.initial_energy + energy.external_work);
+        let present = energy.kinetic + energy.strain + energy.contact;
+        let cancelled = CANCELLED * (books.dead_load_origin.abs() + energy.external_work.abs());
+        let parts = [present, at_rest, cancelled / MOST_REMAINDER];
+        parts.into_iter().fold(given, f64::max)
+    }
+
+    /// Whether the method takes energy that no channel has.
+    fn dissipates(&self) -> bool {
+        let scene = &self.decided.scene;
+        let Transfer { kind, pic_fraction } = scene.transfer;
+        let planes = (0..self.decided.plan.axes)
+            .any(|axis| [0, 1].iter().any(|side| scene.plane_acts(axis, *side)));
+        kind != TransferKind::Flip
+            || pic_fraction > HARDLY_PIC
+            || scene.scheme != StressScheme::Usf
+            || planes
+            || !scene.held_boxes.is_empty()
+            || !scene.mortar.contacts.is_empty()
+            || !scene.surfaces.is_empty()
+            || scene.bodies.len() > 1
+    }
+
+    /// Probable causes of a remainder, the likeliest first.
+    fn causes(&self, remainder: f64, extremes: &Extremes) -> Vec<&'static str> {
+        let scene = &self.decided.scene;
+        let mut all = vec![];
+        if extremes.volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE {
+            all.push(
+                "`elastic` at large strain, which has no energy: use `neo_hookean` or `hencky`",
+            );
+        }
+        if remainder > 0.0 {
+            all.push("contact or damping that gave energy which the transfer took again: look at each channel");
+            return all;
+        }
+        if extremes.stretched_share > MOST_STRETCHED {
+            all.push("particle domains that do not follow their stretch: use \"domain_update\": \"stretch\"");
+        }
+        let damped = scene.damping != Damping::None;
+        let flip = scene.transfer.kind == TransferKind::Flip;
+        if flip && scene.scheme != StressScheme::Usl {
+            all.push(
+                "FLIP with MUSL or USF, which lets motion that nodes do not see grow, in tension above all: use \"APIC\" or USL",
+            );
+        } else if flip {
+            all.push("FLIP, which lets motion that nodes do not see grow: use \"APIC\"");
+        }
+        if scene.weighting == Weighting::Linear {
+            all.push("particles that cross cells with linear functions: use \"GIMP\" or B-splines");
+        }
+        if !(scene.point_loads.is_empty() && scene.tractions.is_empty()) {
+            all.push("a load fixed in space that its body leaves: use \"box_load\", which moves with the particles");
+        }
+        if !scene.contacts.is_empty() || !scene.mortar.contacts.is_empty() {
+            all.push(
+                "contact that is too stiff or meets too fast for the step: use a smaller step",
+            );
+        }
+        if all.is_empty() && damped {
+            all.push(
+                "damping against a velocity that contact or planes turn round: use less of it",
+            );
+        }
+        if all.is_empty() {
+            all.push("a step too large: halve it and compare");
+        }
+        all
+    }
+}

@@ -1,0 +1,112 @@
+//! Largest deformations of a run, of which laws and particle domains bear only so much.
+//!
+//! Particles are looked at together with the balances (`trust.rs`), and only those of a law or a particle domain that a large
+//! deformation harms.
+
+use super::Simulation;
+use super::caution::MOST_STRETCH_RATIO;
+use crate::laws::LinearElastic;
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
+use crate::scene::{DomainUpdate, Weighting};
+
+/// Largest deformations so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extremes {
+    /// J of the particle of incremental elasticity with the largest |J - 1|, less 1; zero where no body has that law.
+    pub volume_change: f64,
+    /// Largest ratio of principal stretches of a stretched particle, where particle domains do not follow them; zero where no
+    /// particle is looked at.
+    pub stretch_ratio: f64,
+    /// Largest share of the mass of a body with such a ratio above [`MOST_STRETCH_RATIO`].
+    pub stretched_share: f64,
+}
+
+impl Simulation {
+    /// Largest deformations seen so far.
+    #[must_use]
+    pub fn extremes(&self) -> Extremes {
+        let mut all = self.state.extremes;
+        for (set, body) in self.state.sets.iter().zip(&self.decided.bodies) {
+            if body.motion.is_some() {
+                continue;
+            }
+            if body.law.downcast::<LinearElastic>().is_some() {
+                let change = volume_change(set, body.density);
+                if change.abs() > all.volume_change.abs() {
+                    all.volume_change = change;
+                }
+            }
+            let solid = !body.law.is_fluid();
+            if solid && self.domains_do_not_follow() && set.layout.deformation.is_some() {
+                let (mut whole, mut beyond) = (0.0, 0.0);
+                for (p, mass) in set.columns[Layout::MASS].iter().enumerate() {
+                    let ratio = stretch_ratio(set, p).unwrap_or(0.0);
+                    all.stretch_ratio = all.stretch_ratio.max(ratio);
+                    whole += mass;
+                    if ratio > MOST_STRETCH_RATIO {
+                        beyond += mass;
+                    }
+                }
+                if whole > 0.0 {
+                    all.stretched_share = all.stretched_share.max(beyond / whole);
+                }
+            }
+        }
+        all
+    }
+
+    /// Notes them.
+    pub(super) fn watch_extremes(&mut self) {
+        self.state.extremes = self.extremes();
+    }
+
+    /// Whether particle domains, or what a weighting function has in their place, keep the ratio of their sides.
+    fn domains_do_not_follow(&self) -> bool {
+        matches!(
+            self.decided.scene.weighting,
+            Weighting::ContiguousGimp(DomainUpdate::Determinant) | Weighting::QuadraticBSpline
+        )
+    }
+}
+
+/// J - 1 of the particle where its magnitude is largest. Of two alike the expansion.
+fn volume_change(set: &ParticleSet, density: f64) -> f64 {
+    let (mut least, mut most) = (1.0_f64, 1.0_f64);
+    let columns = (&set.columns[Layout::VOLUME], &set.columns[Layout::MASS]);
+    for (volume, mass) in columns.0.iter().zip(columns.1) {
+        let jacobian = volume * density / mass;
+        least = least.min(jacobian);
+        most = most.max(jacobian);
+    }
+    if 1.0 - least > most - 1.0 {
+        least - 1.0
+    } else {
+        most - 1.0
+    }
+}
+
+/// Largest principal stretch over the smallest, where the largest is an extension by as much: domains part along it. In the plane those of the plane count.
+fn stretch_ratio(set: &ParticleSet, p: usize) -> Option<f64> {
+    let f = set.deformation(p)?;
+    let [least, most] = principal_stretches(&f, set.layout.axes);
+    (most > MOST_STRETCH_RATIO && least > 0.0).then(|| most / least)
+}
+
+/// The smallest and the largest principal stretch of a deformation gradient.
+fn principal_stretches(f: &[[f64; 3]; 3], axes: usize) -> [f64; 2] {
+    let f = nalgebra::Matrix3::from_fn(|a, b| f[a][b]);
+    let square = f.transpose() * f;
+    let squares = if axes == 2 {
+        let (mean, half) = (
+            0.5 * (square[(0, 0)] + square[(1, 1)]),
+            0.5 * (square[(0, 0)] - square[(1, 1)]),
+        );
+        let radius = (half * half + square[(0, 1)] * square[(0, 1)]).sqrt();
+        [mean - radius, mean + radius]
+    } else {
+        let values = square.symmetric_eigenvalues();
+        [values.min(), values.max()]
+    };
+    squares.map(|square| square.max(0.0).sqrt())
+}

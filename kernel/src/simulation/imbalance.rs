@@ -1,0 +1,89 @@
+//! Bodies whose stress at the start is not in balance with what acts on them.
+//!
+//! Stress that includes weight which is not there, or that pushes against a side which is free, sets the body in motion at once.
+//! It shows at the nodes before the first step: where all is in balance no free node is accelerated.
+
+use super::Simulation;
+use super::energy::Kept;
+use super::error::StepError;
+use crate::layout::Layout;
+use crate::scene::InitialStress;
+use crate::stage::solve::is_ghost;
+
+/// Largest sum of the unbalanced forces at the nodes over the weight, or over the force of the stress where nothing weighs.
+/// Level ground at rest between sliding sides has 0.1 % to 1 %.
+const MOST: f64 = 0.05;
+
+impl Simulation {
+    /// A warning where stress at the start is out of balance; `None` where there is none, or where it cannot be measured.
+    pub(super) fn initial_imbalance(&mut self) -> Option<String> {
+        let stressed = |body: &crate::scene::Body| body.initial_stress != InitialStress::None;
+        if !self.decided.scene.bodies.iter().any(stressed) {
+            return None;
+        }
+        let kept = Kept::take(self);
+        let found = self.led(Self::unbalanced_force);
+        kept.put_back(self);
+        let unbalanced = found.ok()?;
+        let (scale, of) = self.force_of_start();
+        let share = unbalanced / scale;
+        (share > MOST).then(|| {
+            format!(
+                "the initial stress is out of balance: unbalanced forces at the nodes add up to {:.1} % of the {of}, and the bodies \
+                 move at once. It includes weight that is not there (\"level\" above the ground, or above a toe of it), or pushes \
+                 against a side that is free; give each body the level of its own surface, hold the side, or let gravity come on \
+                 with damping in a stage before",
+                100.0 * share
+            )
+        })
+    }
+
+    /// Sum of the magnitudes of the unbalanced forces at the nodes that move freely \[N\].
+    fn unbalanced_force(&mut self) -> Result<f64, StepError> {
+        self.map_to_nodes();
+        self.find(&mut |_| ())?;
+        // Any time will do: forces at the nodes do not depend on it.
+        let kick = self.free_step();
+        let now = self.state.clock.time;
+        let acting = self.acting_over(kick, [now, now], kick);
+        self.solve_nodes(&acting, &mut |_| ())?;
+        let grid = &self.work.grid;
+        let driven = |body: usize| self.decided.bodies[body].motion.is_some();
+        let nodes = grid.free_nodes(driven);
+        let inside = nodes
+            .filter(|(node, _)| !is_ghost(&grid.shape, &acting.walls, grid.shape.indices(*node)));
+        // A fluid that is to flow out of a side has the pressure of its weight at the start: its balance is that along gravity.
+        let fluid = self.decided.bodies.iter().all(|body| body.law.is_fluid());
+        let gravity = self.decided.scene.gravity;
+        let counts = |axis: usize| !fluid || gravity == [0.0; 3] || gravity[axis] != 0.0;
+        let force = |line: &crate::grid::Line| {
+            let along = (0..3).filter(|axis| counts(*axis));
+            let square: f64 = along.map(|axis| line[4 + axis] * line[4 + axis]).sum();
+            line[0] * square.sqrt() / kick
+        };
+        Ok(inside.map(|(_, line)| force(line)).sum())
+    }
+
+    /// The weight of the bodies, or the force of the largest stress on one side of them where nothing weighs \[N\], and its
+    /// name.
+    fn force_of_start(&self) -> (f64, &'static str) {
+        let gravity = self
+            .decided
+            .scene
+            .gravity
+            .iter()
+            .map(|g| g * g)
+            .sum::<f64>();
+        if gravity > 0.0 {
+            return (self.mass() * gravity.sqrt(), "weight");
+        }
+        let axes = self.decided.plan.axes;
+        let force = self.state.sets.iter().map(|set| {
+            let volume: f64 = set.columns[Layout::VOLUME].iter().sum();
+            let stress = (0..set.len()).flat_map(|p| set.stress(p));
+            let most = stress.fold(0.0_f64, |most, s| most.max(s.abs()));
+            most * libm::pow(volume, 1.0 - 1.0 / axes as f64)
+        });
+        (force.sum(), "force of the stress on a side")
+    }
+}

@@ -1,0 +1,119 @@
+//! Runs that end well with results that call for caution say so, and others do not.
+
+use crate::common::{APIC, FLIP, SCHEMES, body, cuboid, elastic, empty, material, simulation};
+use proctor_kernel::laws::{AnyLaw, NeoHookean};
+use proctor_kernel::scene::{
+    Damping, Dimension, DomainUpdate, PlaneCondition, Scene, StressScheme, Weighting,
+};
+use proctor_kernel::simulation::{Caution, Simulation};
+
+/// An elastic block that falls 1.5 m; the reported scene with cells of 0.5 m in place of 0.25 m.
+fn bounce(law: impl Into<AnyLaw>) -> Scene {
+    let mut scene = empty(Dimension::Two, [16, 14, 1], 0.5);
+    scene.scheme = StressScheme::Musl;
+    scene.mesh.planes[0] = [PlaneCondition::Sliding; 2];
+    scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+    scene.gravity = [0.0, -9.8, 0.0];
+    scene.materials = vec![material(law)];
+    scene.bodies = vec![body(1, cuboid([2.0, 1.5, 0.0], [6.0, 5.5, 0.0]))];
+    scene
+}
+
+fn until(scene: &Scene, time: f64) -> Simulation {
+    let mut simulation = simulation(scene);
+    while simulation.time() < time {
+        if let Err(error) = simulation.step(time) {
+            panic!("{error}");
+        }
+    }
+    simulation
+}
+
+fn cautions(simulation: &mut Simulation) -> Vec<Caution> {
+    let energy = simulation.energy();
+    simulation.cautions(&energy)
+}
+
+#[test]
+fn energy_from_nowhere_and_large_strain_of_incremental_elasticity_are_told() {
+    let mut simulation = until(&bounce(elastic(4.0e5, 0.25)), 1.4);
+    let energy = simulation.energy();
+    let all = simulation.cautions(&energy);
+    let [
+        Caution::Energy {
+            remainder,
+            scale,
+            causes,
+        },
+        Caution::Strain { volume_change },
+    ] = &all[..]
+    else {
+        panic!("{all:?} {energy:?}");
+    };
+    assert_eq!(*remainder, energy.remainder);
+    assert!(*remainder < -0.02 * scale && *scale >= energy.external_work);
+    assert!(causes[0].contains("neo_hookean") && causes[0].contains("hencky"));
+    assert!(volume_change.abs() > 0.2, "{volume_change}");
+    let text = all[0].to_string();
+    assert!(
+        text.contains("came from nowhere") && text.contains('%'),
+        "{text}"
+    );
+    assert!(all[1].to_string().contains("J - 1"), "{}", all[1]);
+}
+
+#[test]
+fn a_law_with_an_energy_and_a_stiff_block_need_no_caution() {
+    for law in [
+        AnyLaw::from(NeoHookean::new(4.0e5, 0.25)),
+        elastic(4.0e7, 0.25).into(),
+    ] {
+        for scheme in SCHEMES {
+            let mut scene = bounce(law.clone());
+            scene.scheme = scheme;
+            for transfer in [FLIP, APIC] {
+                scene.transfer = transfer;
+                let mut simulation = until(&scene, 0.7);
+                let all = cautions(&mut simulation);
+                assert_eq!(all, [], "{law:?} {scheme:?} {transfer:?}");
+            }
+        }
+    }
+}
+
+/// A bar that hangs from a plane, whose own weight over Young's modulus is `load`, without lateral strain.
+fn hanging(load: f64, weighting: Weighting) -> Scene {
+    let mut scene = empty(Dimension::Two, [2, 18, 1], 0.1);
+    scene.mesh.planes[0] = [PlaneCondition::Sliding; 2];
+    scene.mesh.planes[1] = [PlaneCondition::Free, PlaneCondition::Fixed];
+    scene.weighting = weighting;
+    scene.transfer = APIC;
+    scene.damping = Damping::Local { alpha: 0.3 };
+    scene.gravity = [0.0, -load * 100.0, 0.0];
+    scene.materials = vec![material(NeoHookean::new(1.0e5, 0.0))];
+    scene.bodies = vec![body(1, cuboid([0.0, 0.8, 0.0], [0.2, 1.8, 0.0]))];
+    scene
+}
+
+#[test]
+fn domains_that_do_not_follow_a_large_stretch_are_told() {
+    let found =
+        |load: f64, weighting: Weighting| cautions(&mut until(&hanging(load, weighting), 0.6));
+    let determinant = Weighting::ContiguousGimp(DomainUpdate::Determinant);
+    for (weighting, words) in [
+        (determinant, "\"domain_update\": \"stretch\""),
+        (Weighting::QuadraticBSpline, "B-spline"),
+    ] {
+        let all = found(0.4, weighting);
+        let [Caution::Stretch { ratio, .. }] = &all[..] else {
+            panic!("{all:?}");
+        };
+        // 1.477 at rest.
+        assert!((1.3..2.2).contains(ratio), "{ratio}");
+        assert!(all[0].to_string().contains(words), "{}", all[0]);
+        assert_eq!(found(0.1, weighting), []);
+    }
+    for update in [DomainUpdate::Stretch, DomainUpdate::LeftStretch] {
+        assert_eq!(found(0.4, Weighting::ContiguousGimp(update)), []);
+    }
+}
