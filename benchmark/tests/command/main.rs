@@ -6,6 +6,7 @@ mod again;
 mod any_input;
 mod bad_input;
 mod bench;
+mod caution;
 mod compare;
 mod drift;
 mod element;

@@ -1,5 +1,7 @@
 //! The files of a run: whole or not there, exact to the bit, and repaired after a kill.
 
+#[path = "output/caution.rs"]
+mod caution;
 #[path = "output/checkpoint.rs"]
 mod checkpoint;
 #[path = "output/contact.rs"]

@@ -96,6 +96,9 @@ impl fmt::Display for Report<'_> {
         if let Some(doubt) = &s.not_to_be_trusted {
             row(f, "attention", doubt)?;
         }
+        for warning in &s.warnings {
+            row(f, "attention", &warning.message)?;
+        }
         if let Some(text) = self.far_off() {
             row(f, "attention", &text)?;
         }

@@ -77,6 +77,9 @@ pub struct Summary {
     /// Since when the run is not to be trusted, and why; nothing where all balances hold.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub not_to_be_trusted: Option<String>,
+    /// Reasons for caution with the results: energy that no channel explains, strains that a law does not bear.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
     /// What happened on the way, in the order of time.
     #[serde(default)]
     pub events: Vec<Event>,
@@ -163,6 +166,15 @@ pub struct BoundaryDrift {
     /// The same over the smallest size of a cell.
     #[serde(default, skip_serializing_if = "no_number")]
     pub in_cells: Option<f64>,
+}
+
+/// A reason for caution with the results of a run that ended well.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Warning {
+    /// Which kind, a fixed word: `energy`, `strain`, `stretch`, `traction`.
+    pub kind: String,
+    /// How much, the probable cause, and what to use, for people.
+    pub message: String,
 }
 
 /// Something that the reader of the results has to know, such as a particle that left the mesh.

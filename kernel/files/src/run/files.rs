@@ -7,7 +7,7 @@ use crate::output::pvd::{BOUNDARIES, GRID};
 use crate::output::{Array, ArrayData, Compression, Frame, HistoryWriter, OutputFolder, Series};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::Field;
-use proctor_kernel::simulation::Simulation;
+use proctor_kernel::simulation::{Caution, Simulation};
 
 /// The growing files of a run.
 pub(super) struct Files {
@@ -19,6 +19,8 @@ pub(super) struct Files {
     boundaries: Option<Series>,
     history: Option<HistoryWriter>,
     probes: Vec<ProbedParticle>,
+    /// Reasons for caution at the outputs so far, of each kind the one that says most.
+    cautions: Vec<Caution>,
 }
 
 /// A probe and the particle that it follows.
@@ -45,6 +47,7 @@ impl Files {
             boundaries: None,
             history: None,
             probes: probed(simulation),
+            cautions: vec![],
         };
         if simulation.scene().results.print > 0 {
             let columns = files.columns(simulation);
@@ -76,6 +79,11 @@ impl Files {
             }
         }
         Ok(files)
+    }
+
+    /// Reasons for caution at the outputs so far.
+    pub(super) fn cautions(&self) -> &[Caution] {
+        &self.cautions
     }
 
     pub(super) fn folder(&self) -> &OutputFolder {
@@ -162,9 +170,10 @@ impl Files {
     }
 
     /// One row of the history; a probed particle that was removed leaves empty cells.
-    fn row(&self, simulation: &mut Simulation) -> Vec<f64> {
+    fn row(&mut self, simulation: &mut Simulation) -> Vec<f64> {
         let energy = simulation.energy();
         let simulation = &*simulation;
+        worst(&mut self.cautions, simulation.cautions(&energy));
         let axes = simulation.plan().axes;
         let mut row = vec![simulation.kinetic_energy(), simulation.strain_energy()];
         row.extend_from_slice(&simulation.momentum()[..axes]);
@@ -216,6 +225,17 @@ impl Files {
             row.extend([energy.stored, energy.plastic, energy.algorithmic]);
         }
         row
+    }
+}
+
+/// Adds reasons for caution to others, of each kind the one that says most.
+pub(super) fn worst(all: &mut Vec<Caution>, more: Vec<Caution>) {
+    for caution in more {
+        match all.iter_mut().find(|other| other.is_like(&caution)) {
+            Some(other) if other.size() >= caution.size() => {}
+            Some(other) => *other = caution,
+            None => all.push(caution),
+        }
     }
 }
 

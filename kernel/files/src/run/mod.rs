@@ -20,14 +20,16 @@ mod state;
 pub use error::RunError;
 
 use crate::output::summary::{
-    BoundaryDrift, Energy, Event as SummaryEvent, OVERLAP, Status, VOLUME_RATIO, YieldingBody,
+    BoundaryDrift, Energy, Event as SummaryEvent, OVERLAP, Status, VOLUME_RATIO, Warning,
+    YieldingBody,
 };
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::scene::{Scene, TimeStep};
 use proctor_kernel::simulation::{
-    BodyEnergy, Energy as Balance, Event, EventKind, Options, Simulation, StepError, StepInfo,
+    BodyEnergy, Caution, Energy as Balance, Event, EventKind, Options, Simulation, StepError,
+    StepInfo,
 };
 use serde_json::{Value, json};
 use std::path::Path;
@@ -174,6 +176,13 @@ impl Run {
     pub fn summary(&mut self) -> Summary {
         let energy = self.energy();
         let simulation = &self.simulation;
+        let earlier = self.files.as_ref().map(Files::cautions);
+        let mut cautions = earlier.unwrap_or_default().to_vec();
+        files::worst(&mut cautions, simulation.cautions(&energy));
+        let warning = |caution: &Caution| Warning {
+            kind: caution.word().to_owned(),
+            message: caution.to_string(),
+        };
         let (dt_min, dt_max, dt_critical) = simulation.time_steps();
         let stepped = simulation.steps() > 0;
         let axes = simulation.plan().axes;
@@ -220,6 +229,7 @@ impl Run {
                 in_cells: Some(drift.in_cells),
             }),
             not_to_be_trusted: simulation.trust().doubt.map(|doubt| doubt.to_string()),
+            warnings: cautions.iter().map(warning).collect(),
             events: simulation.events().iter().map(event).collect(),
             state_hash: simulation.state_hash(),
             status: match (&self.failure, self.interrupted) {

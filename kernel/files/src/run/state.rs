@@ -4,8 +4,8 @@ use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::scene::{Results, Scene};
 use proctor_kernel::simulation::{
-    Books, Clock, Doubt, Event, EventKind, Groups, ParticleAt, Reason, RestoreError, Saved,
-    Simulation, State, Trust,
+    Books, Clock, Doubt, Event, EventKind, Extremes, Groups, ParticleAt, Reason, RestoreError,
+    Saved, Simulation, State, Trust,
 };
 use proctor_kernel::stage::g2p::Found;
 
@@ -67,6 +67,12 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     }
     save_events(&state.events, &mut checkpoint);
     save_trust(&state.trust, &mut checkpoint);
+    let extremes = vec![
+        state.extremes.volume_change,
+        state.extremes.stretch_ratio,
+        state.extremes.stretched_share,
+    ];
+    checkpoint.push::<f64>("extremes/numbers", extremes);
     checkpoint
 }
 
@@ -190,6 +196,12 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
     }
     state.events = read_events(checkpoint)?;
     state.trust = read_trust(checkpoint)?;
+    let extremes = checkpoint.array::<f64>("extremes/numbers", 3)?;
+    state.extremes = Extremes {
+        volume_change: extremes[0],
+        stretch_ratio: extremes[1],
+        stretched_share: extremes[2],
+    };
     let mut interactions = like.interactions;
     for (i, lists) in interactions.iter_mut().enumerate() {
         for (name, values) in lists {

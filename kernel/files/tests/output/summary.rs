@@ -3,7 +3,7 @@
 use std::fs;
 
 use proctor_files::output::summary::{
-    BoundaryDrift, Energy, Event, Status, Summary, YieldingBody, finite,
+    BoundaryDrift, Energy, Event, Status, Summary, Warning, YieldingBody, finite,
 };
 use proctor_files::output::{OutputError, atomic};
 use serde_json::{Value, json};
@@ -53,6 +53,10 @@ fn complete() -> Summary {
             in_cells: Some(0.02),
         }),
         not_to_be_trusted: Some("not to be trusted since step 7".into()),
+        warnings: vec![Warning {
+            kind: "energy".to_owned(),
+            message: "3 J came from nowhere".to_owned(),
+        }],
         events: vec![Event {
             kind: "particle_left".to_owned(),
             message: "particle 3 left the mesh".to_owned(),
@@ -68,7 +72,7 @@ fn complete() -> Summary {
     }
 }
 
-const KEYS: [&str; 24] = [
+const KEYS: [&str; 25] = [
     "scene",
     "plan",
     "particles",
@@ -89,6 +93,7 @@ const KEYS: [&str; 24] = [
     "yielding",
     "boundary_drift",
     "not_to_be_trusted",
+    "warnings",
     "events",
     "state_hash",
     "status",
