@@ -4,6 +4,7 @@
 
 mod entries;
 mod stability;
+mod tension;
 mod warnings;
 
 use crate::layout::{Layout, Optional};

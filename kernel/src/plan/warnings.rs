@@ -28,6 +28,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(sides::carried_by_sides(scene));
     all.extend(beside::stiff_beside_soft(scene));
     all.extend(strain::large_strain(scene));
+    all.extend(super::tension::warnings(scene));
     for material in &scene.materials {
         let own = material.law.warnings().into_iter();
         all.extend(own.map(|warning| format!("{}: {warning}", material.name)));

@@ -82,7 +82,7 @@ impl Simulation {
     }
 
     /// All fields: the body whose own field it is, rows in use, values.
-    fn fields(&self) -> impl Iterator<Item = (Option<usize>, &ActiveRows, &[Line])> {
+    pub(super) fn fields(&self) -> impl Iterator<Item = (Option<usize>, &ActiveRows, &[Line])> {
         let fields = self.work.grid.fields.iter();
         fields.map(|field| (field.owner.body(), &field.rows, field.nodes.lines()))
     }
@@ -113,7 +113,7 @@ impl Simulation {
     }
 
     /// Whether a node lies behind a plane with a condition.
-    fn is_ghost(&self, at: [usize; 3]) -> bool {
+    pub(super) fn is_ghost(&self, at: [usize; 3]) -> bool {
         let shape = &self.work.grid.shape;
         (0..shape.axes).any(|axis| {
             let index = at[shape.direction(axis)];
