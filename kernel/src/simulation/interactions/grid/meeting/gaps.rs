@@ -99,10 +99,6 @@ fn decide(
     [master, slave]: [&Side<'_>; 2],
     shape: &GridShape,
 ) -> (Vector, f64) {
-    if cloud.points.iter().any(Vec::is_empty) {
-        // What weighs so little there is far from the other.
-        return (own, f64::INFINITY);
-    }
     let gap =
         |normal: &Vector| surface::distance_in(cloud, normal, shape) - pair.distance_along(normal);
     let of = |kind| {
