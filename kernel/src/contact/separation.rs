@@ -7,6 +7,7 @@
 //! limit of no penalty; with one, a body that ends beside the node still turns it by some degrees.
 
 use crate::scene::Vector;
+use smallvec::SmallVec;
 
 /// Most points that are taken up; each brings the hulls nearer, and a dozen is much.
 const MOST_POINTS: usize = 64;
@@ -30,31 +31,26 @@ pub struct Cloud {
 
 impl Cloud {
     /// The shortest way from the hull of the master to that of the slave \[m\]; `None` where the hulls meet, or one is
-    /// empty. `towards` is a first guess of its direction. A way that is no longer than `enough` \[m\] may be longer than
-    /// the shortest.
+    /// empty. `towards` is a first guess of its direction.
     #[must_use]
-    pub fn way(&self, towards: &Vector, enough: f64) -> Option<Vector> {
+    pub fn way(&self, towards: &Vector) -> Option<Vector> {
+        let mut simplex: SmallVec<[Vector; 4]> = SmallVec::new();
         let first = self.nearest_along(towards)?;
-        let mut simplex = Simplex {
-            points: [first; 4],
-            count: 1,
-        };
         let mut way = first;
+        simplex.push(first);
         let mut extent = dot(&first, &first);
         for _ in 0..MOST_POINTS {
             let square = dot(&way, &way);
             if square <= APART * APART * extent {
                 return None;
             }
-            if enough > 0.0 && square <= enough * enough {
-                break;
-            }
             let next = self.nearest_along(&way)?;
             extent = extent.max(dot(&next, &next));
-            if square - dot(&way, &next) <= PRECISION * square || simplex.has(&next) {
+            if square - dot(&way, &next) <= PRECISION * square || simplex.contains(&next) {
                 break;
             }
-            let shorter = simplex.take(next);
+            simplex.push(next);
+            let shorter = shorten(&mut simplex);
             if dot(&shorter, &shorter) >= square {
                 break;
             }
@@ -90,84 +86,69 @@ impl Cloud {
 
 /// The first of the points that are farthest along a direction.
 fn farthest(points: &[Vector], direction: &Vector) -> Option<Vector> {
-    let (mut most, mut best) = (f64::NEG_INFINITY, None);
-    for (index, x) in points.iter().enumerate() {
+    let mut best = (f64::NEG_INFINITY, None);
+    for x in points {
         let along = dot(x, direction);
-        if along > most {
-            (most, best) = (along, Some(index));
+        if along > best.0 {
+            best = (along, Some(*x));
         }
     }
-    best.map(|index| points[index])
+    best.1
 }
 
-/// Up to four points whose hull is nearest to the origin so far.
-struct Simplex {
-    points: [Vector; 4],
-    count: usize,
-}
-
-impl Simplex {
-    fn has(&self, point: &Vector) -> bool {
-        self.points[..self.count].contains(point)
-    }
-
-    /// Takes up a point that lies nearer to the origin; the simplex becomes the face on which its nearest point lies, which
-    /// is returned. The new point is one of its corners.
-    fn take(&mut self, point: Vector) -> Vector {
-        let mut best = (f64::INFINITY, [0.0; 3], self.points, 1);
-        for face in 0..1_usize << self.count {
-            let (mut corners, mut count) = ([point; 4], 1);
-            for corner in 0..self.count {
-                if face & (1 << corner) != 0 {
-                    corners[count.min(3)] = self.points[corner];
-                    count += 1;
-                }
-            }
-            if count > 4 {
-                continue;
-            }
-            if let Some(foot) = foot(&corners[..count]) {
-                let square = dot(&foot, &foot);
-                if square < best.0 {
-                    best = (square, foot, corners, count);
-                }
-            }
+/// The point of a simplex that is nearest to the origin; the simplex becomes the face on which it lies.
+fn shorten(simplex: &mut SmallVec<[Vector; 4]>) -> Vector {
+    let mut best = (f64::INFINITY, 0, simplex[0]);
+    for face in 1..1_usize << simplex.len() {
+        let corners: SmallVec<[Vector; 4]> = (0..simplex.len())
+            .filter(|corner| face & (1 << corner) != 0)
+            .map(|corner| simplex[corner])
+            .collect();
+        let Some(point) = foot(&corners) else {
+            continue;
+        };
+        let square = dot(&point, &point);
+        if square < best.0 {
+            best = (square, face, point);
         }
-        (self.points, self.count) = (best.2, best.3);
-        best.1
     }
+    let mut corner = 0;
+    simplex.retain(|_| {
+        corner += 1;
+        best.1 & (1 << (corner - 1)) != 0
+    });
+    best.2
 }
 
-/// The foot of the perpendicular from the origin on the plane of one to four corners, where it lies between them.
+/// The foot of the perpendicular from the origin on the plane of the corners, where it lies between them.
 fn foot(corners: &[Vector]) -> Option<Vector> {
     let start = corners[0];
-    let n = corners.len() - 1;
-    let mut edges = [[0.0; 3]; 3];
-    let mut right = [0.0; 3];
-    for i in 0..n {
-        edges[i] = std::array::from_fn(|axis| corners[i + 1][axis] - start[axis]);
-        right[i] = -dot(&edges[i], &start);
-    }
+    let edges: SmallVec<[Vector; 3]> = corners[1..]
+        .iter()
+        .map(|x| std::array::from_fn(|axis| x[axis] - start[axis]))
+        .collect();
+    let n = edges.len();
     let g = |i: usize, j: usize| dot(&edges[i], &edges[j]);
+    let right: SmallVec<[f64; 3]> = edges.iter().map(|e| -dot(e, &start)).collect();
     let scale: f64 = (0..n).map(|i| g(i, i)).product();
     let (whole, shares): (f64, [f64; 3]) = match n {
         0 => return Some(start),
         1 => (g(0, 0), [right[0], 0.0, 0.0]),
-        2 => {
-            let (a, b, c) = (g(0, 0), g(0, 1), g(1, 1));
-            let shares = [
-                right[0] * c - right[1] * b,
-                a * right[1] - b * right[0],
+        2 => (
+            g(0, 0) * g(1, 1) - g(0, 1) * g(0, 1),
+            [
+                right[0] * g(1, 1) - right[1] * g(0, 1),
+                g(0, 0) * right[1] - g(0, 1) * right[0],
                 0.0,
-            ];
-            (a * c - b * b, shares)
-        }
+            ],
+        ),
         _ => {
             let column = |j: usize| -> Vector { std::array::from_fn(|i| g(i, j)) };
             let all = [column(0), column(1), column(2)];
+            let known: Vector = [right[0], right[1], right[2]];
             let with = |place: usize| {
                 let mut columns = all;
-                columns[place] = right;
+                columns[place] = known;
                 determinant(&columns)
             };
             (determinant(&all), [with(0), with(1), with(2)])
@@ -179,7 +160,7 @@ fn foot(corners: &[Vector]) -> Option<Vector> {
     let inside = shares[..n].iter().all(|s| *s >= 0.0) && shares[..n].iter().sum::<f64>() <= whole;
     inside.then(|| {
         let mut point = start;
-        for (edge, share) in edges[..n].iter().zip(shares) {
+        for (edge, share) in edges.iter().zip(shares) {
             for axis in 0..3 {
                 point[axis] += share / whole * edge[axis];
             }

@@ -21,9 +21,6 @@ const SMALLEST_GRADIENT: f64 = 0.02;
 /// Distance of two unit normals up to which the gradients of two bodies are opposite: an angle of three degrees.
 const OPPOSITE: f64 = 0.05;
 
-/// Cells along each axis from a node to the farthest particle of its cloud.
-const CLOUD: f64 = 1.2;
-
 /// First lane of the mass gradient in the second line of a node.
 const GRADIENT: usize = 4;
 /// Lane of the second line that marks nodes at which particles are looked for: the number of a probe, or that of a cloud
@@ -208,13 +205,6 @@ impl Search<'_> {
         }
     }
 
-    /// Whether a particle that is off a node by `d` \[m\] belongs to a cloud: with three nodes per axis, farther ones weigh next
-    /// to nothing there.
-    fn near(&self, d: &Vector) -> bool {
-        let cell = &self.shape.cell;
-        self.stencil > 3 || (0..self.shape.axes).all(|k| d[k].abs() <= CLOUD * cell[k])
-    }
-
     /// Shows a particle to the probes and clouds at the nodes of its stencil that lie between `low` and `high`.
     fn show(
         &self,
@@ -248,7 +238,7 @@ impl Search<'_> {
                         let d = std::array::from_fn(|a| x[a] - node[a]);
                         if mark > 0.0 {
                             probes[mark as usize - 1].see(&d, radius);
-                        } else if self.near(&d) {
+                        } else {
                             clouds[(-mark) as usize - 1].points[side].push(d);
                         }
                     }

@@ -109,15 +109,9 @@ fn decide(
     let sum: f64 = (0..3).map(|k| (ends[0][k] + ends[1][k]).powi(2)).sum();
     // Opposite normals have no mean, and none of them goes before the other.
     let cancel = pair.normal == ContactNormal::Collinear && sum < 1e-12;
-    let margin = if cancel {
-        f64::NEG_INFINITY
-    } else {
-        cloud.margin(&own)
-    };
-    // Hulls are no farther apart than any way from one to the other, so that the search can end early.
-    if let Some(way) = cloud.way(&own, margin / LEAST_MARGIN) {
+    if let Some(way) = cloud.way(&own) {
         let size = surface::length(&way);
-        if margin >= LEAST_MARGIN * (1.0 - WIDER) * size {
+        if !cancel && cloud.margin(&own) >= LEAST_MARGIN * size {
             return (own, gap(&own));
         }
         let normal = way.map(|c| c / size);
