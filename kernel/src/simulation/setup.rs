@@ -42,7 +42,12 @@ impl Simulation {
         };
         let plan = super::start::plan(scene, demands);
         let lanes = Selected::new(options.lanes).map_err(SetupError::Lanes)?;
-        let shape = GridShape::new(&scene.mesh, scene.dimension);
+        let densities = scene
+            .bodies
+            .iter()
+            .map(|body| scene.materials[body.material].density);
+        let lightest = densities.fold(f64::INFINITY, f64::min);
+        let shape = GridShape::new(&scene.mesh, scene.dimension).with_density(lightest);
         let mut memory = options.memory.unwrap_or_else(Memory::of_machine);
         let bases: u128 = shape.bases().iter().map(|&n| n as u128).product();
         if bases > u128::from(u32::MAX) {

@@ -8,6 +8,7 @@ mod conditions;
 mod conservation;
 mod contact;
 mod contact_bits;
+mod ends;
 mod far_origin;
 mod histories;
 mod interactions;
