@@ -7,7 +7,7 @@ use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::mortar::pair::{
-    Ahead, Along, PairForces, PairLaw, Slip, Surfaces, contact_forces, resultant,
+    Ahead, PairForces, PairLaw, Slip, Surfaces, contact_forces, resultant,
 };
 use proctor_kernel::mortar::points::{Detection, Search};
 use proctor_kernel::scene::Shape;
@@ -29,7 +29,6 @@ fn law(detection: Detection, mu: f64) -> PairLaw {
             reach: 0.3,
             depth: 0.2,
         },
-        along: Along::Slave,
     }
 }
 

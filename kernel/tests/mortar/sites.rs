@@ -3,7 +3,7 @@
 use crate::support::{at_rest, chain, floor, point};
 use proctor_kernel::mortar::boundary::{Boundary, Side};
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
-use proctor_kernel::mortar::pair::{Along, PairLaw, Slip, Surfaces, contact_forces};
+use proctor_kernel::mortar::pair::{PairLaw, Slip, Surfaces, contact_forces};
 use proctor_kernel::mortar::points::{Detection, Search};
 use proctor_kernel::mortar::sites::Sites;
 
@@ -100,7 +100,6 @@ fn a_block_keeps_to_the_cone_of_the_line_below_it() {
                     reach: 0.7,
                     depth: 0.7,
                 },
-                along: Along::Slave,
             };
             let surfaces = Surfaces {
                 slave,

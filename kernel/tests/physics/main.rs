@@ -27,7 +27,6 @@ mod limits;
 mod loads;
 mod mortar;
 mod mortar_drift;
-mod mortar_friction;
 mod mortar_limits;
 mod mortar_space;
 mod moving_base;

@@ -26,9 +26,6 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
     /// Outward unit normals of the sites, means of those of their elements (eq. 41), into a list that is used again.
     fn normals_to(&self, normals: &mut Vec<PointIn<D>>);
 
-    /// Unit normal of an element to either side, by its vertices in any order.
-    fn across(&self, vertices: &[usize; D]) -> PointIn<D>;
-
     /// Unit vectors at a site at right angles to its normal and to each other. They turn with the boundary, so that
     /// numbers kept along them do too.
     fn tangents(&self, site: usize, normal: &PointIn<D>) -> [PointIn<D>; T];

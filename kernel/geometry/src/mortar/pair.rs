@@ -18,20 +18,6 @@ pub struct PairLaw {
     pub detection: Detection,
     /// Where the master is looked for.
     pub search: Search,
-    /// Along which normals contact presses.
-    pub along: Along,
-}
-
-/// The normals along which contact presses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Along {
-    /// Those of the slave, means at its sites (eq. 41).
-    #[default]
-    Slave,
-    /// Those of the master, means over the points at which a site faces it. A gap that is measured along the slave's normals
-    /// changes with the motion of the slave along the master's: n_m . dx/(n_m . n_s). A slave whose base is strained presses
-    /// and rubs along its tilted normals otherwise, and is held by less or more than mu N of a flat master.
-    Master,
 }
 
 /// Elastic slip of each site of the slave along its T tangents \[m\], kept from step to step.
@@ -154,8 +140,6 @@ struct Row<const D: usize> {
     moved: PointIn<D>,
     speed: PointIn<D>,
     kick: PointIn<D>,
-    /// Sum of the normals of the master, where contact presses along them.
-    facing: PointIn<D>,
     /// Traction on the slave with the sign turned \[Pa\], and slope of the law \[Pa/m\].
     lambda: PointIn<D>,
     slope: f64,
@@ -170,7 +154,6 @@ impl<const D: usize> Row<D> {
             moved: zero,
             speed: zero,
             kick: zero,
-            facing: zero,
             lambda: zero,
             slope: 0.0,
         }
@@ -249,21 +232,6 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
             row.moved += w * moved;
             row.speed += w * speed;
             row.kick += w * kick;
-        }
-    }
-    if law.along == Along::Master {
-        for (point, _) in found.compared() {
-            let across = master.across(&point.master.map(|(vertex, _)| vertex));
-            for (k, (_, share)) in point.sites.into_iter().zip(point.slave) {
-                // To the side to which the slave looks.
-                let w = (share * point.weight).copysign(across.dot(&normals[k]));
-                rows[k].facing += w * across;
-            }
-        }
-        for (n, row) in normals.iter_mut().zip(&*rows) {
-            if let Some(facing) = row.facing.try_normalize(0.0) {
-                *n = facing;
-            }
         }
     }
 

@@ -47,13 +47,6 @@ impl Elements<2, 1> for Boundary {
         Self::sites(self)
     }
 
-    fn across(&self, [a, b]: &[usize; 2]) -> Point {
-        let edge = self.points[*b] - self.points[*a];
-        Point::new(edge.y, -edge.x)
-            .try_normalize(0.0)
-            .unwrap_or_default()
-    }
-
     fn tangents(&self, _site: usize, normal: &Point) -> [Point; 1] {
         [Point::new(-normal.y, normal.x)]
     }

@@ -3,7 +3,7 @@
 use nalgebra::Rotation3;
 use proctor_kernel::mortar::elements::Elements;
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
-use proctor_kernel::mortar::pair::{Along, PairForces, PairLaw, Slip, Surfaces, contact_forces};
+use proctor_kernel::mortar::pair::{PairForces, PairLaw, Slip, Surfaces, contact_forces};
 use proctor_kernel::mortar::points::{Detection, Search};
 use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::space::facets::Facets;
@@ -70,7 +70,6 @@ pub fn law(detection: Detection, mu: f64) -> PairLaw {
             reach: 0.3,
             depth: 0.2,
         },
-        along: Along::Slave,
     }
 }
 

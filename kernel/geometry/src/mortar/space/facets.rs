@@ -332,14 +332,6 @@ impl Elements<3, 2> for Facets {
         }
     }
 
-    fn across(&self, vertices: &[usize; 3]) -> Point {
-        let [a, b, c] = vertices.map(|v| self.points[v]);
-        (b - a)
-            .cross(&(c - a))
-            .try_normalize(0.0)
-            .unwrap_or_default()
-    }
-
     /// The first points to a neighbour that never changes.
     fn tangents(&self, site: usize, normal: &Point) -> [Point; 2] {
         let vertex = self.sites.vertices()[site];

@@ -4,7 +4,7 @@ use super::surface::{Carrier, Surface};
 use crate::mortar::bound::Closing;
 use crate::mortar::elements::Elements;
 use crate::mortar::law::{FLOOR, Friction, NormalLaw};
-use crate::mortar::pair::{Along, PairForces, PairLaw, Slip, Workspace};
+use crate::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
 use crate::mortar::points::Search;
 use crate::scene::{Enforcement, MortarContact};
 
@@ -58,12 +58,6 @@ pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: u
             search: Search {
                 reach: contact.critical_gap + longest,
                 depth: contact.critical_gap.max(longest),
-            },
-            // The shape of what moves as prescribed is exact; a body's own boundary is strained like that of its partner.
-            along: if rigid(master) {
-                Along::Master
-            } else {
-                Along::Slave
             },
         },
         critical_gap: contact.critical_gap,
