@@ -29,13 +29,7 @@ pub struct GridShape {
     pub cell: [f64; 3],
     /// Nodes along the slow, the middle and the fast direction of storage, ghosts included.
     pub nodes: [usize; 3],
-    /// Mass below which a node counts as reached by round-off alone \[kg\]; zero where none was chosen.
-    pub least_mass: f64,
 }
-
-/// Share of the mass of a full cell below which a node is reached by round-off alone: a domain that reaches it by d of a cell
-/// gives it a share of the order of d², and coordinates are not known to 1e-12 of a cell.
-const LEAST_SHARE: f64 = 1e-24;
 
 impl GridShape {
     /// Shape for a mesh.
@@ -52,17 +46,6 @@ impl GridShape {
             cells: mesh.cells,
             cell: mesh.cell,
             nodes,
-            least_mass: 0.0,
-        }
-    }
-
-    /// The same for bodies of this density \[kg/m³\] or more.
-    #[must_use]
-    pub fn with_density(self, density: f64) -> Self {
-        let cell: f64 = self.cell[..self.axes].iter().product();
-        Self {
-            least_mass: LEAST_SHARE * density * cell,
-            ..self
         }
     }
 

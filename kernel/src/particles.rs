@@ -48,7 +48,11 @@ impl ParticleSet {
     #[must_use]
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         (self.layout.components())
-            .find(|(variable, i, _)| variable.component(*i) == name)
+            .find(|(variable, i, _)| match variable.components {
+                // Without a text: a step may ask.
+                1 => variable.name == name,
+                _ => variable.component(*i) == name,
+            })
             .map(|(_, _, column)| self.columns[column].as_slice())
     }
 

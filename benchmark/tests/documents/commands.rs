@@ -243,7 +243,7 @@ fn commands_that_there_are_not_are_found() {
     let desk = desk();
     for line in [
         "proctor frobnicate x",
-        "proctor keys youngs_modulus",
+        "proctor keys frobnication",
         "proctor run column.json --speed 2",
         "proctor verify barr",
         "cargo run --release -- verify --fast",

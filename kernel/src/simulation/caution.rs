@@ -188,6 +188,17 @@ impl Simulation {
         all
     }
 
+    /// Whether a reason that was found earlier still is one: energy that is missing is little beside much that came later.
+    #[must_use]
+    pub fn still_matters(&self, caution: &Caution, energy: &Energy) -> bool {
+        match caution {
+            Caution::Energy { remainder, .. } => {
+                remainder.abs() > MOST_REMAINDER * self.scale_of_energy(energy)
+            }
+            _ => true,
+        }
+    }
+
     fn energy_caution(&self, energy: &Energy, extremes: &Extremes) -> Option<Caution> {
         if !self.knows_all_work() {
             return None;
@@ -215,7 +226,7 @@ impl Simulation {
     }
 
     /// The largest energy that there was to turn over \[J\], and never less than round-off of its parts.
-    pub(super) fn scale_of_energy(&self, energy: &Energy) -> f64 {
+    fn scale_of_energy(&self, energy: &Energy) -> f64 {
         let books = &self.state.books;
         let waves = self
             .state

@@ -56,8 +56,8 @@ impl Simulation {
         all
     }
 
-    /// Notes them.
-    pub(super) fn watch_extremes(&mut self) {
+    /// Notes them in the state, which a checkpoint keeps.
+    pub fn note_extremes(&mut self) {
         self.state.extremes = self.extremes();
     }
 

@@ -11,9 +11,7 @@ use crate::scene::Vector;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
-use crate::weights::{
-    Family, ROUND_OFF, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight,
-};
+use crate::weights::{Family, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight};
 use std::ops::{Deref, Range};
 
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
@@ -225,7 +223,7 @@ impl Deref for NodeWeights {
     }
 }
 
-/// Those of the centre of a particle.
+/// Those of the centre of a particle, of nodes that it reaches by more than round-off.
 pub(super) fn node_weights(
     set: &ParticleSet,
     body: &BodyRun,
@@ -235,14 +233,21 @@ pub(super) fn node_weights(
 ) -> NodeWeights {
     weights_of(set, body, shape, stencil, p, |_, xi, l| {
         let family = body.mapping.family;
-        let weights = if stencil == 3 {
-            let (_, [u, v, w], _) = axis_weights_at::<3>(family, xi, l);
-            [u, v, w, 0.0]
-        } else {
-            axis_weights_at::<4>(family, xi, l).1
-        };
-        reached(weights, round_off_weight(family, l))
+        reached(
+            axis_weights_of(family, stencil, xi, l),
+            round_off_weight(family, l),
+        )
     })
+}
+
+/// Weights along one axis at the nodes of a stencil of three or four.
+fn axis_weights_of(family: Family, stencil: usize, xi: f64, l: f64) -> [f64; 4] {
+    if stencil == 3 {
+        let (_, [u, v, w], _) = axis_weights_at::<3>(family, xi, l);
+        [u, v, w, 0.0]
+    } else {
+        axis_weights_at::<4>(family, xi, l).1
+    }
 }
 
 /// The same where the particle touches something, at the point that is off its centre by `offset` \[m\]; `half` is half of the
@@ -261,7 +266,9 @@ pub(super) fn node_weights_touching(
     [offset, half]: [&Vector; 2],
 ) -> NodeWeights {
     if body.mapping.family == Family::Hat {
-        return node_weights(set, body, shape, stencil, p);
+        return weights_of(set, body, shape, stencil, p, |_, xi, l| {
+            axis_weights_of(Family::Hat, stencil, xi, l)
+        });
     }
     weights_of(set, body, shape, stencil, p, |axis, xi, l| {
         let cells = |length: &Vector| length[axis] * body.mapping.inverse_cell[axis];
@@ -275,7 +282,7 @@ pub(super) fn node_weights_touching(
             for n in 0..stencil {
                 weights[n] = mean_of_hat(at - n as f64, l - off.abs());
             }
-            return reached(weights, ROUND_OFF);
+            return weights;
         }
         let share = 1.0 / parts as f64;
         let l_part = l * share;
@@ -288,7 +295,7 @@ pub(super) fn node_weights_touching(
                 weights[n] += share * mean_of_hat(place - n as f64, l_part - off.abs());
             }
         }
-        reached(weights, ROUND_OFF)
+        weights
     })
 }
 

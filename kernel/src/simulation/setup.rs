@@ -3,7 +3,6 @@
 use super::clock::length;
 use super::error::SetupError;
 use super::fields::Grid;
-use super::tension::TensionWatch;
 use super::work::Work;
 use super::{
     BaseVelocity, BodyRun, Decided, Displacement, InitialState, MOST_VOLUME_RATIO, Options,
@@ -42,12 +41,7 @@ impl Simulation {
         };
         let plan = super::start::plan(scene, demands);
         let lanes = Selected::new(options.lanes).map_err(SetupError::Lanes)?;
-        let densities = scene
-            .bodies
-            .iter()
-            .map(|body| scene.materials[body.material].density);
-        let lightest = densities.fold(f64::INFINITY, f64::min);
-        let shape = GridShape::new(&scene.mesh, scene.dimension).with_density(lightest);
+        let shape = GridShape::new(&scene.mesh, scene.dimension);
         let mut memory = options.memory.unwrap_or_else(Memory::of_machine);
         let bases: u128 = shape.bases().iter().map(|&n| n as u128).product();
         if bases > u128::from(u32::MAX) {
@@ -122,7 +116,6 @@ impl Simulation {
         for set in &mut simulation.state.sets {
             set.sort_by_position(&simulation.work.grid.team);
         }
-        simulation.work.tension = TensionWatch::new(scene, &simulation.state.sets);
         simulation.sort_if_stale(&mut |_| ());
         simulation.require_carried()?;
         for one in simulation.interactions() {

@@ -242,7 +242,6 @@ impl Simulation {
             self.stop_motion();
         }
         self.watch(info, way)?;
-        self.watch_tension(info)?;
         ended(Phase::Finish);
         Ok(*info)
     }

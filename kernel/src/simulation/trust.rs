@@ -155,7 +155,7 @@ impl Simulation {
         self.doubt(info, Reason::Increment, increment, MOST_INCREMENT);
         self.watch_volumes(info, increment);
         if Self::looks_after(info.step) {
-            self.watch_extremes();
+            self.note_extremes();
             if self.knows_all_work() {
                 self.watch_energy(info);
             }

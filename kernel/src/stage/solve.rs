@@ -215,18 +215,13 @@ impl Planes<'_> {
         }
     }
 
-    /// A node that a domain touches by round-off alone has nothing: with a mass of d² and a force of d it would have a velocity
-    /// of 1/d, and particles a strain that does not go to zero with d.
     fn divide_by_mass<const D: usize>(&mut self) {
-        let least = self.shape.least_mass;
         self.for_rows(|row| {
             for node in row {
-                if node[0] > least {
+                if node[0] > 0.0 {
                     for c in 1..=D {
                         node[c] /= node[0];
                     }
-                } else if node[0] != 0.0 {
-                    *node = [0.0; 8];
                 }
             }
         });

@@ -37,8 +37,8 @@ fn pushed(
     )];
     scene.bodies[0].velocity = [SPEED, 0.0, 0.0];
     scene.tractions = vec![Traction {
-        p1: [0.4, 0.1, z[0]],
-        p2: [0.4, 0.3, z[1]],
+        p1: [face, 0.1, z[0]],
+        p2: [face, 0.3, z[1]],
         traction: [TRACTION, 0.0, 0.0].into(),
     }];
     scene

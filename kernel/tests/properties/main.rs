@@ -8,7 +8,6 @@ mod conditions;
 mod conservation;
 mod contact;
 mod contact_bits;
-mod ends;
 mod far_origin;
 mod histories;
 mod interactions;

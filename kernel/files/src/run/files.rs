@@ -97,6 +97,7 @@ impl Files {
         let wanted =
             history.is_some_and(|history| history.last_time().is_none_or(|last| last < time));
         let row = wanted.then(|| self.row(simulation));
+        simulation.note_extremes();
         let simulation = &*simulation;
         if let Some(series) = &mut self.series
             && series.last_time().is_none_or(|last| last < time)

@@ -178,6 +178,7 @@ impl Run {
         let simulation = &self.simulation;
         let earlier = self.files.as_ref().map(Files::cautions);
         let mut cautions = earlier.unwrap_or_default().to_vec();
+        cautions.retain(|caution| simulation.still_matters(caution, &energy));
         files::worst(&mut cautions, simulation.cautions(&energy));
         let warning = |caution: &Caution| Warning {
             kind: caution.word().to_owned(),

@@ -66,9 +66,8 @@ pub static ROWS: &[Extreme] = &[
 ];
 
 /// Why particles come nearer to a surface than a penalty should let them.
-const STRAINED: &str = "a surface holds the face of a particle, and the half of it behind the face is strained: behind the first \
-             wave by v/c_P = 0.05/1.16, so that the centre comes nearer by 0.25 x 0.043 = 0.011 of a cell at least, whatever the \
-             penalty, which acts where contact gives no impulse; the row measures with a half that keeps its length";
+const STRAINED: &str = "a surface holds the face of a particle, so that its centre comes nearer by what the half of it between them is \
+             strained, a fortieth of a cell here; the penalty acts where contact gives no impulse";
 
 /// Stiffness of contact over that of a cell.
 const RATIOS: [f64; 2] = [1e2, 1e4];

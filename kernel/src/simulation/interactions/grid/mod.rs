@@ -14,7 +14,7 @@ use crate::contact::overlap::overlap;
 use crate::contact::{Pair, broad};
 use crate::memory::Memory;
 use crate::plan::Words;
-use crate::scene::{Contact, ContactNormal, Scene, Shape, Vector};
+use crate::scene::{Contact, ContactNormal, Scene, Shape, StressScheme, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use crate::simulation::event::{Event, EventKind};
@@ -325,9 +325,12 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
     }
 }
 
-/// Whether a body is driven and its shape known, so that this shape acts on its partners.
+/// Whether a body is driven and its shape known, so that this shape acts on its partners. With USF, whose strain is that of
+/// velocities at the new positions, the nodes of the body do: a block that a shape carries loses energy there.
 pub(super) fn acts_by_shape(scene: &Scene, bodies: &[BodyRun], body: usize) -> bool {
-    bodies[body].keeps_shape && !matches!(scene.bodies[body].shape, Shape::Particles(_))
+    scene.scheme != StressScheme::Usf
+        && bodies[body].keeps_shape
+        && !matches!(scene.bodies[body].shape, Shape::Particles(_))
 }
 
 impl Simulation {
