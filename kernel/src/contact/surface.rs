@@ -5,7 +5,6 @@
 //! from the body outward. At a wall the body goes on as its mirror image, as its mass does.
 
 use super::interface::Interface;
-use super::separation::Cloud;
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -18,13 +17,9 @@ use std::ops::Range;
 /// the particles leaves. Half a cell below a surface it is about 0.5, one cell below it 0.
 const SMALLEST_GRADIENT: f64 = 0.02;
 
-/// Distance of two unit normals up to which the gradients of two bodies are opposite: an angle of three degrees.
-const OPPOSITE: f64 = 0.05;
-
 /// First lane of the mass gradient in the second line of a node.
 const GRADIENT: usize = 4;
-/// Lane of the second line that marks nodes at which particles are looked for: the number of a probe, or that of a cloud
-/// with the sign turned, both from one.
+/// Lane of the second line that marks nodes whose distance is looked for.
 const MARK: usize = 7;
 
 /// Folds mass gradients on ghost nodes onto their mirror nodes; on a plane the gradient along its normal cancels
@@ -63,52 +58,33 @@ impl Side<'_> {
     }
 }
 
-/// Normal of a pair at a node, as mass gradients have it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gradients {
-    /// Unit normal from master to slave.
-    pub normal: Vector,
-    /// Whether the gradients of both bodies are opposite: at a free corner, an edge or the end of a wall one of them
-    /// turns.
-    pub opposite: bool,
-}
-
-/// Normal of a pair at a node from mass gradients. `None` where neither body has one.
+/// Unit normal of a pair at a node, from master to slave. `None` where neither body has one.
 #[must_use]
 pub fn normal(
     kind: ContactNormal,
     master: &Side<'_>,
     slave: &Side<'_>,
     cell: &Vector,
-) -> Option<Gradients> {
+) -> Option<Vector> {
     let of_master = master.normal(cell);
     let of_slave = slave.normal(cell).map(|n| n.map(|c| -c));
-    let (Some(m), Some(s)) = (of_master, of_slave) else {
-        let normal = of_master.or(of_slave)?;
-        return Some(Gradients {
-            normal,
-            opposite: false,
-        });
-    };
-    let normal = match kind {
-        ContactNormal::Master => m,
-        ContactNormal::Slave => s,
-        ContactNormal::Collinear => {
-            let sum: Vector = std::array::from_fn(|axis| m[axis] + s[axis]);
-            let size = length(&sum);
-            // Equal outward normals, of two bodies on the same side of the node, have no mean.
-            if size > 1e-6 {
-                sum.map(|c| c / size)
-            } else {
-                m
+    match kind {
+        ContactNormal::Master => of_master.or(of_slave),
+        ContactNormal::Slave => of_slave.or(of_master),
+        ContactNormal::Collinear => match (of_master, of_slave) {
+            (Some(m), Some(s)) => {
+                let sum: Vector = std::array::from_fn(|axis| m[axis] + s[axis]);
+                let size = length(&sum);
+                // Equal outward normals, of two bodies on the same side of the node, have no mean.
+                Some(if size > 1e-6 {
+                    sum.map(|c| c / size)
+                } else {
+                    m
+                })
             }
-        }
-    };
-    let between: f64 = (0..3).map(|axis| (m[axis] - s[axis]).powi(2)).sum();
-    Some(Gradients {
-        normal,
-        opposite: between <= OPPOSITE * OPPOSITE,
-    })
+            (m, s) => m.or(s),
+        },
+    }
 }
 
 /// A node where the reach of the particles of a body along a direction is looked for.
@@ -169,50 +145,43 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds the reach of the particles at the interface of a body at probes, and gathers them in clouds as those of one
-    /// side of their pair; all are at different nodes. `surface` are the second lines of the nodes of the owned planes.
-    pub fn look(
+    /// Finds the reach of the particles at the interface of a body at probes, which are at different nodes. `surface` are the second
+    /// lines of the nodes of the owned planes.
+    pub fn probe(
         &self,
-        (set, interface): (&ParticleSet, &Interface),
+        set: &ParticleSet,
+        interface: &Interface,
         surface: &mut [Line],
         probes: &mut [Probe],
-        (clouds, side): (&mut [Cloud], usize),
     ) {
         let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
-        let mut mark = |node: usize, at: &[usize; 3], mark: f64| {
-            surface[node][MARK] = mark;
-            for k in 0..3 {
-                low[k] = low[k].min(at[k]);
-                high[k] = high[k].max(at[k]);
-            }
-        };
         for (slot, probe) in probes.iter().enumerate() {
-            mark(probe.node, &probe.at, (slot + 1) as f64);
-        }
-        for (slot, cloud) in clouds.iter_mut().enumerate() {
-            mark(cloud.node, &cloud.at, -((slot + 1) as f64));
-            cloud.points[side].clear();
+            surface[probe.node][MARK] = (slot + 1) as f64;
+            for k in 0..3 {
+                low[k] = low[k].min(probe.at[k]);
+                high[k] = high[k].max(probe.at[k]);
+            }
         }
         // A particle may have left its layer by one cell since the last sort, and a layer by which hats are sorted may begin one
         // node before the stencil.
         let first = self.planes.start.saturating_sub(self.stencil + 1);
         for p in interface.in_layers(first..self.planes.end + 1).flatten() {
-            self.show((set, p), [&low, &high], surface, probes, (clouds, side));
+            self.show(set, p, &low, &high, surface, probes);
         }
-        let nodes = probes.iter().map(|probe| probe.node);
-        for node in nodes.chain(clouds.iter().map(|cloud| cloud.node)) {
-            surface[node][MARK] = 0.0;
+        for probe in probes.iter() {
+            surface[probe.node][MARK] = 0.0;
         }
     }
 
-    /// Shows a particle to the probes and clouds at the nodes of its stencil that lie between `low` and `high`.
+    /// Shows a particle to the probes at the nodes of its stencil that lie between `low` and `high`.
     fn show(
         &self,
-        (set, p): (&ParticleSet, usize),
-        [low, high]: [&[usize; 3]; 2],
+        set: &ParticleSet,
+        p: usize,
+        low: &[usize; 3],
+        high: &[usize; 3],
         surface: &[Line],
         probes: &mut [Probe],
-        (clouds, side): (&mut [Cloud], usize),
     ) {
         let shape = self.shape;
         let mut reach: [Range<usize>; 3] = [0..1, 0..1, 0..1];
@@ -227,20 +196,18 @@ impl Search<'_> {
             reach[direction] = range;
         }
         let x = set.position(p);
-        let radius = radius(shape);
+        let radius = (0..shape.axes)
+            .map(|axis| shape.cell[axis])
+            .fold(f64::INFINITY, f64::min);
         for i in reach[0].clone() {
             for j in reach[1].clone() {
                 let row = ((i - self.planes.start) * shape.nodes[1] + j) * shape.nodes[2];
                 for k in reach[2].clone() {
-                    let mark = surface[row + k][MARK];
-                    if mark != 0.0 {
+                    let slot = surface[row + k][MARK] as usize;
+                    if slot > 0 {
+                        let probe = &mut probes[slot - 1];
                         let node = shape.position_of([i, j, k]);
-                        let d = std::array::from_fn(|a| x[a] - node[a]);
-                        if mark > 0.0 {
-                            probes[mark as usize - 1].see(&d, radius);
-                        } else {
-                            clouds[(-mark) as usize - 1].points[side].push(d);
-                        }
+                        probe.see(&std::array::from_fn(|a| x[a] - node[a]), radius);
                     }
                 }
             }
@@ -248,28 +215,6 @@ impl Search<'_> {
     }
 }
 
-/// Radius of the ball that a probe sends along its line \[m\]: the smallest side of a cell.
-fn radius(shape: &GridShape) -> f64 {
-    (0..shape.axes)
-        .map(|axis| shape.cell[axis])
-        .fold(f64::INFINITY, f64::min)
-}
-
-/// Distance of the particles of a cloud along a direction \[m\], as probes measure it.
-#[must_use]
-pub fn distance_in(cloud: &Cloud, direction: &Vector, shape: &GridShape) -> f64 {
-    let reach = |side: usize, sign: f64| {
-        let mut probe = Probe::new(cloud.node, cloud.at, direction.map(|c| sign * c));
-        for d in &cloud.points[side] {
-            probe.see(d, radius(shape));
-        }
-        probe.reach
-    };
-    0.0 - reach(0, 1.0) - reach(1, -1.0)
-}
-
-/// Length of a vector.
-#[must_use]
-pub(crate) fn length(v: &Vector) -> f64 {
+fn length(v: &Vector) -> f64 {
     (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
 }

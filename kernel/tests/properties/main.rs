@@ -19,7 +19,6 @@ mod rehearsal;
 mod round_off;
 mod saved;
 mod scaling;
-mod separation;
 mod slabs;
 mod sorting;
 mod symmetry;

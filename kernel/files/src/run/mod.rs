@@ -20,8 +20,7 @@ mod state;
 pub use error::RunError;
 
 use crate::output::summary::{
-    BoundaryDrift, Energy, Event as SummaryEvent, OVERLAP, Status, VOLUME_RATIO, Warning,
-    YieldingBody,
+    BoundaryDrift, Energy, Event as SummaryEvent, Status, VOLUME_RATIO, Warning, YieldingBody,
 };
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
@@ -300,11 +299,6 @@ fn event(event: &Event) -> SummaryEvent {
             particle: Some(particle.id),
             position: particle.position.to_vec(),
             mass: Some(particle.mass),
-            ..base
-        },
-        EventKind::Overlap { position, .. } => SummaryEvent {
-            kind: OVERLAP.into(),
-            position: position.to_vec(),
             ..base
         },
     }
