@@ -85,7 +85,9 @@ impl<'a> Build<'a> {
             (problem.hint.as_ref()).is_some_and(|hint| hint.contains("`dimension`"))
         };
         let all = self.of_words.iter().map(|i| &self.problems[*i]);
-        all.filter(|problem| !hint_at_dimension(problem)).cloned().collect()
+        all.filter(|problem| !hint_at_dimension(problem))
+            .cloned()
+            .collect()
     }
 
     /// Adds a problem.

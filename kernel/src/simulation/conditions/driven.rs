@@ -54,7 +54,13 @@ impl Condition for DrivenBodies {
         for (index, body) in simulation.decided.bodies.iter().enumerate() {
             if let (Some(motion), false) = (&body.motion, own_field[index]) {
                 let [before, after] = acting.half_steps.map(|t| history_value(motion, t));
-                nodes_of(&sets[index], body, &simulation.work.grid.shape, simulation.state.stencil, &mut nodes);
+                nodes_of(
+                    &sets[index],
+                    body,
+                    &simulation.work.grid.shape,
+                    simulation.state.stencil,
+                    &mut nodes,
+                );
                 if bodies > 0 {
                     driven.retain(|d| nodes.binary_search(&d.node).is_err());
                 }
@@ -100,7 +106,13 @@ impl Simulation {
         let (mesh, gravity) = (&self.decided.scene.mesh, &self.decided.scene.gravity);
         let (mut travel, mut work) = (0.0_f64, 0.0);
         let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
-        for (index, (set, body)) in self.state.sets.iter_mut().zip(&self.decided.bodies).enumerate() {
+        for (index, (set, body)) in self
+            .state
+            .sets
+            .iter_mut()
+            .zip(&self.decided.bodies)
+            .enumerate()
+        {
             let Some(motion) = &body.motion else { continue };
             let v = history_value(motion, half);
             let before = kinetic_energy(set);
@@ -143,7 +155,11 @@ fn nodes_of(
 ) {
     nodes.clear();
     for p in 0..set.len() {
-        nodes.extend(node_weights(set, body, shape, stencil, p).iter().map(|(node, _)| node));
+        nodes.extend(
+            node_weights(set, body, shape, stencil, p)
+                .iter()
+                .map(|(node, _)| node),
+        );
     }
     nodes.sort_unstable();
     nodes.dedup();

@@ -1,4 +1,4 @@
-//! What other programs and books call keys and words of scene files, and what does the same here.
+//! Names of keys and words in other programs and books, each with the key here that does the same.
 
 mod cb_geo;
 mod geomechanics;
@@ -27,7 +27,7 @@ pub fn all_elsewhere() -> impl Iterator<Item = &'static Elsewhere> {
     KEYS.into_iter().flatten().chain(words::ALL)
 }
 
-/// What does here what a word means elsewhere.
+/// Entries of a word of another program.
 #[must_use]
 pub fn elsewhere(word: &str) -> Vec<&'static Elsewhere> {
     all_elsewhere().filter(|other| other.is(word)).collect()

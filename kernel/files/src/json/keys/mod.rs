@@ -36,7 +36,10 @@ pub(super) use self::mesh::{RawEarthquake, RawMesh, RawPlanes};
 
 /// A scene: what is simulated, in SI units.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, expecting = "an object in braces: a scene is an object with keys such as `mesh`, `material` and `body`")]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object in braces: a scene is an object with keys such as `mesh`, `material` and `body`"
+)]
 pub(super) struct RawScene {
     /// Number of dimensions: 3, or 2, plane strain in x-y with vectors of length 2.
     #[schemars(extend("enum" = [2, 3], "default" = 3, "examples" = [2]))]

@@ -143,7 +143,9 @@ impl Faces {
         grid.slabs.iter().map(move |range| {
             let faces = rest.iter_mut().map(|(body, interface, rest)| SlabFace {
                 body: *body,
-                lines: rest.split_off_mut(..range.len() * per_plane).unwrap_or_default(),
+                lines: rest
+                    .split_off_mut(..range.len() * per_plane)
+                    .unwrap_or_default(),
                 interface,
             });
             faces.collect()

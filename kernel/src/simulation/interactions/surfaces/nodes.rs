@@ -1,4 +1,4 @@
-//! What surfaces and driven bodies did, on the whole and at the nodes, for those who look at it from outside.
+//! Forces of rigid surfaces and driven bodies, in sum and at the nodes, for output.
 
 use super::rigid::Rigid;
 use super::{Found, Surfaces};

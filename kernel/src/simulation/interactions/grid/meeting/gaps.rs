@@ -1,9 +1,9 @@
 //! Gaps between the bodies of pairs at the nodes where they meet.
 
 use super::{Bodies, Meetings, PLAUSIBLE};
-use crate::simulation::interactions::grid::faces::SlabFields;
 use crate::contact::surface::{self, Probe, Search, Side};
 use crate::scene::{ContactNormal, Vector};
+use crate::simulation::interactions::grid::faces::SlabFields;
 
 /// A node with the index of its touch and the normal.
 type At = (usize, usize, Vector);
@@ -116,12 +116,7 @@ fn distances(
             continue;
         };
         let face = &mut fields.faces[place];
-        search.probe(
-            &bodies.sets[face.body],
-            face.interface,
-            face.lines,
-            probes,
-        );
+        search.probe(&bodies.sets[face.body], face.interface, face.lines, probes);
         for (distance, probe) in distances.iter_mut().zip(&*probes) {
             *distance -= probe.reach;
         }
