@@ -124,7 +124,9 @@ fn a_traction_left_behind_is_told_and_acts_no_more() {
             gone.cautions(&energy)
         );
         let later = until(&scene, 0.3);
-        assert!((later.center(0).2[0] / speed - 1.0).abs() < 1.0e-9);
+        // The traction would have made it faster by an eighth meanwhile.
+        let faster = later.center(0).2[0] / speed - 1.0;
+        assert!(faster.abs() < 1.0e-3, "{dimension:?}: {faster:e}");
         // It left after a cell: v² = v0² + 2 a h.
         let exact = (SPEED * SPEED + 2.0 * TRACTION / (DENSITY * LENGTH) * CELL).sqrt();
         assert!((speed / exact - 1.0).abs() < 0.01, "{speed} {exact}");

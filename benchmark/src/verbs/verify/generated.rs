@@ -75,7 +75,7 @@ impl Generated<'_> {
             drop(sender);
             for answer in answers {
                 done += 1;
-                progress.at(done as f64 / self.count as f64);
+                progress.at(f64::from(done) / self.count as f64);
                 tally(&mut tallies, &answer);
                 if answer.violates() {
                     violations.push(self.violation(&answer)?);
