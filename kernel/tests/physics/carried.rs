@@ -122,7 +122,7 @@ fn on_other_shapes() {
     let on = |to: f64| {
         refused(&scene(
             Dimension::Two,
-            &[crest.clone()],
+            std::slice::from_ref(&crest),
             [0.2, 0.67, 0.0],
             [to, 0.67, 0.0],
         ))
