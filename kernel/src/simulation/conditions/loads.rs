@@ -53,12 +53,17 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
 }
 
 impl Condition for NodalLoads {
+    /// Loads of nothing act on no node, however light it is.
     fn finds(&self) -> bool {
-        true
+        let acts = |load: &NodeForce| load.force != [0.0; 3];
+        !self.changing.is_empty() || self.steady.iter().any(acts)
     }
 
     /// Those that change, at the middle of the kick; those on nodes that are nearly empty, as the nodes around bear them.
     fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
+        if !self.finds() {
+            return;
+        }
         let masses = Masses::of(simulation);
         let left = self.left(simulation, &masses);
         if self.changing.is_empty() && !left && masses.bear(&self.steady) {
