@@ -329,7 +329,7 @@ fn of_curve(curve: &Curve) -> Value {
     property
 }
 
-/// What laws say of a key: once where all that have it say the same, else each with the types that say so.
+/// Description of a key by its laws: one text where they agree, else one for each type.
 fn said_by_laws(of: impl Fn(&'static Kind) -> Option<String>) -> String {
     let mut all: Vec<(String, Vec<&str>)> = vec![];
     for law in ALL {

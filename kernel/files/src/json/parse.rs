@@ -12,16 +12,16 @@ use super::{MOST_PROBLEMS, message, place, position};
 
 /// Longer texts are read again for fewer of their faults \[bytes\].
 const LONG: usize = 1 << 20;
-/// Faults of such a text that are told.
+/// Most faults of such a text in one message.
 const MOST_OF_LONG: usize = 10;
-/// Longest list of accepted words that is told a second time, in characters.
+/// Longest list of accepted words that a message repeats, in characters.
 const LONGEST_AGAIN: usize = 100;
 
 /// A text that is not raw keys.
 pub(super) struct Unread<T> {
     /// All that is wrong with it; in each the place.
     pub problems: Vec<Problem>,
-    /// What is left of it without that.
+    /// The text without that fault.
     pub rest: Option<T>,
 }
 
@@ -124,10 +124,10 @@ fn whole<T: DeserializeOwned>(
     Ok(raw)
 }
 
-/// What was put in the place of values that cannot be read, so that what follows them is read.
+/// Stand-ins for values that cannot be read, so that the reader goes on behind them.
 #[derive(Default)]
 struct Replaced {
-    /// How often at each path.
+    /// Number of stand-ins at each path.
     tries: BTreeMap<String, usize>,
 }
 
@@ -141,7 +141,7 @@ impl Replaced {
         Tree::Object(vec![]),
     ];
 
-    /// Whether the fault at a path is one of a stand-in.
+    /// True where the fault at a path is that of a stand-in.
     fn contains(&self, path: &[Segment]) -> bool {
         self.tries.contains_key(&name(path))
     }

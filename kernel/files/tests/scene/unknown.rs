@@ -1,4 +1,4 @@
-//! What a file has that a scene has not: unknown keys, values of another type and words of other programs, all at once and
+//! Content of files that no scene has: unknown keys, values of another type and words of other programs, all at once and
 //! each with what does it here.
 
 use std::path::Path;
