@@ -58,18 +58,19 @@ impl Family {
 /// Overlap in cells up to which a domain meets the cells around a node by round-off alone.
 ///
 /// A domain that ends on a node ends an ulp before or behind it, by how its position was rounded: a coordinate of 1e6 m is
-/// good to some 1e-9 cells, and positions are sums over many steps. The node has a weight of 1e-32 then, or none. Where the
-/// weight alone acts this is the same; where being reached decides, as of a node whose velocity a body prescribes, it
-/// is not. This is the one test of where a domain ends: weights on this side of it count as none.
+/// good to some 1e-9 cells, and positions are sums over many steps. With an overlap d the node would have a weight ~ d² and a
+/// gradient ~ d; from the mass m w and the force V sigma g it gets a velocity ~ 1/d, and the particle from it a strain rate
+/// that does not depend on d. So a node that is reached by round-off is not reached: it has no weight and no gradient. This is
+/// the one test of where a domain ends, for all that weighs, prescribes, touches or loads.
 pub const ROUND_OFF: f64 = 1e-8;
 
-/// Largest weight of a node that a domain of half-length `l`, in cells, reaches by round-off alone: that at an overlap of
-/// [`ROUND_OFF`]. Without a half-length the weight grows as the overlap itself.
+/// Largest weight of a node that counts as none: hats have no domain, and their weight grows as the overlap itself. Domains
+/// have no such weights, as [`ROUND_OFF`] is in their function.
 #[must_use]
-pub fn round_off_weight(family: Family, l: f64) -> f64 {
+pub fn round_off_weight(family: Family) -> f64 {
     match family {
         Family::Hat => ROUND_OFF,
-        Family::Gimp => ROUND_OFF * ROUND_OFF / (4.0 * l),
+        Family::Gimp => 0.0,
     }
 }
 
@@ -77,6 +78,12 @@ pub fn round_off_weight(family: Family, l: f64) -> f64 {
 #[must_use]
 pub fn reached<const N: usize>(weights: [f64; N], round_off: f64) -> [f64; N] {
     weights.map(|w| if w > round_off { w } else { 0.0 })
+}
+
+/// Overlap of a domain with the cells around a node, in cells: none where it is round-off.
+#[inline(always)]
+fn overlap<L: Lanes>(reach: L) -> L {
+    L::select(L::splat(ROUND_OFF).lt(reach), reach, L::splat(0.0))
 }
 
 /// Offset of the base: b = floor(xi - `base_offset(N)`).
@@ -180,8 +187,8 @@ pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N]
         let mut w = [zero; N];
         let mut g = [zero; N];
         // As below: 1 - f and f - 2 are exact, l comes last.
-        let lower = (l + (one - f)).max(zero);
-        let upper = (l + (f - two)).max(zero);
+        let lower = overlap(l + (one - f));
+        let upper = overlap(l + (f - two));
         w[0] = lower * lower * quarter;
         w[3] = upper * upper * quarter;
         w[1] = two - f - two * w[0] + w[3];
@@ -196,8 +203,8 @@ pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N]
     // derivatives, which divide them by l, are good for small l too.
     let below = one - f;
     let above = f - one;
-    let lower = (l + below).max(zero);
-    let upper = (l + above).max(zero);
+    let lower = overlap(l + below);
+    let upper = overlap(l + above);
     let inside_lower = l.lt(below);
     let inside_upper = l.lt(above);
     closed::<L, N>(

@@ -235,7 +235,7 @@ pub(super) fn node_weights(
         let family = body.mapping.family;
         reached(
             axis_weights_of(family, stencil, xi, l),
-            round_off_weight(family, l),
+            round_off_weight(family),
         )
     })
 }

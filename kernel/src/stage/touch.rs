@@ -90,6 +90,9 @@ impl Touch {
     /// Whether the surface pushes the particle, and whether friction holds it.
     #[must_use]
     pub fn pushes_and_holds(&self) -> (bool, bool) {
+        if self.floor == f64::NEG_INFINITY {
+            return (true, self.friction == f64::INFINITY);
+        }
         let held = self.friction * self.normal_impulse;
         let tau = dot(&self.tangential_impulse, &self.tangential_impulse);
         (

@@ -79,6 +79,7 @@ proptest! {
         let sets = places.map(|place| body(place, &shape, stencil));
         let pair = Pair {
             by_shape: false,
+            bonded: false,
             id: 1,
             master: 0,
             slave: 1,

@@ -20,7 +20,8 @@ pub static GROUND: Question = Question {
 pub static WALLS: Question = Question {
     name: "walls",
     holds: "ground between smooth walls that are driven bodies carries the weight above each row, with each normal",
-    because: "2 % of the stress at the base, and what half a cell less a particle weighs; two cells at the surface and the base are left out",
+    because: "2 % of the stress at the base, and what half a cell less a particle weighs; two cells at the surface and the base are left out, and as \
+              many as the ground is wide where the walls begin a cell above its base, so that its foot bulges",
     make: walls,
 };
 
@@ -56,11 +57,14 @@ fn walls(dice: &mut Dice) -> Trial {
     let (h, mesh) = (column.h(), column.scene.mesh.clone());
     let (p1, p2) = crowd::corners(&column.scene.bodies[0]);
     let smooth = dice.pick(&crowd::NORMALS);
+    let (wide, height) = ((p2[0] - p1[0]) / h, (p2[1] - p1[1]) / h);
+    let begins = if height > wide + 6.0 {
+        dice.pick(&[0.0, 1.0])
+    } else {
+        0.0
+    };
     for (id, [low, high]) in [(2, [mesh.origin[0], p1[0]]), (3, [p2[0], mesh.upper()[0]])] {
-        let shape = cuboid(
-            [low, p1[1] + h * dice.pick(&[0.0, 1.0]), 0.0],
-            [high, p2[1] + h, 0.0],
-        );
+        let shape = cuboid([low, p1[1] + h * begins, 0.0], [high, p2[1] + h, 0.0]);
         let mut wall = body(format!("wall {id}"), id, shape);
         wall.particles_per_cell = column.scene.bodies[0].particles_per_cell;
         wall.motion = Some(History::from([0.0; 3]));
@@ -89,7 +93,7 @@ fn walls(dice: &mut Dice) -> Trial {
             }
         }
     }
-    judged(dice, column, weight, 2.0, 2.0)
+    judged(dice, column, weight, 2.0, 2.0 + begins * wide)
 }
 
 /// Ground of one material.

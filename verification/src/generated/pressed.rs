@@ -43,6 +43,9 @@ pub static PLATE: Question = Question {
 const ROWS: f64 = 0.02;
 /// Largest error of the rows in the cell beside an interface.
 const BESIDE: f64 = 0.05;
+/// Least height of a driven body \[cells\]. What lies on a lower one feels the plane of the mesh below, with B-splines from one
+/// and a half cells on.
+const LEAST: f64 = 2.0;
 /// Cells below the load in which it is felt as what it is.
 const FELT: f64 = 2.5;
 
@@ -105,7 +108,7 @@ fn contact(dice: &mut Dice) -> Trial {
 fn driven(dice: &mut Dice) -> Trial {
     let dimension = crowd::dimension(dice);
     let mut layers = vec![layer(dice, dimension), layer(dice, dimension)];
-    layers[0].height = 1.0 + dice.place();
+    layers[0].height = LEAST + dice.place();
     layers[1].height += 1.5;
     let mut column = Column::new(dice, dimension, 0.0, &layers, 0);
     column.scene.bodies[0].motion = Some(History::from([0.0; 3]));
@@ -119,7 +122,7 @@ fn driven(dice: &mut Dice) -> Trial {
 fn plate(dice: &mut Dice) -> Trial {
     let dimension = crowd::dimension(dice);
     let mut layers = vec![layer(dice, dimension), layer(dice, dimension)];
-    layers[0].height = 1.0 + dice.place();
+    layers[0].height = LEAST + dice.place();
     layers[1].height += 1.5;
     let free = 2;
     let mut column = Column::new(dice, dimension, 0.0, &layers, free);

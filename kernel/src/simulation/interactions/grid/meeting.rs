@@ -108,7 +108,7 @@ impl Bodies<'_> {
     fn least_mass(&self, owner: Owner) -> f64 {
         let driven = owner.body().filter(|&body| self.prescribed[body].is_some());
         let mass = driven.and_then(|body| self.sets[body].columns[Layout::MASS].first());
-        mass.map_or(0.0, |mass| mass * round_off_weight(self.family, 0.25))
+        mass.map_or(0.0, |mass| mass * round_off_weight(self.family))
     }
 }
 

@@ -3,6 +3,7 @@
 //! - [`faces`]: what is known of the surface of a body at the nodes, and of the particles near it.
 //! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
 
+mod bonds;
 pub(crate) mod faces;
 pub(crate) mod meeting;
 mod on_slab;
@@ -14,7 +15,7 @@ use crate::contact::overlap::overlap;
 use crate::contact::{Pair, broad};
 use crate::memory::Memory;
 use crate::plan::Words;
-use crate::scene::{Contact, ContactNormal, Scene, Shape, StressScheme, Vector};
+use crate::scene::{Contact, ContactNormal, Scene, Shape, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use crate::simulation::fields::Grid;
@@ -68,7 +69,7 @@ pub(crate) struct Met {
 impl State {
     /// Contact on the grid, where a scene has any.
     pub(super) fn of(scene: &Scene, bodies: &[BodyRun], _: &mut Memory) -> Option<Made> {
-        let any = !scene.contacts.is_empty();
+        let any = !scene.contacts.is_empty() || bonds::all(scene, bodies).next().is_some();
         any.then(|| Ok(Box::new(Self::new(scene, bodies)) as _))
     }
 
@@ -106,7 +107,9 @@ impl Interaction for State {
         let bodies = simulation.decided.bodies.iter();
         let half_lengths: Vec<Vector> = bodies.map(|b| b.particle_half_length).collect();
         let origin = simulation.origin();
-        let near = self.pairs.iter().zip(&self.near).filter(|(_, near)| **near);
+        // What is bonded may overlap: no gap between them is a condition.
+        let pairs = self.pairs.iter().zip(&self.near);
+        let near = pairs.filter(|(pair, near)| **near && !pair.bonded);
         let overlapping = near.filter_map(|(pair, _)| {
             let found = overlap(pair, &simulation.state.sets, &half_lengths)?;
             let mut contacts = simulation.decided.scene.contacts.iter();
@@ -176,7 +179,7 @@ impl Interaction for State {
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        for pair in &self.pairs {
+        for pair in self.pairs.iter().filter(|pair| !pair.bonded) {
             let pair = [pair.master, pair.slave];
             let approach = pair
                 .map(|body| simulation.state.found[body].speed_squared.sqrt() * dt)
@@ -241,8 +244,8 @@ impl Interaction for State {
     }
 }
 
-/// The pairs of a scene, in order of the identifiers of their bodies. Two bodies whose motion is prescribed cannot act on
-/// each other.
+/// The pairs of a scene and its bonds, in order of the identifiers of their bodies. Two bodies whose motion is prescribed cannot
+/// act on each other.
 pub(super) fn pairs_of(scene: &Scene, bodies: &[BodyRun]) -> Vec<Pair> {
     let index = |id: i64| bodies.iter().position(|b| b.id == id);
     let mut pairs: Vec<Pair> = scene
@@ -253,6 +256,7 @@ pub(super) fn pairs_of(scene: &Scene, bodies: &[BodyRun]) -> Vec<Pair> {
             let both = bodies[master].motion.is_some() && bodies[slave].motion.is_some();
             (!both).then(|| pair(scene, bodies, contact, master, slave))
         })
+        .chain(bonds::all(scene, bodies))
         .collect();
     pairs.sort_by_key(|pair| {
         let (a, b) = (bodies[pair.master].id, bodies[pair.slave].id);
@@ -280,15 +284,13 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
         by_shape: [master, slave]
             .into_iter()
             .any(|body| acts_by_shape(scene, bodies, body)),
+        bonded: false,
     }
 }
 
-/// Whether a body is driven and its shape known, so that this shape acts on its partners. With USF, whose strain is that of
-/// velocities at the new positions, the nodes of the body do: a block that a shape carries loses energy there.
+/// Whether a body is driven and its shape known, so that this shape acts on its partners.
 pub(super) fn acts_by_shape(scene: &Scene, bodies: &[BodyRun], body: usize) -> bool {
-    scene.scheme != StressScheme::Usf
-        && bodies[body].keeps_shape
-        && !matches!(scene.bodies[body].shape, Shape::Particles(_))
+    bodies[body].keeps_shape && !matches!(scene.bodies[body].shape, Shape::Particles(_))
 }
 
 impl Simulation {

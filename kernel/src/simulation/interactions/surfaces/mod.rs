@@ -396,7 +396,7 @@ impl Simulation {
                 .map(|axis| normal[axis] * relative[axis])
                 .sum::<f64>();
         let threshold = rigid.threshold(self, &normal);
-        if approach > gap.max(0.0) && approach > threshold {
+        if approach > gap.max(0.0) && approach > threshold && !rigid.is_bonded() {
             return Err(self.error(match rigid {
                 Rigid::Surface(surface) => StepErrorKind::TooFastForSurface {
                     particle: self.particle_at(set, p),
@@ -413,7 +413,7 @@ impl Simulation {
                 },
             }));
         }
-        if gap >= threshold {
+        if !rigid.touches(self, gap, &normal) {
             return Ok(None);
         }
         let weights = reached.reach(shape, acting, fields, field, &weights);
@@ -429,7 +429,11 @@ impl Simulation {
             relative,
             gap,
             bound: rigid.bound(gap, nearest.distance, acting.drift),
-            floor: 0.0,
+            floor: if rigid.is_bonded() {
+                f64::NEG_INFINITY
+            } else {
+                0.0
+            },
             penalty,
             friction: rigid.friction(self),
             normal_impulse: 0.0,

@@ -13,6 +13,10 @@ use crate::simulation::interactions::grid::{acts_by_shape, pairs_of};
 use crate::simulation::{BodyRun, Simulation};
 use crate::surface::{Feature, Nearest};
 
+/// Share of the distance of contact within which a bonded body holds particles: three quarters of the half of a particle where
+/// those of both bodies are alike, so that the second row is not held before a third of the strain of the first is lost.
+const HELD: f64 = 0.375;
+
 /// Share of the depth by which a particle that lies with its centre in a driven body moves out of it in a step.
 const OUTWARD: f64 = 0.01;
 
@@ -126,6 +130,9 @@ impl Rigid {
         match self {
             Self::Surface(surface) => scene.surfaces[*surface].friction,
             Self::Driven(driven) => {
+                if driven.pair.bonded {
+                    return f64::INFINITY;
+                }
                 let contact = scene.contacts.iter().find(|c| c.id == driven.pair.id);
                 // Without end a particle would stick that nothing presses.
                 contact.map_or(0.0, |contact| contact.friction.min(f64::MAX))
@@ -141,6 +148,17 @@ impl Rigid {
             }
             Self::Driven(driven) => driven.pair.distance_along(normal),
         }
+    }
+
+    /// Whether a particle with a gap along a normal touches.
+    pub(super) fn touches(&self, simulation: &Simulation, gap: f64, normal: &Vector) -> bool {
+        let share = if self.is_bonded() { HELD } else { 1.0 };
+        gap < share * self.threshold(simulation, normal)
+    }
+
+    /// Whether it is a driven body that holds what touches it.
+    pub(super) fn is_bonded(&self) -> bool {
+        matches!(self, Self::Driven(driven) if driven.pair.bonded)
     }
 
     /// The largest of them along any normal \[m\].
@@ -164,6 +182,7 @@ impl Rigid {
     /// Smallest normal velocity of a touching point over the surface \[m/s\], over a step of length `dt` \[s\].
     pub(super) fn bound(&self, gap: f64, distance: f64, dt: f64) -> f64 {
         match self {
+            Self::Driven(driven) if driven.pair.bonded => 0.0,
             Self::Driven(_) if distance < 0.0 => -OUTWARD * distance / dt,
             _ => -gap.max(0.0) / dt,
         }
