@@ -284,6 +284,11 @@ pub(super) fn node_weights_touching(
             }
             return weights;
         }
+        if (ratio - parts as f64).abs() > WHOLE {
+            let [a, b, c] =
+                spline_touching(xi - base_node(xi, stencil), cells(half), cells(offset));
+            return [a, b, c, 0.0];
+        }
         let share = 1.0 / parts as f64;
         let l_part = l * share;
         let off = cells(offset).clamp(-l_part, l_part);
@@ -297,6 +302,34 @@ pub(super) fn node_weights_touching(
         }
         weights
     })
+}
+
+/// How far a B-spline over a particle is from a whole number of its lengths that counts as one.
+const WHOLE: f64 = 1e-9;
+
+/// Weights along an axis of a particle with a B-spline, `f` cells from its base node and of half-length `half`, at the point that
+/// is off its centre by `offset`, where the B-spline is no whole number of particles long.
+///
+/// At a face they are those at which rows of such particles under one stress end. Of the three nodes that beyond the face is
+/// reached by the first rows alone and has the sum of V grad `S_Ip` over them; the two others follow, as the weights sum to
+/// one and their mean place is the face. Between centre and face both are mixed.
+fn spline_touching(f: f64, half: f64, offset: f64) -> [f64; 3] {
+    let (_, centre, _) = axis_weights_at::<3>(Family::Gimp, f, 0.5);
+    let share = (offset.abs() / half).min(1.0);
+    // From the node beyond the face.
+    let from = if offset < 0.0 { f } else { 2.0 - f };
+    let mut beyond = 0.0;
+    let mut left = 1.5 - from;
+    while left > 0.0 {
+        beyond += 2.0 * half * left;
+        left -= 2.0 * half;
+    }
+    let face = from - half;
+    let mut at_face = [beyond, 2.0 - face - 2.0 * beyond, face - 1.0 + beyond];
+    if offset > 0.0 {
+        at_face.reverse();
+    }
+    std::array::from_fn(|n| (1.0 - share) * centre[n] + share * at_face[n])
 }
 
 /// Products of the weights along the axes, which `along` gives for an axis, the position of the particle and the half-length
