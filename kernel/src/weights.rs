@@ -205,13 +205,13 @@ pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N]
     let above = f - one;
     let lower = overlap(l + below);
     let upper = overlap(l + above);
-    let inside_lower = l.lt(below);
-    let inside_upper = l.lt(above);
+    // A domain that does not reach the cells on one side of the middle node is linear on the other.
+    let on_both = [zero.lt(upper), zero.lt(lower)];
     closed::<L, N>(
-        L::select(inside_lower, below, lower * lower * quarter),
-        L::select(inside_upper, above, upper * upper * quarter),
-        L::select(inside_lower, -one, -(two * lower * quarter)),
-        L::select(inside_upper, one, two * upper * quarter),
+        L::select(on_both[0], lower * lower * quarter, below),
+        L::select(on_both[1], upper * upper * quarter, above),
+        L::select(on_both[0], -(two * lower * quarter), -one),
+        L::select(on_both[1], two * upper * quarter, one),
     )
 }
 

@@ -27,6 +27,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(sides::held_by_sides(scene));
     all.extend(sides::carried_by_sides(scene));
     all.extend(beside::stiff_beside_soft(scene));
+    all.extend(beside::inside_cells(scene));
     all.extend(strain::large_strain(scene));
     all.extend(super::tension::warnings(scene));
     for material in &scene.materials {

@@ -1,4 +1,4 @@
-//! Driven bodies in contact act where their shape is, wherever that lies against the mesh.
+//! Driven bodies act where their shape is, in contact or bonded, wherever that lies against the mesh.
 
 use crate::common::{
     APIC, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
@@ -31,7 +31,7 @@ fn pressed(
     dimension: Dimension,
     weighting: Weighting,
     scheme: StressScheme,
-    theta: f64,
+    (theta, contact): (f64, bool),
 ) -> (Vec<f64>, f64) {
     let flat = dimension == Dimension::Two;
     let depth = if flat { 0.0 } else { H };
@@ -49,7 +49,9 @@ fn pressed(
     for body in &mut scene.bodies {
         body.particles_per_cell = if flat { [2, 2, 1] } else { [2; 3] };
     }
-    scene.contacts = vec![pair(1, 1, 2, 0.0)];
+    if contact {
+        scene.contacts = vec![pair(1, 1, 2, 0.0)];
+    }
     let area = if flat { H } else { H * H };
     scene.box_loads = vec![BoxLoad {
         p1: [0.0, top - H, 0.0],
@@ -99,10 +101,14 @@ fn a_block_on_a_plate_has_one_stress_wherever_the_face_lies() {
     ];
     for dimension in [Dimension::Two, Dimension::Three] {
         for weighting in weightings {
-            for scheme in [StressScheme::Usl, StressScheme::Musl] {
-                for theta in [0.0, 0.01, 0.1, 0.37, 0.5, 0.62, 0.8, 0.99] {
-                    let (stress, down) = pressed(dimension, weighting, scheme, theta);
-                    let which = format!("{dimension:?} {weighting:?} {scheme:?} {theta}");
+            for scheme in SCHEMES {
+                // Without a contact the plate holds the block.
+                let bonded = [0.0, 0.37, 0.8].map(|theta| (theta, false));
+                let touching =
+                    [0.0, 0.01, 0.1, 0.37, 0.5, 0.62, 0.8, 0.99].map(|theta| (theta, true));
+                for place in bonded.into_iter().chain(touching) {
+                    let (stress, down) = pressed(dimension, weighting, scheme, place);
+                    let which = format!("{dimension:?} {weighting:?} {scheme:?} {place:?}");
                     println!("{which}: {down:.4}, {stress:.3?}");
                     let off = stress.iter().map(|s| (s - 1.0).abs()).fold(0.0, f64::max);
                     assert!(off < 0.05, "{which}: {stress:.3?}");
@@ -262,5 +268,43 @@ fn friction_on_a_driven_face() {
             (speed - exact).abs() < 0.02,
             "{scheme:?}: {speed} of {exact}"
         );
+    }
+}
+
+/// A bar that is bonded to a driven grip and pulled by its other end: one stress in tension, wherever the grip ends.
+#[test]
+fn a_grip_holds_a_bar_in_tension() {
+    for weighting in [Weighting::UniformGimp, Weighting::QuadraticBSpline] {
+        for theta in [0.0, 0.3, 0.7] {
+            let face = (2.0 + theta) * H;
+            let mut scene = empty(Dimension::Two, [1, 16, 1], H);
+            scene.weighting = weighting;
+            scene.transfer = APIC;
+            scene.damping = Damping::Viscous { alpha: 0.05 };
+            scene.materials = vec![material(elastic(YOUNG, 0.0))];
+            let mut grip = body(1, cuboid([0.0; 3], [H, face, 0.0]));
+            grip.motion = Some(moves([0.0; 3]));
+            let top = face + CELLS * H;
+            scene.bodies = vec![grip, body(2, cuboid([0.0, face, 0.0], [H, top, 0.0]))];
+            for body in &mut scene.bodies {
+                body.particles_per_cell = [2, 2, 1];
+            }
+            scene.box_loads = vec![BoxLoad {
+                p1: [0.0, top - H, 0.0],
+                p2: [H, top, 0.0],
+                force: [0.0, PRESSURE * H, 0.0],
+            }];
+            let mut simulation = simulation(&scene);
+            while simulation.time() < 0.8 {
+                simulation.step(NEVER).expect("a step");
+            }
+            let set = &simulation.sets()[1];
+            for p in 0..set.len() {
+                if simulation.position(1, p)[1] < top - 2.0 * H {
+                    let share = set.stress(p)[1] / PRESSURE;
+                    assert!((share - 1.0).abs() < 0.05, "{weighting:?} {theta}: {share}");
+                }
+            }
+        }
     }
 }

@@ -313,7 +313,8 @@ fn without_augmentation_momentum_is_lost() {
     }
     let mut simulation = simulation(&scene);
     let (before, scale) = (simulation.momentum(), momentum_scale(&simulation));
-    run_until(&mut simulation, 0.12);
+    // Vertices that end on lines of the mesh follow a part of the velocity alone, and soon leave their body.
+    run_until(&mut simulation, 0.03);
     let after = simulation.momentum();
     let lost = (after[0] - before[0]).hypot(after[1] - before[1]) / scale;
     assert!(lost > 1e-6, "{lost}");

@@ -3,7 +3,7 @@
 use crate::common::{NEO_HOOKEAN, body, cuboid, elastic, empty, material, simulation};
 use proctor_kernel::scene::{
     BaseMotion, BoxLoad, Contact, ContactNormal, Dimension, History, InitialStress, Material,
-    Motion, PlaneCondition, Scene, Traction, Vector,
+    Motion, PlaneCondition, Scene, Traction, Vector, Weighting,
 };
 
 const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
@@ -252,4 +252,34 @@ fn a_stiff_body_beside_a_soft_one_is_named() {
         assert!(column(10.0, 0.0, contact));
         assert!(!column(3.0, 0.0, contact) && !column(100.0, 0.25, contact));
     }
+}
+
+/// Contact on the grid is right in the rows beside the interface where both bodies end on a line of the mesh.
+#[test]
+fn an_interface_within_cells_is_named() {
+    let column = |theta: f64, weighting: Weighting, gap: f64| {
+        let mut scene = empty(Dimension::Two, [4, 20, 1], 0.1);
+        scene.weighting = weighting;
+        scene.materials = vec![soft(1.0e6)];
+        let face = (6.0 + theta) * 0.1;
+        scene.bodies = vec![
+            body(1, cuboid([0.0; 3], [0.4, face, 0.0])),
+            body(
+                2,
+                cuboid([0.0, face + gap, 0.0], [0.4, face + gap + 0.5, 0.0]),
+            ),
+        ];
+        scene.contacts = vec![Contact {
+            name: "pair".into(),
+            id: 1,
+            friction: 0.0,
+            master: 1,
+            slave: 2,
+            normal: ContactNormal::Master,
+        }];
+        warns(&scene, &["pair", "beside the interface", "mortar"])
+    };
+    let (gimp, spline) = (Weighting::UniformGimp, Weighting::QuadraticBSpline);
+    assert!(column(0.36, gimp, 0.0) && column(0.0, spline, 0.0));
+    assert!(!column(0.0, gimp, 0.0) && !column(0.36, gimp, 0.25));
 }

@@ -289,3 +289,36 @@ fn the_base_node_is_the_floor() {
         }
     }
 }
+
+/// A node that a domain reaches by round-off alone has neither weight nor gradient, and one that it reaches by more has both;
+/// the others still sum to one and to zero.
+#[test]
+fn what_round_off_reaches_is_not_reached() {
+    for l in [0.1, 0.25, 1.0 / 6.0, 0.5] {
+        for side in [-1.0, 1.0] {
+            for overlap in [
+                0.0,
+                1e-16,
+                1e-12,
+                0.5 * weights::ROUND_OFF,
+                2.0 * weights::ROUND_OFF,
+            ] {
+                // The domain ends beside node 5, and reaches the one a cell beyond by the overlap.
+                let xi = 5.0 + side * (overlap - l);
+                let axis = Axis::at(Family::Gimp, 3, xi, l);
+                let (w, g) = axis.of(5.0 + side);
+                let reached = overlap > weights::ROUND_OFF;
+                assert_eq!(
+                    (w > 0.0, g != 0.0),
+                    (reached, reached),
+                    "{l} {side} {overlap}: {w} {g}"
+                );
+                let sums: [f64; 2] = [axis.w.iter().sum(), axis.g.iter().sum()];
+                assert!(
+                    (sums[0] - 1.0).abs() < 1e-15 && sums[1].abs() < 1e-15,
+                    "{sums:?}"
+                );
+            }
+        }
+    }
+}

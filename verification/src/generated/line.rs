@@ -20,6 +20,7 @@ pub static LINE: Question = Question {
     name: "line",
     holds: "a block that is pressed on a rigid line by mortar contact carries the pressure in every row",
     because: "10 % in the first three rows at the line, 2 % elsewhere, wherever the line lies in its cell",
+    foreseen: None,
     make: line,
 };
 

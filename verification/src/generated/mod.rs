@@ -25,8 +25,9 @@ mod units;
 pub use dice::Dice;
 pub use seen::{Particle, Seen};
 
+use proctor_kernel::plan::Demands;
 use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
+use proctor_kernel::simulation::{Options, plan};
 
 /// All questions; scene `k` of a seed asks the one of number `k` modulo their count.
 pub static QUESTIONS: &[&Question] = &[
@@ -61,6 +62,8 @@ pub struct Question {
     pub holds: &'static str,
     /// The reason for the bound.
     pub because: &'static str,
+    /// Words of the warning with which a plan names scenes in which the property does not hold.
+    pub foreseen: Option<&'static str>,
     /// A scene of the kind.
     pub make: fn(&mut Dice) -> Trial,
 }
@@ -141,16 +144,25 @@ pub struct Answer {
     pub scene: Scene,
     /// Distances, at least one, or the reason why there are none: the scene was refused, or a step failed.
     pub found: Result<Vec<Deviation>, String>,
+    /// Whether the plan of the scene warns that the property may not hold.
+    pub foreseen: bool,
 }
 
 impl Answer {
-    /// True where the property does not hold.
+    /// True where the property does not hold, and no warning said so.
     #[must_use]
     pub fn violates(&self) -> bool {
         match &self.found {
-            Ok(all) => all.is_empty() || all.iter().any(Deviation::violates),
+            Ok(all) => all.is_empty() || (self.deviates() && !self.foreseen),
             Err(_) => true,
         }
+    }
+
+    /// True where a result is beyond its bound, with or without a warning.
+    #[must_use]
+    pub fn deviates(&self) -> bool {
+        let all = self.found.as_ref();
+        all.is_ok_and(|all| all.iter().any(Deviation::violates))
     }
 
     /// The distance nearest to its bound, or furthest beyond it.
@@ -177,11 +189,17 @@ pub fn answer(seed: u64, number: u64) -> Answer {
         run.scene.name = format!("{}-{seed}-{number}", question.name);
     }
     let found = results(&trial.runs).map(|seen| (trial.judge)(&seen));
+    let scene = trial.runs.swap_remove(0).scene;
+    let foreseen = question.foreseen.is_some_and(|words| {
+        let plan = plan(&scene, Demands::default());
+        plan.warnings.iter().any(|warning| warning.contains(words))
+    });
     Answer {
         question,
         number,
-        scene: trial.runs.swap_remove(0).scene,
+        scene,
         found,
+        foreseen,
     }
 }
 

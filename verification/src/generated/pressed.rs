@@ -12,6 +12,7 @@ pub static JOINED: Question = Question {
     name: "joined",
     holds: "joined layers under one pressure carry it in every row",
     because: "2 % of the pressure: a load on rows of particles is felt about two cells below them, which are left out",
+    foreseen: None,
     make: joined,
 };
 
@@ -20,6 +21,7 @@ pub static CONTACT: Question = Question {
     name: "contact",
     holds: "layers in contact under one pressure carry it in every row, with each normal, at any place of their faces",
     because: "5 % in the cell beside an interface, whose nodes both layers reach, 2 % elsewhere",
+    foreseen: Some("beside the interface"),
     make: contact,
 };
 
@@ -28,6 +30,7 @@ pub static DRIVEN: Question = Question {
     name: "driven",
     holds: "a layer that is pressed on a body whose velocity is prescribed carries the pressure in every row",
     because: "5 % in the cell beside the interface, 2 % elsewhere; the driven body acts where it is",
+    foreseen: None,
     make: driven,
 };
 
@@ -36,6 +39,7 @@ pub static PLATE: Question = Question {
     name: "plate",
     holds: "a block with free sides that is pressed on a smooth plate carries the pressure in every row and no other stress",
     because: "5 % in the cell beside the interface, 2 % elsewhere; corners do not turn the normal",
+    foreseen: None,
     make: plate,
 };
 

@@ -36,6 +36,8 @@ pub struct Generated<'a> {
 struct Tally {
     scenes: u64,
     violations: u64,
+    /// Those beyond their bounds of which the plan warns.
+    foreseen: u64,
     /// The largest share of a bound, with its distance, the bound and the scene.
     worst: Option<(f64, String, f64, f64, u64)>,
 }
@@ -183,6 +185,7 @@ fn tally(tallies: &mut [Tally], answer: &Answer) {
     let tally = &mut tallies[index];
     tally.scenes += 1;
     tally.violations += u64::from(answer.violates());
+    tally.foreseen += u64::from(answer.deviates() && answer.foreseen);
     if let Some(worst) = answer.worst() {
         let share = worst.share();
         if tally.worst.as_ref().is_none_or(|known| share > known.0) {
@@ -195,7 +198,7 @@ fn tally(tallies: &mut [Tally], answer: &Answer) {
 fn row(question: &generated::Question, tally: &Tally) -> Value {
     let mut row = json!({
         "question": question.name, "holds": question.holds, "because": question.because,
-        "scenes": tally.scenes, "violations": tally.violations,
+        "scenes": tally.scenes, "violations": tally.violations, "foreseen": tally.foreseen,
     });
     if let Some((_, what, value, bound, number)) = &tally.worst {
         row["largest"] = json!({ "what": what, "value": value, "bound": bound, "number": number });
@@ -230,14 +233,14 @@ fn told(found: &Value, out: &mut dyn Write) -> std::io::Result<()> {
 fn table(tallies: &[Tally], out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(
         out,
-        "{:<10} {:>7} {:>11} {:>10} {:>10}  of what",
-        "question", "scenes", "violations", "largest", "bound"
+        "{:<10} {:>7} {:>11} {:>9} {:>10} {:>10}  of what",
+        "question", "scenes", "violations", "foreseen", "largest", "bound"
     )?;
     for (question, tally) in QUESTIONS.iter().zip(tallies) {
         write!(
             out,
-            "{:<10} {:>7} {:>11}",
-            question.name, tally.scenes, tally.violations
+            "{:<10} {:>7} {:>11} {:>9}",
+            question.name, tally.scenes, tally.violations, tally.foreseen
         )?;
         match &tally.worst {
             Some((_, what, value, bound, number)) => {

@@ -15,7 +15,7 @@ use crate::contact::overlap::overlap;
 use crate::contact::{Pair, broad};
 use crate::memory::Memory;
 use crate::plan::Words;
-use crate::scene::{Contact, ContactNormal, Scene, Shape, Vector};
+use crate::scene::{Contact, ContactNormal, Scene, Shape, StressScheme, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use crate::simulation::fields::Grid;
@@ -167,9 +167,18 @@ impl Interaction for State {
         );
     }
 
-    /// Pairs of two driven bodies do not act, so the pairs may be others now.
+    /// Pairs of two driven bodies do not act, so the pairs may be others now. No shape begins to act: where it was at the start is
+    /// not known.
     fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
+        let before = std::mem::take(&mut self.pairs);
         *self = Self::new(&simulation.decided.scene, &simulation.decided.bodies);
+        for pair in &mut self.pairs {
+            let same = |old: &&Pair| (old.master, old.slave) == (pair.master, pair.slave);
+            pair.by_shape &= before.iter().find(same).is_some_and(|old| old.by_shape);
+        }
+        self.pairs.retain(|pair| pair.by_shape || !pair.bonded);
+        self.near.resize(self.pairs.len(), false);
+        self.forces.resize(self.pairs.len(), [0.0; 3]);
     }
 
     /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
@@ -281,16 +290,24 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
         normal: contact.normal,
         distance,
         corrects_distance: scene.contact_distance != Some(0.0),
-        by_shape: [master, slave]
-            .into_iter()
-            .any(|body| acts_by_shape(scene, bodies, body)),
+        by_shape: acts_by_shape(scene, bodies, [master, slave])
+            || acts_by_shape(scene, bodies, [slave, master]),
         bonded: false,
     }
 }
 
-/// Whether a body is driven and its shape known, so that this shape acts on its partners.
-pub(super) fn acts_by_shape(scene: &Scene, bodies: &[BodyRun], body: usize) -> bool {
-    bodies[body].keeps_shape && !matches!(scene.bodies[body].shape, Shape::Particles(_))
+/// Whether the first body is driven and its shape known, so that this shape acts on the second. With USF, whose strain is that
+/// of velocities at the new positions, a block that a shape pushes loses energy: there it does so only where it stands still
+/// and its nodes would hold a cell that is not its own.
+pub(super) fn acts_by_shape(
+    scene: &Scene,
+    bodies: &[BodyRun],
+    [driven, other]: [usize; 2],
+) -> bool {
+    bodies[driven].keeps_shape
+        && !matches!(scene.bodies[driven].shape, Shape::Particles(_))
+        && (scene.scheme != StressScheme::Usf
+            || bonds::stands_off_lines(scene, bodies, [driven, other]))
 }
 
 impl Simulation {

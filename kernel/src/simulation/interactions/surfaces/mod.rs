@@ -108,14 +108,12 @@ impl Interaction for Surfaces {
         }
     }
 
-    /// A body that is no longer driven acts on its partners at the nodes.
-    fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
-        if simulation.decided.bodies[body].keeps_shape {
-            return;
-        }
+    /// A body that is no longer driven, or moves in another way, may act on its partners at the nodes from now on.
+    fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
+        let now = rigid::all(&simulation.decided.scene, &simulation.decided.bodies);
         let mut place = 0;
         self.rigid.retain(|rigid| {
-            let keep = !matches!(rigid, Rigid::Driven(driven) if driven.body == body);
+            let keep = now.iter().any(|one| one.is_same(rigid));
             if keep {
                 place += 1;
             } else {

@@ -52,7 +52,7 @@ pub(super) fn all(scene: &Scene, bodies: &[BodyRun]) -> Vec<Rigid> {
     let surfaces = (0..scene.surfaces.len()).map(Rigid::Surface);
     let pairs = pairs_of(scene, bodies).into_iter();
     let driven = pairs.filter(|pair| pair.by_shape).map(|pair| {
-        let [body, partner] = if acts_by_shape(scene, bodies, pair.master) {
+        let [body, partner] = if acts_by_shape(scene, bodies, [pair.master, pair.slave]) {
             [pair.master, pair.slave]
         } else {
             [pair.slave, pair.master]
@@ -113,6 +113,17 @@ impl Rigid {
                 way.map_or([0.0; 3], |way| way.mean_velocity(time, acting.drift))
             }
             Self::Driven(driven) => acting.prescribed[driven.body].map_or([0.0; 3], |[_, v]| v),
+        }
+    }
+
+    /// Whether it is the same thing, which pushes the same body.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Surface(one), Self::Surface(two)) => one == two,
+            (Self::Driven(one), Self::Driven(two)) => {
+                (one.body, one.partner) == (two.body, two.partner)
+            }
+            _ => false,
         }
     }
 
