@@ -1,6 +1,7 @@
 //! What a scene may do, but not well.
 
 mod beside;
+mod layer;
 mod places;
 mod sides;
 mod strain;
@@ -28,6 +29,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(sides::carried_by_sides(scene));
     all.extend(beside::stiff_beside_soft(scene));
     all.extend(beside::inside_cells(scene));
+    all.extend(layer::layers_off(scene));
     all.extend(strain::large_strain(scene));
     all.extend(super::tension::warnings(scene));
     for material in &scene.materials {

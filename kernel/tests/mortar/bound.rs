@@ -104,3 +104,24 @@ fn the_vertex_that_is_in_most_of_a_hurry_decides() {
     assert!((found.time_step() - 0.1).abs() < 1e-15);
     assert_eq!(Closing::NONE.time_step(), f64::INFINITY);
 }
+
+/// Weights of a face on a light node: row sums grow as its mass goes to zero, the frequency does not, nor does the second product.
+#[test]
+fn a_light_node_of_a_face_is_no_stiff_one() {
+    for d in [1e-2, 1e-5, 1e-9] {
+        let mut masses = [0.0; 9];
+        (masses[0], masses[1]) = (d * d / 2.0, 0.5);
+        let mut weights = [0.0; 9];
+        (weights[0], weights[1]) = (d, 1.0 - d);
+        let mut nodes = NodalStiffness::default();
+        nodes.add(&NODES, &weights, &masses, 50.0);
+        let of_rows = nodes.frequency();
+        assert!(of_rows >= (2.0 * 50.0 * 2.0 / d).sqrt() * (1.0 - 1e-12));
+        nodes.sharpen(&NODES, &weights, &masses, 50.0);
+        // Of one spring it is the frequency itself, K sum w²/m, with the factor for the other body.
+        let exact = 2.0 * 50.0 * (2.0 + (1.0 - d).powi(2) / 0.5);
+        assert!((nodes.frequency().powi(2) / exact - 1.0).abs() < 1e-12);
+        nodes.clear();
+        assert_eq!(nodes.frequency(), 0.0);
+    }
+}

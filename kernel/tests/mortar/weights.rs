@@ -4,7 +4,7 @@ use crate::common::cases;
 use crate::support::point;
 use proctor_kernel::mortar::weights::Lost;
 use proctor_kernel::weights::Family;
-use proctor_kernel::weights::vertex_weights;
+use proctor_kernel::weights::{face_weights, vertex_weights};
 use proptest::prelude::*;
 
 fn family() -> impl Strategy<Value = (Family, f64)> {
@@ -63,4 +63,57 @@ proptest! {
             }
         }
     }
+}
+
+/// Of a face at y = -d beyond the nodes at 0, behind which a body lies upwards, nodes have the hats; the mass of the row at -1 is
+/// d²/2 of a full cell's. A point that is a little above that end has the weight d all the same.
+#[test]
+fn weights_of_a_face_go_by_how_far_the_body_reaches() {
+    let full = 3.0;
+    for d in [1e-9, 1e-4, 0.02, 0.04_f64] {
+        let (light, heavy) = (full * d * d / 2.0, full * (0.5 + d - d * d / 2.0));
+        let masses = std::array::from_fn(|k| [light, heavy, full][k % 3]);
+        for off in [0.0, (0.3 * d).min(0.009), (-0.8 * d).max(-0.009), 0.009] {
+            // The patch begins at the light row.
+            let at = point(0.8, 1.0 - d + off);
+            let exact = face_weights::<2, 9>(&at, &[(1, 0.0); 2]);
+            assert_eq!(exact.base, [0, 0]);
+            let w = exact.as_reached(&masses, &[full; 2]);
+            let row = |n: usize| (0..3).map(|k| w.weights[3 * k + n]).sum::<f64>();
+            assert!((row(0) - d).abs() < 1e-12, "{d} {off}: {}", row(0));
+            assert!((w.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+            // Along the face nothing changes, and the distance says where the point is.
+            let column: f64 = w.weights[..3].iter().sum();
+            assert!((column - 0.2).abs() < 1e-14);
+            let distance = w.distance(&exact);
+            assert!(
+                (distance - point(0.0, off)).norm() < 1e-12 || off.abs() > 0.5 * d,
+                "{distance}"
+            );
+        }
+    }
+    // A point far off the end is on no face of these particles, and heavy nodes need no help.
+    for (d, off) in [(0.02, 0.05), (0.4, 0.005)] {
+        let masses = std::array::from_fn(|k| [full * d * d / 2.0, full, full][k % 3]);
+        let exact = face_weights::<2, 9>(&point(0.8, 1.0 - d + off), &[(1, 0.0); 2]);
+        assert_eq!(exact.as_reached(&masses, &[full; 2]), exact);
+    }
+}
+
+/// A node takes no more than its mass bears, and what is more goes to the others.
+#[test]
+fn light_nodes_bear_what_their_mass_bears() {
+    let full = 3.0;
+    let mut masses = [full; 9];
+    masses[0] = 1e-8 * full;
+    let exact = face_weights::<2, 9>(&point(0.6, 0.7), &[(1, 0.0); 2]);
+    let others = exact.augmented(&masses).expect("has mass");
+    let w = exact.borne(&masses, 4.0 / full, &others);
+    assert!((w.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+    assert!(w.weights[0] < 2.1e-4 && exact.weights[0] > 0.1);
+    assert!((4.0 * masses[0] / full - w.weights[0].powi(2)).abs() < 1e-9);
+    // Where all nodes bear their weights nothing changes, and the distance is no round-off.
+    let same = exact.borne(&[full; 9], 4.0 / full, &others);
+    assert_eq!(same, exact);
+    assert_eq!(same.distance(&exact), point(0.0, 0.0));
 }

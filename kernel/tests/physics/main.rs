@@ -26,6 +26,7 @@ mod limits;
 mod loads;
 mod mortar;
 mod mortar_drift;
+mod mortar_layer;
 mod mortar_limits;
 mod mortar_space;
 mod moving_base;

@@ -1,9 +1,14 @@
 //! Warnings of a plan: what mechanics says of a scene before it runs.
 
 use crate::common::{NEO_HOOKEAN, body, cuboid, elastic, empty, material, simulation};
+use proctor_kernel::mortar::Point;
+use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
-    BaseMotion, BoxLoad, Contact, ContactNormal, Dimension, History, InitialStress, Material,
-    Motion, PlaneCondition, Scene, Traction, Vector, Weighting,
+    BaseMotion, BodyBoundary, BoxLoad, Contact, ContactNormal, Dimension, Enforcement, History,
+    InitialStress, Material, MortarContact, Motion, PlaneCondition, RigidLine, Scene, Shape,
+    Traction, Vector, Vertices, Weighting,
 };
 
 const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
@@ -282,4 +287,67 @@ fn an_interface_within_cells_is_named() {
     let (gimp, spline) = (Weighting::UniformGimp, Weighting::QuadraticBSpline);
     assert!(column(0.36, gimp, 0.0) && column(0.0, spline, 0.0));
     assert!(!column(0.0, gimp, 0.0) && !column(0.36, gimp, 0.25));
+}
+
+/// A block on a rigid line in mortar contact: ways by which the rows at its face do not carry the pressure.
+#[test]
+fn ways_of_mortar_contact_without_rows_under_pressure_are_named() {
+    let block = |follow: Follow, weighting: Weighting, round: bool| {
+        let mut scene = empty(Dimension::Two, [8, 12, 1], 0.1);
+        scene.weighting = weighting;
+        scene.materials = vec![soft(1.0e6)];
+        let center = [0.4, 0.533, 0.0];
+        let shape = if round {
+            Shape::Sphere {
+                center,
+                radius: 0.3,
+            }
+        } else {
+            cuboid([0.0, 0.233, 0.0], [0.8, 0.833, 0.0])
+        };
+        scene.bodies = vec![body(1, shape)];
+        scene.mortar.boundaries = vec![BodyBoundary {
+            body: 1,
+            vertices: Vertices::Spacing(0.05),
+            follow,
+        }];
+        scene.mortar.lines = vec![RigidLine {
+            name: "line".into(),
+            id: 9,
+            chains: vec![Chain {
+                points: vec![Point::new(0.9, 0.228), Point::new(-0.1, 0.228)],
+                side: Side::Open,
+            }],
+            motion: None,
+        }];
+        scene.mortar.contacts = vec![MortarContact {
+            name: "contact".into(),
+            id: 1,
+            master: 9,
+            slave: 1,
+            friction: 0.0,
+            critical_gap: 0.01,
+            normal_stiffness: 1.0e5,
+            tangential_stiffness: 0.0,
+            enforcement: Enforcement::Barrier,
+            detection: Detection::Mortar,
+        }];
+        scene
+    };
+    let warned = |scene: &Scene, words: &str| warns(scene, &[words, "rows of particles at a face"]);
+    let gimp = Weighting::UniformGimp;
+    let spin = "\"spin\", the default";
+    for follow in [Follow::Velocity, Follow::Spin, Follow::Gradient] {
+        assert!(!warned(&block(follow, gimp, false), ""));
+    }
+    for follow in [Follow::Material, Follow::Unaugmented] {
+        assert!(warned(&block(follow, gimp, false), spin));
+        // Behind a round face no row is at it.
+        assert!(!warned(&block(follow, gimp, true), ""));
+        let mut apart = block(follow, gimp, false);
+        apart.mortar.contacts.clear();
+        assert!(!warned(&apart, ""));
+    }
+    let linear = block(Follow::Spin, Weighting::Linear, false);
+    assert!(warned(&linear, "quadratic_bspline"));
 }

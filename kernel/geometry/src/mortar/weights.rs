@@ -6,6 +6,13 @@ use std::array;
 /// Nodes per axis that a vertex can reach.
 pub const NODES: usize = 3;
 
+/// Weight of a face on a row of nodes beyond it up to which [`VertexWeights::as_reached`] goes by their mass, from half of it
+/// on less and less.
+const LIGHT: f64 = 0.1;
+
+/// Difference of the two up to which it does; a point that is off the body by twice as much is not on a face of its particles.
+const NEAR: f64 = 0.01;
+
 /// Weights of a vertex on a patch of three nodes per axis, N = 3^D in all; node (i, j) of a patch of the plane has the
 /// place 3 i + j, node (i, j, k) in space 9 i + 3 j + k.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,6 +119,77 @@ impl<const D: usize, const N: usize> VertexWeights<D, N> {
             weights: weighted.map(|w| w / sum),
             ..*self
         })
+    }
+
+    /// The same weights, of a point of a face, with those of the light nodes beyond it as the mass says how far the body reaches
+    /// there. A body that ends d beyond a node along an axis gives a row of nodes the mass `full` d²/2, with the mass of a full
+    /// cell times the number of particles that a domain is long [`full`, kg], and its stress the weight d over that number. A
+    /// point that is off that end by much less than a cell has not that weight where d is as small.
+    #[must_use]
+    pub fn as_reached(&self, masses: &[f64; N], full: &[f64; D]) -> Self {
+        let mut all = *self;
+        for axis in 0..D {
+            let stride = NODES.pow((D - 1 - axis) as u32);
+            for end in [0, NODES - 1] {
+                let (mut along, mut mass) = (0.0, 0.0);
+                for k in (0..N).filter(|k| in_patch::<D>(*k)[axis] == 0) {
+                    let row: [f64; NODES] = array::from_fn(|n| all.weights[k + n * stride]);
+                    along += row[end];
+                    mass += row.iter().sum::<f64>() * masses[k + end * stride];
+                }
+                let reached = (2.0 * mass / full[axis]).sqrt();
+                if along >= LIGHT || reached >= LIGHT || along == reached {
+                    continue;
+                }
+                // From the one to the other without a jump.
+                let light = (2.0 * (1.0 - reached / LIGHT)).min(1.0);
+                let near = (2.0 - (reached - along).abs() / NEAR).clamp(0.0, 1.0);
+                let more = light * near * (reached - along);
+                if more == 0.0 {
+                    continue;
+                }
+                for k in (0..N).filter(|k| in_patch::<D>(*k)[axis] == 0) {
+                    let of_row: f64 = (0..NODES).map(|n| all.weights[k + n * stride]).sum();
+                    all.weights[k + end * stride] += more * of_row;
+                    all.weights[k + stride] -= more * of_row;
+                }
+            }
+        }
+        all
+    }
+
+    /// The same weights where the nodes bear them: a node bears a weight w where w² is at most `bears` times its mass \[1/kg\].
+    /// What is more goes to the nodes by the weights of `others`, whose sum is one.
+    #[must_use]
+    pub fn borne(&self, masses: &[f64; N], bears: f64, others: &Self) -> Self {
+        let (mut kept, mut rest) = (*self, 0.0);
+        for k in 0..N {
+            let (w, most) = (self.weights[k], bears * masses[k]);
+            if w * w > most {
+                kept.weights[k] = most.max(0.0).sqrt();
+                rest += w - kept.weights[k];
+            }
+        }
+        if rest > 0.0 {
+            for k in 0..N {
+                kept.weights[k] += rest * others.weights[k];
+            }
+        }
+        kept
+    }
+
+    /// Distance of the vertex from the mean place of the nodes by these weights, in cells, where those of `exact` reproduce
+    /// affine fields; exactly zero where no weight differs from those.
+    #[must_use]
+    pub fn distance(&self, exact: &Self) -> PointIn<D> {
+        let mut off = PointIn::zeros();
+        for k in 0..N {
+            let more = self.weights[k] - exact.weights[k];
+            if more != 0.0 {
+                off += more * self.offset(k);
+            }
+        }
+        off
     }
 
     /// The weights of a particle on nodes with mass alone, for comparison: what empty nodes take is lost, and a vertex

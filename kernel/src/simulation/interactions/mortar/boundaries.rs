@@ -3,23 +3,22 @@
 use super::around::NodeSums;
 use super::mirrors::Mirrors;
 use super::pair::MortarPair;
-use super::tied::stays;
 use super::surface::{
-    Carrier, Patch, Surface, force_at, from_vector, in_scene, nodes_of_patch, velocity_at, velocity_of,
+    Carrier, Patch, Surface, force_at, from_vector, in_scene, velocity_at, velocity_of,
 };
+use super::tied::stays;
+use super::weigh::Weighing;
 use crate::mortar::PointIn;
-use crate::mortar::bound::{Closing, NodalStiffness, allowed_approach};
+use crate::mortar::bound::{Closing, allowed_approach};
 use crate::mortar::broad::Bounds;
 use crate::mortar::elements::Elements;
-use crate::mortar::motion::{Follow, vertex_velocity};
+use crate::mortar::motion::Follow;
 use crate::mortar::pair::{Ahead, Surfaces, contact_forces_to};
-use crate::weights::vertex_weights;
 use crate::scene::Vector;
-use crate::simulation::{Simulation, Way};
 use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
+use crate::simulation::{Simulation, Way};
 use crate::team::{OfItem, Team};
-use nalgebra::SMatrix;
 use std::sync::atomic::{self, AtomicUsize};
 
 /// Boundaries of elements with D vertices whose patches have N nodes and whose vertices T tangents, and their pairs.
@@ -59,6 +58,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             velocity: zeros.clone(),
             kick: zeros.clone(),
             force: zeros,
+            on_face: vec![],
+            pressed: false,
             patches: vec![],
             held: vec![],
             stiffness: vec![],
@@ -135,7 +136,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         Ok(())
     }
 
-    /// Augmented weights of the vertices of all bodies; velocities of all vertices, and by how much they change in a step of
+    /// Weights of the vertices of all bodies; velocities of all vertices, and by how much they change in a step of
     /// `ahead` \[s\] where nothing touches them.
     ///
     /// # Errors
@@ -161,25 +162,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 surface.weigh_tied(index, hosts, kick)?;
                 continue;
             }
-            let Some(field) = hosts.work.grid.own_field(index) else {
+            let Some(weighing) = Weighing::of(hosts, index) else {
                 continue;
             };
-            let lines = field.nodes.lines();
-            let mapping = &hosts.decided.bodies[index].mapping;
-            let half_length = mapping.half_length[..D].iter().copied().fold(0.5, f64::min);
-            let points = surface.boundary.points();
+            let (points, lines) = (surface.boundary.points(), weighing.lines);
             let weigh = |vertex: usize, patch: &mut Patch<D, N>| -> Option<[PointIn<D>; 2]> {
-                let x = &points[vertex];
-                let xi = PointIn::from_fn(|axis, _| x[axis] * mapping.inverse_cell[axis]);
-                let raw = vertex_weights::<D, N>(mapping.family, &xi, half_length);
-                let raw = mirrors.fold(raw);
-                nodes_of_patch::<D, N>(raw.base, shape, &field.rows, lines, patch);
-                patch.weights = if follow == Follow::Unaugmented {
-                    raw.on_mass(&patch.masses)
-                } else {
-                    let masses = mirrors.with_images(raw.base, patch.masses);
-                    raw.augmented(&masses).ok()?
-                };
+                weighing.weigh(&points[vertex], follow, patch).ok()?;
                 // Weights that are not augmented reach nodes of no mass, which nothing but forces moves.
                 let (mut v, mut a) = (PointIn::zeros(), gravity);
                 for k in 0..N {
@@ -201,18 +189,21 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let parts = (surface.patches.chunks_mut(share))
                 .zip(surface.velocity.chunks_mut(share))
                 .zip(surface.kick.chunks_mut(share));
-            team.each(parts.enumerate(), |(part, ((patches, velocities), kicks))| {
-                let vertices = part * share..;
-                let own = patches.iter_mut().zip(velocities).zip(kicks);
-                for (vertex, ((patch, velocity), kick)) in vertices.zip(own) {
-                    match weigh(vertex, patch) {
-                        Some(found) => [*velocity, *kick] = found,
-                        None => {
-                            lost.fetch_min(vertex, atomic::Ordering::Relaxed);
+            team.each(
+                parts.enumerate(),
+                |(part, ((patches, velocities), kicks))| {
+                    let vertices = part * share..;
+                    let own = patches.iter_mut().zip(velocities).zip(kicks);
+                    for (vertex, ((patch, velocity), kick)) in vertices.zip(own) {
+                        match weigh(vertex, patch) {
+                            Some(found) => [*velocity, *kick] = found,
+                            None => {
+                                lost.fetch_min(vertex, atomic::Ordering::Relaxed);
+                            }
                         }
                     }
-                }
-            });
+                },
+            );
             let vertex = lost.into_inner();
             if let Some(x) = surface.boundary.points().get(vertex) {
                 return Err(StepErrorKind::VertexLost {
@@ -321,43 +312,6 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Time step that the stiffness of all contacts allows \[s\]; `nodes` is memory.
-    pub(super) fn time_step(&mut self, nodes: &mut NodalStiffness, hosts: &Simulation) -> f64 {
-        let mut most = f64::INFINITY;
-        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.decided.scene));
-        for (s, surface) in self.surfaces.iter_mut().enumerate() {
-            let field = surface.body().and_then(|index| hosts.work.grid.own_field(index));
-            let tied = surface.tied.as_mut().filter(|_| stays(&surface.carrier));
-            let tied = tied.zip(field);
-            let mut of_vertices = std::mem::take(&mut surface.stiffness);
-            of_vertices.clear();
-            of_vertices.resize(if tied.is_some() { surface.start.len() } else { 0 }, 0.0);
-            nodes.clear();
-            for pair in &self.pairs {
-                for (of, stiffness) in [
-                    (pair.slave, &pair.forces.slave_stiffness),
-                    (pair.master, &pair.forces.master_stiffness),
-                ] {
-                    if of != s {
-                        continue;
-                    }
-                    for (sum, k) in of_vertices.iter_mut().zip(stiffness) {
-                        *sum += k;
-                    }
-                    for (patch, k) in surface.patches.iter().zip(stiffness) {
-                        nodes.add(&patch.nodes, &patch.weights.weights, &patch.masses, *k);
-                    }
-                }
-            }
-            if let Some((tied, field)) = tied {
-                tied.stiffen(nodes, &of_vertices, field.nodes.lines(), shape, &mirrors);
-            }
-            surface.stiffness = of_vertices;
-            most = most.min(nodes.time_step());
-        }
-        most
-    }
-
     /// Number of sites under pressure.
     pub(super) fn under_pressure(&self) -> usize {
         let sites = self.pairs.iter().flat_map(|p| &p.forces.sites);
@@ -396,7 +350,14 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 tied.load(lines, forces, shape, mirrors);
             }
             if let Some(around) = &mut surface.around {
-                around.load(lines, &surface.patches, forces, follow, (shape, mirrors), &grid.team);
+                around.load(
+                    lines,
+                    &surface.patches,
+                    forces,
+                    follow,
+                    (shape, mirrors),
+                    &grid.team,
+                );
             }
         }
     }
@@ -440,25 +401,35 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                         continue;
                     }
                     if let Some(around) = &mut surface.around {
-                        around.find_gradients(lines, *follow, (shape, &mirrors), team, &mut self.sums);
+                        around.find_gradients(
+                            lines,
+                            *follow,
+                            (shape, &mirrors),
+                            team,
+                            &mut self.sums,
+                        );
                     }
                     let around = surface.around.as_ref();
                     let moved = |vertex: usize| {
                         let patch = &surface.patches[vertex];
-                        let velocity = |k: usize| velocity_at(&lines[patch.nodes[k]]);
-                        let gradient = |k: usize| {
-                            let node = patch.nodes[k];
-                            around.map_or_else(SMatrix::zeros, |around| around.gradient_at(node))
-                        };
-                        // What is followed of a gradient is taken already.
-                        let how = Follow::Gradient;
-                        let v = vertex_velocity(&patch.weights, velocity, gradient, how, &cell);
+                        let mut v = patch.velocity(lines);
+                        if let Some(around) = around {
+                            for (node, distance) in patch.carried(&cell) {
+                                v += around.gradient_at(node) * distance;
+                            }
+                        }
                         match &mesh {
                             None => surface.boundary.held(vertex, v) * drift,
                             Some(mesh) => surface.boundary.held(vertex, v * drift - mesh) + mesh,
                         }
                     };
-                    team.fill(0..surface.patches.len(), OfItem::Search, moved, &PointIn::zeros(), &mut surface.moved);
+                    team.fill(
+                        0..surface.patches.len(),
+                        OfItem::Search,
+                        moved,
+                        &PointIn::zeros(),
+                        &mut surface.moved,
+                    );
                 }
             }
             surface.advance(&way.mesh_shift);

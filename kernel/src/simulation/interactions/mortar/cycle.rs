@@ -4,11 +4,11 @@ use super::MortarState;
 use super::mirrors::Mirrors;
 use super::surface::Surface;
 use crate::scene::Scene;
-use crate::simulation::{Simulation, Way};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{BodyList, Interaction, Remembered};
+use crate::simulation::{Simulation, Way};
 
 impl Interaction for MortarState {
     fn boxed(&self) -> Box<dyn Interaction> {
@@ -28,14 +28,20 @@ impl Interaction for MortarState {
         self.space.refuse_untied(&origin)
     }
 
-    /// Ties vertices to their particles before anything has moved.
+    /// Finds faces, and ties vertices to their particles, before anything has moved.
     fn sorted(&mut self, simulation: &Simulation) {
+        self.plane.find_faces(simulation);
+        self.space.find_faces(simulation);
         self.plane.tie(simulation);
         self.space.tie(simulation);
     }
 
     fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
-        self.set_carrier(&simulation.decided.scene, &simulation.decided.bodies[body], body);
+        self.set_carrier(
+            &simulation.decided.scene,
+            &simulation.decided.bodies[body],
+            body,
+        );
     }
 
     fn finds(&self) -> bool {

@@ -8,15 +8,18 @@ mod around;
 mod boundaries;
 mod change;
 mod cycle;
+mod faces;
 mod mirrors;
 mod pair;
 mod reach;
 mod remembered;
 mod setup;
+mod stiffness;
 mod surface;
 mod tied;
 mod ties;
 mod vertices;
+mod weigh;
 mod words;
 
 /// Mortar contact.
@@ -28,11 +31,11 @@ pub(super) const MORTAR: Kind = Kind {
 pub use vertices::{BoundaryVertex, Drift, VertexState};
 
 use super::Kind;
-use crate::simulation::Simulation;
-use crate::simulation::error::StepErrorKind;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;
+use crate::simulation::Simulation;
+use crate::simulation::error::StepErrorKind;
 use boundaries::Boundaries;
 
 /// What mortar contact keeps from step to step. Of the two dimensions one is empty.
@@ -71,6 +74,8 @@ impl MortarState {
         let team = &simulation.work.grid.team;
         self.plane.meet_all(ahead, &origin, team)?;
         self.space.meet_all(ahead, &origin, team)?;
+        self.plane.press(simulation);
+        self.space.press(simulation);
         let nodes = &mut self.stiffness;
         let plane = self.plane.time_step(nodes, simulation);
         self.time_step = plane.min(self.space.time_step(nodes, simulation));

@@ -32,6 +32,14 @@ impl Carrier {
         }
     }
 
+    /// How the vertices of a body follow it; nothing for a prescribed motion.
+    pub(super) fn follow(&self) -> Option<Follow> {
+        match self {
+            Self::Body { follow, .. } => Some(*follow),
+            Self::Prescribed(_) => None,
+        }
+    }
+
     /// Room for the particles around the boundary, where its vertices follow more than velocities.
     pub(super) fn around<const D: usize>(&self) -> Option<Around<D>> {
         match self {
@@ -60,7 +68,11 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(super) kick: Vec<PointIn<D>>,
     /// Contact force on the vertices in this step \[N\].
     pub(super) force: Vec<PointIn<D>>,
-    /// Augmented weights and masses of the patches, for surfaces of bodies.
+    /// Which vertices lie on faces at which rows of particles end at the start; none for what moves as prescribed.
+    pub(super) on_face: Vec<bool>,
+    /// Whether contact presses on one of those in this step.
+    pub(super) pressed: bool,
+    /// Weights and masses of the patches, for surfaces of bodies.
     pub(super) patches: Vec<Patch<D, N>>,
     /// Forces on the vertices without what planes of symmetry bear, and their stiffnesses, while they are used.
     pub(super) held: Vec<PointIn<D>>,
@@ -74,8 +86,10 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
 /// The nodes that a vertex hangs on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Patch<const D: usize, const N: usize> {
-    /// Augmented weights.
+    /// Augmented weights; of a vertex that contact presses on those of the face, where the nodes bear them.
     pub(super) weights: VertexWeights<D, N>,
+    /// With weights of the face, from the mean place of the nodes by them to the vertex \[m\]; zero where all nodes bear them.
+    pub(super) off: Option<PointIn<D>>,
     /// Masses of the nodes \[kg\].
     pub(super) masses: [f64; N],
     /// Their indices.
@@ -86,9 +100,44 @@ impl<const D: usize, const N: usize> Patch<D, N> {
     /// Of no vertex.
     pub(super) const NOWHERE: Self = Self {
         weights: VertexWeights::NOWHERE,
+        off: None,
         masses: [0.0; N],
         nodes: [0; N],
     };
+
+    /// Velocity of the vertex by its weights \[m/s\].
+    #[inline]
+    pub(super) fn velocity(&self, lines: &[Line]) -> PointIn<D> {
+        let mut v = PointIn::zeros();
+        for k in 0..N {
+            let w = self.weights.weights[k];
+            if w != 0.0 {
+                v += w * velocity_at(&lines[self.nodes[k]]);
+            }
+        }
+        v
+    }
+
+    /// Nodes through which the vertex feels how the body turns and stretches, each with the distance that it counts for times its
+    /// share \[m\]. By augmented weights each node carries to the vertex; by those of a face the vertex has a distance from the
+    /// mean place of the nodes, which they share by their mass.
+    pub(super) fn carried(&self, cell: &PointIn<D>) -> impl Iterator<Item = (usize, PointIn<D>)> {
+        let weights = &self.weights.weights;
+        let mass: f64 = match self.off {
+            Some(off) if off != PointIn::<D>::zeros() => {
+                weights.iter().zip(self.masses).map(|(w, m)| w * m).sum()
+            }
+            _ => 0.0,
+        };
+        let of = move |k: usize| match self.off {
+            None => weights[k] * self.weights.offset(k).component_mul(cell),
+            Some(off) => weights[k] * self.masses[k] / mass * off,
+        };
+        let none = self.off.is_some() && mass <= 0.0;
+        let nodes = if none { 0..0 } else { 0..N };
+        let nodes = nodes.filter(|&k| weights[k] > 0.0);
+        nodes.map(move |k| (self.nodes[k], of(k)))
+    }
 }
 
 impl<B, const D: usize, const N: usize> Surface<B, D, N> {

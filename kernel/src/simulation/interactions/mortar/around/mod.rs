@@ -183,10 +183,7 @@ impl<const D: usize> Around<D> {
 
     /// How many particles a thread takes at once.
     fn share_of_thread(&self, team: &Team) -> usize {
-        self.particles
-            .len()
-            .div_ceil(team.count())
-            .max(LEAST_SHARE)
+        self.particles.len().div_ceil(team.count()).max(LEAST_SHARE)
     }
 
     /// The nodes that vertices hang on, and the bases from which particles reach them.
@@ -276,7 +273,11 @@ impl<const D: usize> Around<D> {
         shape: &GridShape,
         team: &Team,
     ) -> impl Iterator<Item = (usize, &'a mut [T])> {
-        let count = self.particles.len().div_ceil(self.share_of_thread(team)).max(1);
+        let count = self
+            .particles
+            .len()
+            .div_ceil(self.share_of_thread(team))
+            .max(1);
         let (all, plane) = (nodes.len(), shape.plane_nodes());
         let (mut first, mut rest) = (0, nodes);
         (1..=count).map(move |part| {
@@ -363,12 +364,10 @@ impl<const D: usize> Around<D> {
             if force.iter().all(|f| *f == 0.0) {
                 continue;
             }
-            for k in 0..N {
-                let w = patch.weights.weights[k];
-                let slot = self.slots[patch.nodes[k]];
-                if w > 0.0 && slot > 0 {
-                    let distance = patch.weights.offset(k).component_mul(&cell);
-                    let moment = force * distance.transpose() * w;
+            for (node, distance) in patch.carried(&cell) {
+                let slot = self.slots[node];
+                if slot > 0 {
+                    let moment = force * distance.transpose();
                     let sum = &mut moments[slot as usize];
                     *sum = in_columns(&(as_matrix(sum) + moment));
                 }

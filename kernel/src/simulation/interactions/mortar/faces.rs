@@ -1,0 +1,118 @@
+//! Faces of bodies at which rows of particles end.
+//!
+//! The stress behind such a face gives nodes the weights of the face. Behind a round or an oblique one particles lie in steps,
+//! nodes have what the steps give them, and augmented weights, which go by the mass, are nearer to that.
+
+use super::boundaries::Boundaries;
+use super::surface::Surface;
+use super::weigh::Weighing;
+use crate::layout::Layout;
+use crate::mortar::PointIn;
+use crate::mortar::elements::Elements;
+use crate::mortar::motion::Follow;
+use crate::particles::ParticleSet;
+use crate::simulation::{BodyRun, Simulation};
+
+/// How far a face may be from the end of the particles, over a particle's half-length.
+const ENDS: f64 = 1e-6;
+
+impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
+    /// Finds the vertices of all bodies that lie on faces of rows of particles, once, at the start.
+    pub(super) fn find_faces(&mut self, hosts: &Simulation) {
+        for surface in self.surfaces.iter_mut().filter(|s| s.on_face.is_empty()) {
+            // One that is moved as prescribed may be set free later.
+            let bodies = &hosts.decided.bodies;
+            if let Some(index) = bodies.iter().position(|body| body.id == surface.id) {
+                surface.find_faces(&hosts.state.sets[index], &bodies[index]);
+            }
+        }
+    }
+
+    /// Gives the vertices that contact presses on the weights of the face, where they lie on faces of rows of particles.
+    pub(super) fn press(&mut self, hosts: &Simulation) {
+        for surface in &mut self.surfaces {
+            surface.pressed = false;
+            let Some(follow) = surface.carrier.follow() else {
+                continue;
+            };
+            let (Some(index), true) = (surface.body(), on_nodes(follow)) else {
+                continue;
+            };
+            let Some(weighing) = Weighing::of(hosts, index) else {
+                continue;
+            };
+            let vertices = surface.boundary.points().iter().zip(&surface.force);
+            let vertices = vertices.zip(&surface.on_face).zip(&mut surface.patches);
+            for (((x, force), on_face), patch) in vertices {
+                if *on_face && *force != PointIn::<D>::zeros() {
+                    weighing.press(x, patch);
+                    surface.pressed = true;
+                }
+            }
+        }
+    }
+}
+
+/// Whether vertices go by augmented weights of nodes.
+fn on_nodes(follow: Follow) -> bool {
+    !matches!(follow, Follow::Unaugmented | Follow::Material)
+}
+
+impl<B, const D: usize, const N: usize> Surface<B, D, N> {
+    /// Finds the vertices all of whose elements lie across an axis where particles of the body end, at the start.
+    pub(super) fn find_faces<const T: usize>(&mut self, set: &ParticleSet, body: &BodyRun)
+    where
+        B: Elements<D, T>,
+    {
+        let points = self.boundary.points();
+        let close = |axis: usize| ENDS * body.particle_half_length[axis];
+        let across = |element: &[usize; D]| {
+            let all_at = |axis: &usize| {
+                let ways = element
+                    .iter()
+                    .map(|v| points[*v][*axis] - points[element[0]][*axis]);
+                ways.fold(0.0, |most: f64, way| most.max(way.abs())) <= close(*axis)
+            };
+            (0..D).find(all_at)
+        };
+        let elements = self.boundary.elements();
+        let axes: Vec<Option<usize>> = elements.iter().map(across).collect();
+        let ends: [Vec<f64>; D] = std::array::from_fn(|axis| {
+            if axes.contains(&Some(axis)) {
+                ends_along(set, axis, body.particle_half_length[axis])
+            } else {
+                vec![]
+            }
+        });
+        let ends_at = |axis: usize, x: f64| {
+            let next = ends[axis].partition_point(|end| *end < x - close(axis));
+            ends[axis]
+                .get(next)
+                .is_some_and(|end| *end <= x + close(axis))
+        };
+        let mut on_face = vec![true; points.len()];
+        let mut in_element = vec![false; points.len()];
+        for (element, axis) in elements.iter().zip(axes) {
+            let lies = axis.is_some_and(|axis| ends_at(axis, points[element[0]][axis]));
+            for vertex in element {
+                on_face[*vertex] &= lies;
+                in_element[*vertex] = true;
+            }
+        }
+        for (on_face, in_element) in on_face.iter_mut().zip(in_element) {
+            *on_face &= in_element;
+        }
+        self.on_face = on_face;
+    }
+}
+
+/// Where particles end along an axis, in order \[m\].
+fn ends_along(set: &ParticleSet, axis: usize, half_length: f64) -> Vec<f64> {
+    let places = set.columns[Layout::POSITION + axis][..set.len()].iter();
+    let mut ends: Vec<f64> = places
+        .flat_map(|x| [x - half_length, x + half_length])
+        .collect();
+    ends.sort_unstable_by(f64::total_cmp);
+    ends.dedup();
+    ends
+}
