@@ -59,6 +59,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             kick: zeros.clone(),
             force: zeros,
             on_face: vec![],
+            faces: vec![],
+            flat: vec![],
             pressed: false,
             patches: vec![],
             held: vec![],

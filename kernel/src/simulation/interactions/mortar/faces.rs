@@ -13,6 +13,9 @@ use crate::mortar::motion::Follow;
 use crate::particles::ParticleSet;
 use crate::simulation::{BodyRun, Simulation};
 
+/// Slope of an element against its axis up to which it counts as the face that it was, and up to twice as much less and less.
+const FLAT: f64 = 0.03;
+
 /// How far a face may be from the end of the particles, over a particle's half-length.
 const ENDS: f64 = 1e-6;
 
@@ -41,11 +44,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let Some(weighing) = Weighing::of(hosts, index) else {
                 continue;
             };
-            let vertices = surface.boundary.points().iter().zip(&surface.force);
-            let vertices = vertices.zip(&surface.on_face).zip(&mut surface.patches);
-            for (((x, force), on_face), patch) in vertices {
-                if *on_face && *force != PointIn::<D>::zeros() {
-                    weighing.press(x, patch);
+            surface.find_flat();
+            let vertices = surface.boundary.points().iter().zip(&surface.flat);
+            for ((x, share), patch) in vertices.zip(&mut surface.patches) {
+                if *share > 0.0 {
+                    weighing.press(x, *share, patch);
                     surface.pressed = true;
                 }
             }
@@ -92,7 +95,7 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         };
         let mut on_face = vec![true; points.len()];
         let mut in_element = vec![false; points.len()];
-        for (element, axis) in elements.iter().zip(axes) {
+        for (element, axis) in elements.iter().zip(&axes) {
             let lies = axis.is_some_and(|axis| ends_at(axis, points[element[0]][axis]));
             for vertex in element {
                 on_face[*vertex] &= lies;
@@ -102,7 +105,42 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         for (on_face, in_element) in on_face.iter_mut().zip(in_element) {
             *on_face &= in_element;
         }
+        let faces = elements.iter().zip(axes).enumerate();
+        let faces = faces.filter(|(_, (vertices, _))| vertices.iter().any(|v| on_face[*v]));
+        self.faces = faces
+            .filter_map(|(e, (_, axis))| Some((e, axis?)))
+            .collect();
         self.on_face = on_face;
+    }
+
+    /// Finds how much of the weights of the face each vertex has: all where contact presses on a face that is as flat as it was,
+    /// none where it does not, or where the face was turned or bent.
+    fn find_flat<const T: usize>(&mut self)
+    where
+        B: Elements<D, T>,
+    {
+        let none = PointIn::<D>::zeros();
+        let pressed = |(on_face, force): (&bool, &PointIn<D>)| on_face & (*force != none);
+        self.flat.clear();
+        let vertices = self.on_face.iter().zip(&self.force);
+        self.flat
+            .extend(vertices.map(|v| f64::from(u8::from(pressed(v)))));
+        let (points, elements) = (self.boundary.points(), self.boundary.elements());
+        for &(element, axis) in &self.faces {
+            let vertices = &elements[element];
+            if vertices.iter().all(|v| self.flat[*v] == 0.0) {
+                continue;
+            }
+            let first = points[vertices[0]];
+            let slope = vertices[1..].iter().fold(0.0_f64, |most, v| {
+                let edge = points[*v] - first;
+                most.max(edge[axis].powi(2) / edge.norm_squared())
+            });
+            let share = (2.0 - slope.sqrt() / FLAT).clamp(0.0, 1.0);
+            for v in vertices {
+                self.flat[*v] = self.flat[*v].min(share);
+            }
+        }
     }
 }
 

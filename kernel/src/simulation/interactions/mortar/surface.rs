@@ -70,7 +70,11 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(super) force: Vec<PointIn<D>>,
     /// Which vertices lie on faces at which rows of particles end at the start; none for what moves as prescribed.
     pub(super) on_face: Vec<bool>,
-    /// Whether contact presses on one of those in this step.
+    /// Elements of those vertices, each with the axis that it lies across.
+    pub(super) faces: Vec<(usize, usize)>,
+    /// Of each vertex, how much of the weights of the face it has in this step.
+    pub(super) flat: Vec<f64>,
+    /// Whether contact presses on one that has some of them in this step.
     pub(super) pressed: bool,
     /// Weights and masses of the patches, for surfaces of bodies.
     pub(super) patches: Vec<Patch<D, N>>,

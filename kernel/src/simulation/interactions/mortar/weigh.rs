@@ -105,14 +105,24 @@ impl<'a, const D: usize> Weighing<'a, D> {
         Ok(())
     }
 
-    /// Gives a vertex that contact presses on the weights of the face where its nodes bear them; the rest keeps the augmented
-    /// ones that it has.
-    pub(super) fn press<const N: usize>(&self, x: &PointIn<D>, patch: &mut Patch<D, N>) {
+    /// Gives a vertex that contact presses on a share of the weights of the face where its nodes bear them; the rest keeps the
+    /// augmented ones that it has.
+    pub(super) fn press<const N: usize>(
+        &self,
+        x: &PointIn<D>,
+        share: f64,
+        patch: &mut Patch<D, N>,
+    ) {
         let at_face = face_weights::<D, N>(&self.in_cells(x), &self.parts);
         let at_face = self.mirrors.fold(at_face);
         let masses = self.mirrors.with_images(at_face.base, patch.masses);
         let reached = at_face.as_reached(&masses, &self.full);
-        let weights = reached.borne(&masses, self.bears, &patch.weights);
+        let mut weights = reached.borne(&masses, self.bears, &patch.weights);
+        if share < 1.0 {
+            for (w, augmented) in weights.weights.iter_mut().zip(patch.weights.weights) {
+                *w = share * *w + (1.0 - share) * augmented;
+            }
+        }
         let off = weights.distance(&at_face);
         patch.weights = weights;
         patch.off = Some(PointIn::from_fn(|axis, _| {
