@@ -120,7 +120,7 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         B: Elements<D, T>,
     {
         let none = PointIn::<D>::zeros();
-        let pressed = |(on_face, force): (&bool, &PointIn<D>)| on_face & (*force != none);
+        let pressed = |(on_face, force): (&bool, &PointIn<D>)| *on_face && *force != none;
         self.flat.clear();
         let vertices = self.on_face.iter().zip(&self.force);
         self.flat
