@@ -6,13 +6,15 @@
 //! - [`broad`]: which pairs are near, at each sort, by boxes of nodes.
 //! - [`interface`]: the particles that partners can share a node with; no other is asked for normals and distances.
 //! - [`surface`]: normals from mass gradients, and the distance of the bodies along them.
+//! - [`separation`]: the plane that separates the particles of two bodies, where their gradients disagree.
 //! - [`overlap`]: bodies that overlap at the start.
 //! - [`coulomb`]: impulses at one node: impenetrability and Coulomb friction, for any number of bodies.
 //!
 //! Read as in the manual but for two points. The distance is measured along the normal of the pair, which carries the
 //! impulse, between the particles that reach farthest along it near the node; the particles nearest to the node, as
-//! printed, lie in the second layer of a body where its surface runs through the middle of a cell. And a node where the
-//! mass gradient of the body that gives the normal vanishes takes the normal of the other body.
+//! printed, lie in the second layer of a body where its surface runs through the middle of a cell. And where the mass
+//! gradients of a pair are not opposite, the normal is that of the plane that separates its particles, unless that of the
+//! gradients separates them as well ([`separation`]).
 //!
 //! **Bodies without a pair** share one velocity where they share a node, as in MPM without contact, also where one
 //! or both of them have a field of their own. **Three and more bodies at a node**: bodies without a pair are joined
@@ -23,6 +25,7 @@ pub mod broad;
 pub mod coulomb;
 pub mod interface;
 pub mod overlap;
+pub mod separation;
 pub mod surface;
 
 use crate::scene::{ContactNormal, Vector};

@@ -5,6 +5,7 @@
 //! from the body outward. At a wall the body goes on as its mirror image, as its mass does.
 
 use super::interface::Interface;
+use super::separation::Cloud;
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -17,9 +18,12 @@ use std::ops::Range;
 /// the particles leaves. Half a cell below a surface it is about 0.5, one cell below it 0.
 const SMALLEST_GRADIENT: f64 = 0.02;
 
+/// Distance of two unit normals up to which the gradients of two bodies are opposite: an angle of three degrees.
+const OPPOSITE: f64 = 0.05;
+
 /// First lane of the mass gradient in the second line of a node.
 const GRADIENT: usize = 4;
-/// Lane of the second line that marks nodes whose distance is looked for.
+/// Lane of the second line that marks nodes at which particles are looked for.
 const MARK: usize = 7;
 
 /// Folds mass gradients on ghost nodes onto their mirror nodes; on a plane the gradient along its normal cancels
@@ -58,33 +62,52 @@ impl Side<'_> {
     }
 }
 
-/// Unit normal of a pair at a node, from master to slave. `None` where neither body has one.
+/// Normal of a pair at a node, as mass gradients have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gradients {
+    /// Unit normal from master to slave.
+    pub normal: Vector,
+    /// Whether the gradients of both bodies are opposite: at a free corner, an edge or the end of a wall one of them
+    /// turns.
+    pub opposite: bool,
+}
+
+/// Normal of a pair at a node from mass gradients. `None` where neither body has one.
 #[must_use]
 pub fn normal(
     kind: ContactNormal,
     master: &Side<'_>,
     slave: &Side<'_>,
     cell: &Vector,
-) -> Option<Vector> {
+) -> Option<Gradients> {
     let of_master = master.normal(cell);
     let of_slave = slave.normal(cell).map(|n| n.map(|c| -c));
-    match kind {
-        ContactNormal::Master => of_master.or(of_slave),
-        ContactNormal::Slave => of_slave.or(of_master),
-        ContactNormal::Collinear => match (of_master, of_slave) {
-            (Some(m), Some(s)) => {
-                let sum: Vector = std::array::from_fn(|axis| m[axis] + s[axis]);
-                let size = length(&sum);
-                // Equal outward normals, of two bodies on the same side of the node, have no mean.
-                Some(if size > 1e-6 {
-                    sum.map(|c| c / size)
-                } else {
-                    m
-                })
+    let (Some(m), Some(s)) = (of_master, of_slave) else {
+        let normal = of_master.or(of_slave)?;
+        return Some(Gradients {
+            normal,
+            opposite: false,
+        });
+    };
+    let normal = match kind {
+        ContactNormal::Master => m,
+        ContactNormal::Slave => s,
+        ContactNormal::Collinear => {
+            let sum: Vector = std::array::from_fn(|axis| m[axis] + s[axis]);
+            let size = length(&sum);
+            // Equal outward normals, of two bodies on the same side of the node, have no mean.
+            if size > 1e-6 {
+                sum.map(|c| c / size)
+            } else {
+                m
             }
-            (m, s) => m.or(s),
-        },
-    }
+        }
+    };
+    let between: f64 = (0..3).map(|axis| (m[axis] - s[axis]).powi(2)).sum();
+    Some(Gradients {
+        normal,
+        opposite: between <= OPPOSITE * OPPOSITE,
+    })
 }
 
 /// A node where the reach of the particles of a body along a direction is looked for.
@@ -98,6 +121,8 @@ pub struct Probe {
     pub direction: Vector,
     /// Reach from the node along the direction \[m\]; minus infinity where there is no particle.
     pub reach: f64,
+    /// Farthest that any particle lies from the node along the direction \[m\].
+    pub farthest: f64,
     /// By what the particle was chosen: its reach less a share of its distance from the line through the node.
     rank: f64,
 }
@@ -111,6 +136,7 @@ impl Probe {
             at,
             direction,
             reach: f64::NEG_INFINITY,
+            farthest: f64::NEG_INFINITY,
             rank: f64::NEG_INFINITY,
         }
     }
@@ -123,6 +149,7 @@ impl Probe {
         if along < self.rank {
             return;
         }
+        self.farthest = self.farthest.max(along);
         let aside: f64 = (0..3)
             .map(|k| (d[k] - along * self.direction[k]).powi(2))
             .sum();
@@ -145,69 +172,76 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds the reach of the particles at the interface of a body at probes, which are at different nodes. `surface` are the second
-    /// lines of the nodes of the owned planes.
+    /// Finds the reach of the particles at the interface of a body at probes, which are at different nodes. `surface` are
+    /// the second lines of the nodes of the owned planes.
     pub fn probe(
         &self,
-        set: &ParticleSet,
-        interface: &Interface,
+        body: (&ParticleSet, &Interface),
         surface: &mut [Line],
         probes: &mut [Probe],
     ) {
-        let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
-        for (slot, probe) in probes.iter().enumerate() {
-            surface[probe.node][MARK] = (slot + 1) as f64;
-            for k in 0..3 {
-                low[k] = low[k].min(probe.at[k]);
-                high[k] = high[k].max(probe.at[k]);
-            }
-        }
+        let radius = radius(self.shape);
+        mark(probes.iter().map(|probe| probe.node), surface, true);
+        let between = between(probes.iter().map(|probe| &probe.at));
+        self.show(body, surface, between, |slot, d| {
+            probes[slot].see(&d, radius);
+        });
+        mark(probes.iter().map(|probe| probe.node), surface, false);
+    }
+
+    /// Gathers the particles at the interface of a body in clouds, which are at different nodes, as those of one side of
+    /// their pair. `surface` are the second lines of the nodes of the owned planes.
+    pub fn gather(
+        &self,
+        body: (&ParticleSet, &Interface),
+        surface: &mut [Line],
+        clouds: &mut [Cloud],
+        side: usize,
+    ) {
+        mark(clouds.iter().map(|cloud| cloud.node), surface, true);
+        let between = between(clouds.iter().map(|cloud| &cloud.at));
+        self.show(body, surface, between, |slot, d| {
+            clouds[slot].points[side].push(d);
+        });
+        mark(clouds.iter().map(|cloud| cloud.node), surface, false);
+    }
+
+    /// Shows the particles at the interface of a body to the marked nodes of their stencils, which lie between the nodes
+    /// `low` and `high`: the place of the node among those that were marked, and the particle relative to it \[m\].
+    fn show(
+        &self,
+        (set, interface): (&ParticleSet, &Interface),
+        surface: &[Line],
+        (low, high): ([usize; 3], [usize; 3]),
+        mut see: impl FnMut(usize, Vector),
+    ) {
         // A particle may have left its layer by one cell since the last sort, and a layer by which hats are sorted may begin one
         // node before the stencil.
         let first = self.planes.start.saturating_sub(self.stencil + 1);
-        for p in interface.in_layers(first..self.planes.end + 1).flatten() {
-            self.show(set, p, &low, &high, surface, probes);
-        }
-        for probe in probes.iter() {
-            surface[probe.node][MARK] = 0.0;
-        }
-    }
-
-    /// Shows a particle to the probes at the nodes of its stencil that lie between `low` and `high`.
-    fn show(
-        &self,
-        set: &ParticleSet,
-        p: usize,
-        low: &[usize; 3],
-        high: &[usize; 3],
-        surface: &[Line],
-        probes: &mut [Probe],
-    ) {
         let shape = self.shape;
-        let mut reach: [Range<usize>; 3] = [0..1, 0..1, 0..1];
-        for axis in 0..shape.axes {
-            let direction = shape.direction(axis);
-            let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
-            let base = (base_node(xi, self.stencil) + GHOSTS_BELOW as f64) as usize;
-            let range = base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
-            if range.is_empty() {
-                return;
+        'particles: for p in interface.in_layers(first..self.planes.end + 1).flatten() {
+            let mut reach: [Range<usize>; 3] = [0..1, 0..1, 0..1];
+            for axis in 0..shape.axes {
+                let direction = shape.direction(axis);
+                let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
+                let base = (base_node(xi, self.stencil) + GHOSTS_BELOW as f64) as usize;
+                let range =
+                    base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
+                if range.is_empty() {
+                    continue 'particles;
+                }
+                reach[direction] = range;
             }
-            reach[direction] = range;
-        }
-        let x = set.position(p);
-        let radius = (0..shape.axes)
-            .map(|axis| shape.cell[axis])
-            .fold(f64::INFINITY, f64::min);
-        for i in reach[0].clone() {
-            for j in reach[1].clone() {
-                let row = ((i - self.planes.start) * shape.nodes[1] + j) * shape.nodes[2];
-                for k in reach[2].clone() {
-                    let slot = surface[row + k][MARK] as usize;
-                    if slot > 0 {
-                        let probe = &mut probes[slot - 1];
-                        let node = shape.position_of([i, j, k]);
-                        probe.see(&std::array::from_fn(|a| x[a] - node[a]), radius);
+            let x = set.position(p);
+            for i in reach[0].clone() {
+                for j in reach[1].clone() {
+                    let row = ((i - self.planes.start) * shape.nodes[1] + j) * shape.nodes[2];
+                    for k in reach[2].clone() {
+                        let slot = surface[row + k][MARK] as usize;
+                        if slot > 0 {
+                            let node = shape.position_of([i, j, k]);
+                            see(slot - 1, std::array::from_fn(|a| x[a] - node[a]));
+                        }
                     }
                 }
             }
@@ -215,6 +249,47 @@ impl Search<'_> {
     }
 }
 
-fn length(v: &Vector) -> f64 {
+/// Marks nodes with their places, from one, or takes the marks away.
+fn mark(nodes: impl Iterator<Item = usize>, surface: &mut [Line], on: bool) {
+    for (slot, node) in nodes.enumerate() {
+        surface[node][MARK] = if on { (slot + 1) as f64 } else { 0.0 };
+    }
+}
+
+/// The least and the largest storage indices of nodes along each direction.
+fn between<'a>(nodes: impl Iterator<Item = &'a [usize; 3]>) -> ([usize; 3], [usize; 3]) {
+    let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
+    for at in nodes {
+        for k in 0..3 {
+            low[k] = low[k].min(at[k]);
+            high[k] = high[k].max(at[k]);
+        }
+    }
+    (low, high)
+}
+
+/// Radius of the ball that a probe sends along its line \[m\]: the smallest side of a cell.
+fn radius(shape: &GridShape) -> f64 {
+    (0..shape.axes)
+        .map(|axis| shape.cell[axis])
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Distance of the particles of a cloud along a direction \[m\], as probes measure it.
+#[must_use]
+pub fn distance_in(cloud: &Cloud, direction: &Vector, shape: &GridShape) -> f64 {
+    let reach = |side: usize, sign: f64| {
+        let mut probe = Probe::new(cloud.node, cloud.at, direction.map(|c| sign * c));
+        for d in &cloud.points[side] {
+            probe.see(d, radius(shape));
+        }
+        probe.reach
+    };
+    0.0 - reach(0, 1.0) - reach(1, -1.0)
+}
+
+/// Length of a vector.
+#[must_use]
+pub(crate) fn length(v: &Vector) -> f64 {
     (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
 }

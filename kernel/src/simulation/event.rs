@@ -2,6 +2,7 @@
 
 use super::error::ParticleAt;
 use super::trust::{LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO};
+use crate::scene::Vector;
 use std::fmt;
 
 /// Something that happened in a run that went on.
@@ -32,6 +33,15 @@ pub enum EventKind {
         /// Its volume over that of the start.
         ratio: f64,
     },
+    /// Two bodies in contact on the grid overlap by more than a quarter of a cell, for the first time or by another quarter.
+    Overlap {
+        /// Identifiers of master and slave.
+        bodies: [i64; 2],
+        /// Node where they overlap deepest \[m\].
+        position: Vector,
+        /// Depth \[m\].
+        depth: f64,
+    },
 }
 
 impl fmt::Display for Event {
@@ -56,6 +66,15 @@ impl fmt::Display for Event {
                 f,
                 "{particle} has {ratio:.4e} of its volume at the start, the first one outside {LEAST_VOLUME_RATIO} to \
                  {MOST_VOLUME_RATIO}"
+            ),
+            EventKind::Overlap {
+                bodies: [master, slave],
+                position,
+                depth,
+            } => write!(
+                f,
+                "bodies {master} and {slave}, which are in contact, overlap by {depth:.4e} m at {position:?} m, more than a \
+                 quarter of a cell; contact still drives them apart"
             ),
         }
     }

@@ -10,6 +10,7 @@ mod books;
 mod carried;
 mod caution;
 mod contact;
+mod contact_normals;
 mod contact_symmetry;
 mod crowd;
 mod damping;

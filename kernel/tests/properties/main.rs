@@ -19,6 +19,7 @@ mod rehearsal;
 mod round_off;
 mod saved;
 mod scaling;
+mod separation;
 mod slabs;
 mod sorting;
 mod symmetry;

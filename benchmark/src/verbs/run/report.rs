@@ -6,7 +6,7 @@ use proctor_files::output::Summary;
 use proctor_files::output::checkpoint::CHECKPOINT;
 use proctor_files::output::history::HISTORY;
 use proctor_files::output::pvd::LIST;
-use proctor_files::output::summary::{Energy, SUMMARY, Status, VOLUME_RATIO};
+use proctor_files::output::summary::{Energy, OVERLAP, SUMMARY, Status, VOLUME_RATIO};
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -102,15 +102,16 @@ impl fmt::Display for Report<'_> {
         if let Some(text) = self.far_off() {
             row(f, "attention", &text)?;
         }
-        for crushed in s.events.iter().filter(|event| event.kind == VOLUME_RATIO) {
-            let time = crushed.time.map_or_else(String::new, number);
-            let text = format!("step {}, {time} s: {}", crushed.step, crushed.message);
+        let alarms = |kind: &str| [VOLUME_RATIO, OVERLAP].contains(&kind);
+        for alarm in s.events.iter().filter(|event| alarms(&event.kind)) {
+            let time = alarm.time.map_or_else(String::new, number);
+            let text = format!("step {}, {time} s: {}", alarm.step, alarm.message);
             row(f, "attention", &text)?;
         }
         if s.particles == 0 {
             row(f, "attention", "all particles have left the mesh")?;
         }
-        let others = || s.events.iter().filter(|event| event.kind != VOLUME_RATIO);
+        let others = || s.events.iter().filter(|event| !alarms(&event.kind));
         for event in others().take(SHOWN_EVENTS) {
             let text = format!("step {}: {}", event.step, event.message);
             row(f, "event", &text)?;

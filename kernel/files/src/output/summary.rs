@@ -13,6 +13,9 @@ use super::{OutputError, atomic};
 /// Kind of the event that a particle was crushed or blown up.
 pub const VOLUME_RATIO: &str = "volume_ratio";
 
+/// Kind of the event that bodies in contact overlap.
+pub const OVERLAP: &str = "overlap";
+
 /// Name of the summary in the output folder.
 pub const SUMMARY: &str = "summary.json";
 

@@ -20,7 +20,8 @@ mod state;
 pub use error::RunError;
 
 use crate::output::summary::{
-    BoundaryDrift, Energy, Event as SummaryEvent, Status, VOLUME_RATIO, Warning, YieldingBody,
+    BoundaryDrift, Energy, Event as SummaryEvent, OVERLAP, Status, VOLUME_RATIO, Warning,
+    YieldingBody,
 };
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
@@ -299,6 +300,11 @@ fn event(event: &Event) -> SummaryEvent {
             particle: Some(particle.id),
             position: particle.position.to_vec(),
             mass: Some(particle.mass),
+            ..base
+        },
+        EventKind::Overlap { position, .. } => SummaryEvent {
+            kind: OVERLAP.into(),
+            position: position.to_vec(),
             ..base
         },
     }

@@ -266,9 +266,22 @@ fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {
             EventKind::RecordEnded => (1, None),
             EventKind::WiderStencil => (2, None),
             EventKind::VolumeRatio { particle, .. } => (3, Some(*particle)),
+            EventKind::Overlap {
+                bodies, position, ..
+            } => (
+                4,
+                Some(ParticleAt {
+                    id: bodies[0] as u64,
+                    body: bodies[1],
+                    position: *position,
+                    volume: 0.0,
+                    mass: 0.0,
+                }),
+            ),
         };
         let ratio = match &event.kind {
             EventKind::VolumeRatio { ratio, .. } => *ratio,
+            EventKind::Overlap { depth, .. } => *depth,
             _ => 0.0,
         };
         let at = at.unwrap_or(ParticleAt {
@@ -320,6 +333,11 @@ fn event_kind(whole: &[i64], real: &[f64]) -> EventKind {
         0 => EventKind::Removed(particle),
         1 => EventKind::RecordEnded,
         2 => EventKind::WiderStencil,
+        4 => EventKind::Overlap {
+            bodies: [whole[2], whole[3]],
+            position: particle.position,
+            depth: real[6],
+        },
         _ => EventKind::VolumeRatio {
             particle,
             ratio: real[6],

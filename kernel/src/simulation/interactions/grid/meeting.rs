@@ -3,7 +3,7 @@
 mod done;
 mod gaps;
 
-pub(crate) use done::{Done, Tunnelling};
+pub(crate) use done::{DEEP, Done, Overlapped, Tunnelling};
 use done::{taken, touched};
 
 use super::faces::SlabFields;
@@ -21,12 +21,6 @@ use std::ops::Range;
 
 /// Share of the distance of contact within which bodies touch in spite of round-off.
 const TOUCHING: f64 = 1e-9;
-
-/// Share of the distance of contact below which the distance along a normal says that the normal does not separate the
-/// bodies: beside an edge that of one body alone points past the other. The other kind of normal is tried then, and where
-/// that does not separate them either the bodies do not face each other at this node, and no contact acts. The price:
-/// bodies that were pressed into each other by three quarters of that distance are let go.
-const PLAUSIBLE: f64 = 0.25;
 
 /// The nodes of a slab where fields meet. A field is known by its number in the slab.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -59,6 +53,8 @@ pub(crate) struct Touching {
     pub sides: [usize; 2],
     /// Unit normal from master to slave.
     pub normal: Vector,
+    /// Whether the mass gradients of both are opposite there.
+    pub opposite: bool,
     /// Distance of the bodies less that at which they touch \[m\]; not a number where it is not looked for.
     pub gap: f64,
     /// Force on the slave in the last step \[N\].
@@ -235,11 +231,13 @@ impl Meetings {
             }) else {
                 continue;
             };
-            if let Some(normal) = normal(bodies.pairs[index].normal, &master, &slave, &shape.cell) {
+            let kind = bodies.pairs[index].normal;
+            if let Some(found) = normal(kind, &master, &slave, &shape.cell) {
                 self.touches.push(Touching {
                     pair: index,
                     sides: [m, s],
-                    normal,
+                    normal: found.normal,
+                    opposite: found.opposite,
                     gap: f64::NAN,
                     force: [0.0; 3],
                     state: Touched::Open,
@@ -325,11 +323,12 @@ impl Meetings {
                 let pair = &bodies.pairs[touch.pair];
                 let law = if let On::Trial { dt, .. } = on {
                     let [a, b] = touch.sides.map(|side| &members[side]);
-                    done.watch(touch, pair, [a, b], dt, shape.indices(meeting.node));
+                    let at = shape.indices(meeting.node);
+                    done.watch(touch, pair, [a, b], dt, at);
+                    done.watch_overlap(touch, &shape.cell, at);
                     (touch.force, touch.state) = ([0.0; 3], Touched::Open);
                     let near = pair.distance_along(&touch.normal) * TOUCHING;
-                    let far = (PLAUSIBLE - 1.0) * pair.distance_along(&touch.normal);
-                    let touching = !pair.corrects_distance || (far..=near).contains(&touch.gap);
+                    let touching = !pair.corrects_distance || touch.gap <= near;
                     touching.then_some(Law::Coulomb(pair.friction))
                 } else {
                     match touch.state {

@@ -18,13 +18,14 @@ use crate::plan::Words;
 use crate::scene::{Contact, ContactNormal, Scene, Shape, StressScheme, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
+use crate::simulation::event::{Event, EventKind};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{
     BodyList, Interaction, Made, PairList, Remembered, SlabPart, Visit,
 };
 use crate::simulation::{BodyRun, Simulation};
 use faces::Faces;
-use meeting::{Done, Lists, Meetings, States, Tunnelling};
+use meeting::{DEEP, Done, Lists, Meetings, Overlapped, States, Tunnelling};
 
 /// Contact on the grid.
 pub(super) const GRID: Kind = Kind {
@@ -50,6 +51,8 @@ pub(crate) struct State {
     pub states: States,
     /// Force on the slave of each pair in the last step \[N\].
     pub forces: Vec<Vector>,
+    /// Depth of the last overlap of each pair that became an event \[m\].
+    noted: Vec<f64>,
 }
 
 /// Contact in one slab: where bodies meet, and what was done there.
@@ -80,7 +83,45 @@ impl State {
             pairs,
             near: vec![false; count],
             forces: vec![[0.0; 3]; count],
+            noted: vec![0.0; count],
             ..Self::default()
+        }
+    }
+
+    /// Makes an event of each pair that overlaps deeply, and another when the overlap has grown as much.
+    fn note_overlaps(&mut self, simulation: &mut Simulation) {
+        let shape = &simulation.work.grid.shape;
+        let least = DEEP
+            * (0..shape.axes)
+                .map(|k| shape.cell[k])
+                .fold(f64::INFINITY, f64::min);
+        for (index, pair) in self.pairs.iter().enumerate() {
+            let mut deepest: Option<Overlapped> = None;
+            let of_slabs = self
+                .met
+                .iter()
+                .filter_map(|met| met.done.overlaps.get(index));
+            for found in of_slabs.copied().flatten() {
+                if deepest.is_none_or(|deepest| found.depth > deepest.depth) {
+                    deepest = Some(found);
+                }
+            }
+            let Some(found) = deepest.filter(|found| found.depth > self.noted[index] + least)
+            else {
+                continue;
+            };
+            self.noted[index] = found.depth;
+            let (local, origin) = (shape.position_of(found.at), simulation.origin());
+            simulation.state.events.push(Event {
+                step: simulation.steps() + 1,
+                time: simulation.time(),
+                kind: EventKind::Overlap {
+                    bodies: [pair.master, pair.slave]
+                        .map(|body| simulation.decided.bodies[body].id),
+                    position: std::array::from_fn(|axis| local[axis] + origin[axis]),
+                    depth: found.depth,
+                },
+            });
         }
     }
 
@@ -233,6 +274,7 @@ impl Interaction for State {
                 worst = if worse { Some(at) } else { worst };
             }
         }
+        self.note_overlaps(simulation);
         worst.map_or(Ok(nodes), |at| Err(self.tunnelling(at, simulation)))
     }
 
@@ -244,12 +286,17 @@ impl Interaction for State {
                 "forces of pairs".into(),
                 self.forces.as_flattened().to_vec(),
             ),
+            (
+                "depths of overlaps that became events".into(),
+                self.noted.clone(),
+            ),
         ]
     }
 
     fn restore(&mut self, saved: &Remembered) {
         self.near = saved[0].1.iter().map(|&near| near != 0.0).collect();
         self.forces = saved[1].1.as_chunks().0.to_vec();
+        self.noted.clone_from(&saved[2].1);
     }
 }
 

@@ -17,6 +17,21 @@ pub(crate) struct Done {
     pub nodes: usize,
     /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
     pub tunnelling: Option<Tunnelling>,
+    /// Where each pair overlaps deepest, if by more than [`DEEP`].
+    pub overlaps: Vec<Option<Overlapped>>,
+}
+
+/// Share of a cell from which an overlap is an event: contact lets bodies into each other by no more than round-off and what
+/// a step brings.
+pub(crate) const DEEP: f64 = 0.25;
+
+/// A pair whose bodies overlap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Overlapped {
+    /// Storage indices of the node.
+    pub at: [usize; 3],
+    /// Depth \[m\].
+    pub depth: f64,
 }
 
 /// A pair that would pass through itself in one step.
@@ -39,6 +54,8 @@ impl Done {
         self.forces.resize(planes * pairs, [0.0; 3]);
         self.sums.clear();
         self.sums.resize(planes, PlaneSums::default());
+        self.overlaps.clear();
+        self.overlaps.resize(pairs, None);
         (self.nodes, self.tunnelling) = (0, None);
     }
 
@@ -66,6 +83,23 @@ impl Done {
                 approach,
                 distance,
             });
+        }
+    }
+}
+
+impl Done {
+    /// Notes a pair that overlaps by more than [`DEEP`] of the cell along its normal.
+    pub(super) fn watch_overlap(&mut self, touch: &Touching, cell: &Vector, at: [usize; 3]) {
+        let (depth, n) = (-touch.gap, &touch.normal);
+        // Most nodes have no overlap at all. Where the gradients are not opposite one body goes around a corner of the other,
+        // and what is behind it is no depth.
+        if depth > 0.0 && depth.is_finite() && touch.opposite {
+            let overlap = &mut self.overlaps[touch.pair];
+            let deepest = overlap.map_or(0.0, |o| o.depth);
+            let across: f64 = (0..3).map(|axis| (n[axis] * cell[axis]).powi(2)).sum();
+            if depth > deepest.max(DEEP * across.sqrt()) {
+                *overlap = Some(Overlapped { at, depth });
+            }
         }
     }
 }
