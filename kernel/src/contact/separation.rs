@@ -20,10 +20,6 @@ const FLAT: f64 = 1e-12;
 /// Particles of a pair near a node, relative to it \[m\].
 #[derive(Clone, Debug, Default)]
 pub struct Cloud {
-    /// Index of the node among those that are owned.
-    pub node: usize,
-    /// Storage indices of the node.
-    pub at: [usize; 3],
     /// Those of the master and those of the slave.
     pub points: [Vec<Vector>; 2],
 }

@@ -23,7 +23,7 @@ const OPPOSITE: f64 = 0.05;
 
 /// First lane of the mass gradient in the second line of a node.
 const GRADIENT: usize = 4;
-/// Lane of the second line that marks nodes at which particles are looked for.
+/// Lane of the second line that marks nodes whose distance is looked for.
 const MARK: usize = 7;
 
 /// Folds mass gradients on ghost nodes onto their mirror nodes; on a plane the gradient along its normal cancels
@@ -119,8 +119,12 @@ pub struct Probe {
     pub at: [usize; 3],
     /// Unit direction.
     pub direction: Vector,
+    /// Place of the cloud to which particles are added, where there is one.
+    pub cloud: Option<usize>,
     /// Reach from the node along the direction \[m\]; minus infinity where there is no particle.
     pub reach: f64,
+    /// The particle that reaches so far, relative to the node \[m\].
+    pub facing: Vector,
     /// Farthest that any particle lies from the node along the direction \[m\].
     pub farthest: f64,
     /// By what the particle was chosen: its reach less a share of its distance from the line through the node.
@@ -130,12 +134,14 @@ pub struct Probe {
 impl Probe {
     /// A probe that has seen no particle.
     #[must_use]
-    pub fn new(node: usize, at: [usize; 3], direction: Vector) -> Self {
+    pub fn new(node: usize, at: [usize; 3], direction: Vector, cloud: Option<usize>) -> Self {
         Self {
             node,
             at,
             direction,
+            cloud,
             reach: f64::NEG_INFINITY,
+            facing: [0.0; 3],
             farthest: f64::NEG_INFINITY,
             rank: f64::NEG_INFINITY,
         }
@@ -157,6 +163,7 @@ impl Probe {
         if rank > self.rank || (rank == self.rank && along > self.reach) {
             self.rank = rank;
             self.reach = along;
+            self.facing = *d;
         }
     }
 }
@@ -172,100 +179,76 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds the reach of the particles at the interface of a body at probes, which are at different nodes. `surface` are
-    /// the second lines of the nodes of the owned planes.
+    /// Finds the reach of the particles at the interface of a body at probes, which are at different nodes, and puts them
+    /// into the clouds of those that have one, as those of one side of their pair. `surface` are the second lines of the
+    /// nodes of the owned planes.
     pub fn probe(
         &self,
-        body: (&ParticleSet, &Interface),
+        (set, interface): (&ParticleSet, &Interface),
         surface: &mut [Line],
         probes: &mut [Probe],
+        (clouds, side): (&mut [Cloud], usize),
     ) {
-        let radius = radius(self.shape);
-        mark(probes.iter().map(|probe| probe.node), surface, true);
-        let between = between(probes.iter().map(|probe| &probe.at));
-        self.show(body, surface, between, |slot, d| {
-            probes[slot].see(&d, radius);
-        });
-        mark(probes.iter().map(|probe| probe.node), surface, false);
-    }
-
-    /// Gathers the particles at the interface of a body in clouds, which are at different nodes, as those of one side of
-    /// their pair. `surface` are the second lines of the nodes of the owned planes.
-    pub fn gather(
-        &self,
-        body: (&ParticleSet, &Interface),
-        surface: &mut [Line],
-        clouds: &mut [Cloud],
-        side: usize,
-    ) {
-        mark(clouds.iter().map(|cloud| cloud.node), surface, true);
-        let between = between(clouds.iter().map(|cloud| &cloud.at));
-        self.show(body, surface, between, |slot, d| {
-            clouds[slot].points[side].push(d);
-        });
-        mark(clouds.iter().map(|cloud| cloud.node), surface, false);
-    }
-
-    /// Shows the particles at the interface of a body to the marked nodes of their stencils, which lie between the nodes
-    /// `low` and `high`: the place of the node among those that were marked, and the particle relative to it \[m\].
-    fn show(
-        &self,
-        (set, interface): (&ParticleSet, &Interface),
-        surface: &[Line],
-        (low, high): ([usize; 3], [usize; 3]),
-        mut see: impl FnMut(usize, Vector),
-    ) {
+        let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
+        for (slot, probe) in probes.iter().enumerate() {
+            surface[probe.node][MARK] = (slot + 1) as f64;
+            for k in 0..3 {
+                low[k] = low[k].min(probe.at[k]);
+                high[k] = high[k].max(probe.at[k]);
+            }
+        }
         // A particle may have left its layer by one cell since the last sort, and a layer by which hats are sorted may begin one
         // node before the stencil.
         let first = self.planes.start.saturating_sub(self.stencil + 1);
+        for p in interface.in_layers(first..self.planes.end + 1).flatten() {
+            self.show((set, p), [&low, &high], surface, probes, (clouds, side));
+        }
+        for probe in probes.iter() {
+            surface[probe.node][MARK] = 0.0;
+        }
+    }
+
+    /// Shows a particle to the probes at the nodes of its stencil that lie between `low` and `high`.
+    fn show(
+        &self,
+        (set, p): (&ParticleSet, usize),
+        [low, high]: [&[usize; 3]; 2],
+        surface: &[Line],
+        probes: &mut [Probe],
+        (clouds, side): (&mut [Cloud], usize),
+    ) {
         let shape = self.shape;
-        'particles: for p in interface.in_layers(first..self.planes.end + 1).flatten() {
-            let mut reach: [Range<usize>; 3] = [0..1, 0..1, 0..1];
-            for axis in 0..shape.axes {
-                let direction = shape.direction(axis);
-                let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
-                let base = (base_node(xi, self.stencil) + GHOSTS_BELOW as f64) as usize;
-                let range =
-                    base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
-                if range.is_empty() {
-                    continue 'particles;
-                }
-                reach[direction] = range;
+        let mut reach: [Range<usize>; 3] = [0..1, 0..1, 0..1];
+        for axis in 0..shape.axes {
+            let direction = shape.direction(axis);
+            let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
+            let base = (base_node(xi, self.stencil) + GHOSTS_BELOW as f64) as usize;
+            let range = base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
+            if range.is_empty() {
+                return;
             }
-            let x = set.position(p);
-            for i in reach[0].clone() {
-                for j in reach[1].clone() {
-                    let row = ((i - self.planes.start) * shape.nodes[1] + j) * shape.nodes[2];
-                    for k in reach[2].clone() {
-                        let slot = surface[row + k][MARK] as usize;
-                        if slot > 0 {
-                            let node = shape.position_of([i, j, k]);
-                            see(slot - 1, std::array::from_fn(|a| x[a] - node[a]));
+            reach[direction] = range;
+        }
+        let x = set.position(p);
+        let radius = radius(shape);
+        for i in reach[0].clone() {
+            for j in reach[1].clone() {
+                let row = ((i - self.planes.start) * shape.nodes[1] + j) * shape.nodes[2];
+                for k in reach[2].clone() {
+                    let slot = surface[row + k][MARK] as usize;
+                    if slot > 0 {
+                        let probe = &mut probes[slot - 1];
+                        let node = shape.position_of([i, j, k]);
+                        let d = std::array::from_fn(|a| x[a] - node[a]);
+                        probe.see(&d, radius);
+                        if let Some(cloud) = probe.cloud {
+                            clouds[cloud].points[side].push(d);
                         }
                     }
                 }
             }
         }
     }
-}
-
-/// Marks nodes with their places, from one, or takes the marks away.
-fn mark(nodes: impl Iterator<Item = usize>, surface: &mut [Line], on: bool) {
-    for (slot, node) in nodes.enumerate() {
-        surface[node][MARK] = if on { (slot + 1) as f64 } else { 0.0 };
-    }
-}
-
-/// The least and the largest storage indices of nodes along each direction.
-fn between<'a>(nodes: impl Iterator<Item = &'a [usize; 3]>) -> ([usize; 3], [usize; 3]) {
-    let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
-    for at in nodes {
-        for k in 0..3 {
-            low[k] = low[k].min(at[k]);
-            high[k] = high[k].max(at[k]);
-        }
-    }
-    (low, high)
 }
 
 /// Radius of the ball that a probe sends along its line \[m\]: the smallest side of a cell.
@@ -279,7 +262,7 @@ fn radius(shape: &GridShape) -> f64 {
 #[must_use]
 pub fn distance_in(cloud: &Cloud, direction: &Vector, shape: &GridShape) -> f64 {
     let reach = |side: usize, sign: f64| {
-        let mut probe = Probe::new(cloud.node, cloud.at, direction.map(|c| sign * c));
+        let mut probe = Probe::new(0, [0; 3], direction.map(|c| sign * c), None);
         for d in &cloud.points[side] {
             probe.see(d, radius(shape));
         }

@@ -17,7 +17,6 @@ fn unit(v: &Vector) -> Vector {
 fn cloud(master: &[Vector], slave: &[Vector]) -> Cloud {
     Cloud {
         points: [master.to_vec(), slave.to_vec()],
-        ..Cloud::default()
     }
 }
 

@@ -20,27 +20,36 @@ const WIDER: f64 = 1e-9;
 /// bodies: beside an edge that of one body alone points past the other.
 const PLAUSIBLE: f64 = 0.25;
 
-/// A node with the index of its touch and the normal.
-type At = (usize, usize, Vector);
+/// A node where a pair meets.
+#[derive(Clone, Copy, Debug)]
+struct At {
+    /// Index of the node in the grid.
+    node: usize,
+    /// Index of the touch.
+    touch: usize,
+    /// Normal of the gradients.
+    normal: Vector,
+    /// Place of its cloud of particles, where the gradients are not opposite.
+    cloud: Option<usize>,
+}
 
 /// Lists that are filled for one pair after the other.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lists {
-    /// Nodes with the normal of the gradients.
-    own: Vec<At>,
-    /// Those where bodies touch whose gradients are not opposite.
-    doubtful: Vec<At>,
+    nodes: Vec<At>,
     probes: Vec<Probe>,
     distances: Vec<Distance>,
-    /// The first of them belong to the doubtful nodes; the rest is memory.
+    /// The first of them belong to the nodes; the rest is memory.
     clouds: Vec<Cloud>,
 }
 
 /// Distance of two bodies along a normal.
 #[derive(Clone, Copy, Debug)]
 struct Distance {
-    /// Between the particles that face each other on the line through the node \[m\].
+    /// Along the normal, between the particles that face each other on the line through the node \[m\].
     facing: f64,
+    /// From that of the master to that of the slave \[m\].
+    between: Vector,
     /// Between the planes across the normal that bound the particles near the node \[m\]; no larger.
     least: f64,
 }
@@ -60,117 +69,174 @@ impl Meetings {
             let &Some(numbers) = numbers else {
                 continue;
             };
-            lists.own.clear();
-            for meeting in &self.nodes {
-                for touch in meeting.touches.clone() {
-                    let of = &self.touches[touch];
-                    if of.pair == index && (pair.corrects_distance || !of.opposite) {
-                        lists.own.push((meeting.node, touch, of.normal));
+            self.list(index, pair, lists);
+            lists.measure(fields, bodies, numbers);
+            let widest = pair.distance[..shape.axes]
+                .iter()
+                .copied()
+                .fold(0.0, f64::max)
+                * (1.0 + WIDER);
+            for (at, distance) in lists.nodes.iter().zip(&lists.distances) {
+                let touch = &mut self.touches[at.touch];
+                if pair.corrects_distance {
+                    touch.gap = distance.facing - pair.distance_along(&at.normal);
+                    // What is farther apart along one direction does not touch along any.
+                    if distance.least > widest {
+                        continue;
                     }
                 }
-            }
-            lists.measure(fields, bodies, numbers);
-            lists.doubtful.clear();
-            let widest = pair.distance.iter().copied().fold(0.0, f64::max) * (1.0 + WIDER);
-            for (&at, distance) in lists.own.iter().zip(&lists.distances) {
-                let touch = &mut self.touches[at.1];
-                if pair.corrects_distance {
-                    touch.gap = distance.facing - pair.distance_along(&at.2);
-                }
-                // What is farther apart along one direction does not touch along any.
-                if !touch.opposite && (distance.least <= widest || !pair.corrects_distance) {
-                    lists.doubtful.push(at);
-                }
-            }
-            lists.gather(fields, bodies, numbers);
-            for (&(node, touch, own), cloud) in lists.doubtful.iter().zip(&lists.clouds) {
-                let [Some(master), Some(slave)] = numbers.map(|number| {
-                    Some(Side {
-                        mass: fields.planes(number).nodes[node - first][0],
-                        surface: &fields.faces[fields.place_of(number)?].lines[node - first],
-                    })
-                }) else {
+                let Some(cloud) = at.cloud.map(|cloud| &lists.clouds[cloud]) else {
                     continue;
                 };
-                let (normal, gap) = decide(pair, own, cloud, [&master, &slave], shape);
-                let touch = &mut self.touches[touch];
-                touch.normal = normal;
-                if pair.corrects_distance {
-                    touch.gap = gap;
+                let Some(ends) = Ends::of(fields, numbers, at.node - first, pair, &at.normal)
+                else {
+                    continue;
+                };
+                if let Some((normal, gap)) = instead(pair, at, distance, ends, cloud, shape) {
+                    touch.normal = normal;
+                    if pair.corrects_distance {
+                        touch.gap = gap;
+                    }
                 }
             }
         }
     }
+
+    /// Lists the nodes where a pair meets and its normal or gap is looked for.
+    fn list(&self, index: usize, pair: &Pair, lists: &mut Lists) {
+        lists.nodes.clear();
+        let mut clouds = 0;
+        for meeting in &self.nodes {
+            for touch in meeting.touches.clone() {
+                let of = &self.touches[touch];
+                if of.pair == index && (pair.corrects_distance || !of.opposite) {
+                    let cloud = (!of.opposite).then_some(clouds);
+                    clouds += usize::from(!of.opposite);
+                    lists.nodes.push(At {
+                        node: meeting.node,
+                        touch,
+                        normal: of.normal,
+                        cloud,
+                    });
+                }
+            }
+        }
+        if lists.clouds.len() < clouds {
+            lists.clouds.resize_with(clouds, Cloud::default);
+        }
+        for cloud in &mut lists.clouds[..clouds] {
+            cloud.points.iter_mut().for_each(Vec::clear);
+        }
+    }
 }
 
-/// Normal and gap of a pair at a node where the mass gradients of its bodies are not opposite.
+/// Normals of both bodies of a pair at a node, from master to slave.
+#[derive(Clone, Copy, Debug)]
+struct Ends {
+    /// That of the master and that of the slave.
+    normals: [Vector; 2],
+    /// Whether they are opposite, so that they have no mean and none of them goes before the other.
+    cancel: bool,
+}
+
+impl Ends {
+    /// Those of a node among the owned ones, where the pair has the normal `own`.
+    fn of(
+        fields: &SlabFields<'_, '_, '_>,
+        numbers: [usize; 2],
+        node: usize,
+        pair: &Pair,
+        own: &Vector,
+    ) -> Option<Self> {
+        let [Some(master), Some(slave)] = numbers.map(|number| {
+            Some(Side {
+                mass: fields.planes(number).nodes[node][0],
+                surface: &fields.faces[fields.place_of(number)?].lines[node],
+            })
+        }) else {
+            return None;
+        };
+        let normals = [ContactNormal::Master, ContactNormal::Slave].map(|kind| {
+            let found = surface::normal(kind, &master, &slave, &fields.shape().cell);
+            found.map_or(*own, |found| found.normal)
+        });
+        let sum: f64 = (0..3)
+            .map(|k| (normals[0][k] + normals[1][k]).powi(2))
+            .sum();
+        Some(Self {
+            normals,
+            cancel: pair.normal == ContactNormal::Collinear && sum < 1e-12,
+        })
+    }
+}
+
+/// Normal and gap of a pair at a node where the mass gradients of its bodies are not opposite; `None` where the normal of
+/// the gradients stands.
 ///
 /// Where a plane separates the particles near the node, the bodies face each other across it: the normal of the gradients
 /// stands if it separates them nearly as well, which leaves curved bodies the normal that the scene asks for. Where none
 /// does, one body ends inside the other or goes around its corner: if the normal of the gradients does not separate them
 /// there, of the normals of both bodies that one is taken along which they are farther apart.
-fn decide(
+fn instead(
     pair: &Pair,
-    own: Vector,
+    at: &At,
+    distance: &Distance,
+    ends: Ends,
     cloud: &Cloud,
-    [master, slave]: [&Side<'_>; 2],
     shape: &GridShape,
-) -> (Vector, f64) {
+) -> Option<(Vector, f64)> {
     let gap =
         |normal: &Vector| surface::distance_in(cloud, normal, shape) - pair.distance_along(normal);
-    let of = |kind| {
-        let found = surface::normal(kind, master, slave, &shape.cell);
-        found.map_or(own, |found| found.normal)
-    };
-    let ends = [ContactNormal::Master, ContactNormal::Slave].map(of);
-    let sum: f64 = (0..3).map(|k| (ends[0][k] + ends[1][k]).powi(2)).sum();
-    // Opposite normals have no mean, and none of them goes before the other.
-    let cancel = pair.normal == ContactNormal::Collinear && sum < 1e-12;
-    let margin = if cancel {
+    // No plane leaves a wider margin than two particles are apart: where faces are aligned, no more is asked.
+    let most = surface::length(&distance.between);
+    if !ends.cancel && distance.least >= LEAST_MARGIN * most {
+        return None;
+    }
+    let margin = if ends.cancel {
         f64::NEG_INFINITY
     } else {
-        cloud.margin(&own)
+        distance.least
     };
     // Hulls are no farther apart than any way from one to the other, so that the search can end early.
-    if let Some(way) = cloud.way(&own, margin / LEAST_MARGIN) {
+    if let Some(way) = cloud.way(&at.normal, margin / LEAST_MARGIN) {
         let size = surface::length(&way);
         if margin >= LEAST_MARGIN * (1.0 - WIDER) * size {
-            return (own, gap(&own));
+            return None;
         }
         let normal = way.map(|c| c / size);
-        return (normal, gap(&normal));
+        return Some((normal, gap(&normal)));
     }
-    let mut best = own;
-    if cancel {
+    let touching = pair.distance_along(&at.normal);
+    let (mut best, mut of_best) = (at.normal, distance.facing - touching);
+    if ends.cancel {
         let between = cloud.between_middles();
         let size = surface::length(&between);
         if size > 0.0 {
             best = between.map(|c| c / size);
+            of_best = gap(&best);
         }
     }
-    let of_best = gap(&best);
-    let touching = pair.distance_along(&best);
     if of_best >= (PLAUSIBLE - 1.0) * touching {
-        return (best, of_best);
+        return Some((best, of_best));
     }
     let wider = WIDER * touching;
-    let [of_master, of_slave] = ends.map(|normal| gap(&normal));
+    let [of_master, of_slave] = ends.normals.map(|normal| gap(&normal));
     let (other, of_other) = if of_master > of_slave {
-        (ends[0], of_master)
+        (ends.normals[0], of_master)
     } else {
-        (ends[1], of_slave)
+        (ends.normals[1], of_slave)
     };
     let alike = pair.normal == ContactNormal::Collinear && (of_master - of_slave).abs() <= wider;
     if !alike && of_other > of_best + wider {
-        (other, of_other)
+        Some((other, of_other))
     } else {
-        (best, of_best)
+        Some((best, of_best))
     }
 }
 
 impl Lists {
-    /// Finds the distances of the bodies of a pair along the normal at each of its nodes: eq. (8) along one normal, so that
-    /// the position of the node drops out.
+    /// Finds the distances of the bodies of a pair along the normal at each of its nodes, eq. (8) along one normal, so that
+    /// the position of the node drops out, and gathers the clouds.
     fn measure(
         &mut self,
         fields: &mut SlabFields<'_, '_, '_>,
@@ -178,73 +244,45 @@ impl Lists {
         numbers: [usize; 2],
     ) {
         self.distances.clear();
-        if self.own.is_empty() {
+        if self.nodes.is_empty() {
             return;
         }
         let shape = fields.shape();
-        let search = search(fields, bodies);
+        let search = Search {
+            shape,
+            planes: fields.range(),
+            stencil: bodies.stencil,
+        };
         let first = search.planes.start * shape.plane_nodes();
         let none = Distance {
             facing: 0.0,
+            between: [0.0; 3],
             least: 0.0,
         };
-        self.distances.resize(self.own.len(), none);
-        for (number, sign) in numbers.into_iter().zip([1.0, -1.0]) {
+        self.distances.resize(self.nodes.len(), none);
+        for (side, (number, sign)) in numbers.into_iter().zip([1.0, -1.0]).enumerate() {
             self.probes.clear();
-            self.probes
-                .extend(self.own.iter().map(|&(node, _, normal)| {
-                    Probe::new(node - first, shape.indices(node), normal.map(|c| sign * c))
-                }));
+            self.probes.extend(self.nodes.iter().map(|at| {
+                let direction = at.normal.map(|c| sign * c);
+                Probe::new(at.node - first, shape.indices(at.node), direction, at.cloud)
+            }));
             let Some(place) = fields.place_of(number) else {
                 continue;
             };
             let face = &mut fields.faces[place];
-            let body = (&bodies.sets[face.body], face.interface);
-            search.probe(body, face.lines, &mut self.probes);
+            search.probe(
+                (&bodies.sets[face.body], face.interface),
+                face.lines,
+                &mut self.probes,
+                (&mut self.clouds, side),
+            );
             for (distance, probe) in self.distances.iter_mut().zip(&self.probes) {
                 distance.facing -= probe.reach;
+                for axis in 0..3 {
+                    distance.between[axis] -= sign * probe.facing[axis];
+                }
                 distance.least -= probe.farthest;
             }
         }
-    }
-
-    /// Gathers the particles of both bodies near each doubtful node.
-    fn gather(
-        &mut self,
-        fields: &mut SlabFields<'_, '_, '_>,
-        bodies: &Bodies<'_>,
-        numbers: [usize; 2],
-    ) {
-        if self.doubtful.is_empty() {
-            return;
-        }
-        let shape = fields.shape();
-        let search = search(fields, bodies);
-        let first = search.planes.start * shape.plane_nodes();
-        if self.clouds.len() < self.doubtful.len() {
-            self.clouds.resize_with(self.doubtful.len(), Cloud::default);
-        }
-        let clouds = &mut self.clouds[..self.doubtful.len()];
-        for (cloud, &(node, ..)) in clouds.iter_mut().zip(&self.doubtful) {
-            (cloud.node, cloud.at) = (node - first, shape.indices(node));
-            cloud.points.iter_mut().for_each(Vec::clear);
-        }
-        for (side, number) in numbers.into_iter().enumerate() {
-            let Some(place) = fields.place_of(number) else {
-                continue;
-            };
-            let face = &mut fields.faces[place];
-            let body = (&bodies.sets[face.body], face.interface);
-            search.gather(body, face.lines, clouds, side);
-        }
-    }
-}
-
-/// Where particles are looked for.
-fn search<'a>(fields: &SlabFields<'_, 'a, '_>, bodies: &Bodies<'_>) -> Search<'a> {
-    Search {
-        shape: fields.shape(),
-        planes: fields.range(),
-        stencil: bodies.stencil,
     }
 }
