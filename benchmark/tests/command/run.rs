@@ -347,3 +347,39 @@ fn a_crushed_body_is_told_once() {
         "{text}"
     );
 }
+
+/// Bodies that overlap by more than a quarter of a cell are an event of the summary and one line on the terminal, and a
+/// restart keeps the event.
+#[test]
+fn an_overlap_is_an_event_and_a_line() {
+    let desk = Desk::new();
+    let mut scene = flying_block();
+    scene["time"] = json!(0.02);
+    scene["contact_manager"] = json!({ "real_distance_correction_coefficient": 2.5 });
+    let block = |id: i64, from: f64, speed: f64| {
+        json!({
+            "type": "rectangle", "id": id, "material_id": 1, "point_p1": [from, 0.3], "point_p2": [from + 0.4, 0.6],
+            "initial_velocity": [speed, 0],
+        })
+    };
+    scene["body"] = json!([block(1, 0.5, 0.5), block(2, 0.9, -0.5)]);
+    scene["contact"] = json!([{ "id": 1, "friction": 0, "master_id": 1, "slave_id": 2 }]);
+    let file = desk.scene("scene.json", &scene);
+    let output = desk.run(&file, "out", &[]);
+    let checkpoint = desk.path("out").join("checkpoint.bin");
+    let again = desk.run(
+        &file,
+        "again",
+        &["--restart", &checkpoint.to_string_lossy()],
+    );
+    for (output, folder) in [(output, "out"), (again, "again")] {
+        let text = stdout(&output);
+        let summary = desk.summary(folder);
+        let events = summary["events"].as_array().expect("a list");
+        let overlaps = events.iter().filter(|event| event["kind"] == "overlap");
+        // Particles are 0.05 m apart where bodies touch at 0.25 m.
+        let deep = "bodies 1 and 2, which are in contact, overlap by 2.0000e-1 m";
+        assert_eq!(overlaps.count(), 1, "{summary}");
+        assert_eq!(text.matches(deep).count(), 1, "{text}");
+    }
+}
