@@ -9,9 +9,9 @@ const SEED: u64 = 1;
 
 /// Questions to which the kernel does not have the right answer in every scene yet. `proctor verify --generated` counts them as
 /// violations; here they may not become more.
-const OPEN: [&str; 4] = ["contact", "driven", "plate", "walls"];
+const OPEN: [&str; 4] = ["driven", "plate", "line", "walls"];
 /// Violations of open questions among the two hundred scenes, at most.
-const MOST_OPEN: usize = 25;
+const MOST_OPEN: usize = 1;
 
 #[test]
 fn two_hundred_scenes_hold() {

@@ -39,10 +39,7 @@ pub static ROWS: &[Extreme] = &[
         name: "ten-bodies-mirrored",
         what: "the same with the mean of both normals, seen in a mirror and with the names of master and slave exchanged",
         required: "the mirror image, and the same",
-        cause: Some(
-            "where the normals of both bodies cancel, or each alone separates them as far as the other, that of the master is \
-             taken, so that collinear contact still depends a little on which of them is called so",
-        ),
+        cause: None,
         judge: ten_bodies_mirrored,
     },
 ];

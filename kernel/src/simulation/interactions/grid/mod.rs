@@ -7,6 +7,7 @@ mod bonds;
 pub(crate) mod faces;
 pub(crate) mod meeting;
 mod on_slab;
+mod words;
 
 pub(super) use on_slab::SlabContact;
 
@@ -14,8 +15,7 @@ use super::Kind;
 use crate::contact::overlap::overlap;
 use crate::contact::{Pair, broad};
 use crate::memory::Memory;
-use crate::plan::Words;
-use crate::scene::{Contact, ContactNormal, Scene, Shape, StressScheme, Vector};
+use crate::scene::{Contact, Scene, Shape, StressScheme, Vector};
 use crate::simulation::conditions::Acting;
 use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
 use crate::simulation::event::{Event, EventKind};
@@ -29,10 +29,7 @@ use meeting::{DEEP, Done, Lists, Meetings, Overlapped, States, Tunnelling};
 
 /// Contact on the grid.
 pub(super) const GRID: Kind = Kind {
-    words: |scene, list| {
-        pair_words(scene, list);
-        words(scene, list);
-    },
+    words: words::words,
     make: State::of,
 };
 
@@ -402,68 +399,4 @@ impl Simulation {
     pub fn contact_layers(&self) -> usize {
         self.work.grid.fields.len() - 1
     }
-}
-
-/// What the plan says of each pair.
-fn pair_words(scene: &Scene, list: &mut Words) {
-    let driven = |id: i64| {
-        let mut bodies = scene.bodies.iter();
-        bodies.find(|b| b.id == id && b.motion.is_some())
-    };
-    for contact in &scene.contacts {
-        let normal = match contact.normal {
-            ContactNormal::Master => "normal of the master",
-            ContactNormal::Slave => "normal of the slave",
-            ContactNormal::Collinear => "mean of both normals",
-        };
-        let with_shape = [contact.master, contact.slave]
-            .into_iter()
-            .filter_map(driven);
-        let mut with_shape = with_shape.filter(|b| !matches!(b.shape, Shape::Particles(_)));
-        let how = with_shape.next().map_or_else(
-            || format!("{normal}; on the grid, while the boxes of the bodies meet"),
-            |b| {
-                format!(
-                    "the shape of body {}, which is driven, pushes the particles that touch it, along its own normal",
-                    b.id
-                )
-            },
-        );
-        list.choose(
-            "stage",
-            &format!("contact {}", contact.id),
-            !(driven(contact.master).is_some() && driven(contact.slave).is_some()),
-            &format!(
-                "bodies {} (master) and {}, friction {}, {how}",
-                contact.master, contact.slave, contact.friction
-            ),
-            "the motion of both bodies is prescribed",
-        );
-    }
-}
-
-/// What it says of contact as a whole.
-fn words(scene: &Scene, list: &mut Words) {
-    if scene.contacts.is_empty() && !scene.mortar.contacts.is_empty() {
-        return;
-    }
-    if scene.contacts.is_empty() {
-        list.leave("stage", "contact", "the scene asks for none");
-        return;
-    }
-    list.choose(
-        "stage",
-        "real distance of contacts",
-        scene.contact_distance != Some(0.0),
-        &scene.contact_distance.map_or_else(
-            || "contact acts below the sum of the half-lengths of the particles".to_owned(),
-            |lambda| format!("contact acts below {lambda} cells"),
-        ),
-        "its coefficient is zero",
-    );
-    list.keep(
-        "node field",
-        "mass gradient, second velocity field",
-        "128 bytes per node of a body while it is near a partner",
-    );
 }
