@@ -9,6 +9,7 @@
 use super::Simulation;
 use super::energy::Energy;
 use super::extremes::Extremes;
+use super::spin::MOST_LOST_SPIN;
 use super::trust::ROUND_OFF;
 use crate::laws::LinearElastic;
 use crate::scene::{Damping, StressScheme, Transfer, TransferKind, Weighting};
@@ -61,6 +62,11 @@ pub enum Caution {
         /// Whether the weighting function is a B-spline, which has no domains that could follow.
         bspline: bool,
     },
+    /// Angular momentum that FLIP lost.
+    Spin {
+        /// Share of that of the start.
+        lost: f64,
+    },
 }
 
 impl Caution {
@@ -72,6 +78,7 @@ impl Caution {
             Self::Strain { .. } => "strain",
             Self::Traction { .. } => "traction",
             Self::Stretch { .. } => "stretch",
+            Self::Spin { .. } => "spin",
         }
     }
 
@@ -94,6 +101,7 @@ impl Caution {
             Self::Strain { volume_change } => volume_change.abs(),
             Self::Traction { share, .. } => *share,
             Self::Stretch { ratio, .. } => *ratio,
+            Self::Spin { lost } => *lost,
         }
     }
 }
@@ -133,6 +141,12 @@ impl fmt::Display for Caution {
                 "traction[{index}] is fixed in space, and no particle reaches {:.0} % of it any more: that part acts on nothing; \
                  \"box_load\" moves with the particles",
                 100.0 * share
+            ),
+            Self::Spin { lost } => write!(
+                f,
+                "{:.0} % of the angular momentum is gone though nothing turns the bodies: FLIP moves particles with another velocity \
+                 than they carry, and spin of bodies few cells across becomes noise; \"APIC\" keeps it",
+                100.0 * lost
             ),
             Self::Stretch {
                 ratio,
@@ -175,6 +189,9 @@ impl Simulation {
             all.push(Caution::Strain {
                 volume_change: extremes.volume_change,
             });
+        }
+        if let Some(lost) = self.lost_spin().filter(|lost| *lost > MOST_LOST_SPIN) {
+            all.push(Caution::Spin { lost });
         }
         let left = self.tractions_left().into_iter();
         all.extend(left.map(|(index, share)| Caution::Traction { index, share }));

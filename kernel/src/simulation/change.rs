@@ -135,6 +135,7 @@ impl Simulation {
         self.decided.scene.bodies[index].motion.clone_from(&motion);
         self.decided.bodies[index].keeps_shape &= motion.is_some();
         self.decided.bodies[index].motion = motion;
+        self.state.start_spin = None;
         let found = &mut self.state.found[index];
         let fastest = fastest(&self.decided.scene.bodies[index]);
         found.speed_squared = found.speed_squared.max(fastest);
@@ -163,6 +164,7 @@ impl Simulation {
                 &format!("{alpha:?}; accepted: a number from 0 to 1"),
             ));
         }
+        self.state.start_spin = None;
         self.decided.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
         self.set_conditions()
     }

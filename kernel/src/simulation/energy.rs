@@ -84,6 +84,7 @@ impl Simulation {
     pub(super) fn open_ledger(&mut self) {
         self.state.books.dead_load_origin = self.dead_load_potential();
         self.state.books.initial_energy = self.kinetic_energy() + self.strain_energy();
+        self.state.start_spin = self.spin();
     }
 
     /// Adds what this step did to the balance. Loads do work over the way that positions move.

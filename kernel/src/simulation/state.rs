@@ -10,6 +10,7 @@ use super::event::Event;
 use super::extremes::Extremes;
 use super::interactions::{Interaction, Remembered};
 use super::passes::Groups;
+use super::spin::Spin;
 use super::trust::Trust;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -45,6 +46,8 @@ pub struct State {
     pub trust: Trust,
     /// Largest deformations so far.
     pub extremes: Extremes,
+    /// Angular momentum at the start, where nothing outside can turn the bodies.
+    pub start_spin: Option<Spin>,
 }
 
 /// Running sums of the energy balance.
@@ -138,6 +141,7 @@ impl State {
             events: vec![],
             trust: Trust::default(),
             extremes: Extremes::default(),
+            start_spin: None,
         }
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use proctor_kernel::scene::{
     DomainUpdate, Scene, Shape, StressScheme, Transfer, TransferKind, Weighting,
 };
-use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
+use proctor_kernel::simulation::{Caution, InitialField, InitialState, Simulation};
 
 use super::trial::{
     Kept, elastic, kept, of_case, off_by_a_quarter_turn, open, run_to, start, worst,
@@ -28,11 +28,8 @@ pub static ROWS: &[Extreme] = &[
     Extreme {
         name: "ten-turns-flip",
         what: "a free disc of five cells that spins ten times with the default method, FLIP",
-        required: "keeps nine tenths of its spin, or the run says that it is not to be trusted",
-        cause: Some(
-            "FLIP moves particles with another velocity than they carry, so that spin turns into noise that the grid hardly sees: \
-             half of it in a turn of five cells, a tenth of ten, a fiftieth of twenty; the watch does not look at angular momentum",
-        ),
+        required: "keeps nine tenths of its spin, or the run says how much of it is gone",
+        cause: None,
         judge: ten_turns_flip,
     },
 ];
@@ -153,16 +150,19 @@ fn ten_turns_flip() -> Result<Finding, Unexpected> {
         for turn in 1..=10 {
             run_to(&mut simulation, 0.1 * f64::from(turn) * time, |_, _| ())?;
         }
-        if simulation.trust().doubt.is_none() {
+        let energy = simulation.energy();
+        let cautions = simulation.cautions(&energy);
+        let said = cautions
+            .iter()
+            .any(|caution| matches!(caution, Caution::Spin { .. }));
+        if simulation.trust().doubt.is_none() && !said {
             let lost = (angular_momentum(&simulation) / before - 1.0).abs();
             unsaid = worst(unsaid, lost);
         }
     }
     Ok(Finding {
         gates: vec![Gate::at_most(
-            String::from(
-                "angular momentum lost in ten turns of which nobody said that they are not to be trusted",
-            ),
+            String::from("angular momentum lost in ten turns of which nothing was said"),
             unsaid,
             0.1,
             "nothing turns a free disc; a tenth is what a user may call the same",
