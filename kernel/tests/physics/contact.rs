@@ -218,7 +218,7 @@ fn damping_takes_no_part_of_the_weight() {
             scene.gravity[0] = 3.0;
             let mut simulation =
                 Simulation::new(&scene, &settled(&scene)).expect("the scene is sound");
-            until(&mut simulation, 0.8);
+            until(&mut simulation, 0.5);
             let up = up(dimension);
             for _ in 0..40 {
                 simulation.step(NEVER).expect("the step is sound");

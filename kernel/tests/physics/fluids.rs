@@ -108,7 +108,7 @@ fn stays(scene: &Scene, limit: f64) {
 #[test]
 fn a_pressed_fluid_has_the_waves_and_the_energy_of_its_pressure() {
     let pressure = 0.3 * BULK;
-    let mut scene = block(Dimension::Two, 0.0);
+    let mut scene = block(Dimension::Two, 0.0, 0.0);
     scene.bodies[0].initial_stress = InitialStress::Isotropic(-pressure);
     let state = EquationOfState {
         bulk: BULK,
@@ -128,12 +128,10 @@ fn a_pressed_fluid_has_the_waves_and_the_energy_of_its_pressure() {
     assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
 }
 
-/// A free block of a viscous fluid that ends a little beyond lines of the mesh: the nodes behind them have the least mass, and are
-/// the first to become unstable.
-fn block(dimension: Dimension, viscosity: f64) -> Scene {
+/// A free block of a viscous fluid that ends beyond lines of the mesh by some cells.
+fn block(dimension: Dimension, viscosity: f64, beyond: f64) -> Scene {
     let axes = dimension.axes();
     let mut scene = empty(dimension, [8; 3], CELL);
-    let beyond = 1e-6;
     let (mut lower, mut upper) = ([(2.0 - beyond) * CELL; 3], [(6.0 + beyond) * CELL; 3]);
     lower[axes..].fill(0.0);
     upper[axes..].fill(0.0);
@@ -175,7 +173,8 @@ fn viscosity_bounds_the_step() {
     for dimension in [Dimension::Two, Dimension::Three] {
         for scheme in [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl] {
             for viscosity in [30.0, 3.0e3, 1.0e5] {
-                let mut scene = block(dimension, viscosity);
+                // The nodes behind the lines have the least mass, and are the first to become unstable.
+                let mut scene = block(dimension, viscosity, 1e-6);
                 scene.scheme = scheme;
                 let mut one = simulation(&scene);
                 let bound = one.step(f64::INFINITY).expect("a step").bound;

@@ -15,7 +15,7 @@ const FIRST: f64 = 0.6;
 /// Normal stiffness of mortar contact over Young's modulus per cell.
 const STIFFNESS: f64 = 0.02;
 /// Time steps of it in one of the others: its stiffness bounds them.
-const SLOWER: f64 = 4.0;
+const SLOWER: f64 = 4.5;
 /// Segments of the boundary per cell.
 const SEGMENTS: f64 = 2.0;
 /// Cells along an edge of the squares of which a surface is made, each of two triangles.

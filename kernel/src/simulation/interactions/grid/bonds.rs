@@ -36,20 +36,23 @@ fn is_bonded(scene: &Scene, bodies: &[BodyRun], [driven, other]: [usize; 2]) -> 
     !in_contact
         && !has_boundary
         && acts_by_shape(scene, bodies, [driven, other])
-        && stands_off_lines(scene, bodies, [driven, other])
+        && stands(bodies, driven)
+        && ends_within_cells(scene, bodies, [driven, other])
 }
 
-/// Whether a driven body stands still, and its nodes reach beyond it where it faces another: its faces lie within cells, or the
+/// Whether the motion of a driven body is none.
+pub(super) fn stands(bodies: &[BodyRun], driven: usize) -> bool {
+    let mut motion = bodies[driven].motion.iter().flat_map(|m| &m.values);
+    motion.all(|v| *v == [0.0; 3])
+}
+
+/// Whether the nodes of a driven body reach beyond it at the start where it faces another: its faces lie within cells, or the
 /// domains of its particles are wider than they are.
-pub(super) fn stands_off_lines(
+pub(super) fn ends_within_cells(
     scene: &Scene,
     bodies: &[BodyRun],
     [driven, other]: [usize; 2],
 ) -> bool {
-    let mut motion = bodies[driven].motion.iter().flat_map(|m| &m.values);
-    if motion.any(|v| *v != [0.0; 3]) {
-        return false;
-    }
     let (Shape::Cuboid { p1, p2 }, Some([low, high])) = (
         &scene.bodies[driven].shape,
         scene.bodies[other].shape.bounds(),

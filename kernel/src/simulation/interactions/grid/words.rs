@@ -29,13 +29,15 @@ fn pair_words(scene: &Scene, list: &mut Words) {
         let how = with_shape.next().map_or_else(
             || format!("{normal}; on the grid, while the boxes of the bodies meet"),
             |b| {
-                let usf = if scene.scheme == StressScheme::Usf {
-                    "; with USF where it stands still and ends within cells, elsewhere its nodes do"
-                } else {
-                    ""
+                let unless = match scene.scheme {
+                    StressScheme::Usl => "",
+                    StressScheme::Musl => "; where it stands still and ends on lines of the mesh its nodes do",
+                    StressScheme::Usf => {
+                        "; where it moves or ends on lines of the mesh its nodes do, with USF"
+                    }
                 };
                 format!(
-                    "the shape of body {}, which is driven, pushes the particles that touch it, along its own normal{usf}",
+                    "the shape of body {}, which is driven, pushes the particles that touch it, along its own normal{unless}",
                     b.id
                 )
             },
