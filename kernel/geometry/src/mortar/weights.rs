@@ -159,7 +159,7 @@ impl<const D: usize, const N: usize> VertexWeights<D, N> {
     }
 
     /// The same weights where the nodes bear them: a node bears a weight w where w² is at most `bears` times its mass \[1/kg\].
-    /// What is more goes to the nodes by the weights of `others`, whose sum is one.
+    /// The rest goes to the nodes by the weights of `others`, whose sum is one.
     #[must_use]
     pub fn borne(&self, masses: &[f64; N], bears: f64, others: &Self) -> Self {
         let (mut kept, mut rest) = (*self, 0.0);

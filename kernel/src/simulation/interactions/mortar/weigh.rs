@@ -29,7 +29,7 @@ use std::array;
 /// Most of the square of a weight over the mass of its node, times the mass of a full cell.
 const BEARS: f64 = 4.0;
 
-/// What the weights of the vertices of one body depend on.
+/// Conditions on which the weights of the vertices of one body depend.
 pub(super) struct Weighing<'a, const D: usize> {
     pub(super) shape: &'a GridShape,
     pub(super) mirrors: Mirrors,
