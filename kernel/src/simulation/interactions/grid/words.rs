@@ -31,7 +31,7 @@ fn pair_words(scene: &Scene, list: &mut Words) {
             |b| {
                 let unless = match scene.scheme {
                     StressScheme::Usl => "",
-                    StressScheme::Musl => "; where it stands still and ends on lines of the mesh its nodes do",
+                    StressScheme::Musl => "; at rest and with faces on lines of the mesh its nodes do",
                     StressScheme::Usf => {
                         "; where it moves or ends on lines of the mesh its nodes do, with USF"
                     }
@@ -103,7 +103,7 @@ fn bond_words(scene: &Scene, list: &mut Words) {
             list.keep(
                 "stage",
                 &format!("bond of body {}", body.id),
-                "it stands still: bodies without contact with it stick to its nodes, and to its shape where that ends within cells",
+                "it is at rest: bodies without contact with it stick to its nodes, and to its shape where that ends within cells",
             );
         }
     }
