@@ -49,7 +49,7 @@ pub struct Pair {
     pub corrects_distance: bool,
     /// Whether one of the bodies is driven and its shape known: then that shape acts, not the nodes where both bodies are.
     pub by_shape: bool,
-    /// Whether no contact is given for the two, so that the driven body holds what touches it.
+    /// No contact is given for the two, so that the driven body holds what touches it.
     pub bonded: bool,
 }
 

@@ -17,7 +17,7 @@ const FACTOR: f64 = 10.0;
 /// Least tension over the modulus of confined strain that is worth a warning.
 const LEAST: f64 = 1e-3;
 
-/// Whether the method of a scene lets a way grow that no strain sees.
+/// True where the method of a scene lets a way grow that no strain sees.
 fn loses_tension(scene: &Scene) -> bool {
     let transfer = scene.transfer;
     let flip = transfer.kind == TransferKind::Flip && transfer.pic_fraction < 1.0;

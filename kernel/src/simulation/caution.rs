@@ -205,7 +205,7 @@ impl Simulation {
         all
     }
 
-    /// Whether a reason that was found earlier still is one: energy that is missing is little beside much that came later.
+    /// True for an earlier reason that still holds: missing energy is little beside much that came later.
     #[must_use]
     pub fn still_matters(&self, caution: &Caution, energy: &Energy) -> bool {
         match caution {

@@ -304,7 +304,7 @@ pub(super) fn node_weights_touching(
     })
 }
 
-/// How far a B-spline over a particle is from a whole number of its lengths that counts as one.
+/// Round-off of the length of a B-spline over that of a particle, which counts as a whole number.
 const WHOLE: f64 = 1e-9;
 
 /// Weights along an axis of a particle with a B-spline, `f` cells from its base node and of half-length `half`, at the point that

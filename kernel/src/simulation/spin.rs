@@ -75,7 +75,7 @@ impl Simulation {
     }
 }
 
-/// Whether nothing but gravity and bodies among themselves acts in a scene with FLIP. Mortar contact may lose angular momentum.
+/// True for a scene with FLIP in which gravity and the bodies alone act. Mortar contact may lose angular momentum.
 fn is_left_alone(scene: &Scene) -> bool {
     let planes = (0..scene.dimension.axes())
         .any(|axis| [0, 1].iter().any(|side| scene.plane_acts(axis, *side)));

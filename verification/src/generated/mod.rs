@@ -144,7 +144,7 @@ pub struct Answer {
     pub scene: Scene,
     /// Distances, at least one, or the reason why there are none: the scene was refused, or a step failed.
     pub found: Result<Vec<Deviation>, String>,
-    /// Whether the plan of the scene warns that the property may not hold.
+    /// The plan of the scene warns that the property may not hold.
     pub foreseen: bool,
 }
 

@@ -19,7 +19,7 @@ pub struct NodalStiffness {
     sums: Vec<f64>,
     again: Vec<f64>,
     touched: Vec<usize>,
-    /// Whether there was a second product.
+    /// A second product was made.
     sharpened: bool,
 }
 

@@ -71,7 +71,7 @@ pub(super) fn inside_cells(scene: &Scene) -> Vec<String> {
     near(scene).filter_map(of).collect()
 }
 
-/// Whether identifiers are those of two bodies, in any order.
+/// True where identifiers are those of two bodies, in any order.
 fn is_of(master: i64, slave: i64, a: &Body, b: &Body) -> bool {
     [(a.id, b.id), (b.id, a.id)].contains(&(master, slave))
 }
@@ -99,7 +99,7 @@ fn contrast(scene: &Scene, a: &Body, b: &Body) -> Option<f64> {
     Some(stiffness(a)? / stiffness(b)?)
 }
 
-/// Whether two cuboids lie on both sides of a line of the mesh that both end at.
+/// True for two cuboids that meet on a line of the mesh.
 fn meet_on_a_line(scene: &Scene, a: &Body, b: &Body) -> bool {
     let (Shape::Cuboid { p1: a1, p2: a2 }, Shape::Cuboid { p1: b1, p2: b2 }) = (&a.shape, &b.shape)
     else {

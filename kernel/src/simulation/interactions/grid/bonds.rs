@@ -22,7 +22,7 @@ pub(super) fn all<'a>(scene: &'a Scene, bodies: &'a [BodyRun]) -> impl Iterator<
     })
 }
 
-/// Whether a driven body holds another by its shape.
+/// True where a driven body holds another by its shape.
 fn is_bonded(scene: &Scene, bodies: &[BodyRun], [driven, other]: [usize; 2]) -> bool {
     if driven == other || bodies[other].motion.is_some() {
         return false;
@@ -40,13 +40,13 @@ fn is_bonded(scene: &Scene, bodies: &[BodyRun], [driven, other]: [usize; 2]) -> 
         && ends_within_cells(scene, bodies, [driven, other])
 }
 
-/// Whether the motion of a driven body is none.
+/// True for a driven body that stands still.
 pub(super) fn stands(bodies: &[BodyRun], driven: usize) -> bool {
     let mut motion = bodies[driven].motion.iter().flat_map(|m| &m.values);
     motion.all(|v| *v == [0.0; 3])
 }
 
-/// Whether the nodes of a driven body reach beyond it at the start where it faces another: its faces lie within cells, or the
+/// True where the nodes of a driven body reach beyond it at the start, towards another: its faces lie within cells, or the
 /// domains of its particles are wider than they are.
 pub(super) fn ends_within_cells(
     scene: &Scene,

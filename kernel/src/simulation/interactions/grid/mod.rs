@@ -340,7 +340,7 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
     }
 }
 
-/// Whether the first body is driven and its shape known, so that this shape acts on the second.
+/// True where the first body is driven and its shape acts on the second.
 ///
 /// Nodes do as well where a body stands still and ends on lines of the mesh. With MUSL they do it better: what rests on such a line
 /// has its end now before, now behind it, and the node behind comes and goes with each step. With USF, whose strain is that of

@@ -16,7 +16,7 @@ use crate::simulation::{BodyRun, Simulation};
 /// Slope of an element against its axis up to which it counts as the face that it was, and up to twice as much less and less.
 const FLAT: f64 = 0.03;
 
-/// How far a face may be from the end of the particles, over a particle's half-length.
+/// Largest distance of a face from the end of the particles, over the half-length of a particle.
 const ENDS: f64 = 1e-6;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
@@ -56,7 +56,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 }
 
-/// Whether vertices go by augmented weights of nodes.
+/// True for vertices that go by augmented weights of nodes.
 fn on_nodes(follow: Follow) -> bool {
     !matches!(follow, Follow::Unaugmented | Follow::Material)
 }

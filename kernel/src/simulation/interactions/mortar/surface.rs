@@ -32,7 +32,7 @@ impl Carrier {
         }
     }
 
-    /// How the vertices of a body follow it; nothing for a prescribed motion.
+    /// Way in which the vertices of a body follow it; nothing for a prescribed motion.
     pub(super) fn follow(&self) -> Option<Follow> {
         match self {
             Self::Body { follow, .. } => Some(*follow),
@@ -68,13 +68,13 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(super) kick: Vec<PointIn<D>>,
     /// Contact force on the vertices in this step \[N\].
     pub(super) force: Vec<PointIn<D>>,
-    /// Which vertices lie on faces at which rows of particles end at the start; none for what moves as prescribed.
+    /// Vertices on faces at which rows of particles end at the start; none for what moves as prescribed.
     pub(super) on_face: Vec<bool>,
     /// Elements of those vertices, each with the axis that it lies across.
     pub(super) faces: Vec<(usize, usize)>,
     /// Of each vertex, how much of the weights of the face it has in this step.
     pub(super) flat: Vec<f64>,
-    /// Whether contact presses on one that has some of them in this step.
+    /// Contact presses on one of them in this step.
     pub(super) pressed: bool,
     /// Weights and masses of the patches, for surfaces of bodies.
     pub(super) patches: Vec<Patch<D, N>>,

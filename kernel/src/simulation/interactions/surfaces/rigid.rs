@@ -116,7 +116,7 @@ impl Rigid {
         }
     }
 
-    /// Whether it is the same thing, which pushes the same body.
+    /// True for the same rigid thing, which pushes the same body.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Surface(one), Self::Surface(two)) => one == two,
@@ -161,13 +161,13 @@ impl Rigid {
         }
     }
 
-    /// Whether a particle with a gap along a normal touches.
+    /// True for a particle that touches, with a gap along a normal \[m\].
     pub(super) fn touches(&self, simulation: &Simulation, gap: f64, normal: &Vector) -> bool {
         let share = if self.is_bonded() { HELD } else { 1.0 };
         gap < share * self.threshold(simulation, normal)
     }
 
-    /// Whether it is a driven body that holds what touches it.
+    /// True for a driven body that holds what touches it.
     pub(super) fn is_bonded(&self) -> bool {
         matches!(self, Self::Driven(driven) if driven.pair.bonded)
     }

@@ -135,7 +135,7 @@ impl Meetings {
 struct Ends {
     /// That of the master and that of the slave.
     normals: [Vector; 2],
-    /// Whether they are opposite, so that they have no mean and none of them goes before the other.
+    /// True where they are opposite: they have no mean, and none of them goes before the other.
     cancel: bool,
 }
 

@@ -114,7 +114,13 @@ impl<const D: usize> Gathered<'_, D> {
             let begin = p;
             p += 1;
             if reach.mirrored {
-                to_images(around, reach, &of_particles[begin], (own, &mut *sums), (shape, mirrors));
+                to_images(
+                    around,
+                    reach,
+                    &of_particles[begin],
+                    (own, &mut *sums),
+                    (shape, mirrors),
+                );
                 continue;
             }
             while p < reaches.len() && reaches[p].base() == reach.base() {
@@ -123,7 +129,9 @@ impl<const D: usize> Gathered<'_, D> {
             for row in &around.rows {
                 let first = reach.node(row);
                 let slots = &around.slots[first..first + N];
-                let Some(nodes) = first.checked_sub(own).and_then(|at| sums.get_mut(at..at + N))
+                let Some(nodes) = first
+                    .checked_sub(own)
+                    .and_then(|at| sums.get_mut(at..at + N))
                 else {
                     continue;
                 };
@@ -137,8 +145,7 @@ impl<const D: usize> Gathered<'_, D> {
                 let mut row_sums = [[L::splat(0.0); PARTS]; N];
                 for k in 0..N {
                     for part in 0..PARTS {
-                        row_sums[k][part] =
-                            L::load(&nodes[k].as_flattened()[part * L::WIDTH..]);
+                        row_sums[k][part] = L::load(&nodes[k].as_flattened()[part * L::WIDTH..]);
                     }
                 }
                 for q in begin..p {
@@ -182,7 +189,11 @@ fn to_images<const D: usize>(
         };
         let weight = reach.weight(node);
         let columns = reflected(gradient, &sides);
-        for (sum, x) in sum.as_flattened_mut().iter_mut().zip(columns.as_flattened()) {
+        for (sum, x) in sum
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(columns.as_flattened())
+        {
             *sum += weight * x;
         }
     }
