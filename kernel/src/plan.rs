@@ -17,6 +17,7 @@ pub(crate) use entries::Words;
 use entries::is_list;
 pub use stability::{AUTOMATIC_SHARE, has_safe_step, stability_number};
 use std::fmt;
+pub use tension::{ForeseenTension, foreseen_tension};
 
 /// What a library user asks for beyond the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -81,10 +81,11 @@ pub fn reached<const N: usize>(weights: [f64; N], round_off: f64) -> [f64; N] {
     weights.map(|w| if w > round_off { w } else { 0.0 })
 }
 
-/// Overlap of a domain with the cells around a node, in cells: none where it is round-off.
+/// Overlap of a domain with the cells around a node, in cells: none where it is round-off. With it, the lanes that overlap.
 #[inline(always)]
-fn overlap<L: Lanes>(reach: L) -> L {
-    L::select(L::splat(ROUND_OFF).lt(reach), reach, L::splat(0.0))
+fn overlap<L: Lanes>(reach: L) -> (L, L::Mask) {
+    let reached = L::splat(ROUND_OFF).lt(reach);
+    (L::select(reached, reach, L::splat(0.0)), reached)
 }
 
 /// Offset of the base: b = floor(xi - `base_offset(N)`).
@@ -188,8 +189,8 @@ pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N]
         let mut w = [zero; N];
         let mut g = [zero; N];
         // As below: 1 - f and f - 2 are exact, l comes last.
-        let lower = overlap(l + (one - f));
-        let upper = overlap(l + (f - two));
+        let (lower, _) = overlap(l + (one - f));
+        let (upper, _) = overlap(l + (f - two));
         w[0] = lower * lower * quarter;
         w[3] = upper * upper * quarter;
         w[1] = two - f - two * w[0] + w[3];
@@ -204,15 +205,14 @@ pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N]
     // derivatives, which divide them by l, are good for small l too.
     let below = one - f;
     let above = f - one;
-    let lower = overlap(l + below);
-    let upper = overlap(l + above);
+    let (lower, reaches_lower) = overlap(l + below);
+    let (upper, reaches_upper) = overlap(l + above);
     // A domain that does not reach the cells on one side of the middle node is linear on the other.
-    let on_both = [zero.lt(upper), zero.lt(lower)];
     closed::<L, N>(
-        L::select(on_both[0], lower * lower * quarter, below),
-        L::select(on_both[1], upper * upper * quarter, above),
-        L::select(on_both[0], -(two * lower * quarter), -one),
-        L::select(on_both[1], two * upper * quarter, one),
+        L::select(reaches_upper, lower * lower * quarter, below),
+        L::select(reaches_lower, upper * upper * quarter, above),
+        L::select(reaches_upper, -(two * lower * quarter), -one),
+        L::select(reaches_lower, two * upper * quarter, one),
     )
 }
 

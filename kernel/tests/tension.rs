@@ -1,16 +1,20 @@
-//! Bodies in tension: methods that hold them, and the plan's warning of those that do not.
+//! Bodies in tension: they hold, or the run stops before they are torn and names the methods that hold.
 
 #[path = "common/mod.rs"]
 mod common;
 
-use common::{APIC, DENSITY, DIMENSIONS, FLIP, TPIC, body, cuboid, empty, material, simulation};
+use common::{
+    APIC, DENSITY, DIMENSIONS, FLIP, NEVER, TPIC, body, cuboid, empty, material, run, simulation,
+    simulation_from,
+};
 use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::plan::Demands;
 use proctor_kernel::scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
     Traction, Weighting,
 };
-use proctor_kernel::simulation::{Simulation, StepErrorKind, plan};
+use proctor_kernel::simulation::{InitialState, MOST_UNSEEN, Simulation, StepErrorKind, plan};
+use std::sync::Arc;
 
 const YOUNG: f64 = 1.0e5;
 const POISSON: f64 = 0.3;
@@ -126,6 +130,65 @@ fn stretch(nominal: f64) -> f64 {
     low
 }
 
+/// The run stops for tension, in words that name what holds, before energy from nowhere is a tenth of what was given.
+fn stops(scene: &Scene, what: &str) {
+    let mut simulation = simulation(scene);
+    let mut given = 0.0_f64;
+    let error = loop {
+        assert!(simulation.time() < scene.time, "{what}: goes to its end");
+        if let Err(error) = simulation.step(scene.time) {
+            break error;
+        }
+        given = given.max(simulation.energy().external_work);
+    };
+    let StepErrorKind::Tension(tension) = &error.kind else {
+        panic!("{what}: {error}");
+    };
+    assert!(
+        tension.stress > 0.0 && tension.growth > 0.0,
+        "{what}: {tension:?}"
+    );
+    assert!(tension.unseen > MOST_UNSEEN, "{what}: {tension:?}");
+    let words = error.to_string();
+    for word in ["tension", "\"USL\"", "\"APIC\"", "\"TPIC\"", "per step"] {
+        assert!(words.contains(word), "{words}");
+    }
+    let energy = simulation.energy();
+    // A traction acts where it was, past which the bar has gone: its work is not that of the bar.
+    assert!(
+        !scene.tractions.is_empty() || energy.remainder > -0.1 * given,
+        "{what}: {energy:?} of {given}"
+    );
+    let farthest = simulation.center(0).1[0] / (0.5 * LENGTH);
+    assert!(farthest < 1.6, "{what}: the body is torn, {farthest}");
+}
+
+fn methods() -> impl Iterator<Item = (Dimension, Weighting, StressScheme)> {
+    let weightings = GIMP.into_iter().chain([Weighting::QuadraticBSpline]);
+    weightings.flat_map(|weighting| {
+        DIMENSIONS
+            .into_iter()
+            .flat_map(move |dimension| LOSES.map(move |scheme| (dimension, weighting, scheme)))
+    })
+}
+
+#[test]
+fn a_pulled_bar_stops_before_it_is_torn() {
+    for (dimension, weighting, scheme) in methods() {
+        for make in [|d| pulled(d, PULL), hanging, driven, drawn] {
+            let mut scene = make(dimension);
+            (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, FLIP);
+            let what = format!(
+                "{dimension:?} {weighting:?} {scheme:?} {} loads {} tractions {} bodies",
+                scene.box_loads.len(),
+                scene.tractions.len(),
+                scene.bodies.len()
+            );
+            stops(&scene, &what);
+        }
+    }
+}
+
 /// Its particles are where those of a bar of that stretch are.
 #[test]
 fn a_pulled_bar_holds_with_usl_and_with_affine_velocities() {
@@ -170,6 +233,29 @@ fn a_slow_pull_holds_with_usl() {
             let created = -energy.remainder / energy.external_work;
             assert!(created < 0.01, "{dimension:?} {weighting:?}: {energy:?}");
         }
+    }
+}
+
+/// Neither compression nor a swing through both stops a run.
+#[test]
+fn what_is_pressed_or_swings_goes_on() {
+    for (dimension, weighting, scheme) in methods() {
+        let mut scene = pulled(dimension, -PULL);
+        (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, FLIP);
+        let (_, error) = to_the_end(&scene);
+        assert_eq!(error, None, "{dimension:?} {weighting:?} {scheme:?}");
+
+        let mut scene = bar(dimension);
+        (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, FLIP);
+        let mut swinging = simulation_from(
+            &scene,
+            Arc::new(|x| InitialState {
+                velocity: [0.5 * (0.5 * std::f64::consts::PI * x[0]).sin(), 0.0, 0.0],
+                ..InitialState::default()
+            }),
+        );
+        run(&mut swinging, 1000);
+        assert!(swinging.time() < NEVER, "a time");
     }
 }
 

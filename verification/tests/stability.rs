@@ -11,3 +11,5 @@ mod limits;
 mod scene;
 #[path = "stability/table.rs"]
 mod table;
+#[path = "stability/tension.rs"]
+mod tension;

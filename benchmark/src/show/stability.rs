@@ -6,6 +6,7 @@ use crate::stability::{ExtremeDetail, StabilityCell, StabilityDetail};
 use proctor_verification::stability::extreme::Ending;
 use proctor_verification::stability::scene::Report;
 use proctor_verification::stability::table::Number;
+use proctor_verification::stability::tension::TensionReport;
 use std::io::{self, Write};
 
 /// The map, scenes that are not linear, gates that do not hold, and how many do.
@@ -289,6 +290,9 @@ pub fn scene(name: &str, report: &Report, out: &mut dyn Write) -> io::Result<()>
         "  Of bodies at rest with the stiffness that their laws have there; without loads, damping and contact. Each body of\n  \
          a pair was taken alone, as it is beside its partner; what contact itself allows is in the kernel's bound."
     )?;
+    if let Some(tension) = &report.tension {
+        self::tension(tension, out)?;
+    }
     match &report.alternatives {
         None => writeln!(
             out,
@@ -318,6 +322,46 @@ pub fn scene(name: &str, report: &Report, out: &mut dyn Write) -> io::Result<()>
             write!(out, "{table}")
         }
     }
+}
+
+/// The tension that a scene will have, the growth of its method, and the methods that hold it.
+fn tension(report: &TensionReport, out: &mut dyn Write) -> io::Result<()> {
+    let TensionReport {
+        foreseen,
+        name,
+        growth,
+        steps,
+        others,
+    } = report;
+    writeln!(
+        out,
+        "\n  In tension: {name}, {:.2e} Pa by {}, over the modulus of confined strain {:.2e}.",
+        foreseen.stress, foreseen.cause, foreseen.strain
+    )?;
+    if *growth == 0.0 {
+        return writeln!(
+            out,
+            "  A bar in that tension, with noise, holds at the kernel's step."
+        );
+    }
+    writeln!(
+        out,
+        "  A bar in that tension, with noise, at the kernel's step: what no strain sees grows by {:.3} % per step, tenfold in\n  \
+         {:.0} of {:.0} steps. A smaller step only delays it. The same bar with other methods:",
+        100.0 * growth,
+        (std::f64::consts::LN_10 / growth).ceil(),
+        steps.ceil()
+    )?;
+    let mut table = Table::new(["", "growth per step", ""]);
+    for (method, growth) in others {
+        let verdict = if *growth == 0.0 { "holds" } else { "" };
+        table.push([
+            method.to_string(),
+            format!("{:.3} %", 100.0 * growth),
+            verdict.to_owned(),
+        ]);
+    }
+    write!(out, "{table}")
 }
 
 /// Alternatives that are shown.

@@ -223,7 +223,7 @@ pub fn done(
     all
 }
 
-/// Asks a scene; it fails where the kernel's step is longer than the predicted one.
+/// Asks a scene; it fails where the kernel's step is longer than the predicted one, and where no step holds its tension.
 fn ask(path: &Path, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let (given, places) = super::scene(path)?;
     let report = match scene::ask(&given) {
@@ -241,7 +241,15 @@ fn ask(path: &Path, out: &mut dyn Write) -> Result<Outcome, Failure> {
     };
     show::scene(&given.name, &report, out)?;
     let limit = report.predicted.map_or(f64::INFINITY, |limit| limit.dt);
-    Ok(if report.dt <= limit {
+    let torn = report.tension.filter(|tension| !tension.holds());
+    Ok(if let Some(tension) = torn {
+        writeln!(
+            out,
+            "FAIL  no step holds the tension of {} with {}",
+            tension.name, report.method
+        )?;
+        Outcome::Failed
+    } else if report.dt <= limit {
         Outcome::Fine
     } else {
         writeln!(

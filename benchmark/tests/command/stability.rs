@@ -175,6 +175,35 @@ fn a_step_above_the_predicted_one_fails() {
     assert!(stdout(&output).contains("longer than the predicted critical one"));
 }
 
+/// A start at rest is not all: no step holds a body in tension with FLIP and MUSL.
+#[test]
+fn a_scene_in_tension_is_told_what_grows_and_what_holds() {
+    let desk = Desk::new();
+    for (scheme, status, word) in [
+        ("MUSL", 1, "FAIL  no step holds"),
+        ("USL", 0, "holds at the kernel's step"),
+    ] {
+        let scene = json!({
+            "dimension": 2, "time": 8, "shape_function": "GIMP", "stress_scheme_update": scheme,
+            "mesh": {
+                "cells_dimension": [0.1, 0.1], "cells_number": [24, 4],
+                "boundary_conditions": {"plane_X0": "fixed", "plane_Xn": "free"},
+            },
+            "material": [{"type": "neo_hookean", "id": 1, "young": 1e5, "poisson": 0.3, "density": 1000}],
+            "body": [{"type": "rectangle", "id": 1, "material_id": 1, "point_p1": [0, 0], "point_p2": [1, 0.4]}],
+            "box_load": [{"point_p1": [0.9, 0], "point_p2": [1, 0.4], "force": [8000, 0]}],
+        });
+        let output = proctor(&["stability", &desk.scene("pulled.json", &scene)]);
+        let text = stdout(&output);
+        assert_eq!(code(&output), status, "{text}{}", stderr(&output));
+        assert!(text.contains(word), "{text}");
+        assert!(
+            text.contains("In tension: body[0], 2.00e4 Pa by a load that pulls"),
+            "{text}"
+        );
+    }
+}
+
 #[test]
 fn a_scene_that_is_refused_says_why() {
     let desk = Desk::new();

@@ -1,39 +1,31 @@
 //! Loads and motions that put a body in tension, where FLIP with MUSL or USF does not hold it.
 //!
-//! The estimates are those of a bar and of a beam: a warning asks for no more than the size of the tension. Positions move with the
-//! velocity of the equation of motion, while strain follows the one that was mapped to the particles and back. Particles so go a
-//! part of their way that no strain sees. A tensile stress sigma changes the forces at the nodes in the direction of that way (a
-//! negative geometric stiffness), so that in each step it grows by up to sigma/rho (dt/h)² of itself: at any step, since a
-//! smaller one only delays it. Compression takes it back. With USL strain sees all of the way, and an affine velocity leaves
-//! hardly any of it out; both hold.
+//! The estimates are those of a bar and of a beam: a warning asks for no more than the size of the tension. For why such a body is
+//! torn see `simulation/tension.rs`.
 
 use super::stability::{AUTOMATIC_SHARE, stability_number};
-use crate::scene::{
-    Body, PlaneCondition, Scene, Shape, StressScheme, TimeStep, TransferKind, Vector,
-};
+use crate::scene::{Body, PlaneCondition, Scene, Shape, TimeStep, Vector};
+use crate::simulation::{loses_tension, scheme_word};
 
 /// Factor by which a way that no strain sees must grow in a run to be worth a warning.
 const FACTOR: f64 = 10.0;
 /// Least tension over the modulus of confined strain that is worth a warning.
 const LEAST: f64 = 1e-3;
 
-/// True where the method of a scene lets a way grow that no strain sees.
-fn loses_tension(scene: &Scene) -> bool {
-    let transfer = scene.transfer;
-    let flip = transfer.kind == TransferKind::Flip && transfer.pic_fraction < 1.0;
-    flip && scene.scheme != StressScheme::Usl
+/// A body that will be in tension, by an estimate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForeseenTension {
+    /// Place of the body in the scene.
+    pub body: usize,
+    /// Cause.
+    pub cause: &'static str,
+    /// Tension \[Pa\].
+    pub stress: f64,
+    /// Tension over the modulus of confined strain.
+    pub strain: f64,
 }
 
-/// A scheme by its word in scenes.
-fn scheme_word(scheme: StressScheme) -> &'static str {
-    match scheme {
-        StressScheme::Usl => "USL",
-        StressScheme::Usf => "USF",
-        StressScheme::Musl => "MUSL",
-    }
-}
-
-/// A body in tension, and by what.
+/// Tension by one cause.
 struct Pulled {
     what: &'static str,
     /// Tension over the modulus of confined strain.
@@ -92,34 +84,54 @@ impl Extent {
     }
 }
 
+/// The bodies of a scene that loads, weight or driven bodies put in tension, whatever the method.
+#[must_use]
+pub fn foreseen_tension(scene: &Scene) -> Vec<ForeseenTension> {
+    let free = scene.bodies.iter().enumerate();
+    let free = free.filter(|(_, body)| body.motion.is_none());
+    free.filter_map(|(index, body)| {
+        let material = scene.materials.get(body.material)?;
+        let speed = material.law.wave_speed(material.density);
+        let modulus = material.density * speed * speed;
+        let Pulled { what, strain } = most(scene, body, &Extent::of(&body.shape)?, modulus)?;
+        Some(ForeseenTension {
+            body: index,
+            cause: what,
+            stress: strain * modulus,
+            strain,
+        })
+    })
+    .collect()
+}
+
 /// Warnings about bodies that will be in tension.
 pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     if !loses_tension(scene) {
         return vec![];
     }
-    let free = scene.bodies.iter().filter(|body| body.motion.is_none());
-    free.filter_map(|body| warning(scene, body)).collect()
+    let foreseen = foreseen_tension(scene).into_iter();
+    foreseen
+        .filter_map(|tension| warning(scene, &tension))
+        .collect()
 }
 
-fn warning(scene: &Scene, body: &Body) -> Option<String> {
+fn warning(scene: &Scene, tension: &ForeseenTension) -> Option<String> {
+    let body = scene.bodies.get(tension.body)?;
     let material = scene.materials.get(body.material)?;
     let speed = material.law.wave_speed(material.density);
-    let extent = Extent::of(&body.shape)?;
-    let modulus = material.density * speed * speed;
-    let Pulled { what, strain } = most(scene, body, &extent, modulus)?;
     let cell = smallest_cell(scene);
     let courant = match scene.time_step {
         TimeStep::Automatic => AUTOMATIC_SHARE * bound(scene, body),
         TimeStep::Multiplier { multiplier, .. } => multiplier,
         TimeStep::Fixed { dt, .. } => speed * dt / cell,
     };
-    let growth = strain * courant * courant;
+    let growth = tension.strain * courant * courant;
     let steps = libm::log(FACTOR) / growth;
     let run = scene.time * speed / (courant * cell);
-    (strain > LEAST && steps < run).then(|| {
-        let name = &body.name;
+    (tension.strain > LEAST && steps < run).then(|| {
+        let (name, what) = (&body.name, tension.cause);
         let scheme = scheme_word(scene.scheme);
-        let stress = strain * modulus;
+        let stress = tension.stress;
         format!(
             "{name}: {what} puts it in tension, about {stress:.2e} Pa, which FLIP with {scheme} does not hold: particles go a \
              way that no strain sees, and that grows by about {:.2} % per step, tenfold in {:.0} steps, and a \

@@ -243,7 +243,7 @@ impl Simulation {
     }
 
     /// The largest energy that there was to turn over \[J\], and never less than round-off of its parts.
-    fn scale_of_energy(&self, energy: &Energy) -> f64 {
+    pub(super) fn scale_of_energy(&self, energy: &Energy) -> f64 {
         let books = &self.state.books;
         let waves = self
             .state

@@ -1,5 +1,6 @@
 //! What can go wrong at set-up and in a step.
 
+use super::tension::Tension;
 use super::trust::Doubt;
 use crate::memory::OutOfMemory;
 use crate::number::Number;
@@ -283,6 +284,8 @@ pub enum StepErrorKind {
     },
     /// A balance does not hold, and the scene asks to stop then.
     NotTrusted(Doubt),
+    /// A body is in tension, which FLIP does not hold with MUSL or USF.
+    Tension(Tension),
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -443,6 +446,7 @@ impl fmt::Display for StepError {
                  threshold {threshold} m; accepted: a smaller time step or a larger distance_threshold"
             ),
             StepErrorKind::NotTrusted(doubt) => write!(f, "{doubt}"),
+            StepErrorKind::Tension(tension) => write!(f, "{tension}"),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
                 "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"

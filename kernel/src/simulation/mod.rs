@@ -30,6 +30,7 @@ mod spin;
 mod start;
 mod state;
 mod step;
+mod tension;
 mod trust;
 mod work;
 
@@ -58,12 +59,14 @@ pub use spin::{MOST_LOST_SPIN, Spin};
 pub use start::{StartError, plan};
 pub use state::{Books, RestoreError, Saved, State};
 pub use step::Way;
+pub use tension::{MOST_UNSEEN, Tension};
 pub use trust::{
     Doubt, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_VOLUME_RATIO,
     Reason, Trust,
 };
 
 pub(crate) use decided::{BodyRun, Decided};
+pub(crate) use tension::{loses_tension, word as scheme_word};
 use work::Work;
 
 use crate::lanes::{LaneChoice, Selected};

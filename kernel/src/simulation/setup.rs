@@ -3,6 +3,7 @@
 use super::clock::length;
 use super::error::SetupError;
 use super::fields::Grid;
+use super::tension::TensionWatch;
 use super::work::Work;
 use super::{
     BaseVelocity, BodyRun, Decided, Displacement, InitialState, MOST_VOLUME_RATIO, Options,
@@ -116,6 +117,7 @@ impl Simulation {
         for set in &mut simulation.state.sets {
             set.sort_by_position(&simulation.work.grid.team);
         }
+        simulation.work.tension = TensionWatch::new(scene, &simulation.state.sets);
         simulation.sort_if_stale(&mut |_| ());
         simulation.require_carried()?;
         for one in simulation.interactions() {

@@ -242,6 +242,7 @@ impl Simulation {
             self.stop_motion();
         }
         self.watch(info, way)?;
+        self.watch_tension(info)?;
         ended(Phase::Finish);
         Ok(*info)
     }

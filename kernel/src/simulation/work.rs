@@ -6,6 +6,7 @@ use super::fields::Grid;
 use super::interactions::Interactions;
 use super::measure::ByIdentifier;
 use super::passes::{Gathered, Solved};
+use super::tension::TensionWatch;
 use super::trust::Momentum;
 use crate::stage::solve::PlaneSums;
 use std::sync::Mutex;
@@ -35,6 +36,8 @@ pub(crate) struct Work {
     pub(crate) order: Mutex<ByIdentifier>,
     /// Momentum in the middle of a step, where it is looked at.
     pub(crate) momentum: Option<Momentum>,
+    /// The growth of particles in tension, where the method may lose it.
+    pub(crate) tension: Option<TensionWatch>,
 }
 
 impl Work {
@@ -53,6 +56,7 @@ impl Work {
             forces: vec![],
             order: Mutex::default(),
             momentum: None,
+            tension: None,
         }
     }
 }

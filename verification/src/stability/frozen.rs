@@ -222,7 +222,7 @@ fn linear_part(scene: &Scene) -> Scene {
 }
 
 /// Poisson's ratio of Young's modulus over that of confined compression, E/M = (1+nu)(1-2nu)/(1-nu).
-fn poisson(ratio: f64) -> f64 {
+pub fn poisson(ratio: f64) -> f64 {
     // 2 nu² + (1 - r) nu + (r - 1) = 0; the root between -1 and 1/2 that is 0 for r = 1.
     let b = 1.0 - ratio;
     0.25 * ((b * b + 8.0 * b).max(0.0).sqrt() - b)

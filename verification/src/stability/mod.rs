@@ -19,6 +19,7 @@ pub mod nonlinear;
 pub mod predicted;
 pub mod scene;
 pub mod table;
+pub mod tension;
 
 use std::fmt;
 

@@ -7,6 +7,7 @@ use super::StabilityError;
 use super::frozen::fastest_wave;
 use super::map::{SCHEMES, TRANSFERS, WEIGHTINGS};
 use super::predicted::{Limit, predict};
+use super::tension::TensionReport;
 use crate::settings::Method;
 
 /// Particles up to which other methods, other cells and single bodies are tried.
@@ -33,6 +34,8 @@ pub struct Report {
     pub bound: Bound,
     /// What would allow a larger step, the largest first; `None` where the scene is too large to try.
     pub alternatives: Option<Vec<Alternative>>,
+    /// Growth of a start in the tension that the scene will have; `None` where it will have none.
+    pub tension: Option<TensionReport>,
 }
 
 /// A change, and the step that it would allow.
@@ -93,6 +96,7 @@ pub fn ask(scene: &Scene) -> Result<Report, StabilityError> {
         critical: info.dt_critical,
         bound: info.bound,
         alternatives,
+        tension: super::tension::ask(scene, info.dt)?,
     })
 }
 

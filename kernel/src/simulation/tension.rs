@@ -1,0 +1,339 @@
+//! Tension that FLIP does not hold with MUSL or USF: watched, and a run stops before a body is torn.
+//!
+//! Positions move with the velocity of the equation of motion, while strain follows the one that was mapped to the particles
+//! and back. Particles so go a part of their way that no strain sees. A tensile stress sigma changes the forces at the nodes
+//! in the direction of that way (a negative geometric stiffness), so that in each step it grows by up to sigma/rho (dt/h)²
+//! of itself: at any step, since a smaller one only delays it. Compression takes it back. With USL strain sees all of the
+//! way, and an affine velocity leaves hardly any of it out; both hold.
+//!
+//! The growth of each particle is summed, less what compression takes back. Once it has grown by e, the kinetic energy that
+//! no node sees is measured. The run stops where that is a share of all energy, still grows, the particle is in tension, and the
+//! energy balance shows energy from nowhere, or the share is large and grows fast. Particles are looked at when the strains since
+//! the last look may have let the growth rise, so that a calm run does not pay. Two kinds of runs are not watched, as they make energy for another reason: linear
+//! functions, whose particles cross cells, and steps beyond the critical one. The sums are in no checkpoint: they begin anew.
+
+use super::Simulation;
+use super::clock::StepInfo;
+use super::error::{ParticleAt, StepError, StepErrorKind};
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
+use crate::scene::{Scene, StressScheme, TransferKind, Weighting};
+use nalgebra::Matrix3;
+use std::fmt;
+
+/// Growth, as a logarithm, that may be missed between two looks at the particles.
+const MISSED: f64 = 0.25;
+/// Growth, as a logarithm, from which on the energy that no node sees is measured.
+const BEGUN: f64 = 1.0;
+/// Growth, as a logarithm, from which on a run may be stopped.
+const GROWN: f64 = 3.0;
+/// Share of the energy in motion that no node sees above which a run is stopped. Sound bars have 0.01 when they swing, those
+/// that are torn 0.1 to 0.4.
+pub const MOST_UNSEEN: f64 = 0.04;
+/// Share of the energy in motion that no node sees above which a run is stopped without energy from nowhere, which damping and
+/// a load on what is torn hide; only where tension drives it by [`FAST`], as bodies that turn have such shares, too.
+const TORN: f64 = 0.15;
+/// Growth in a step from which a large share stops a run by itself. Turning and colliding bodies have 0.01.
+const FAST: f64 = 0.05;
+/// Energy from nowhere, over the energy that there was to turn over, above which a run is stopped: FLIP gains up to 0.03 in
+/// sound scenes that turn or collide.
+pub const MOST_CREATED: f64 = 0.05;
+/// Factor over the least share since the growth began above which it is taken to grow: noise of an impact stays what it is.
+const RISEN: f64 = 2.0;
+/// Growth, as a logarithm, within which the share must rise so: a share that rises more slowly than tension drives it has another
+/// cause, as that of a disc that spins with USF.
+const MEANWHILE: f64 = 2.0;
+/// Largest change of a principal stress over density, for a unit of strain, over the square of the wave speed.
+const STIFFEST: f64 = 1.5;
+
+/// A body in tension that FLIP with MUSL or USF is about to tear.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tension {
+    /// The particle whose way has grown most.
+    pub particle: ParticleAt,
+    /// Scheme.
+    pub scheme: StressScheme,
+    /// Largest principal stress of the particle \[Pa\].
+    pub stress: f64,
+    /// Growth in this step of the way that no strain sees, over that way.
+    pub growth: f64,
+    /// Share of the energy in motion that no node sees.
+    pub unseen: f64,
+    /// Energy from nowhere, over the energy that there was to turn over.
+    pub created: f64,
+}
+
+impl fmt::Display for Tension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scheme = word(self.scheme);
+        write!(
+            f,
+            "{} is in tension, {:.4e} Pa, and FLIP with {scheme} does not hold that: particles go a way that no strain sees, \
+             which grows by {:.2} % per step, and a smaller step only delays it; {:.1} % of the energy is in such motion, \
+             {:.1} % came from nowhere; accepted: the scheme \"USL\", or the transfer \"APIC\" or \"TPIC\"",
+            self.particle,
+            self.stress,
+            100.0 * self.growth,
+            100.0 * self.unseen,
+            100.0 * self.created
+        )
+    }
+}
+
+/// A scheme by its word in scenes.
+pub(crate) fn word(scheme: StressScheme) -> &'static str {
+    match scheme {
+        StressScheme::Usl => "USL",
+        StressScheme::Usf => "USF",
+        StressScheme::Musl => "MUSL",
+    }
+}
+
+/// True where the method of a scene lets a way grow that no strain sees.
+pub(crate) fn loses_tension(scene: &Scene) -> bool {
+    let transfer = scene.transfer;
+    let flip = transfer.kind == TransferKind::Flip && transfer.pic_fraction < 1.0;
+    flip && scene.scheme != StressScheme::Usl
+}
+
+/// The growth of the particles of a body, as logarithms, by identifier from the first. Zeros take no memory before they
+/// are first written.
+#[derive(Debug)]
+struct Growth {
+    first: u64,
+    logarithm: Vec<f64>,
+}
+
+/// The growth of all particles, and what happened since they were looked at.
+#[derive(Debug)]
+pub(crate) struct TensionWatch {
+    bodies: Vec<Growth>,
+    /// Largest principal stress over density at the last look \[m²/s²\]; infinite before the first.
+    tension: f64,
+    /// What strains may have added to it since \[m²/s²\].
+    risen: f64,
+    /// Sum of (dt/h)² since \[s²/m²\].
+    time: f64,
+    /// Bound of the growth since.
+    bound: f64,
+    /// Least share of energy that no node saw since the growth began, and the growth at that time.
+    least: Least,
+}
+
+/// The least share of energy that no node saw of late, and the largest growth of a particle, as a logarithm, at that time.
+#[derive(Clone, Copy, Debug)]
+struct Least {
+    unseen: f64,
+    logarithm: f64,
+}
+
+impl Least {
+    /// Before the growth began.
+    const NONE: Self = Self {
+        unseen: f64::INFINITY,
+        logarithm: 0.0,
+    };
+
+    /// True where the share has risen since; takes a share that is less, and one behind which too much growth lies.
+    fn rises(&mut self, unseen: f64, logarithm: f64) -> bool {
+        let risen = unseen > RISEN * self.unseen;
+        if unseen < self.unseen || logarithm > self.logarithm + MEANWHILE {
+            *self = Self { unseen, logarithm };
+        }
+        risen
+    }
+}
+
+impl TensionWatch {
+    /// The watch of bodies at the start; `None` where the method holds, and with linear functions.
+    pub(super) fn new(scene: &Scene, sets: &[ParticleSet]) -> Option<Self> {
+        let of = |set: &ParticleSet| Growth {
+            first: set.id.iter().copied().min().unwrap_or(0),
+            logarithm: vec![0.0; set.len()],
+        };
+        let watched = loses_tension(scene) && scene.weighting != Weighting::Linear;
+        watched.then(|| Self {
+            bodies: sets.iter().map(of).collect(),
+            tension: f64::INFINITY,
+            risen: 0.0,
+            time: 0.0,
+            bound: 0.0,
+            least: Least::NONE,
+        })
+    }
+}
+
+/// The particle whose way has grown most.
+#[derive(Clone, Copy)]
+struct Worst {
+    set: usize,
+    p: usize,
+    logarithm: f64,
+    stress: f64,
+    /// Stress over density \[m²/s²\].
+    specific: f64,
+}
+
+impl Simulation {
+    /// Looks at the tension after a step, where the method may lose it.
+    pub(super) fn watch_tension(&mut self, info: &StepInfo) -> Result<(), StepError> {
+        let Some(mut watch) = self.work.tension.take() else {
+            return Ok(());
+        };
+        let result = self.look_at_tension(&mut watch, info);
+        self.work.tension = Some(watch);
+        result
+    }
+
+    fn look_at_tension(
+        &mut self,
+        watch: &mut TensionWatch,
+        info: &StepInfo,
+    ) -> Result<(), StepError> {
+        let courant = info.dt / self.smallest_cell();
+        let rate = courant * courant;
+        let rises = self.state.found.iter();
+        let rises = rises.map(|f| f.increment_squared.sqrt() * f.wave_speed_squared);
+        watch.risen += STIFFEST * rises.fold(0.0, f64::max);
+        watch.time += rate;
+        watch.bound += (watch.tension + watch.risen) * rate;
+        // Not a number is looked at, too.
+        if watch.bound <= MISSED || info.dt > info.dt_critical {
+            return Ok(());
+        }
+        let worst = self.grow(watch);
+        let Some(worst) = worst.filter(|worst| worst.logarithm >= BEGUN) else {
+            watch.least = Least::NONE;
+            return Ok(());
+        };
+        let unseen = self.unseen_share();
+        let risen = watch.least.rises(unseen, worst.logarithm);
+        let grows = worst.logarithm >= GROWN && worst.stress > 0.0;
+        if !grows || unseen <= MOST_UNSEEN || !risen {
+            return Ok(());
+        }
+        let created = self.created_share();
+        let torn = unseen > TORN && worst.specific * rate > FAST;
+        if created <= MOST_CREATED && !torn {
+            return Ok(());
+        }
+        Err(self.error(StepErrorKind::Tension(Tension {
+            particle: self.particle_at(worst.set, worst.p),
+            scheme: self.decided.plan.scheme,
+            stress: worst.stress,
+            growth: worst.specific * rate,
+            unseen,
+            created,
+        })))
+    }
+
+    /// Energy from nowhere over the energy that there was to turn over; 0 where not all work is known.
+    fn created_share(&mut self) -> f64 {
+        if !self.knows_all_work() {
+            return 0.0;
+        }
+        let energy = self.energy();
+        -energy.remainder / self.scale_of_energy(&energy)
+    }
+
+    /// Adds the growth since the last look; the particle that has grown most, the first of them by its identifier.
+    fn grow(&self, watch: &mut TensionWatch) -> Option<Worst> {
+        let mut worst: Option<Worst> = None;
+        let mut most = 0.0_f64;
+        for (set, growth) in watch.bodies.iter_mut().enumerate() {
+            if self.decided.bodies[set].motion.is_some() {
+                continue;
+            }
+            let particles = &self.state.sets[set];
+            for p in 0..particles.len() {
+                let stress = largest_principal(particles, p);
+                let [volume, mass] =
+                    [Layout::VOLUME, Layout::MASS].map(|column| particles.columns[column][p]);
+                let specific = stress * volume / mass;
+                most = most.max(specific);
+                let place = particles.id[p].wrapping_sub(growth.first) as usize;
+                let Some(logarithm) = growth.logarithm.get_mut(place) else {
+                    continue;
+                };
+                let grown = (*logarithm + specific * watch.time).max(0.0);
+                if grown != *logarithm {
+                    *logarithm = grown;
+                }
+                let more = worst.is_none_or(|w| {
+                    let same = *logarithm == w.logarithm && set == w.set;
+                    *logarithm > w.logarithm || same && particles.id[p] < particles.id[w.p]
+                });
+                if more {
+                    worst = Some(Worst {
+                        set,
+                        p,
+                        logarithm: *logarithm,
+                        stress,
+                        specific,
+                    });
+                }
+            }
+        }
+        watch.tension = most;
+        (watch.risen, watch.time, watch.bound) = (0.0, 0.0, 0.0);
+        worst
+    }
+
+    /// Share of kinetic and strain energy in velocities of particles that a mapping to the nodes takes away.
+    fn unseen_share(&self) -> f64 {
+        let kinetic = self.kinetic_energy();
+        let all = kinetic + self.strain_energy();
+        let unseen = kinetic - self.kinetic_energy_after_second_mapping();
+        if all > 0.0 {
+            unseen.max(0.0) / all
+        } else {
+            0.0
+        }
+    }
+
+    /// Kinetic energy at the nodes of the velocities that were mapped a second time \[J\].
+    fn kinetic_energy_after_second_mapping(&self) -> f64 {
+        let first = match self.decided.plan.scheme {
+            StressScheme::Musl => 4,
+            StressScheme::Usl | StressScheme::Usf => 1,
+        };
+        let shape = &self.work.grid.shape;
+        let mut sum = 0.0;
+        for (_, rows, lines) in self.fields() {
+            for plane in 0..shape.nodes[0] {
+                for row in 0..shape.nodes[1] {
+                    let start = shape.index([plane, row, 0]);
+                    for k in rows.span(plane, row) {
+                        let line = &lines[start + k];
+                        if line[0] > 0.0 && !self.is_ghost([plane, row, k]) {
+                            let square: f64 = line[first..first + 3].iter().map(|v| v * v).sum();
+                            sum += 0.5 * line[0] * square;
+                        }
+                    }
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// The largest principal stress of a particle in the axes along which it moves \[Pa\].
+fn largest_principal(set: &ParticleSet, p: usize) -> f64 {
+    let axes = set.layout.axes;
+    let at = |i: usize| set.columns[Layout::stress(axes) + i][p];
+    if axes == 2 {
+        let (mean, half) = (0.5 * (at(0) + at(1)), 0.5 * (at(0) - at(1)));
+        return mean + (half * half + at(3) * at(3)).sqrt();
+    }
+    let [xx, yy, zz, yz, xz, xy] = std::array::from_fn(at);
+    // The largest sum of a row is a bound, and compression that it shows needs no more.
+    let bound = (xx + xy.abs() + xz.abs())
+        .max(yy + xy.abs() + yz.abs())
+        .max(zz + xz.abs() + yz.abs());
+    if bound <= 0.0 || !bound.is_finite() {
+        return bound;
+    }
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+        .symmetric_eigenvalues()
+        .max()
+}
