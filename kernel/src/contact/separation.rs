@@ -26,11 +26,13 @@ pub struct Cloud {
 
 impl Cloud {
     /// The shortest way from the hull of the master to that of the slave \[m\]; `None` where the hulls meet, or one is
-    /// empty. `towards` is a first guess of its direction. A way that is no longer than `enough` \[m\] may be longer than
-    /// the shortest.
+    /// empty. `first` is a first guess: the way between two particles that bound the hulls along some direction. A way that is
+    /// no longer than `enough` \[m\] may be longer than the shortest.
     #[must_use]
-    pub fn way(&self, towards: &Vector, enough: f64) -> Option<Vector> {
-        let first = self.nearest_along(towards)?;
+    pub fn way(&self, first: Vector, enough: f64) -> Option<Vector> {
+        if self.points.iter().any(Vec::is_empty) {
+            return None;
+        }
         let mut simplex = Simplex {
             points: [first; 4],
             count: 1,
@@ -75,8 +77,10 @@ impl Cloud {
         std::array::from_fn(|axis| middle(&self.points[1], axis) - middle(&self.points[0], axis))
     }
 
-    /// From the particle of the master that is farthest along a direction to that of the slave that is least far.
-    fn nearest_along(&self, direction: &Vector) -> Option<Vector> {
+    /// The way from the particle of the master that is farthest along a direction to that of the slave that is least far \[m\];
+    /// `None` where a body has none.
+    #[must_use]
+    pub fn nearest_along(&self, direction: &Vector) -> Option<Vector> {
         let [master, slave] = &self.points;
         let m = farthest(master, direction)?;
         let s = farthest(slave, &direction.map(|c| -c))?;

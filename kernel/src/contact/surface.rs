@@ -127,6 +127,8 @@ pub struct Probe {
     pub facing: Vector,
     /// Farthest that any particle lies from the node along the direction \[m\].
     pub farthest: f64,
+    /// The first particle that lies so far, relative to the node \[m\].
+    pub extreme: Vector,
     /// By what the particle was chosen: its reach less a share of its distance from the line through the node.
     rank: f64,
 }
@@ -143,6 +145,7 @@ impl Probe {
             reach: f64::NEG_INFINITY,
             facing: [0.0; 3],
             farthest: f64::NEG_INFINITY,
+            extreme: [0.0; 3],
             rank: f64::NEG_INFINITY,
         }
     }
@@ -155,7 +158,10 @@ impl Probe {
         if along < self.rank {
             return;
         }
-        self.farthest = self.farthest.max(along);
+        if along > self.farthest {
+            self.farthest = along;
+            self.extreme = *d;
+        }
         let aside: f64 = (0..3)
             .map(|k| (d[k] - along * self.direction[k]).powi(2))
             .sum();
@@ -176,6 +182,17 @@ pub struct Search<'a> {
     pub planes: Range<usize>,
     /// Nodes per axis of the stencil.
     pub stencil: usize,
+}
+
+/// The box of all nodes with a probe, and lengths that are the same for all particles.
+struct Within {
+    /// Lowest and highest storage indices.
+    low: [usize; 3],
+    high: [usize; 3],
+    /// One over the cell \[1/m\].
+    per_length: Vector,
+    /// Radius of the ball that a probe sends along its line \[m\].
+    radius: f64,
 }
 
 impl Search<'_> {
@@ -200,19 +217,25 @@ impl Search<'_> {
         // A particle may have left its layer by one cell since the last sort, and a layer by which hats are sorted may begin one
         // node before the stencil.
         let first = self.planes.start.saturating_sub(self.stencil + 1);
+        let within = Within {
+            low,
+            high,
+            per_length: self.shape.cell.map(|cell| 1.0 / cell),
+            radius: radius(self.shape),
+        };
         for p in interface.in_layers(first..self.planes.end + 1).flatten() {
-            self.show((set, p), [&low, &high], surface, probes, (clouds, side));
+            self.show((set, p), &within, surface, probes, (clouds, side));
         }
         for probe in probes.iter() {
             surface[probe.node][MARK] = 0.0;
         }
     }
 
-    /// Shows a particle to the probes at the nodes of its stencil that lie between `low` and `high`.
+    /// Shows a particle to the probes at the nodes of its stencil that lie in a box.
     fn show(
         &self,
         (set, p): (&ParticleSet, usize),
-        [low, high]: [&[usize; 3]; 2],
+        within: &Within,
         surface: &[Line],
         probes: &mut [Probe],
         (clouds, side): (&mut [Cloud], usize),
@@ -221,16 +244,16 @@ impl Search<'_> {
         let mut reach: [Range<usize>; 3] = [0..1, 0..1, 0..1];
         for axis in 0..shape.axes {
             let direction = shape.direction(axis);
-            let xi = set.columns[Layout::POSITION + axis][p] * (1.0 / shape.cell[axis]);
+            let xi = set.columns[Layout::POSITION + axis][p] * within.per_length[axis];
             let base = (base_node(xi, self.stencil) + GHOSTS_BELOW as f64) as usize;
-            let range = base.max(low[direction])..(base + self.stencil).min(high[direction] + 1);
+            let end = (base + self.stencil).min(within.high[direction] + 1);
+            let range = base.max(within.low[direction])..end;
             if range.is_empty() {
                 return;
             }
             reach[direction] = range;
         }
         let x = set.position(p);
-        let radius = radius(shape);
         for i in reach[0].clone() {
             for j in reach[1].clone() {
                 let row = ((i - self.planes.start) * shape.nodes[1] + j) * shape.nodes[2];
@@ -240,7 +263,7 @@ impl Search<'_> {
                         let probe = &mut probes[slot - 1];
                         let node = shape.position_of([i, j, k]);
                         let d = std::array::from_fn(|a| x[a] - node[a]);
-                        probe.see(&d, radius);
+                        probe.see(&d, within.radius);
                         if let Some(cloud) = probe.cloud {
                             clouds[cloud].points[side].push(d);
                         }

@@ -52,6 +52,8 @@ struct Distance {
     between: Vector,
     /// Between the planes across the normal that bound the particles near the node \[m\]; no larger.
     least: f64,
+    /// From the particle of the master on one of those planes to that of the slave on the other \[m\].
+    bounds: Vector,
 }
 
 impl Meetings {
@@ -198,7 +200,7 @@ fn instead(
         distance.least
     };
     // Hulls are no farther apart than any way from one to the other, so that the search can end early.
-    if let Some(way) = cloud.way(&at.normal, margin / LEAST_MARGIN) {
+    if let Some(way) = cloud.way(distance.bounds, margin / LEAST_MARGIN) {
         let size = surface::length(&way);
         if margin >= LEAST_MARGIN * (1.0 - WIDER) * size {
             return None;
@@ -258,6 +260,7 @@ impl Lists {
             facing: 0.0,
             between: [0.0; 3],
             least: 0.0,
+            bounds: [0.0; 3],
         };
         self.distances.resize(self.nodes.len(), none);
         for (side, (number, sign)) in numbers.into_iter().zip([1.0, -1.0]).enumerate() {
@@ -280,6 +283,7 @@ impl Lists {
                 distance.facing -= probe.reach;
                 for axis in 0..3 {
                     distance.between[axis] -= sign * probe.facing[axis];
+                    distance.bounds[axis] -= sign * probe.extreme[axis];
                 }
                 distance.least -= probe.farthest;
             }
