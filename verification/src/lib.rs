@@ -10,6 +10,7 @@ pub mod element;
 pub mod exact;
 pub mod generated;
 pub mod guest;
+pub mod mill;
 pub mod random;
 pub mod sensitivity;
 pub mod settings;

@@ -32,6 +32,8 @@ mod hertz_sphere;
 mod homogeneous;
 #[path = "exact/indented_block.rs"]
 mod indented_block;
+#[path = "exact/jet.rs"]
+mod jet;
 #[path = "exact/material_point.rs"]
 mod material_point;
 #[path = "exact/objective_rate.rs"]

@@ -2,6 +2,7 @@
 
 mod earlier;
 mod generated;
+mod mill;
 
 use super::settings::Settings;
 use super::{Amount, names};
@@ -17,11 +18,12 @@ use crate::suite::{self, Ran};
 use clap::Args;
 use earlier::Earlier;
 use generated::Generated;
+use mill::Mill;
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::simulation::Options;
 use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Run verification cases: errors, observed orders, gates.
@@ -33,9 +35,11 @@ use std::time::Instant;
 #[command(after_help = "Example: proctor verify boussinesq base-acceleration\n\
     A short ladder, as record: proctor verify --quick --json record.json\n\
     After Ctrl-C, or a case that failed: proctor verify --resume record.json\n\
-    A thousand scenes made of random choices: proctor verify --generated 1000 --seed 7")]
+    A thousand scenes made of random choices: proctor verify --generated 1000 --seed 7\n\
+    A hundred manufactured solutions: proctor verify mill --count 100 --seed 7")]
 pub struct Verify {
-    /// Cases to run [default: all]
+    /// Cases to run [default: all]; `mill` alone runs random motions whose body force is made by derivation, on ladders, and
+    /// judges orders and errors
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
     /// Run the short ladder of each case
@@ -60,17 +64,19 @@ pub struct Verify {
     /// invariance, equilibrium. A scene that violates its property is written as a scene file; --json FILE takes the result
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["cases", "quick", "list", "resume", "failed", "repetitions"])]
     generated: Option<u64>,
-    /// Seed of the generated scenes: the scene of a number is the same for the same seed
-    #[arg(long, value_name = "S", default_value_t = 1, requires = "generated")]
-    seed: u64,
-    /// Folder for generated scenes that violate their property
-    #[arg(
-        long,
-        value_name = "DIR",
-        default_value = "target/proctor/generated",
-        requires = "generated"
-    )]
-    out: PathBuf,
+    /// Seed of generated scenes or of the mill: the scene or problem of a number is the same for the same seed [default: 1]
+    #[arg(long, value_name = "S")]
+    seed: Option<u64>,
+    /// Number of problems of the mill [default: 30]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "problem")]
+    count: Option<u64>,
+    /// A problem of the mill from a file, as one that misses a gate is written, instead of random ones
+    #[arg(long, value_name = "FILE")]
+    problem: Option<PathBuf>,
+    /// Folder for generated scenes that violate their property, or problems that miss a gate
+    /// [default: target/proctor/generated or target/proctor/mill]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
     #[command(flatten)]
     amount: Amount,
     #[command(flatten)]
@@ -79,6 +85,13 @@ pub struct Verify {
 
 /// The record of the main job.
 const MAIN_JOB: &str = "target/proctor/record.json";
+
+/// Seed where none is given.
+const SEED: u64 = 1;
+/// Folder for generated scenes that violate their property.
+const GENERATED: &str = "target/proctor/generated";
+/// Folder for problems of the mill that miss a gate.
+const MILLED: &str = "target/proctor/mill";
 
 /// What is to be done.
 struct Task {
@@ -94,6 +107,10 @@ struct Task {
 
 impl Verify {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        self.go_together()?;
+        if self.mills() {
+            return self.mill(out);
+        }
         let chosen = names::chosen(&self.cases, case::all(), "case", Case::name)?;
         if self.list {
             for case in chosen {
@@ -109,9 +126,9 @@ impl Verify {
             }
             return Generated {
                 count,
-                seed: self.seed,
+                seed: self.seed.unwrap_or(SEED),
                 threads: options.threads,
-                folder: &self.out,
+                folder: self.out.as_deref().unwrap_or(Path::new(GENERATED)),
                 json: self.json.as_deref(),
                 table: self.amount.more_than_the_verdict(),
             }
@@ -134,6 +151,48 @@ impl Verify {
             progress::hide();
         }
         self.work(task, &options, &interrupt, out)
+    }
+
+    /// Whether the mill is meant, not cases.
+    fn mills(&self) -> bool {
+        self.cases.iter().any(|name| name == mill::NAME)
+    }
+
+    /// Looks at arguments that belong to random scenes and problems alone.
+    ///
+    /// # Errors
+    /// One of them without what it belongs to, or the mill beside what is none of it.
+    fn go_together(&self) -> Result<(), Failure> {
+        let of_record = self.quick || self.list || self.repetitions > 1;
+        let of_record = of_record || self.resume.is_some() || self.failed.is_some();
+        let with_mill = self.cases.len() > 1 || of_record;
+        let fault = if self.mills() {
+            with_mill.then_some("found `mill` beside other cases or options of cases; accepted: `mill` alone, with --seed, --count, --problem, --out, --json and --threads")
+        } else if self.count.is_some() || self.problem.is_some() {
+            Some("found --count or --problem without `mill`; accepted: proctor verify mill --count N")
+        } else if self.generated.is_none() && (self.seed.is_some() || self.out.is_some()) {
+            Some("found --seed or --out without random scenes; accepted: with --generated N or `mill`")
+        } else {
+            None
+        };
+        fault.map_or(Ok(()), |fault| Err(Failure::BadInput(fault.to_owned())))
+    }
+
+    /// Runs the mill.
+    fn mill(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        if !self.amount.more_than_the_verdict() {
+            progress::hide();
+        }
+        Mill {
+            count: self.count.unwrap_or(mill::COUNT),
+            seed: self.seed.unwrap_or(SEED),
+            problem: self.problem.as_deref(),
+            threads: self.settings.options()?.threads,
+            folder: self.out.as_deref().unwrap_or(Path::new(MILLED)),
+            json: self.json.as_deref(),
+            table: self.amount.more_than_the_verdict(),
+        }
+        .run(out)
     }
 
     /// What is to be run, and the record that it goes into.

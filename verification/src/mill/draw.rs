@@ -1,0 +1,309 @@
+//! Random problems: what is drawn, and what is refused.
+
+use proctor_kernel::laws::Particle;
+use proctor_kernel::scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
+
+use super::material::{Kind, Material};
+use super::motion::{
+    Bubble, Field, Matrix, Motion, TERMS, Vector, determinant, matrix, product,
+};
+use super::problem::{Family, Problem};
+use crate::generated::Dice;
+use crate::settings::Method;
+
+/// Volume ratio below which a problem is refused.
+const LEAST_VOLUME: f64 = 0.5;
+/// Principal stretches that a problem may have.
+const STRETCHES: [f64; 2] = [0.7, 1.4];
+/// Share of the rate of the frame that the rate of the field may have where a body has to yield on.
+const SHARE_OF_FLOW: f64 = 0.4;
+/// Largest strain of a motion in which nothing crosses cells: what weighting functions whose integration error grows with
+/// crossing are held against.
+const SMALL: f64 = 1e-3;
+
+/// A problem of that seed and number; `attempt` of the draws before it were refused.
+///
+/// # Errors
+/// The reason for which it has no solution that a ladder may be run for.
+pub fn problem(seed: u64, number: u64, attempt: u64) -> Result<Problem, String> {
+    let mut dice = Dice::new(seed.wrapping_add(attempt << 32), number);
+    let axes = if dice.chance(0.9) { 2 } else { 3 };
+    let family = match dice.whole(0, 9) {
+        0..=2 => Family::Box,
+        3..=6 => Family::Floating,
+        7..=8 => Family::Frame,
+        _ => Family::Affine,
+    };
+    let kind = kind(&mut dice, family, axes);
+    let mut material = material(&mut dice, kind);
+    let method = method(&mut dice, family);
+    let end = dice.between(0.5, 0.9) / material.speed();
+    let motion = motion(&mut dice, family, axes, &mut material, method, end);
+    let ladder = if axes == 2 {
+        vec![8, 16, 32]
+    } else {
+        vec![8, 16]
+    };
+    let mut problem = Problem {
+        name: format!("{}-{seed}-{number}", family.word()),
+        family,
+        motion,
+        material,
+        end,
+        method,
+        ladder,
+        fastest: 0.0,
+    };
+    problem.fastest = solvable(&problem)?;
+    Ok(problem)
+}
+
+fn kind(dice: &mut Dice, family: Family, axes: usize) -> Kind {
+    let elastic = [Kind::NeoHookean, Kind::Hencky, Kind::Elastic];
+    match family {
+        Family::Box | Family::Floating => dice.pick(&elastic),
+        // A law with a memory is followed along the path of each particle, which takes long in space.
+        Family::Frame if axes == 3 => dice.pick(&elastic[..2]),
+        Family::Frame if dice.chance(0.5) => Kind::VonMises,
+        Family::Frame => dice.pick(&elastic),
+        Family::Affine => dice.pick(&Kind::ALL),
+    }
+}
+
+fn material(dice: &mut Dice, kind: Kind) -> Material {
+    let young = dice.decades(1e4, 1e9);
+    Material {
+        kind,
+        young,
+        poisson: dice.between(0.0, 0.4),
+        strength: young * dice.between(0.01, 0.05),
+        // Of the size of the shear modulus: a wrong return shows.
+        hardening: young * dice.between(0.2, 0.6),
+        density: dice.decades(100.0, 1e4),
+        stress: [0.0; 6],
+    }
+}
+
+fn method(dice: &mut Dice, family: Family) -> Method {
+    let scheme = dice.pick(&[StressScheme::Usl, StressScheme::Musl, StressScheme::Usf]);
+    let transfer = dice.pick(&[TransferKind::Flip, TransferKind::Apic, TransferKind::Tpic]);
+    // What turns has the stretch along the axes of space.
+    let contiguous = Weighting::ContiguousGimp(match family {
+        Family::Box => DomainUpdate::Stretch,
+        _ => DomainUpdate::LeftStretch,
+    });
+    let weighting = match family {
+        Family::Floating => contiguous,
+        _ => dice.pick(&[
+            contiguous,
+            contiguous,
+            Weighting::UniformGimp,
+            Weighting::QuadraticBSpline,
+            Weighting::Linear,
+        ]),
+    };
+    Method {
+        weighting,
+        scheme,
+        transfer,
+    }
+}
+
+fn motion(
+    dice: &mut Dice,
+    family: Family,
+    axes: usize,
+    material: &mut Material,
+    method: Method,
+    end: f64,
+) -> Motion {
+    let phase = dice.between(1.0, 2.2);
+    let bubble = match family {
+        Family::Box => Bubble::Cosine,
+        Family::Floating => Bubble::Power(2),
+        Family::Frame | Family::Affine => Bubble::Power(4),
+    };
+    let mut field = Field {
+        axes,
+        bubble,
+        polynomials: polynomials(dice, axes),
+    };
+    let crosses = matches!(method.weighting, Weighting::ContiguousGimp(_));
+    let mut strain = if crosses { dice.between(0.05, 0.15) } else { SMALL };
+    let mut motion = Motion {
+        center: [0.0; 3],
+        field: field.clone(),
+        pulse: phase / end,
+        drift: [0.0; 3],
+        axis: [0.0, 0.0, 1.0],
+        spin: 0.0,
+        stretch: [[0.0; 3]; 3],
+    };
+    if family == Family::Box {
+        motion.center[..axes].fill(0.5);
+    } else {
+        let most = if family == Family::Floating { 0.8 } else { 0.4 };
+        motion.axis = axis(dice, axes);
+        motion.spin = dice.between(-most, most) / end;
+        if family == Family::Floating {
+            for drift in &mut motion.drift[..axes] {
+                *drift = dice.between(-0.3, 0.3) / end;
+            }
+        }
+    }
+    if family.has_frame() {
+        let size = if crosses { 0.1 } else { SMALL };
+        let stretch: Matrix = std::array::from_fn(|_| std::array::from_fn(|_| dice.between(-1.0, 1.0)));
+        motion.stretch = matrix(|i, j| {
+            if i < axes && j < axes {
+                size * stretch[i][j] / end
+            } else {
+                0.0
+            }
+        });
+        if !crosses {
+            motion.spin *= SMALL;
+        }
+        if material.kind.yields() {
+            let flow = begin_on_surface(material, &motion.stretch);
+            strain = SHARE_OF_FLOW * flow / motion.pulse;
+        }
+    }
+    let most = steepest(&field);
+    for factor in field.polynomials.iter_mut().flatten() {
+        *factor *= if family == Family::Affine { 0.0 } else { strain / most };
+    }
+    motion.field = field;
+    motion
+}
+
+fn polynomials(dice: &mut Dice, axes: usize) -> [[f64; TERMS]; 3] {
+    let mut all = [[0.0; TERMS]; 3];
+    let in_space = [3, 6, 8, 9];
+    for polynomial in &mut all[..axes] {
+        for (term, factor) in polynomial.iter_mut().enumerate() {
+            let drawn = dice.between(-1.0, 1.0);
+            if axes == 3 || !in_space.contains(&term) {
+                *factor = drawn;
+            }
+        }
+    }
+    all
+}
+
+/// A direction: across the plane, or any in space.
+fn axis(dice: &mut Dice, axes: usize) -> Vector {
+    if axes == 2 {
+        return [0.0, 0.0, 1.0];
+    }
+    let z = dice.between(-1.0, 1.0);
+    let (sin, cos) = libm::sincos(dice.between(-3.1, 3.1));
+    let radius = (1.0 - z * z).sqrt();
+    [radius * cos, radius * sin, z]
+}
+
+/// Largest Frobenius norm of the gradient of a field.
+fn steepest(field: &Field) -> f64 {
+    let motion = Motion {
+        center: [0.0; 3],
+        field: field.clone(),
+        pulse: 0.0,
+        drift: [0.0; 3],
+        axis: [0.0, 0.0, 1.0],
+        spin: 0.0,
+        stretch: [[0.0; 3]; 3],
+    };
+    let count: usize = 21;
+    let along = |k: usize| k as f64 / (count - 1) as f64 - 0.5;
+    let all = 0..count.pow(field.axes as u32);
+    all.map(|index| {
+        let x = std::array::from_fn(|axis| {
+            if axis < field.axes {
+                along(index / count.pow(axis as u32) % count)
+            } else {
+                0.0
+            }
+        });
+        norm(&motion.of(&x).gradient)
+    })
+    .fold(0.0, f64::max)
+}
+
+fn norm(m: &Matrix) -> f64 {
+    m.iter().flatten().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Puts the stress of the start on the yield surface, along the flow of a rate of stretch: the norm of its deviator \[1/s\].
+fn begin_on_surface(material: &mut Material, stretch: &Matrix) -> f64 {
+    let rate = matrix(|i, j| 0.5 * (stretch[i][j] + stretch[j][i]));
+    let third = (rate[0][0] + rate[1][1] + rate[2][2]) / 3.0;
+    let deviator = matrix(|i, j| rate[i][j] - if i == j { third } else { 0.0 });
+    let size = norm(&deviator);
+    // sqrt(3 J_2) = Y, and sqrt(J_2) + eta p = xi c under a pressure of some times the cohesion.
+    let (mean, radius) = match material.kind {
+        Kind::VonMises => (0.0, material.strength / 3.0_f64.sqrt()),
+        _ => {
+            let mean = -4.0 * material.strength;
+            (mean, material.cone_radius(mean))
+        }
+    };
+    let factor = radius * 2.0_f64.sqrt() / size;
+    let of = |i: usize, j: usize| factor * deviator[i][j];
+    material.stress = [
+        of(0, 0) + mean,
+        of(1, 1) + mean,
+        of(2, 2) + mean,
+        of(1, 2),
+        of(0, 2),
+        of(0, 1),
+    ];
+    size
+}
+
+/// Fastest wave and particle together \[m/s\] of a problem that may be run.
+///
+/// # Errors
+/// The body inverts nearly or is stretched more than weighting functions bear.
+pub fn solvable(problem: &Problem) -> Result<f64, String> {
+    let law = problem.material.law();
+    let variables: Vec<f64> = (law.variables().iter())
+        .flat_map(|variable| vec![variable.initial; variable.components])
+        .collect();
+    let places: Vec<_> = (problem.samples(11).iter())
+        .map(|x| problem.motion.of(x))
+        .collect();
+    let (mut wave, mut speed) = (0.0_f64, 0.0_f64);
+    for time in problem.times(9) {
+        let moment = problem.motion.at(time);
+        for place in &places {
+            let deformation = moment.deformation(place);
+            let jacobian = determinant(&deformation);
+            if !(jacobian > LEAST_VOLUME) {
+                return Err(format!("inverts nearly: det F = {jacobian:.3}"));
+            }
+            let [low, high] = stretches(&deformation);
+            if !(low > STRETCHES[0] && high < STRETCHES[1]) {
+                return Err(format!("stretches from {low:.3} to {high:.3}"));
+            }
+            let density = problem.material.density;
+            wave = wave.max(law.speed_squared(&Particle {
+                mass: density,
+                volume: jacobian,
+                density,
+                stress: problem.material.stress,
+                deformation,
+                variables: &variables,
+            }));
+            let [_, v, _] = moment.motion(place);
+            speed = speed.max(v.iter().map(|v| v * v).sum());
+        }
+    }
+    Ok(wave.sqrt() + speed.sqrt())
+}
+
+/// Smallest and largest principal stretch.
+fn stretches(f: &Matrix) -> [f64; 2] {
+    let square = product(f, &matrix(|i, j| f[j][i]));
+    let values = nalgebra::Matrix3::from_fn(|i, j| square[i][j]).symmetric_eigenvalues();
+    [values.min().sqrt(), values.max().sqrt()]
+}

@@ -1,0 +1,213 @@
+//! A manufactured problem: a motion, a law, a method; its scene and the references that drive and judge it.
+
+use proctor_kernel::scene::{
+    Body, Dimension, InitialStress, Mesh, OnImbalance, PlaneCondition, Results, Scene, Shape,
+    TimeStep,
+};
+
+use super::material::Material;
+use super::motion::{Motion, Vector};
+use crate::settings::{Method, Settings};
+
+/// How a body is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// On the whole mesh between fixed planes.
+    Box,
+    /// Free on all sides, with a field that leaves the faces without stress; it shifts and turns.
+    Floating,
+    /// In a frame of prescribed nodes that stretches, shears and turns.
+    Frame,
+    /// The same without a field: the stress is uniform.
+    Affine,
+}
+
+impl Family {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Box, Self::Floating, Self::Frame, Self::Affine];
+
+    /// Name in tables and files.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Box => "box",
+            Self::Floating => "floating",
+            Self::Frame => "frame",
+            Self::Affine => "affine",
+        }
+    }
+
+    /// Whether nodes around the body are prescribed.
+    #[must_use]
+    pub fn has_frame(self) -> bool {
+        matches!(self, Self::Frame | Self::Affine)
+    }
+
+    /// Half the edge of the body \[m\].
+    #[must_use]
+    pub fn half(self) -> f64 {
+        if self.has_frame() { 0.75 } else { 0.5 }
+    }
+}
+
+/// Cells per metre that divide the edges of all meshes: bodies and meshes end on lines.
+pub const COARSEST: usize = 8;
+/// Cells between the body and the boundary of its mesh, of the coarsest.
+const MARGIN: f64 = 3.0;
+/// Share of the largest stable step that a run takes; waves and particles are counted as they become.
+pub const SHARE_OF_STEP: f64 = 0.6;
+
+/// A problem that a mill made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// Name: that of the family, the seed and the number.
+    pub name: String,
+    /// How the body is held.
+    pub family: Family,
+    /// Motion.
+    pub motion: Motion,
+    /// Law.
+    pub material: Material,
+    /// End \[s\].
+    pub end: f64,
+    /// Weighting function, scheme and transfer.
+    pub method: Method,
+    /// Cells per metre, coarse to fine.
+    pub ladder: Vec<usize>,
+    /// Fastest wave of the moved body and fastest particle together \[m/s\].
+    pub fastest: f64,
+}
+
+impl Problem {
+    /// Number of axes.
+    #[must_use]
+    pub fn axes(&self) -> usize {
+        self.motion.axes()
+    }
+
+    fn dimension(&self) -> Dimension {
+        if self.axes() == 2 {
+            Dimension::Two
+        } else {
+            Dimension::Three
+        }
+    }
+
+    /// Places of the body on a grid, `count` along each axis, with both faces \[m\].
+    #[must_use]
+    pub fn samples(&self, count: usize) -> Vec<Vector> {
+        let half = self.family.half();
+        let axes = self.axes();
+        let all = count.pow(axes as u32);
+        let along = |k: usize| half * (2.0 * k as f64 / (count - 1) as f64 - 1.0);
+        (0..all)
+            .map(|index| {
+                std::array::from_fn(|axis| {
+                    let k = index / count.pow(axis as u32) % count;
+                    let from_center = if axis < axes { along(k) } else { 0.0 };
+                    self.motion.center[axis] + from_center
+                })
+            })
+            .collect()
+    }
+
+    /// Times from the start to the end \[s\].
+    pub fn times(&self, count: usize) -> impl Iterator<Item = f64> + '_ {
+        (0..count).map(move |k| self.end * k as f64 / (count - 1) as f64)
+    }
+
+    /// Lower and upper corner of all that the body passes \[m\].
+    fn reach(&self) -> [Vector; 2] {
+        let places: Vec<_> = (self.samples(9).iter().map(|x| self.motion.of(x))).collect();
+        let mut reach = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for time in self.times(17) {
+            let moment = self.motion.at(time);
+            for place in &places {
+                let [x, ..] = moment.motion(place);
+                for axis in 0..3 {
+                    let x = self.motion.center[axis] + x[axis];
+                    reach[0][axis] = reach[0][axis].min(x);
+                    reach[1][axis] = reach[1][axis].max(x);
+                }
+            }
+        }
+        reach
+    }
+
+    fn mesh(&self, cells: usize) -> Mesh {
+        let dimension = self.dimension();
+        let h = 1.0 / cells as f64;
+        if self.family == Family::Box {
+            let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], [cells; 3]);
+            for planes in &mut mesh.planes[..self.axes()] {
+                *planes = [PlaneCondition::Fixed; 2];
+            }
+            return mesh;
+        }
+        let coarse = COARSEST as f64;
+        let [low, high] = self.reach();
+        let origin = low.map(|x| ((x * coarse).floor() - MARGIN) / coarse);
+        let count = std::array::from_fn(|axis| {
+            let upper = ((high[axis] * coarse).ceil() + MARGIN) / coarse;
+            ((upper - origin[axis]) * cells as f64).round() as usize
+        });
+        let mut mesh = Mesh::new(dimension, origin, [h; 3], count);
+        for planes in &mut mesh.planes[..self.axes()] {
+            *planes = [PlaneCondition::Free; 2];
+        }
+        mesh
+    }
+
+    /// Equal steps in cells of one part in `cells` of a metre: their length \[s\] and number.
+    #[must_use]
+    pub fn steps(&self, cells: usize) -> (f64, usize) {
+        let settings = Settings::new(self.method);
+        let courant = SHARE_OF_STEP * self.method.stability_number(settings.particles_per_cell);
+        let (_, steps) =
+            (settings.courant(courant)).equal_steps(self.end, 1.0 / cells as f64, self.fastest);
+        (self.end / steps as f64, steps as usize)
+    }
+
+    /// The scene of a rung, without what drives it.
+    #[must_use]
+    pub fn scene(&self, cells: usize) -> Scene {
+        let mut scene = Scene::new(self.dimension(), self.mesh(cells), self.end);
+        scene.name.clone_from(&self.name);
+        scene.time_step = TimeStep::Fixed {
+            dt: self.steps(cells).0,
+            allow_unstable: false,
+        };
+        scene.results = Results {
+            print: 0,
+            fields: vec![],
+            nodal_fields: vec![],
+            checkpoint: false,
+        };
+        // With an affine transfer nodes that are prescribed give particles a momentum that the watch takes for lost.
+        scene.on_imbalance = if self.family.has_frame() {
+            OnImbalance::Tell
+        } else {
+            OnImbalance::Stop
+        };
+        let material = scene.add_material(self.material.law(), self.material.density);
+        let (half, center, axes) = (self.family.half(), self.motion.center, self.axes());
+        let corner = |sign: f64| {
+            std::array::from_fn(|axis| center[axis] + if axis < axes { sign * half } else { 0.0 })
+        };
+        scene.bodies.push(Body {
+            name: "body".to_owned(),
+            id: 1,
+            material,
+            shape: Shape::Cuboid {
+                p1: corner(-1.0),
+                p2: corner(1.0),
+            },
+            particles_per_cell: [1; 3],
+            velocity: [0.0; 3],
+            motion: None,
+            initial_stress: InitialStress::None,
+        });
+        Settings::new(self.method).apply(&mut scene);
+        scene
+    }
+}

@@ -1,0 +1,245 @@
+//! What drives and what judges a run: start, body force and exact values of each particle.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use proctor_kernel::laws::Law;
+use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation};
+
+use super::material::{Kind, divergence, determinant_of};
+use super::motion::{Moment, Place, Vector, apply};
+use super::path::{Ended, Start, follow};
+use super::problem::{Family, Problem};
+use crate::exact::jet::Jet;
+
+/// The exact solution at the particles of a rung.
+pub struct Reference {
+    problem: Problem,
+    /// Number of each particle by the bits of its place at the start.
+    numbers: HashMap<[u64; 3], usize>,
+    places: Vec<Place>,
+    /// Those of the steps; the last is the end.
+    moments: Vec<Moment>,
+    /// Of laws with a memory: Div P \[N/m³\] in each step of each particle, and what they end with.
+    followed: Option<(Vec<Vector>, Vec<Ended>)>,
+    dt: f64,
+}
+
+/// Exact values of a particle at the end.
+#[derive(Clone, Debug)]
+pub struct Exact {
+    /// Displacement less that of the centre \[m\].
+    pub displacement: Vector,
+    /// The part of the displacement that the field makes \[m\].
+    pub field: Vector,
+    /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\].
+    pub stress: [f64; 6],
+    /// Internal variables.
+    pub variables: Vec<f64>,
+}
+
+fn bits(x: &Vector) -> [u64; 3] {
+    x.map(f64::to_bits)
+}
+
+impl Reference {
+    /// That of a rung with that many cells per metre.
+    ///
+    /// # Errors
+    /// The scene is refused.
+    pub fn new(problem: &Problem, cells: usize) -> Result<Self, SetupError> {
+        let options = Options {
+            displacement: true,
+            threads: Some(1),
+            ..Options::default()
+        };
+        let simulation = Simulation::new(&problem.scene(cells), &options)?;
+        let count = simulation.particles();
+        let starts: Vec<Vector> = (0..count)
+            .filter_map(|p| simulation.initial_position(0, p))
+            .collect();
+        let (dt, steps) = problem.steps(cells);
+        let places: Vec<Place> = starts.iter().map(|x| problem.motion.of(x)).collect();
+        let moments = |parts: usize| -> Vec<Moment> {
+            let all = 0..=parts * steps;
+            all.map(|k| problem.motion.at(k as f64 * dt / parts as f64))
+                .collect()
+        };
+        let followed = (problem.material.kind.remembers())
+            .then(|| follow_all(problem, &places, &moments(2), dt));
+        Ok(Self {
+            problem: problem.clone(),
+            numbers: starts.iter().enumerate().map(|(n, x)| (bits(x), n)).collect(),
+            places,
+            moments: moments(1),
+            followed,
+            dt,
+        })
+    }
+
+    /// Smallest plastic strain increment of a particle in half a step, for a law that yields.
+    #[must_use]
+    pub fn least_growth(&self) -> Option<f64> {
+        let (_, ended) = self.followed.as_ref()?;
+        let growth = ended.iter().map(|ended| ended.least_growth);
+        (self.problem.material.kind.yields()).then(|| growth.fold(f64::INFINITY, f64::min))
+    }
+
+    /// Adds start, body force and the displacements that a comparison needs.
+    #[must_use]
+    pub fn options(self: &Arc<Self>, options: Options) -> Options {
+        let (start, force) = (Arc::clone(self), Arc::clone(self));
+        Options {
+            displacement: true,
+            initial: Some(Arc::new(move |x| start.start(x))),
+            body_force: Some(Arc::new(move |x0, _, t| force.force(x0, t))),
+            ..options
+        }
+    }
+
+    fn start(&self, x: &Vector) -> InitialState {
+        let place = self.problem.motion.of(x);
+        let moment = &self.moments[0];
+        let axes = self.problem.axes();
+        let [_, velocity, _] = moment.motion(&place);
+        let mut rate = moment.rate(&place);
+        let mut velocity = velocity;
+        for i in axes..3 {
+            velocity[i] = 0.0;
+            rate[i] = [0.0; 3];
+        }
+        InitialState {
+            velocity,
+            velocity_gradient: rate,
+            stress: self.problem.material.stress,
+            ..InitialState::default()
+        }
+    }
+
+    /// b = x'' - Div P/rho_0 \[m/s²\] of the particle that began at `x0`; not a number for another place or another time.
+    fn force(&self, x0: &Vector, t: f64) -> Vector {
+        let step = (t / self.dt).round() as usize;
+        let (Some(&number), Some(moment)) = (self.numbers.get(&bits(x0)), self.moments.get(step))
+        else {
+            return [f64::NAN; 3];
+        };
+        let place = &self.places[number];
+        let [_, _, acceleration] = moment.motion(place);
+        let force = match &self.followed {
+            Some((forces, _)) => forces[number * self.moments.len() + step],
+            None if self.problem.axes() == 2 => self.force_of::<2>(place, moment),
+            None => self.force_of::<3>(place, moment),
+        };
+        let axes = self.problem.axes();
+        std::array::from_fn(|i| {
+            if i < axes {
+                acceleration[i] - force[i] / self.problem.material.density
+            } else {
+                0.0
+            }
+        })
+    }
+
+    /// Div P of a law without memory \[N/m³\].
+    fn force_of<const D: usize>(&self, place: &Place, moment: &Moment) -> Vector {
+        let f = moment.deformation_jet::<D>(place);
+        let kirchhoff = self.problem.material.kirchhoff::<Jet<D>, D>(&f);
+        divergence::<D>(&kirchhoff, &f)
+    }
+
+    /// Exact values at the end of the particle that began there.
+    #[must_use]
+    pub fn end(&self, x0: &Vector) -> Option<Exact> {
+        let number = *self.numbers.get(&bits(x0))?;
+        let (place, moment) = (&self.places[number], self.moments.last()?);
+        let [x, ..] = moment.motion(place);
+        let field = apply(&moment.frame[0], &place.field).map(|w| moment.pulse[0] * w);
+        let (stress, variables) = match &self.followed {
+            Some((_, ended)) => (ended[number].stress, ended[number].variables.clone()),
+            None => {
+                let f = moment.deformation(place);
+                let jacobian = determinant_of::<f64, 3>(&f);
+                let tau = self.problem.material.kirchhoff::<f64, 3>(&f);
+                let of = |i: usize, j: usize| tau[i][j] / jacobian;
+                let stress = [of(0, 0), of(1, 1), of(2, 2), of(1, 2), of(0, 2), of(0, 1)];
+                (stress, vec![])
+            }
+        };
+        Some(Exact {
+            displacement: std::array::from_fn(|i| x[i] - place.from_center[i]),
+            field,
+            stress,
+            variables,
+        })
+    }
+}
+
+/// Follows all particles of a law with a memory.
+fn follow_all(
+    problem: &Problem,
+    places: &[Place],
+    moments: &[Moment],
+    dt: f64,
+) -> (Vec<Vector>, Vec<Ended>) {
+    let material = &problem.material;
+    match material.kind {
+        Kind::VonMises => of_law(problem, &material.von_mises(), 1, places, moments, dt),
+        Kind::DruckerPrager => of_law(problem, &material.drucker_prager(), 1, places, moments, dt),
+        _ => {
+            let law = proctor_kernel::laws::LinearElastic::new(material.young, material.poisson);
+            of_law(problem, &law, 2, places, moments, dt)
+        }
+    }
+}
+
+fn of_law<M: Law>(
+    problem: &Problem,
+    law: &M,
+    order: u32,
+    places: &[Place],
+    moments: &[Moment],
+    dt: f64,
+) -> (Vec<Vector>, Vec<Ended>) {
+    let start = Start {
+        law,
+        order,
+        density: problem.material.density,
+        stress: problem.material.stress,
+    };
+    let each = moments.len() / 2 + 1;
+    if problem.family == Family::Affine {
+        return of_uniform(&start, problem.axes(), places, moments, dt);
+    }
+    let mut forces = vec![[0.0; 3]; each * places.len()];
+    let ended = (places.iter().zip(forces.chunks_mut(each)))
+        .map(|(place, forces)| {
+            let at = |step: usize, force| forces[step] = force;
+            if problem.axes() == 2 {
+                follow::<M, 2>(&start, place, moments, dt, at)
+            } else {
+                follow::<M, 3>(&start, place, moments, dt, at)
+            }
+        })
+        .collect();
+    (forces, ended)
+}
+
+/// The same where all places have one deformation: no stress has a force.
+fn of_uniform<M: Law>(
+    start: &Start<'_, M>,
+    axes: usize,
+    places: &[Place],
+    moments: &[Moment],
+    dt: f64,
+) -> (Vec<Vector>, Vec<Ended>) {
+    let each = moments.len() / 2 + 1;
+    let ended = if axes == 2 {
+        follow::<M, 2>(start, &places[0], moments, dt, |_, _| ())
+    } else {
+        follow::<M, 3>(start, &places[0], moments, dt, |_, _| ())
+    };
+    (
+        vec![[0.0; 3]; each * places.len()],
+        vec![ended; places.len()],
+    )
+}
