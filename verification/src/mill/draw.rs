@@ -20,13 +20,28 @@ const SHARE_OF_FLOW: f64 = 0.4;
 /// Largest strain of a motion in which nothing crosses cells: what weighting functions whose integration error grows with
 /// crossing are held against.
 const SMALL: f64 = 1e-3;
+/// Largest angle by which a floating body turns \[rad\].
+const MOST_SPIN: f64 = 0.8;
+
+/// What a problem is about; its numbers are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// Number of axes.
+    pub axes: usize,
+    /// How the body is held.
+    pub family: Family,
+    /// Kind of law.
+    pub kind: Kind,
+    /// Weighting function, scheme and transfer.
+    pub method: Method,
+}
 
 /// A problem of that seed and number; `attempt` of the draws before it were refused.
 ///
 /// # Errors
 /// The reason for which it has no solution that a ladder may be run for.
 pub fn problem(seed: u64, number: u64, attempt: u64) -> Result<Problem, String> {
-    let mut dice = Dice::new(seed.wrapping_add(attempt << 32), number);
+    let mut dice = dice(seed, number, attempt);
     let axes = if dice.chance(0.9) { 2 } else { 3 };
     let family = match dice.whole(0, 9) {
         0..=2 => Family::Box,
@@ -35,22 +50,42 @@ pub fn problem(seed: u64, number: u64, attempt: u64) -> Result<Problem, String> 
         _ => Family::Affine,
     };
     let kind = kind(&mut dice, family, axes);
-    let mut material = material(&mut dice, kind);
-    let method = method(&mut dice, family);
+    let choice = Choice {
+        axes,
+        family,
+        kind,
+        method: method(&mut dice, family, kind),
+    };
+    of(&mut dice, &choice, format!("{}-{seed}-{number}", family.word()))
+}
+
+/// Choices of that seed and number; `attempt` of the draws before it were refused.
+#[must_use]
+pub fn dice(seed: u64, number: u64, attempt: u64) -> Dice {
+    Dice::new(seed.wrapping_add(attempt << 32), number)
+}
+
+/// A problem of a choice.
+///
+/// # Errors
+/// The reason for which it has no solution that a ladder may be run for.
+pub fn of(dice: &mut Dice, choice: &Choice, name: String) -> Result<Problem, String> {
+    let mut material = material(dice, choice.kind);
     let end = dice.between(0.5, 0.9) / material.speed();
-    let motion = motion(&mut dice, family, axes, &mut material, method, end);
-    let ladder = if axes == 2 {
-        vec![8, 16, 32]
-    } else {
-        vec![8, 16]
+    let motion = motion(dice, choice, &mut material, end);
+    let ladder = match choice.axes {
+        // Followed with steps like h², which takes long on the finest mesh.
+        2 if choice.kind.yields() => vec![8, 16, 24],
+        2 => vec![8, 16, 32],
+        _ => vec![8, 16],
     };
     let mut problem = Problem {
-        name: format!("{}-{seed}-{number}", family.word()),
-        family,
+        name,
+        family: choice.family,
         motion,
         material,
         end,
-        method,
+        method: choice.method,
         ladder,
         fastest: 0.0,
     };
@@ -64,7 +99,9 @@ fn kind(dice: &mut Dice, family: Family, axes: usize) -> Kind {
         Family::Box | Family::Floating => dice.pick(&elastic),
         // A law with a memory is followed along the path of each particle, which takes long in space.
         Family::Frame if axes == 3 => dice.pick(&elastic[..2]),
-        Family::Frame if dice.chance(0.5) => Kind::VonMises,
+        Family::Frame if dice.chance(0.5) => {
+            dice.pick(&[Kind::VonMises, Kind::VonMises, Kind::DruckerPrager])
+        }
         Family::Frame => dice.pick(&elastic),
         Family::Affine => dice.pick(&Kind::ALL),
     }
@@ -84,7 +121,7 @@ fn material(dice: &mut Dice, kind: Kind) -> Material {
     }
 }
 
-fn method(dice: &mut Dice, family: Family) -> Method {
+fn method(dice: &mut Dice, family: Family, kind: Kind) -> Method {
     let scheme = dice.pick(&[StressScheme::Usl, StressScheme::Musl, StressScheme::Usf]);
     let transfer = dice.pick(&[TransferKind::Flip, TransferKind::Apic, TransferKind::Tpic]);
     // What turns has the stretch along the axes of space.
@@ -92,15 +129,16 @@ fn method(dice: &mut Dice, family: Family) -> Method {
         Family::Box => DomainUpdate::Stretch,
         _ => DomainUpdate::LeftStretch,
     });
+    let spline = Weighting::QuadraticBSpline;
     let weighting = match family {
         Family::Floating => contiguous,
-        _ => dice.pick(&[
-            contiguous,
-            contiguous,
-            Weighting::UniformGimp,
-            Weighting::QuadraticBSpline,
-            Weighting::Linear,
-        ]),
+        // A stress of the size of the stiffness that is there from the start: volumes V_0 J of particles whose domains do not
+        // grow with them leave forces at the nodes, which fall with no mesh.
+        _ if kind.yields() => dice.pick(&[contiguous, spline]),
+        _ => {
+            let fixed = [Weighting::UniformGimp, spline, Weighting::Linear];
+            if dice.chance(0.4) { contiguous } else { dice.pick(&fixed) }
+        }
     };
     Method {
         weighting,
@@ -109,30 +147,27 @@ fn method(dice: &mut Dice, family: Family) -> Method {
     }
 }
 
-fn motion(
-    dice: &mut Dice,
-    family: Family,
-    axes: usize,
-    material: &mut Material,
-    method: Method,
-    end: f64,
-) -> Motion {
+fn motion(dice: &mut Dice, choice: &Choice, material: &mut Material, end: f64) -> Motion {
+    let Choice { axes, family, .. } = *choice;
     let phase = dice.between(1.0, 2.2);
     let bubble = match family {
         Family::Box => Bubble::Cosine,
         Family::Floating => Bubble::Power(2),
         Family::Frame | Family::Affine => Bubble::Power(4),
     };
-    let mut field = Field {
-        axes,
-        bubble,
-        polynomials: polynomials(dice, axes),
+    let crosses = matches!(choice.method.weighting, Weighting::ContiguousGimp(_));
+    let mut strain = if crosses {
+        dice.between(0.05, 0.15)
+    } else {
+        SMALL
     };
-    let crosses = matches!(method.weighting, Weighting::ContiguousGimp(_));
-    let mut strain = if crosses { dice.between(0.05, 0.15) } else { SMALL };
     let mut motion = Motion {
         center: [0.0; 3],
-        field: field.clone(),
+        field: Field {
+            axes,
+            bubble,
+            polynomials: polynomials(dice, axes),
+        },
         pulse: phase / end,
         drift: [0.0; 3],
         axis: [0.0, 0.0, 1.0],
@@ -142,38 +177,38 @@ fn motion(
     if family == Family::Box {
         motion.center[..axes].fill(0.5);
     } else {
-        let most = if family == Family::Floating { 0.8 } else { 0.4 };
+        let most = match family {
+            Family::Floating => MOST_SPIN,
+            _ if crosses => 0.5 * MOST_SPIN,
+            _ => SMALL,
+        };
         motion.axis = axis(dice, axes);
         motion.spin = dice.between(-most, most) / end;
-        if family == Family::Floating {
-            for drift in &mut motion.drift[..axes] {
-                *drift = dice.between(-0.3, 0.3) / end;
-            }
+    }
+    if family == Family::Floating {
+        for drift in &mut motion.drift[..axes] {
+            *drift = dice.between(-0.3, 0.3) / end;
         }
     }
     if family.has_frame() {
         let size = if crosses { 0.1 } else { SMALL };
-        let stretch: Matrix = std::array::from_fn(|_| std::array::from_fn(|_| dice.between(-1.0, 1.0)));
-        motion.stretch = matrix(|i, j| {
-            if i < axes && j < axes {
-                size * stretch[i][j] / end
-            } else {
-                0.0
+        for row in &mut motion.stretch[..axes] {
+            for entry in &mut row[..axes] {
+                *entry = size * dice.between(-1.0, 1.0) / end;
             }
-        });
-        if !crosses {
-            motion.spin *= SMALL;
         }
         if material.kind.yields() {
             let flow = begin_on_surface(material, &motion.stretch);
             strain = SHARE_OF_FLOW * flow / motion.pulse;
         }
     }
-    let most = steepest(&field);
-    for factor in field.polynomials.iter_mut().flatten() {
-        *factor *= if family == Family::Affine { 0.0 } else { strain / most };
+    let factor = match family {
+        Family::Affine => 0.0,
+        _ => strain / steepest(&motion),
+    };
+    for coefficient in motion.field.polynomials.iter_mut().flatten() {
+        *coefficient *= factor;
     }
-    motion.field = field;
     motion
 }
 
@@ -202,31 +237,19 @@ fn axis(dice: &mut Dice, axes: usize) -> Vector {
     [radius * cos, radius * sin, z]
 }
 
-/// Largest Frobenius norm of the gradient of a field.
-fn steepest(field: &Field) -> f64 {
-    let motion = Motion {
-        center: [0.0; 3],
-        field: field.clone(),
-        pulse: 0.0,
-        drift: [0.0; 3],
-        axis: [0.0, 0.0, 1.0],
-        spin: 0.0,
-        stretch: [[0.0; 3]; 3],
-    };
+/// Largest Frobenius norm of the gradient of the field of a motion.
+fn steepest(motion: &Motion) -> f64 {
+    let axes = motion.axes();
     let count: usize = 21;
     let along = |k: usize| k as f64 / (count - 1) as f64 - 0.5;
-    let all = 0..count.pow(field.axes as u32);
-    all.map(|index| {
+    let gradient = |index: usize| {
         let x = std::array::from_fn(|axis| {
-            if axis < field.axes {
-                along(index / count.pow(axis as u32) % count)
-            } else {
-                0.0
-            }
+            let k = index / count.pow(axis as u32) % count;
+            motion.center[axis] + if axis < axes { along(k) } else { 0.0 }
         });
         norm(&motion.of(&x).gradient)
-    })
-    .fold(0.0, f64::max)
+    };
+    (0..count.pow(axes as u32)).map(gradient).fold(0.0, f64::max)
 }
 
 fn norm(m: &Matrix) -> f64 {

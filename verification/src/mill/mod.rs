@@ -6,6 +6,7 @@
 //! follows from seed and number alone. What has no solution to converge to is refused and drawn anew, and counted.
 
 pub mod boundary;
+pub mod check;
 pub mod draw;
 pub mod expected;
 pub mod ladder;
@@ -84,6 +85,11 @@ pub type Judged = (Result<Vec<Errors>, String>, Vec<Gate>);
 /// # Errors
 /// The reason for which the problem has no solution to converge to.
 pub fn judge(problem: &Problem, faults: &Faults) -> Result<Judged, String> {
+    let derivation = check::derivation(problem);
+    if !derivation.holds() {
+        let reason = format!("derivatives are not those of differences: {derivation:?}");
+        return Ok((Err(reason), vec![]));
+    }
     let mut errors = vec![];
     for &cells in &problem.ladder {
         match ladder::run(problem, cells, faults) {

@@ -59,22 +59,35 @@ impl Reference {
             .filter_map(|p| simulation.initial_position(0, p))
             .collect();
         let (dt, steps) = problem.steps(cells);
-        let places: Vec<Place> = starts.iter().map(|x| problem.motion.of(x)).collect();
+        let places = starts.iter().map(|x| problem.motion.of(x)).collect();
+        Ok(Self::at(problem, &starts, places, dt, steps))
+    }
+
+    /// That of particles that begin there \[m\], with steps of `dt` \[s\].
+    #[must_use]
+    pub fn at(
+        problem: &Problem,
+        starts: &[Vector],
+        places: Vec<Place>,
+        dt: f64,
+        steps: usize,
+    ) -> Self {
         let moments = |parts: usize| -> Vec<Moment> {
             let all = 0..=parts * steps;
             all.map(|k| problem.motion.at(k as f64 * dt / parts as f64))
                 .collect()
         };
-        let followed = (problem.material.kind.remembers())
-            .then(|| follow_all(problem, &places, &moments(2), dt));
-        Ok(Self {
+        let remembers = problem.material.kind.remembers();
+        let followed = remembers.then(|| follow_all(problem, &places, &moments(2), dt));
+        let numbered = starts.iter().enumerate();
+        Self {
             problem: problem.clone(),
-            numbers: starts.iter().enumerate().map(|(n, x)| (bits(x), n)).collect(),
+            numbers: numbered.map(|(number, x)| (bits(x), number)).collect(),
             places,
             moments: moments(1),
             followed,
             dt,
-        })
+        }
     }
 
     /// Smallest plastic strain increment of a particle in half a step, for a law that yields.
@@ -123,13 +136,8 @@ impl Reference {
         else {
             return [f64::NAN; 3];
         };
-        let place = &self.places[number];
-        let [_, _, acceleration] = moment.motion(place);
-        let force = match &self.followed {
-            Some((forces, _)) => forces[number * self.moments.len() + step],
-            None if self.problem.axes() == 2 => self.force_of::<2>(place, moment),
-            None => self.force_of::<3>(place, moment),
-        };
+        let [_, _, acceleration] = moment.motion(&self.places[number]);
+        let force = self.stress_force(number, step);
         let axes = self.problem.axes();
         std::array::from_fn(|i| {
             if i < axes {
@@ -138,6 +146,17 @@ impl Reference {
                 0.0
             }
         })
+    }
+
+    /// Div P of a particle in a step \[N/m³\].
+    #[must_use]
+    pub fn stress_force(&self, number: usize, step: usize) -> Vector {
+        let (place, moment) = (&self.places[number], &self.moments[step]);
+        match &self.followed {
+            Some((forces, _)) => forces[number * self.moments.len() + step],
+            None if self.problem.axes() == 2 => self.force_of::<2>(place, moment),
+            None => self.force_of::<3>(place, moment),
+        }
     }
 
     /// Div P of a law without memory \[N/m³\].
