@@ -1,0 +1,40 @@
+//! The mill of manufactured solutions: its derivations, three fixed families, and faults that its gates must notice.
+
+#[path = "mill/derivation.rs"]
+mod derivation;
+#[path = "mill/families.rs"]
+mod families;
+#[path = "mill/faults.rs"]
+mod faults;
+
+use proctor_kernel::scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
+use proctor_verification::mill::draw::{self, Choice};
+use proctor_verification::mill::material::Kind;
+use proctor_verification::mill::problem::{Family, Problem};
+use proctor_verification::settings::Method;
+
+/// cpGIMP whose domains follow the stretch along the axes of space.
+const CONTIGUOUS: Weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
+
+/// A method with cpGIMP.
+const fn method(scheme: StressScheme, transfer: TransferKind) -> Method {
+    Method {
+        weighting: CONTIGUOUS,
+        scheme,
+        transfer,
+    }
+}
+
+/// A problem in the plane on meshes of 8 and 16 cells, of a fixed seed.
+fn problem(family: Family, kind: Kind, method: Method) -> Problem {
+    let choice = Choice {
+        axes: 2,
+        family,
+        kind,
+        method,
+    };
+    let mut problem = draw::of(&mut draw::dice(7, 3, 0), &choice, family.word().to_owned())
+        .expect("a problem that has a solution");
+    problem.ladder = vec![8, 16];
+    problem
+}
