@@ -17,6 +17,7 @@ mod generated;
 mod guests;
 mod keys;
 mod memory;
+mod mill;
 mod new;
 mod pipe;
 mod plan;

@@ -37,6 +37,7 @@ fn how(arguments: &[&str]) -> How {
             How::NotRun("all cases take a minute; tests/cases.rs of the verification runs them")
         }
         ["verify", "--generated", ..] => How::Instead(&["verify", "--generated", "12"]),
+        ["verify", "mill", ..] => How::Instead(&["verify", "mill", "--count", "2", "--seed", "5"]),
         // Names and options are looked at; the runs are those of tests/cases.rs.
         ["verify", ..] => How::With(&["--quick", "--list"]),
         ["precision"] => How::NotRun("all studies take minutes"),

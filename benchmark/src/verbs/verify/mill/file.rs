@@ -112,28 +112,47 @@ fn problem(value: &Value) -> Result<Problem, String> {
     if !(end.is_finite() && end > 0.0) {
         return Err(format!("`end` is {end}; accepted: a positive number [s]"));
     }
+    let motion = Motion {
+        center: at(value, "motion.center")?,
+        field: Field {
+            axes,
+            bubble,
+            polynomials,
+        },
+        pulse: at(value, "motion.pulse")?,
+        drift: at(value, "motion.drift")?,
+        axis: at(value, "motion.axis")?,
+        spin: at(value, "motion.spin")?,
+        stretch: at(value, "motion.stretch")?,
+    };
+    stays_in_plane(&motion)?;
     Ok(Problem {
         name: at(value, "name")?,
         family: word(value, "family", &Family::ALL.map(|family| (family.word(), family)))?,
-        motion: Motion {
-            center: at(value, "motion.center")?,
-            field: Field {
-                axes,
-                bubble,
-                polynomials,
-            },
-            pulse: at(value, "motion.pulse")?,
-            drift: at(value, "motion.drift")?,
-            axis: at(value, "motion.axis")?,
-            spin: at(value, "motion.spin")?,
-            stretch: at(value, "motion.stretch")?,
-        },
+        motion,
         material: material(value)?,
         end,
         method: method(value)?,
         ladder,
         fastest: 0.0,
     })
+}
+
+/// Looks at the direction of the turn, and that a motion of the plane has no part across it.
+fn stays_in_plane(motion: &Motion) -> Result<(), String> {
+    let length = motion.axis.iter().map(|x| x * x).sum::<f64>();
+    if (length - 1.0).abs() > 1e-9 {
+        return Err("`motion.axis` is no unit vector".to_owned());
+    }
+    let stretch = &motion.stretch;
+    let across = [motion.center[2], motion.drift[2], motion.axis[0], motion.axis[1]];
+    let across = across.into_iter().chain(stretch[2]).chain([stretch[0][2], stretch[1][2]]);
+    if motion.axes() == 2 && across.into_iter().any(|x| x != 0.0) {
+        return Err("`motion` has a part across the plane; accepted: `axis` along z and no third component of `center`, \
+                    `drift` and `stretch`"
+            .to_owned());
+    }
+    Ok(())
 }
 
 fn material(value: &Value) -> Result<Material, String> {

@@ -1,0 +1,119 @@
+//! `proctor verify mill`.
+
+use crate::support::{Desk, code, fixture, proctor, stderr, stdout};
+use serde_json::{Value, json};
+
+/// A problem that misses a gate: linear functions under a stress of the size of the stiffness.
+fn hats() -> Value {
+    let text = std::fs::read_to_string(fixture("fixtures/mill/hats-under-stress.json"));
+    serde_json::from_str(&text.expect("a problem")).expect("JSON")
+}
+
+/// A problem in a file, with something changed.
+fn changed(desk: &Desk, pointer: &str, value: Value) -> String {
+    let mut problem = hats();
+    *problem.pointer_mut(pointer).expect("a key") = value;
+    desk.scene("problem.json", &problem)
+}
+
+#[test]
+fn a_few_problems_are_judged_and_counted() {
+    let desk = Desk::new();
+    let (result, folder) = (desk.name("result.json"), desk.name("misses"));
+    let run = |threads: &str| {
+        proctor(&[
+            "verify", "mill", "--count", "4", "--seed", "5", "--threads", threads, "--json", &result, "--out",
+            &folder,
+        ])
+    };
+    let output = run("1");
+    let text = std::fs::read_to_string(&result).expect("a result");
+    let result: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(result["asked"], 4);
+    let problems = result["problems"].as_array().expect("problems");
+    assert_eq!(problems.len(), 4);
+    let methods = result["methods"].as_array().expect("methods");
+    let total: u64 = methods.iter().filter_map(|m| m["problems"].as_u64()).sum();
+    assert_eq!(total, 4);
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    for method in methods {
+        let name = method["method"].as_str().expect("a name");
+        assert!(stdout(&output).contains(name), "{name}");
+    }
+    // All but the time is the same with other threads.
+    let told = |text: String| text.lines().filter(|line| !line.contains("PASS")).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(told(stdout(&output)), told(stdout(&run("2"))));
+}
+
+/// A problem that misses a gate is written, and its file gives the same miss.
+#[test]
+fn a_miss_is_a_file_that_is_run_again() {
+    let desk = Desk::new();
+    let folder = desk.name("misses");
+    let given = desk.scene("given.json", &hats());
+    let first = proctor(&["verify", "mill", "--problem", &given, "--out", &folder]);
+    assert_eq!(code(&first), 1, "{}", stderr(&first));
+    let line = stdout(&first).lines().find(|line| line.starts_with('✗')).map(str::to_owned);
+    let line = line.expect("a miss");
+    assert!(line.contains("order of L2(u)"), "{line}");
+    let (_, written) = line.split_once("--problem ").expect("a file");
+    let text = std::fs::read_to_string(written).expect("a file");
+    assert_eq!(serde_json::from_str::<Value>(&text).expect("JSON"), hats());
+    let again = proctor(&["verify", "mill", "--problem", written, "--out", &folder]);
+    assert!(stdout(&again).contains(&line), "{}", stdout(&again));
+}
+
+/// The same problem with domains that follow the deformation keeps all gates.
+#[test]
+fn a_problem_of_a_file_may_hold() {
+    let desk = Desk::new();
+    let given = changed(&desk, "/method/weighting", json!("cpGIMP-V"));
+    let output = proctor(&["verify", "mill", "--problem", &given, "--quiet"]);
+    assert_eq!(code(&output), 0, "{}", stdout(&output));
+}
+
+#[test]
+fn what_is_no_problem_is_refused_with_the_key() {
+    let desk = Desk::new();
+    for (pointer, value, said) in [
+        ("/axes", json!(4), "`axes`"),
+        ("/ladder", json!([8]), "`ladder`"),
+        ("/ladder", json!([12, 24]), "multiples of 8"),
+        ("/ladder", json!([16, 8]), "rising"),
+        ("/family", json!("triangle"), "box, floating, frame, affine"),
+        ("/material/law", json!("tresca"), "von_mises"),
+        ("/material/young", json!(-1.0), "a positive number [Pa]"),
+        ("/material/poisson", json!(0.5), "0 to 0.49"),
+        ("/method/weighting", json!("hats"), "cpGIMP"),
+        ("/method/scheme", json!(3), "`method.scheme`"),
+        ("/motion/bubble", json!(1), "a power from 2 to 16"),
+        ("/motion/polynomials", json!([]), "2 axes"),
+        ("/motion/stretch", json!([[-1e3, 0.0, 0.0], [0.0, -1e3, 0.0], [0.0, 0.0, 0.0]]), "stretches"),
+        ("/motion/axis", json!([0.0, 0.0, 2.0]), "unit vector"),
+        ("/motion/drift", json!([0.0, 0.0, 2.0]), "across the plane"),
+        ("/end", json!(0.0), "a positive number [s]"),
+    ] {
+        let given = changed(&desk, pointer, value);
+        let output = proctor(&["verify", "mill", "--problem", &given]);
+        assert_eq!(code(&output), 2, "{pointer}: {}", stdout(&output));
+        assert!(stderr(&output).contains(said), "{pointer}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn the_mill_and_cases_do_not_mix() {
+    for arguments in [
+        &["verify", "mill", "bar"][..],
+        &["verify", "mill", "--quick"],
+        &["verify", "mill", "--list"],
+        &["verify", "mill", "--count", "0"],
+        &["verify", "mill", "--generated", "3"],
+        &["verify", "mill", "--count", "3", "--problem", "problem.json"],
+        &["verify", "bar", "--count", "3"],
+        &["verify", "--count", "3"],
+        &["verify", "--problem", "problem.json"],
+        &["verify", "mill", "--problem", "nowhere.json"],
+    ] {
+        assert_eq!(code(&proctor(arguments)), 2, "{arguments:?}");
+    }
+}
