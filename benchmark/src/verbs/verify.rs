@@ -169,9 +169,13 @@ impl Verify {
         let fault = if self.mills() {
             with_mill.then_some("found `mill` beside other cases or options of cases; accepted: `mill` alone, with --seed, --count, --problem, --out, --json and --threads")
         } else if self.count.is_some() || self.problem.is_some() {
-            Some("found --count or --problem without `mill`; accepted: proctor verify mill --count N")
+            Some(
+                "found --count or --problem without `mill`; accepted: proctor verify mill --count N",
+            )
         } else if self.generated.is_none() && (self.seed.is_some() || self.out.is_some()) {
-            Some("found --seed or --out without random scenes; accepted: with --generated N or `mill`")
+            Some(
+                "found --seed or --out without random scenes; accepted: with --generated N or `mill`",
+            )
         } else {
             None
         };

@@ -22,7 +22,17 @@ fn a_few_problems_are_judged_and_counted() {
     let (result, folder) = (desk.name("result.json"), desk.name("misses"));
     let run = |threads: &str| {
         proctor(&[
-            "verify", "mill", "--count", "4", "--seed", "5", "--threads", threads, "--json", &result, "--out",
+            "verify",
+            "mill",
+            "--count",
+            "4",
+            "--seed",
+            "5",
+            "--threads",
+            threads,
+            "--json",
+            &result,
+            "--out",
             &folder,
         ])
     };
@@ -41,7 +51,12 @@ fn a_few_problems_are_judged_and_counted() {
         assert!(stdout(&output).contains(name), "{name}");
     }
     // All but the time is the same with other threads.
-    let told = |text: String| text.lines().filter(|line| !line.contains("PASS")).map(str::to_owned).collect::<Vec<_>>();
+    let told = |text: String| {
+        text.lines()
+            .filter(|line| !line.contains("PASS"))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
     assert_eq!(told(stdout(&output)), told(stdout(&run("2"))));
 }
 
@@ -53,7 +68,10 @@ fn a_miss_is_a_file_that_is_run_again() {
     let given = desk.scene("given.json", &hats());
     let first = proctor(&["verify", "mill", "--problem", &given, "--out", &folder]);
     assert_eq!(code(&first), 1, "{}", stderr(&first));
-    let line = stdout(&first).lines().find(|line| line.starts_with('✗')).map(str::to_owned);
+    let line = stdout(&first)
+        .lines()
+        .find(|line| line.starts_with('✗'))
+        .map(str::to_owned);
     let line = line.expect("a miss");
     assert!(line.contains("order of L2(u)"), "{line}");
     let (_, written) = line.split_once("--problem ").expect("a file");
@@ -88,7 +106,11 @@ fn what_is_no_problem_is_refused_with_the_key() {
         ("/method/scheme", json!(3), "`method.scheme`"),
         ("/motion/bubble", json!(1), "a power from 2 to 16"),
         ("/motion/polynomials", json!([]), "2 axes"),
-        ("/motion/stretch", json!([[-1e3, 0.0, 0.0], [0.0, -1e3, 0.0], [0.0, 0.0, 0.0]]), "stretches"),
+        (
+            "/motion/stretch",
+            json!([[-1e3, 0.0, 0.0], [0.0, -1e3, 0.0], [0.0, 0.0, 0.0]]),
+            "stretches",
+        ),
         ("/motion/axis", json!([0.0, 0.0, 2.0]), "unit vector"),
         ("/motion/drift", json!([0.0, 0.0, 2.0]), "across the plane"),
         ("/end", json!(0.0), "a positive number [s]"),
@@ -96,7 +118,11 @@ fn what_is_no_problem_is_refused_with_the_key() {
         let given = changed(&desk, pointer, value);
         let output = proctor(&["verify", "mill", "--problem", &given]);
         assert_eq!(code(&output), 2, "{pointer}: {}", stdout(&output));
-        assert!(stderr(&output).contains(said), "{pointer}: {}", stderr(&output));
+        assert!(
+            stderr(&output).contains(said),
+            "{pointer}: {}",
+            stderr(&output)
+        );
     }
 }
 
@@ -108,7 +134,14 @@ fn the_mill_and_cases_do_not_mix() {
         &["verify", "mill", "--list"],
         &["verify", "mill", "--count", "0"],
         &["verify", "mill", "--generated", "3"],
-        &["verify", "mill", "--count", "3", "--problem", "problem.json"],
+        &[
+            "verify",
+            "mill",
+            "--count",
+            "3",
+            "--problem",
+            "problem.json",
+        ],
         &["verify", "bar", "--count", "3"],
         &["verify", "--count", "3"],
         &["verify", "--problem", "problem.json"],

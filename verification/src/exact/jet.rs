@@ -120,6 +120,8 @@ impl<const N: usize, T: Scalar> Sub for Jet<N, T> {
 
 impl<const N: usize, T: Scalar> Mul for Jet<N, T> {
     type Output = Self;
+    // The derivative of a product is a sum.
+    #[allow(clippy::suspicious_arithmetic_impl)]
     #[inline]
     fn mul(self, b: Self) -> Self {
         Self {

@@ -67,12 +67,16 @@ pub fn derivation(problem: &Problem) -> Derivation {
             let (above, below) = (at(1.0), at(-1.0));
             for i in 0..axes {
                 let difference = (above[i] - below[i]) / (2.0 * STEP);
-                found.deformation = found.deformation.max((difference - deformation[i][axis]).abs());
+                found.deformation = found
+                    .deformation
+                    .max((difference - deformation[i][axis]).abs());
             }
             let [above, below] = [1.0, -1.0].map(|sign| {
                 let x = beside(axis, sign);
                 let deformation = moment.deformation(&problem.motion.of(&x));
-                reference.end(&x).map(|exact| piola(&deformation, &exact.stress))
+                reference
+                    .end(&x)
+                    .map(|exact| piola(&deformation, &exact.stress))
             });
             let (Some(above), Some(below)) = (above, below) else {
                 force = [f64::NAN; 3];
@@ -87,7 +91,11 @@ pub fn derivation(problem: &Problem) -> Derivation {
         for i in 0..axes {
             let off = (exact[i] - force[i]).abs() / scale;
             // What is not a number is no number that holds.
-            found.force = if off.is_nan() { off } else { found.force.max(off) };
+            found.force = if off.is_nan() {
+                off
+            } else {
+                found.force.max(off)
+            };
         }
     }
     found

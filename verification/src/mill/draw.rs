@@ -4,9 +4,7 @@ use proctor_kernel::laws::Particle;
 use proctor_kernel::scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
 
 use super::material::{Kind, Material};
-use super::motion::{
-    Bubble, Field, Matrix, Motion, TERMS, Vector, determinant, matrix, product,
-};
+use super::motion::{Bubble, Field, Matrix, Motion, TERMS, Vector, determinant, matrix, product};
 use super::problem::{Family, Problem};
 use crate::generated::Dice;
 use crate::settings::Method;
@@ -56,7 +54,11 @@ pub fn problem(seed: u64, number: u64, attempt: u64) -> Result<Problem, String> 
         kind,
         method: method(&mut dice, family, kind),
     };
-    of(&mut dice, &choice, format!("{}-{seed}-{number}", family.word()))
+    of(
+        &mut dice,
+        &choice,
+        format!("{}-{seed}-{number}", family.word()),
+    )
 }
 
 /// Choices of that seed and number; `attempt` of the draws before it were refused.
@@ -96,13 +98,12 @@ pub fn of(dice: &mut Dice, choice: &Choice, name: String) -> Result<Problem, Str
 fn kind(dice: &mut Dice, family: Family, axes: usize) -> Kind {
     let elastic = [Kind::NeoHookean, Kind::Hencky, Kind::Elastic];
     match family {
-        Family::Box | Family::Floating => dice.pick(&elastic),
         // A law with a memory is followed along the path of each particle, which takes long in space.
         Family::Frame if axes == 3 => dice.pick(&elastic[..2]),
         Family::Frame if dice.chance(0.5) => {
             dice.pick(&[Kind::VonMises, Kind::VonMises, Kind::DruckerPrager])
         }
-        Family::Frame => dice.pick(&elastic),
+        Family::Box | Family::Floating | Family::Frame => dice.pick(&elastic),
         Family::Affine => dice.pick(&Kind::ALL),
     }
 }
@@ -137,7 +138,11 @@ fn method(dice: &mut Dice, family: Family, kind: Kind) -> Method {
         _ if kind.yields() => dice.pick(&[contiguous, spline]),
         _ => {
             let fixed = [Weighting::UniformGimp, spline, Weighting::Linear];
-            if dice.chance(0.4) { contiguous } else { dice.pick(&fixed) }
+            if dice.chance(0.4) {
+                contiguous
+            } else {
+                dice.pick(&fixed)
+            }
         }
     };
     Method {
@@ -249,7 +254,9 @@ fn steepest(motion: &Motion) -> f64 {
         });
         norm(&motion.of(&x).gradient)
     };
-    (0..count.pow(axes as u32)).map(gradient).fold(0.0, f64::max)
+    (0..count.pow(axes as u32))
+        .map(gradient)
+        .fold(0.0, f64::max)
 }
 
 fn norm(m: &Matrix) -> f64 {
@@ -263,12 +270,11 @@ fn begin_on_surface(material: &mut Material, stretch: &Matrix) -> f64 {
     let deviator = matrix(|i, j| rate[i][j] - if i == j { third } else { 0.0 });
     let size = norm(&deviator);
     // sqrt(3 J_2) = Y, and sqrt(J_2) + eta p = xi c under a pressure of some times the cohesion.
-    let (mean, radius) = match material.kind {
-        Kind::VonMises => (0.0, material.strength / 3.0_f64.sqrt()),
-        _ => {
-            let mean = -4.0 * material.strength;
-            (mean, material.cone_radius(mean))
-        }
+    let (mean, radius) = if material.kind == Kind::VonMises {
+        (0.0, material.strength / 3.0_f64.sqrt())
+    } else {
+        let mean = -4.0 * material.strength;
+        (mean, material.cone_radius(mean))
     };
     let factor = radius * 2.0_f64.sqrt() / size;
     let of = |i: usize, j: usize| factor * deviator[i][j];
@@ -301,11 +307,13 @@ pub fn solvable(problem: &Problem) -> Result<f64, String> {
         for place in &places {
             let deformation = moment.deformation(place);
             let jacobian = determinant(&deformation);
-            if !(jacobian > LEAST_VOLUME) {
+            if jacobian.is_nan() || jacobian <= LEAST_VOLUME {
                 return Err(format!("inverts nearly: det F = {jacobian:.3}"));
             }
             let [low, high] = stretches(&deformation);
-            if !(low > STRETCHES[0] && high < STRETCHES[1]) {
+            // What is not a number is in no range.
+            let bearable = low > STRETCHES[0] && high < STRETCHES[1];
+            if !bearable {
                 return Err(format!("stretches from {low:.3} to {high:.3}"));
             }
             let density = problem.material.density;

@@ -69,7 +69,8 @@ pub fn of(problem: &Problem) -> Expected {
     let turn = (problem.motion.spin * problem.end).abs();
     let flips = problem.method.transfer == TransferKind::Flip;
     let plane = problem.axes() == 2;
-    let [affine, floats] = [Family::Affine, Family::Floating].map(|family| problem.family == family);
+    let [affine, floats] =
+        [Family::Affine, Family::Floating].map(|family| problem.family == family);
     let displacement = if !plane || problem.material.kind == Kind::DruckerPrager {
         // Two meshes of 8 and 16 cells in space; without hardening some waves have no speed, and no error is carried off.
         1.2
@@ -127,8 +128,16 @@ pub fn gates(problem: &Problem, errors: &[Errors]) -> Vec<Gate> {
     };
     let variables = [coarse.variable, fine.variable].map(|error| error.unwrap_or(f64::NAN));
     [
-        of_order("order of L2(u)", expected.displacement, [coarse.displacement, fine.displacement]),
-        of_order("order of L2(stress)", expected.stress, [coarse.stress, fine.stress]),
+        of_order(
+            "order of L2(u)",
+            expected.displacement,
+            [coarse.displacement, fine.displacement],
+        ),
+        of_order(
+            "order of L2(stress)",
+            expected.stress,
+            [coarse.stress, fine.stress],
+        ),
         of_order("order of L2(plastic strain)", expected.variable, variables),
         of_error("L2(u)", fine.displacement, expected.error),
         of_error("L2(stress)", fine.stress, expected.error_of_stress),

@@ -8,7 +8,7 @@ use proctor_kernel::laws::{
 };
 
 use super::motion::{Matrix, matrix};
-use crate::exact::jet::Scalar;
+use crate::exact::jet::{Jet, Scalar};
 
 /// Angle of friction of the soil that mills draw \[degrees\].
 pub const FRICTION: f64 = 25.0;
@@ -166,7 +166,11 @@ const TERMS_IN_PLANE: usize = 32;
 
 /// Matrix logarithm ln b of a matrix near 1.
 fn logarithm<T: Scalar, const D: usize>(b: &Matrix<T>) -> Matrix<T> {
-    if D == 2 { logarithm_in_plane(b) } else { gregory(b) }
+    if D == 2 {
+        logarithm_in_plane(b)
+    } else {
+        gregory(b)
+    }
 }
 
 /// With the mean m of the principal values, their distance r from it and the deviator b - m 1: ln b is ln(det b)/2 1 +
@@ -207,7 +211,13 @@ fn gregory<T: Scalar>(b: &Matrix<T>) -> Matrix<T> {
 
 /// A matrix whose leading D x D block has these entries, and 0 beyond it.
 fn block<T: Scalar, const D: usize>(entry: impl Fn(usize, usize) -> T) -> Matrix<T> {
-    matrix(|i, j| if i < D && j < D { entry(i, j) } else { T::of(0.0) })
+    matrix(|i, j| {
+        if i < D && j < D {
+            entry(i, j)
+        } else {
+            T::of(0.0)
+        }
+    })
 }
 
 /// Inner product of the first D entries.
@@ -244,9 +254,10 @@ pub fn inverse_of<T: Scalar, const D: usize>(m: &Matrix<T>) -> Matrix<T> {
 }
 
 /// Divergence of the first Piola-Kirchhoff stress P = tau F^-T by X, of the first D axes \[N/m³\].
+#[must_use]
 pub fn divergence<const D: usize>(
-    kirchhoff: &Matrix<crate::exact::jet::Jet<D>>,
-    deformation: &Matrix<crate::exact::jet::Jet<D>>,
+    kirchhoff: &Matrix<Jet<D>>,
+    deformation: &Matrix<Jet<D>>,
 ) -> [f64; 3] {
     let inverse = inverse_of::<_, D>(deformation);
     std::array::from_fn(|i| {

@@ -51,7 +51,18 @@ impl Field {
             }
         };
         let [x, y, z] = x.map(|x| x * T::of(1.0 / HALF));
-        let terms = [T::of(1.0), x, y, z, x * x, y * y, z * z, x * y, y * z, z * x];
+        let terms = [
+            T::of(1.0),
+            x,
+            y,
+            z,
+            x * x,
+            y * y,
+            z * z,
+            x * y,
+            y * z,
+            z * x,
+        ];
         std::array::from_fn(|axis| {
             if axis >= self.axes {
                 return zero;
@@ -139,8 +150,7 @@ impl Motion {
         let field = self.field.at(&from_center);
         let pulse = (t * T::of(self.pulse)).sin();
         let frame = self.frame(t);
-        let inner: Vector<T> =
-            std::array::from_fn(|axis| from_center[axis] + pulse * field[axis]);
+        let inner: Vector<T> = std::array::from_fn(|axis| from_center[axis] + pulse * field[axis]);
         let turned = apply(&frame, &inner);
         std::array::from_fn(|axis| {
             T::of(self.center[axis]) + t * T::of(self.drift[axis]) + turned[axis]
@@ -153,7 +163,13 @@ impl Motion {
         let time = Timed::variable(Jet::variable(t, 0), 0);
         let frame = self.frame(time);
         let pulse = (time * Timed::of(self.pulse)).sin();
-        let derivatives = |x: Timed| [x.value.value, x.partials[0].value, x.partials[0].partials[0]];
+        let derivatives = |x: Timed| {
+            [
+                x.value.value,
+                x.partials[0].value,
+                x.partials[0].partials[0],
+            ]
+        };
         Moment {
             frame: std::array::from_fn(|order| matrix(|i, j| derivatives(frame[i][j])[order])),
             pulse: derivatives(pulse),
@@ -165,9 +181,8 @@ impl Motion {
     #[must_use]
     pub fn of(&self, x0: &Vector) -> Place {
         let from_center: Vector = std::array::from_fn(|axis| x0[axis] - self.center[axis]);
-        let x: Vector<Jet<3, Jet<3>>> = std::array::from_fn(|axis| {
-            Jet::variable(Jet::variable(from_center[axis], axis), axis)
-        });
+        let x: Vector<Jet<3, Jet<3>>> =
+            std::array::from_fn(|axis| Jet::variable(Jet::variable(from_center[axis], axis), axis));
         let field = self.field.at(&x);
         Place {
             from_center,
@@ -184,8 +199,7 @@ impl Moment {
     pub fn motion(&self, place: &Place) -> [Vector; 3] {
         let [g, g1, g2] = self.pulse;
         let [m, m1, m2] = &self.frame;
-        let y: Vector =
-            std::array::from_fn(|axis| place.from_center[axis] + g * place.field[axis]);
+        let y: Vector = std::array::from_fn(|axis| place.from_center[axis] + g * place.field[axis]);
         let [y1, y2] = [g1, g2].map(|rate| place.field.map(|w| rate * w));
         let (x, v) = (apply(m, &y), [apply(m1, &y), apply(m, &y1)]);
         let a = [apply(m2, &y), apply(m1, &y1), apply(m, &y2)];

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use proctor_kernel::laws::Law;
 use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation};
 
-use super::material::{Kind, divergence, determinant_of};
+use super::material::{Kind, determinant_of, divergence};
 use super::motion::{Moment, Place, Vector, apply};
 use super::path::{Ended, Start, follow};
 use super::problem::{Family, Problem};
@@ -173,16 +173,15 @@ impl Reference {
         let (place, moment) = (&self.places[number], self.moments.last()?);
         let [x, ..] = moment.motion(place);
         let field = apply(&moment.frame[0], &place.field).map(|w| moment.pulse[0] * w);
-        let (stress, variables) = match &self.followed {
-            Some((_, ended)) => (ended[number].stress, ended[number].variables.clone()),
-            None => {
-                let f = moment.deformation(place);
-                let jacobian = determinant_of::<f64, 3>(&f);
-                let tau = self.problem.material.kirchhoff::<f64, 3>(&f);
-                let of = |i: usize, j: usize| tau[i][j] / jacobian;
-                let stress = [of(0, 0), of(1, 1), of(2, 2), of(1, 2), of(0, 2), of(0, 1)];
-                (stress, vec![])
-            }
+        let (stress, variables) = if let Some((_, ended)) = &self.followed {
+            (ended[number].stress, ended[number].variables.clone())
+        } else {
+            let f = moment.deformation(place);
+            let jacobian = determinant_of::<f64, 3>(&f);
+            let tau = self.problem.material.kirchhoff::<f64, 3>(&f);
+            let of = |i: usize, j: usize| tau[i][j] / jacobian;
+            let stress = [of(0, 0), of(1, 1), of(2, 2), of(1, 2), of(0, 2), of(0, 1)];
+            (stress, vec![])
         };
         Some(Exact {
             displacement: std::array::from_fn(|i| x[i] - place.from_center[i]),

@@ -52,10 +52,7 @@ fn second_derivatives_of_a_product() {
     let found = x * x * y.sin();
     let second = found.partials.map(|partial| partial.partials);
     let mixed = 2.0 * 0.4 * 1.3_f64.cos();
-    let expected = [
-        [2.0 * 1.3_f64.sin(), mixed],
-        [mixed, -0.16 * 1.3_f64.sin()],
-    ];
+    let expected = [[2.0 * 1.3_f64.sin(), mixed], [mixed, -0.16 * 1.3_f64.sin()]];
     for i in 0..2 {
         for j in 0..2 {
             assert!((second[i][j] - expected[i][j]).abs() < 1e-15);

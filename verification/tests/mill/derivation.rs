@@ -4,6 +4,8 @@ use proctor_kernel::laws::{Hencky, Law, NeoHookean, Point};
 use proctor_kernel::scene::{StressScheme, TransferKind};
 use proctor_verification::mill::check::{Derivation, derivation};
 use proctor_verification::mill::draw::{self, Choice};
+use proctor_verification::mill::judge;
+use proctor_verification::mill::ladder::Faults;
 use proctor_verification::mill::material::{Kind, Material, determinant_of};
 use proctor_verification::mill::motion::{Matrix, product};
 use proctor_verification::mill::problem::Family;
@@ -83,8 +85,16 @@ fn stresses_are_those_of_the_kernel() {
     // F = (1 + a)(1 + b)...: three steps, none of them symmetric.
     let gradients: [Matrix; 3] = [
         [[0.10, 0.08, -0.03], [0.02, -0.07, 0.04], [0.05, 0.01, 0.06]],
-        [[-0.04, 0.03, 0.09], [-0.08, 0.05, 0.02], [0.01, -0.06, 0.03]],
-        [[0.07, -0.02, 0.01], [0.09, 0.04, -0.05], [-0.03, 0.02, -0.08]],
+        [
+            [-0.04, 0.03, 0.09],
+            [-0.08, 0.05, 0.02],
+            [0.01, -0.06, 0.03],
+        ],
+        [
+            [0.07, -0.02, 0.01],
+            [0.09, 0.04, -0.05],
+            [-0.03, 0.02, -0.08],
+        ],
     ];
     for kind in [Kind::NeoHookean, Kind::Hencky] {
         let material = Material {
@@ -114,7 +124,10 @@ fn stresses_are_those_of_the_kernel() {
             assert!((found - expected).abs() < 1e-12 * 3e6, "{kind:?}");
         }
     }
-    assert_eq!(Law::name(&NeoHookean::new(1.0, 0.0)), Kind::NeoHookean.word());
+    assert_eq!(
+        Law::name(&NeoHookean::new(1.0, 0.0)),
+        Kind::NeoHookean.word()
+    );
     assert_eq!(Law::name(&Hencky::new(1.0, 0.0)), Kind::Hencky.word());
 }
 
@@ -143,4 +156,15 @@ fn what_has_no_solution_is_refused() {
     }
     let refused = draw::solvable(&pressed).expect_err("a body that inverts");
     assert!(refused.contains("det F"), "{refused}");
+}
+
+/// A field that turns the strain of the frame back unloads points that yield: the body force would jump.
+#[test]
+fn what_stops_to_yield_is_refused() {
+    let mut frame = problem(Family::Frame, Kind::VonMises, METHOD);
+    for coefficient in frame.motion.field.polynomials.iter_mut().flatten() {
+        *coefficient *= 6.0;
+    }
+    let refused = judge(&frame, &Faults::default()).expect_err("points that unload");
+    assert!(refused.contains("stops to yield"), "{refused}");
 }

@@ -1,14 +1,13 @@
 //! Seeded faults: each fails a gate of the problem that is to notice it, which holds without.
 
-use proctor_kernel::laws::{
-    AnyLaw, Increment, Law, LinearElastic, NeoHookean, Particle, VonMises,
-};
 use proctor_kernel::laws::tensor::{determinant, product};
+use proctor_kernel::laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, Particle, VonMises};
 use proctor_kernel::layout::Variable;
 use proctor_kernel::prelude::Lanes;
 use proctor_kernel::scene::{StressScheme, TransferKind};
+use proctor_verification::mill::expected::{self, Gate};
 use proctor_verification::mill::judge;
-use proctor_verification::mill::ladder::Faults;
+use proctor_verification::mill::ladder::{Errors, Faults};
 use proctor_verification::mill::material::Kind;
 use proctor_verification::mill::problem::{Family, Problem};
 
@@ -163,7 +162,7 @@ const USL: proctor_verification::settings::Method = method(StressScheme::Usl, Tr
 /// Whether all gates hold.
 fn holds(problem: &Problem, faults: &Faults) -> bool {
     let (found, gates) = judge(problem, faults).expect("a solution");
-    found.is_ok() && !gates.is_empty() && gates.iter().all(|gate| gate.holds())
+    found.is_ok() && !gates.is_empty() && gates.iter().all(Gate::holds)
 }
 
 fn with_law(law: impl Into<AnyLaw>) -> Faults {
@@ -236,5 +235,42 @@ fn a_wrong_reference_fails() {
         };
         assert!(holds(&right, &Faults::default()), "{family:?}");
         assert!(!holds(&right, &faults), "{family:?}");
+    }
+}
+
+/// Each gate of a problem fails with errors that it is about, and none with errors that fall as theory says.
+#[test]
+fn each_gate_reacts() {
+    let frame = problem(Family::Frame, Kind::VonMises, USL);
+    let errors = |displacement, stress, variable| Errors {
+        displacement,
+        stress,
+        variable: Some(variable),
+    };
+    let failed = |coarse, fine| {
+        let gates = expected::gates(&frame, &[coarse, fine]);
+        assert_eq!(gates.len(), 5);
+        let failed = gates.into_iter().filter(|gate| !gate.holds());
+        failed.map(|gate| gate.what).collect::<Vec<_>>()
+    };
+    let right = errors(1e-3, 1e-3, 1e-3);
+    assert!(failed(errors(4e-3, 2e-3, 2e-3), right).is_empty());
+    for (coarse, fine, what) in [
+        (errors(2e-3, 2e-3, 2e-3), right, "order of L2(u)"),
+        (errors(4e-3, 1e-3, 2e-3), right, "order of L2(stress)"),
+        (
+            errors(4e-3, 2e-3, 1e-3),
+            right,
+            "order of L2(plastic strain)",
+        ),
+        (errors(4.0, 2e-3, 2e-3), errors(1.0, 1e-3, 1e-3), "L2(u)"),
+        (
+            errors(4e-3, 2.0, 2e-3),
+            errors(1e-3, 1.0, 1e-3),
+            "L2(stress)",
+        ),
+        (errors(f64::NAN, 2e-3, 2e-3), right, "order of L2(u)"),
+    ] {
+        assert_eq!(failed(coarse, fine), [what]);
     }
 }

@@ -73,7 +73,11 @@ impl Mill<'_> {
             };
             refused += draws.len();
             let Ok(answer) = answer else {
-                writeln!(out, "- {number}: no draw has a solution; the last {}", draws[draws.len() - 1])?;
+                writeln!(
+                    out,
+                    "- {number}: no draw has a solution; the last {}",
+                    draws[draws.len() - 1]
+                )?;
                 rows.push(json!({ "number": number, "refused": draws }));
                 continue;
             };
@@ -140,7 +144,10 @@ impl Mill<'_> {
                         if number >= self.count {
                             return;
                         }
-                        if sender.send((number, mill::answer(self.seed, number))).is_err() {
+                        if sender
+                            .send((number, mill::answer(self.seed, number)))
+                            .is_err()
+                        {
                             return;
                         }
                     }
@@ -231,7 +238,11 @@ fn told(answer: &Answer, path: &Path, out: &mut dyn Write) -> std::io::Result<()
         Ok(_) => {
             for gate in answer.gates.iter().filter(|gate| !gate.holds()) {
                 let side = if gate.at_least { "least" } else { "most" };
-                write!(out, " {} {:.3e}, at {side} {};", gate.what, gate.value, gate.bound)?;
+                write!(
+                    out,
+                    " {} {:.3e}, at {side} {};",
+                    gate.what, gate.value, gate.bound
+                )?;
             }
         }
     }

@@ -128,7 +128,11 @@ fn problem(value: &Value) -> Result<Problem, String> {
     stays_in_plane(&motion)?;
     Ok(Problem {
         name: at(value, "name")?,
-        family: word(value, "family", &Family::ALL.map(|family| (family.word(), family)))?,
+        family: word(
+            value,
+            "family",
+            &Family::ALL.map(|family| (family.word(), family)),
+        )?,
         motion,
         material: material(value)?,
         end,
@@ -145,8 +149,16 @@ fn stays_in_plane(motion: &Motion) -> Result<(), String> {
         return Err("`motion.axis` is no unit vector".to_owned());
     }
     let stretch = &motion.stretch;
-    let across = [motion.center[2], motion.drift[2], motion.axis[0], motion.axis[1]];
-    let across = across.into_iter().chain(stretch[2]).chain([stretch[0][2], stretch[1][2]]);
+    let across = [
+        motion.center[2],
+        motion.drift[2],
+        motion.axis[0],
+        motion.axis[1],
+    ];
+    let across = across
+        .into_iter()
+        .chain(stretch[2])
+        .chain([stretch[0][2], stretch[1][2]]);
     if motion.axes() == 2 && across.into_iter().any(|x| x != 0.0) {
         return Err("`motion` has a part across the plane; accepted: `axis` along z and no third component of `center`, \
                     `drift` and `stretch`"
@@ -166,11 +178,19 @@ fn material(value: &Value) -> Result<Material, String> {
     };
     let positive = |x: f64| x > 0.0;
     Ok(Material {
-        kind: word(value, "material.law", &Kind::ALL.map(|kind| (kind.word(), kind)))?,
+        kind: word(
+            value,
+            "material.law",
+            &Kind::ALL.map(|kind| (kind.word(), kind)),
+        )?,
         young: of("young", "a positive number [Pa]", positive)?,
-        poisson: of("poisson", "a number from 0 to 0.49", |x| (0.0..=0.49).contains(&x))?,
+        poisson: of("poisson", "a number from 0 to 0.49", |x| {
+            (0.0..=0.49).contains(&x)
+        })?,
         strength: of("strength", "a positive number [Pa]", positive)?,
-        hardening: of("hardening", "a number that is not negative [Pa]", |x| x >= 0.0)?,
+        hardening: of("hardening", "a number that is not negative [Pa]", |x| {
+            x >= 0.0
+        })?,
         density: of("density", "a positive number [kg/m³]", positive)?,
         stress: at(value, "material.stress")?,
     })

@@ -70,7 +70,8 @@ impl Table {
     /// Orders of the displacement of a family.
     fn orders(&self, family: &str) -> Vec<f64> {
         let rows = self.rows.iter().filter(|((of, _), _)| of == family);
-        rows.flat_map(|(_, row)| row.orders[0].iter().copied()).collect()
+        rows.flat_map(|(_, row)| row.orders[0].iter().copied())
+            .collect()
     }
 
     /// Families whose median order is too low.
@@ -92,7 +93,13 @@ impl Table {
         writeln!(
             out,
             "{:<9} {:<20} {:>8} {:>6}  {:<17} {:<17} {:<19}",
-            "family", "method", "problems", "misses", "order of L2(u)", "of L2(stress)", "median errors"
+            "family",
+            "method",
+            "problems",
+            "misses",
+            "order of L2(u)",
+            "of L2(stress)",
+            "median errors"
         )?;
         writeln!(
             out,
@@ -127,7 +134,10 @@ impl Table {
         write!(out, "orders of L2(u):")?;
         let mut low = f64::NEG_INFINITY;
         for high in BARS.into_iter().chain([f64::INFINITY]) {
-            let count = all.iter().filter(|order| (low..high).contains(*order)).count();
+            let count = all
+                .iter()
+                .filter(|order| (low..high).contains(*order))
+                .count();
             match (low.is_finite(), high.is_finite()) {
                 (false, _) => write!(out, " below {high}: {count}")?,
                 (_, false) => write!(out, ", from {low}: {count}")?,
