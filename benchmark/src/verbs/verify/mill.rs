@@ -60,7 +60,7 @@ impl Mill<'_> {
         let interrupt = Interrupt::listen()?;
         let mut answers = match self.problem {
             Some(path) => vec![(0, Ok(of_file(path)?))],
-            None => self.answers(&interrupt)?,
+            None => self.answers(&interrupt),
         };
         // In order of the problems, whichever thread was the first to finish.
         answers.sort_by_key(|(number, _)| *number);
@@ -129,7 +129,7 @@ impl Mill<'_> {
     }
 
     /// Answers of all numbers, as they come.
-    fn answers(&self, interrupt: &Interrupt) -> Result<Vec<Answered>, Failure> {
+    fn answers(&self, interrupt: &Interrupt) -> Vec<Answered> {
         let mut progress = Progress::new("manufactured problems");
         let threads = self.threads.unwrap_or_else(processors);
         let next = AtomicU64::new(0);
@@ -159,7 +159,7 @@ impl Mill<'_> {
                 progress.at(all.len() as f64 / self.count as f64);
             }
         });
-        Ok(all)
+        all
     }
 
     /// Writes a problem into the folder of those that miss a gate.
@@ -237,12 +237,12 @@ fn told(answer: &Answer, path: &Path, out: &mut dyn Write) -> std::io::Result<()
         Err(reason) => write!(out, " {reason}")?,
         Ok(_) => {
             for gate in answer.gates.iter().filter(|gate| !gate.holds()) {
-                let side = if gate.at_least { "least" } else { "most" };
-                write!(
-                    out,
-                    " {} {:.3e}, at {side} {};",
-                    gate.what, gate.value, gate.bound
-                )?;
+                let (what, value, bound) = (gate.what, gate.value, gate.bound);
+                if gate.at_least {
+                    write!(out, " {what} {value:.2}, at least {bound};")?;
+                } else {
+                    write!(out, " {what} {value:.2e}, at most {bound:.2e};")?;
+                }
             }
         }
     }

@@ -81,7 +81,7 @@ impl Table {
         let failed = |family: &String| {
             let orders = self.orders(family);
             let median = median(&orders);
-            (orders.len() >= FEWEST && !(median >= LEAST_MEDIAN)).then(|| {
+            (orders.len() >= FEWEST && (median.is_nan() || median < LEAST_MEDIAN)).then(|| {
                 format!("{family}: median order of L2(u) {median:.2}, at least {LEAST_MEDIAN}")
             })
         };
