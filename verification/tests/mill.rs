@@ -25,7 +25,7 @@ const fn method(scheme: StressScheme, transfer: TransferKind) -> Method {
     }
 }
 
-/// A problem in the plane on meshes of 8 and 16 cells, of a fixed seed.
+/// A problem in the plane of a fixed seed, on meshes of 8 and 16 cells, and of 24 where it yields.
 fn problem(family: Family, kind: Kind, method: Method) -> Problem {
     let choice = Choice {
         axes: 2,
@@ -35,6 +35,8 @@ fn problem(family: Family, kind: Kind, method: Method) -> Problem {
     };
     let mut problem = draw::of(&mut draw::dice(7, 3, 0), &choice, family.word().to_owned())
         .expect("a problem that has a solution");
-    problem.ladder = vec![8, 16];
+    if !kind.yields() {
+        problem.ladder = vec![8, 16];
+    }
     problem
 }

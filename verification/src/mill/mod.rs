@@ -85,11 +85,6 @@ pub type Judged = (Result<Vec<Errors>, String>, Vec<Gate>);
 /// # Errors
 /// The reason for which the problem has no solution to converge to.
 pub fn judge(problem: &Problem, faults: &Faults) -> Result<Judged, String> {
-    let derivation = check::derivation(problem);
-    if !derivation.holds() {
-        let reason = format!("derivatives are not those of differences: {derivation:?}");
-        return Ok((Err(reason), vec![]));
-    }
     let mut errors = vec![];
     for &cells in &problem.ladder {
         match ladder::run(problem, cells, faults) {
@@ -97,6 +92,12 @@ pub fn judge(problem: &Problem, faults: &Faults) -> Result<Judged, String> {
             Err(Failure::NotSolvable(reason)) => return Err(reason),
             Err(Failure::Run(reason)) => return Ok((Err(reason), vec![])),
         }
+    }
+    // After the runs: where a point unloads, which they refuse, differences are no derivatives.
+    let derivation = check::derivation(problem);
+    if !derivation.holds() {
+        let reason = format!("derivatives are not those of differences: {derivation:?}");
+        return Ok((Err(reason), vec![]));
     }
     let gates = expected::gates(problem, &errors);
     Ok((Ok(errors), gates))

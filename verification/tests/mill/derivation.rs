@@ -158,12 +158,12 @@ fn what_has_no_solution_is_refused() {
     assert!(refused.contains("det F"), "{refused}");
 }
 
-/// A field that turns the strain of the frame back unloads points that yield: the body force would jump.
+/// A frame that strains back unloads points that yield: the body force would jump.
 #[test]
 fn what_stops_to_yield_is_refused() {
     let mut frame = problem(Family::Frame, Kind::VonMises, METHOD);
-    for coefficient in frame.motion.field.polynomials.iter_mut().flatten() {
-        *coefficient *= 6.0;
+    for rate in frame.motion.stretch.iter_mut().flatten() {
+        *rate = -*rate;
     }
     let refused = judge(&frame, &Faults::default()).expect_err("points that unload");
     assert!(refused.contains("stops to yield"), "{refused}");
