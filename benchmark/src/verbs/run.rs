@@ -169,7 +169,7 @@ fn bound_words(bound: Bound) -> &'static str {
         Bound::Contact => "by the stiffness of the contact",
         Bound::Closing => "so that no gap closes by more than half the critical gap",
         Bound::Viscosity => "by viscosity beside the stability bound",
-        Bound::Damping => "by viscous damping beside the stability bound",
+        Bound::Damping => "by damping beside the stability bound",
         Bound::Fixed => "constant, by the scene",
         Bound::OutputTime => "shortened so that frames fall on their times",
     }

@@ -7,12 +7,12 @@ use super::phase::{Phase, Watcher};
 use crate::laws::UNPRESSED;
 use crate::layout::Layout;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
-use crate::scene::{TimeStep, Vector};
+use crate::scene::{Damping, TimeStep, Vector};
 
 /// Share of the step in which a gap of mortar contact closes as far as it may: surfaces speed up within a step, most of
 /// all where light nodes carry them.
 const CLOSING_SHARE: f64 = 0.5;
-/// Share of the critical step under viscous damping that an automatic step takes at most.
+/// Share of the critical step under damping that an automatic step takes at most.
 const DAMPED_SHARE: f64 = 0.9;
 /// Largest step over the one before where interactions bound steps: a contact that lets go for a moment is met again at
 /// speeds that it has changed.
@@ -50,7 +50,7 @@ pub enum Bound {
     Contact,
     /// No gap of mortar contact closes by more than half the critical gap.
     Closing,
-    /// The rate of viscous damping, beside the stability bound of the scheme.
+    /// Viscous or local damping, beside the stability bound of the scheme or of contact.
     Damping,
     /// The viscosity of a material, beside the stability bound of the scheme.
     Viscosity,
@@ -90,6 +90,13 @@ fn damped_step(stable: f64, rate: f64) -> f64 {
     }
 }
 
+/// The largest stable step where `stable` is that without local damping of a factor alpha \[s\]. In the fastest motion velocity
+/// and force change their signs from step to step, and the force is against the velocity of half a step before, so that
+/// -alpha |f| sign(v) is alpha f: it adds to the force, and w² rises to (1 + alpha) w².
+fn locally_damped_step(stable: f64, alpha: f64) -> f64 {
+    stable / (1.0 + alpha).sqrt()
+}
+
 /// The largest stable step where `stable` is that without viscosity \[s\], `speed` the speed of waves and particles \[m/s\]
 /// and `diffusivity` the longitudinal viscosity over density \[m²/s\]. The viscous force is that of the velocity half a step
 /// before: with w² = c² k² and a rate nu k², w² dt² + 2 nu k² dt <= 4; k is the wave number for which `stable` is 2/(c k), so
@@ -122,7 +129,7 @@ pub(super) fn length(v: &Vector) -> f64 {
 /// What bounds a step, and the numbers behind it.
 #[derive(Clone, Copy, Debug)]
 struct Limits {
-    /// Critical step without viscous damping \[s\].
+    /// Critical step without damping \[s\].
     undamped: f64,
     /// What it is by.
     bound: Bound,
@@ -186,6 +193,8 @@ impl Simulation {
             Limits {
                 undamped: contact,
                 bound: Bound::Contact,
+                // Forces of contact are part of what local damping acts on.
+                damped: (limits.damped).min(locally_damped_step(contact, self.local_damping())),
                 ..limits
             }
         } else {
@@ -216,7 +225,10 @@ impl Simulation {
         Limits {
             undamped,
             bound,
-            damped: damped_step(viscous, self.viscous_rate()),
+            damped: locally_damped_step(
+                damped_step(viscous, self.viscous_rate()),
+                self.local_damping(),
+            ),
             wave_speed,
             particle_speed,
         }
@@ -226,6 +238,14 @@ impl Simulation {
     fn viscous_rate(&self) -> f64 {
         let free = self.decided.bodies.iter().filter(|b| b.motion.is_none());
         free.map(|body| body.viscous_rate).fold(0.0, f64::max)
+    }
+
+    /// Factor of local damping; 0 without.
+    fn local_damping(&self) -> f64 {
+        match self.decided.scene.damping {
+            Damping::Local { alpha } => alpha,
+            Damping::None | Damping::Viscous { .. } | Damping::Kinetic => 0.0,
+        }
     }
 
     /// Largest longitudinal viscosity of a particle over its density \[m²/s\].
@@ -317,6 +337,7 @@ impl Simulation {
                 particle_speed: limits.particle_speed,
                 acceleration: self.acceleration(),
                 viscous_rate: self.viscous_rate(),
+                local_damping: self.local_damping(),
             });
         }
         Ok((dt, critical, bound))

@@ -90,6 +90,8 @@ pub struct Unstable {
     pub acceleration: f64,
     /// Largest rate of viscous damping \[1/s\].
     pub viscous_rate: f64,
+    /// Factor of local damping.
+    pub local_damping: f64,
 }
 
 impl fmt::Display for Unstable {
@@ -110,7 +112,11 @@ impl fmt::Display for Unstable {
             let rate = Number(self.viscous_rate);
             write!(f, ", viscous damping at a rate of {rate} 1/s")?;
         }
-        let less = if self.viscous_rate > 0.0 {
+        if self.local_damping > 0.0 {
+            let factor = Number(self.local_damping);
+            write!(f, ", local damping with a factor of {factor}")?;
+        }
+        let less = if self.viscous_rate > 0.0 || self.local_damping > 0.0 {
             " or less damping"
         } else {
             ""
