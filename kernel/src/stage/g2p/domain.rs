@@ -6,6 +6,10 @@ use crate::layout::Layout;
 use crate::scene::DomainUpdate;
 use std::ops::Range;
 
+/// Mean stress over the size of the normal stresses that is none: at the end of a yield surface that bears no tension the sum of a
+/// deviator is left, whose sign is round-off.
+const NO_MEAN: f64 = 1e-10;
+
 /// Half-lengths of the domains of some particles after their deformation gradient; the largest, in cells. Where the law parts
 /// (`parts`), the domain of a particle without pressure does not grow: what opens there is a gap.
 pub(super) fn follow(
@@ -70,11 +74,15 @@ impl<const D: usize> Kernel for Follow<'_, '_, D> {
                     factor[axis] * load::<B::Native>(columns[first.initial + axis], at, count);
                 if let Some(stress) = first.stress {
                     let mut sum: B::Native = load(columns[stress], at, count);
+                    let mut size = sum.abs();
                     for normal in 1..3 {
-                        sum = sum + load(columns[stress + normal], at, count);
+                        let own: B::Native = load(columns[stress + normal], at, count);
+                        sum = sum + own;
+                        size = size + own.abs();
                     }
                     let before = load(columns[first.half_length + axis], at, count);
-                    l = B::Native::select(sum.lt(zero), l, l.min(before));
+                    let pressed = sum.lt(B::Native::splat(-NO_MEAN) * size);
+                    l = B::Native::select(pressed, l, l.min(before));
                 }
                 store(l, columns[first.half_length + axis], at, count);
                 most = most.max(B::Native::select(B::Native::first(count), l, zero));
