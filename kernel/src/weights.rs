@@ -288,6 +288,32 @@ pub fn mean_of_hat(distance: f64, half: f64) -> f64 {
     }
 }
 
+/// Weights along an axis of a particle with a B-spline, `f` cells from its base node and of half-length `half`, at the point that
+/// is off its centre by `offset`, where the B-spline is no whole number of particles long.
+///
+/// At a face they are those at which rows of such particles under one stress end. Of the three nodes that beyond the face is
+/// reached by the first rows alone and has the sum of V grad `S_Ip` over them; the two others follow, as the weights sum to
+/// one and their mean place is the face. Between centre and face both are mixed.
+#[must_use]
+pub(crate) fn spline_touching(f: f64, half: f64, offset: f64) -> [f64; 3] {
+    let (_, centre, _) = axis_weights_at::<3>(Family::Gimp, f, 0.5);
+    let share = (offset.abs() / half).min(1.0);
+    // From the node beyond the face.
+    let from = if offset < 0.0 { f } else { 2.0 - f };
+    let mut beyond = 0.0;
+    let mut left = 1.5 - from;
+    while left > 0.0 {
+        beyond += 2.0 * half * left;
+        left -= 2.0 * half;
+    }
+    let face = from - half;
+    let mut at_face = [beyond, 2.0 - face - 2.0 * beyond, face - 1.0 + beyond];
+    if offset > 0.0 {
+        at_face.reverse();
+    }
+    std::array::from_fn(|n| (1.0 - share) * centre[n] + share * at_face[n])
+}
+
 /// Weights of one point along `D` axes at once, each as [`axis_weights_at`] has them, in the lanes of one line (D <= 8).
 #[must_use]
 pub fn weights_at<const N: usize, const D: usize>(

@@ -2,7 +2,10 @@
 
 mod beside;
 mod layer;
+mod light;
 mod places;
+mod resting;
+mod rows;
 mod sides;
 mod strain;
 
@@ -30,6 +33,10 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(beside::stiff_beside_soft(scene));
     all.extend(beside::inside_cells(scene));
     all.extend(layer::layers_off(scene));
+    all.extend(rows::uneven(scene));
+    all.extend(light::on_lines(scene));
+    all.extend(light::at_sides(scene));
+    all.extend(light::swings(scene));
     all.extend(strain::large_strain(scene));
     all.extend(super::tension::warnings(scene));
     for material in &scene.materials {

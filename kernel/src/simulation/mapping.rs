@@ -11,7 +11,9 @@ use crate::scene::Vector;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
-use crate::weights::{Family, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight};
+use crate::weights::{
+    Family, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight, spline_touching,
+};
 use std::ops::{Deref, Range};
 
 /// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
@@ -306,31 +308,6 @@ pub(super) fn node_weights_touching(
 
 /// Round-off of the length of a B-spline over that of a particle, which counts as a whole number.
 const WHOLE: f64 = 1e-9;
-
-/// Weights along an axis of a particle with a B-spline, `f` cells from its base node and of half-length `half`, at the point that
-/// is off its centre by `offset`, where the B-spline is no whole number of particles long.
-///
-/// At a face they are those at which rows of such particles under one stress end. Of the three nodes that beyond the face is
-/// reached by the first rows alone and has the sum of V grad `S_Ip` over them; the two others follow, as the weights sum to
-/// one and their mean place is the face. Between centre and face both are mixed.
-fn spline_touching(f: f64, half: f64, offset: f64) -> [f64; 3] {
-    let (_, centre, _) = axis_weights_at::<3>(Family::Gimp, f, 0.5);
-    let share = (offset.abs() / half).min(1.0);
-    // From the node beyond the face.
-    let from = if offset < 0.0 { f } else { 2.0 - f };
-    let mut beyond = 0.0;
-    let mut left = 1.5 - from;
-    while left > 0.0 {
-        beyond += 2.0 * half * left;
-        left -= 2.0 * half;
-    }
-    let face = from - half;
-    let mut at_face = [beyond, 2.0 - face - 2.0 * beyond, face - 1.0 + beyond];
-    if offset > 0.0 {
-        at_face.reverse();
-    }
-    std::array::from_fn(|n| (1.0 - share) * centre[n] + share * at_face[n])
-}
 
 /// Products of the weights along the axes, which `along` gives for an axis, the position of the particle and the half-length
 /// of its domain in cells.

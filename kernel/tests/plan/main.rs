@@ -7,6 +7,7 @@ mod common;
 mod foreseen;
 mod nothing;
 mod steps;
+mod supported;
 
 use common::{
     BLEND, DIMENSIONS, NEO_HOOKEAN, SCHEMES, WEIGHTINGS, block, body, cuboid, material, options,
