@@ -11,7 +11,7 @@ pub static FLIGHT: Question = Question {
     name: "flight",
     holds: "bodies of one velocity fly under gravity as points do, and no stress arises",
     because: "weights sum to one and gradients to zero, so that round-off of some tens of steps is left",
-    foreseen: None,
+    foreseen: &[],
     make: flight,
 };
 

@@ -10,7 +10,7 @@ pub static MIRROR: Question = Question {
     name: "mirror",
     holds: "a scene that is mirrored gives the mirrored result",
     because: "round-off of some tens of steps: sums over nodes are formed in another order",
-    foreseen: None,
+    foreseen: &[],
     make: mirror,
 };
 
@@ -19,7 +19,7 @@ pub static TURN: Question = Question {
     name: "turn",
     holds: "a scene whose axes are turned by a right angle, or exchanged in turn, gives the turned result",
     because: "round-off of some tens of steps: sums over nodes are formed in another order",
-    foreseen: None,
+    foreseen: &[],
     make: turn,
 };
 
@@ -28,7 +28,7 @@ pub static SHIFT: Question = Question {
     name: "shift",
     holds: "a scene that is shifted with its mesh gives the shifted result",
     because: "round-off of coordinates that are a hundred cells from zero at most",
-    foreseen: None,
+    foreseen: &[],
     make: shift,
 };
 

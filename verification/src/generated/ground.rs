@@ -13,7 +13,7 @@ pub static GROUND: Question = Question {
     name: "ground",
     holds: "ground between smooth sides carries the weight above each row, from a start without stress or at rest",
     because: "2 % of the stress at the base, and what half a cell less a particle weighs: a particle has the strain of its cell",
-    foreseen: None,
+    foreseen: &["keep swinging"],
     make: ground,
 };
 
@@ -23,7 +23,7 @@ pub static WALLS: Question = Question {
     holds: "ground between smooth walls that are driven bodies carries the weight above each row, with each normal",
     because: "2 % of the stress at the base, and what half a cell less a particle weighs; two cells at the surface and the base are left out, and as \
               many as the ground is wide where the walls begin a cell above its base, so that its foot bulges",
-    foreseen: None,
+    foreseen: &[],
     make: walls,
 };
 

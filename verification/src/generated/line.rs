@@ -13,14 +13,14 @@ use super::change::Frame;
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
 use super::seen::Seen;
-use super::{Deviation, Question, Trial};
+use super::{Deviation, Question, Trial, pressed};
 
 /// A block on a line.
 pub static LINE: Question = Question {
     name: "line",
     holds: "a block that is pressed on a rigid line by mortar contact carries the pressure in every row",
     because: "10 % in the first three rows at the line, 2 % elsewhere, wherever the line lies in its cell",
-    foreseen: None,
+    foreseen: &[pressed::ROWS_OF_SPLINES, "to and fro"],
     make: line,
 };
 

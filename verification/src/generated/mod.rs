@@ -62,8 +62,8 @@ pub struct Question {
     pub holds: &'static str,
     /// The reason for the bound.
     pub because: &'static str,
-    /// Words of the warning with which a plan names scenes in which the property does not hold.
-    pub foreseen: Option<&'static str>,
+    /// Words of the warnings with which a plan names scenes in which the property does not hold.
+    pub foreseen: &'static [&'static str],
     /// A scene of the kind.
     pub make: fn(&mut Dice) -> Trial,
 }
@@ -190,10 +190,16 @@ pub fn answer(seed: u64, number: u64) -> Answer {
     }
     let found = results(&trial.runs).map(|seen| (trial.judge)(&seen));
     let scene = trial.runs.swap_remove(0).scene;
-    let foreseen = question.foreseen.is_some_and(|words| {
+    let foreseen = !question.foreseen.is_empty() && {
         let plan = plan(&scene, Demands::default());
-        plan.warnings.iter().any(|warning| warning.contains(words))
-    });
+        let named = |warning: &String| {
+            question
+                .foreseen
+                .iter()
+                .any(|words| warning.contains(words))
+        };
+        plan.warnings.iter().any(named)
+    };
     Answer {
         question,
         number,

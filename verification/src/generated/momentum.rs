@@ -11,7 +11,7 @@ pub static MOMENTUM: Question = Question {
     name: "momentum",
     holds: "bodies that collide keep each its mass, and together their momentum",
     because: "action is reaction at each node; round-off of some tens of steps is left",
-    foreseen: None,
+    foreseen: &[],
     make: momentum,
 };
 
@@ -20,7 +20,7 @@ pub static SPIN: Question = Question {
     name: "spin",
     holds: "bodies that collide keep their angular momentum with APIC",
     because: "what nodes have of it particles get, and give back (Jiang et al. 2015); round-off is left",
-    foreseen: None,
+    foreseen: &[],
     make: spin,
 };
 

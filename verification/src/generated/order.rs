@@ -12,7 +12,7 @@ pub static BODIES: Question = Question {
     name: "order",
     holds: "bodies, contacts and loads in another order give the same result",
     because: "round-off: bodies that share a field are summed in another order",
-    foreseen: None,
+    foreseen: &[],
     make: bodies,
 };
 
@@ -21,7 +21,7 @@ pub static THREADS: Question = Question {
     name: "threads",
     holds: "any number of threads gives the same bits",
     because: "the order of every sum depends on the scene alone",
-    foreseen: None,
+    foreseen: &[],
     make: threads,
 };
 
@@ -30,7 +30,7 @@ pub static CUT: Question = Question {
     name: "cut",
     holds: "a body that is cut in two along a line of its particles, without contact, moves as one",
     because: "round-off: the same particles share one field, in another order",
-    foreseen: None,
+    foreseen: &[],
     make: cut,
 };
 

@@ -12,7 +12,7 @@ pub static JOINED: Question = Question {
     name: "joined",
     holds: "joined layers under one pressure carry it in every row",
     because: "2 % of the pressure: a load on rows of particles is felt about two cells below them, which are left out",
-    foreseen: None,
+    foreseen: &[],
     make: joined,
 };
 
@@ -21,7 +21,7 @@ pub static CONTACT: Question = Question {
     name: "contact",
     holds: "layers in contact under one pressure carry it in every row, with each normal, at any place of their faces",
     because: "5 % in the cell beside an interface, whose nodes both layers reach, 2 % elsewhere",
-    foreseen: Some("beside the interface"),
+    foreseen: &["beside the interface"],
     make: contact,
 };
 
@@ -30,7 +30,7 @@ pub static DRIVEN: Question = Question {
     name: "driven",
     holds: "a layer that is pressed on a body whose velocity is prescribed carries the pressure in every row",
     because: "5 % in the cell beside the interface, 2 % elsewhere; the driven body acts where it is",
-    foreseen: None,
+    foreseen: ON_DRIVEN,
     make: driven,
 };
 
@@ -38,10 +38,21 @@ pub static DRIVEN: Question = Question {
 pub static PLATE: Question = Question {
     name: "plate",
     holds: "a block with free sides that is pressed on a smooth plate carries the pressure in every row and no other stress",
-    because: "5 % in the cell beside the interface, 2 % elsewhere; corners do not turn the normal",
-    foreseen: None,
+    because: "5 % in the cell beside the interface, 2 % elsewhere; corners do not turn the normal; a load on two rows, which widens \
+              them, is felt as far below as the block is wide (Saint-Venant), and no row is asked there",
+    foreseen: ON_DRIVEN,
     make: plate,
 };
+
+/// Warnings of layers on a driven body.
+const ON_DRIVEN: &[&str] = &[
+    ROWS_OF_SPLINES,
+    "to and fro",
+    "its nodes are light",
+    "keep swinging",
+];
+/// Warning of rows of particles that are no whole number in a cell.
+pub const ROWS_OF_SPLINES: &str = "no whole number in one";
 
 /// Largest error of rows away from interfaces, over the pressure.
 const ROWS: f64 = 0.02;
@@ -74,7 +85,7 @@ fn joined(dice: &mut Dice) -> Trial {
     if layers.len() == 2 && column.scene.weighting == Weighting::QuadraticBSpline {
         column.scene.weighting = Weighting::UniformGimp;
     }
-    pressed(dice, column, &[])
+    pressed(dice, column, &[], FELT)
 }
 
 /// A layer of a stack.
@@ -106,7 +117,7 @@ fn contact(dice: &mut Dice) -> Trial {
     let mut column = Column::new(dice, dimension, 0.0, &layers, 0);
     let friction = dice.pick(&[0.0, 0.3]);
     touch(dice, &mut column.scene, [1, 2], friction);
-    pressed(dice, column, &[1])
+    pressed(dice, column, &[1], FELT)
 }
 
 fn driven(dice: &mut Dice) -> Trial {
@@ -120,14 +131,15 @@ fn driven(dice: &mut Dice) -> Trial {
     if dice.chance(0.7) {
         touch(dice, &mut column.scene, [1, 2], friction);
     }
-    pressed(dice, column, &[1])
+    pressed(dice, column, &[1], FELT)
 }
 
 fn plate(dice: &mut Dice) -> Trial {
     let dimension = crowd::dimension(dice);
     let mut layers = vec![layer(dice, dimension), layer(dice, dimension)];
     layers[0].height = LEAST + dice.place();
-    layers[1].height += 1.5;
+    // As wide as a block may be, so that rows are asked below what feels the load.
+    layers[1].height += 4.0;
     let free = 2;
     let mut column = Column::new(dice, dimension, 0.0, &layers, free);
     let axes = dimension.axes();
@@ -147,7 +159,11 @@ fn plate(dice: &mut Dice) -> Trial {
     }
     column.scene.bodies[0].motion = Some(History::from([0.0; 3]));
     touch(dice, &mut column.scene, [1, 2], 0.0);
-    pressed(dice, column, &[1])
+    let (p1, p2) = crowd::corners(&column.scene.bodies[1]);
+    let widest = (0..up)
+        .map(|axis| (p2[axis] - p1[axis]) / h)
+        .fold(FELT, f64::max);
+    pressed(dice, column, &[1], widest)
 }
 
 /// Contact of two bodies, either of them the master.
@@ -165,12 +181,12 @@ fn touch(dice: &mut Dice, scene: &mut Scene, mut ends: [i64; 2], friction: f64) 
     });
 }
 
-/// The column under a pressure, with interfaces at these of its faces.
-fn pressed(dice: &mut Dice, mut column: Column, interfaces: &[usize]) -> Trial {
+/// The column under a pressure, with interfaces at these of its faces; so many cells below the load it is felt as what it is.
+fn pressed(dice: &mut Dice, mut column: Column, interfaces: &[usize], felt: f64) -> Trial {
     let (pressure, load) = column.press(dice);
     let (h, up) = (column.h(), column.up());
     let frame = column.turn(dice);
-    let asked_below = load - FELT * h;
+    let asked_below = load - felt * h;
     let faces: Vec<f64> = interfaces.iter().map(|face| column.faces[*face]).collect();
     let driven: Vec<i64> = (column.scene.bodies.iter())
         .filter(|body| body.motion.is_some())

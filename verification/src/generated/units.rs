@@ -12,7 +12,7 @@ pub static POWERS: Question = Question {
     name: "units-two",
     holds: "in units that are powers of two of the first a scene gives the same bits",
     because: "a power of two changes exponents alone, so that an absolute threshold anywhere would show",
-    foreseen: None,
+    foreseen: &[],
     make: powers,
 };
 
@@ -21,7 +21,7 @@ pub static ODD: Question = Question {
     name: "units-odd",
     holds: "in any other units a scene gives the same but for round-off",
     because: "round-off of some tens of steps; a threshold that decides on the last bit would show at 1e-6 and more",
-    foreseen: None,
+    foreseen: &[],
     make: odd,
 };
 
