@@ -18,6 +18,7 @@ use entries::is_list;
 pub use stability::{AUTOMATIC_SHARE, has_safe_step, stability_number};
 use std::fmt;
 pub use tension::{ForeseenTension, foreseen_tension};
+pub(crate) use tension::{loses_tension, scheme_word};
 
 /// What a library user asks for beyond the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

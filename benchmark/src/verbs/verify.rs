@@ -153,7 +153,7 @@ impl Verify {
         self.work(task, &options, &interrupt, out)
     }
 
-    /// Whether the mill is meant, not cases.
+    /// True where the mill is meant, not cases.
     fn mills(&self) -> bool {
         self.cases.iter().any(|name| name == mill::NAME)
     }

@@ -4,13 +4,30 @@
 //! torn see `simulation/tension.rs`.
 
 use super::stability::{AUTOMATIC_SHARE, stability_number};
-use crate::scene::{Body, PlaneCondition, Scene, Shape, TimeStep, Vector};
-use crate::simulation::{loses_tension, scheme_word};
+use crate::scene::{
+    Body, PlaneCondition, Scene, Shape, StressScheme, TimeStep, TransferKind, Vector,
+};
 
 /// Factor by which a way that no strain sees must grow in a run to be worth a warning.
 const FACTOR: f64 = 10.0;
 /// Least tension over the modulus of confined strain that is worth a warning.
 const LEAST: f64 = 1e-3;
+
+/// True where the method of a scene lets a way grow that no strain sees.
+pub(crate) fn loses_tension(scene: &Scene) -> bool {
+    let transfer = scene.transfer;
+    let flip = transfer.kind == TransferKind::Flip && transfer.pic_fraction < 1.0;
+    flip && scene.scheme != StressScheme::Usl
+}
+
+/// A scheme by its word in scenes.
+pub(crate) fn scheme_word(scheme: StressScheme) -> &'static str {
+    match scheme {
+        StressScheme::Usl => "USL",
+        StressScheme::Usf => "USF",
+        StressScheme::Musl => "MUSL",
+    }
+}
 
 /// A body that will be in tension, by an estimate.
 #[derive(Clone, Copy, Debug, PartialEq)]

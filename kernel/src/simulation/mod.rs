@@ -66,7 +66,6 @@ pub use trust::{
 };
 
 pub(crate) use decided::{BodyRun, Decided};
-pub(crate) use tension::{loses_tension, word as scheme_word};
 use work::Work;
 
 use crate::lanes::{LaneChoice, Selected};

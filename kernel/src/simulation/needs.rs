@@ -4,7 +4,6 @@
 //! velocity fields of their own touch of the grid later, as they travel, is not foreseen.
 
 use super::error::{MESH, SetupError};
-use super::tension::loses_tension;
 use crate::bodies::{self, FILLED, FillError, Room};
 use crate::grid::{GridShape, Line};
 use crate::layout::Layout;
@@ -231,7 +230,11 @@ pub(super) fn per_particle(scene: &Scene, layout: &Layout) -> f64 {
         0.0
     };
     // Its growth in tension.
-    let growth = if loses_tension(scene) { 8.0 } else { 0.0 };
+    let growth = if crate::plan::loses_tension(scene) {
+        8.0
+    } else {
+        0.0
+    };
     2.0 * layout.bytes_per_particle() as f64 + FILLED + 8.0 * written + growth
 }
 

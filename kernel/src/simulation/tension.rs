@@ -17,7 +17,8 @@ use super::clock::StepInfo;
 use super::error::{ParticleAt, StepError, StepErrorKind};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::scene::{Scene, StressScheme, TransferKind, Weighting};
+use crate::plan::{loses_tension, scheme_word};
+use crate::scene::{Scene, StressScheme, Weighting};
 use nalgebra::Matrix3;
 use std::fmt;
 
@@ -65,7 +66,7 @@ pub struct Tension {
 
 impl fmt::Display for Tension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let scheme = word(self.scheme);
+        let scheme = scheme_word(self.scheme);
         write!(
             f,
             "{} is in tension, {:.4e} Pa, and FLIP with {scheme} does not hold that: particles go a way that no strain sees, \
@@ -78,22 +79,6 @@ impl fmt::Display for Tension {
             100.0 * self.created
         )
     }
-}
-
-/// A scheme by its word in scenes.
-pub(crate) fn word(scheme: StressScheme) -> &'static str {
-    match scheme {
-        StressScheme::Usl => "USL",
-        StressScheme::Usf => "USF",
-        StressScheme::Musl => "MUSL",
-    }
-}
-
-/// True where the method of a scene lets a way grow that no strain sees.
-pub(crate) fn loses_tension(scene: &Scene) -> bool {
-    let transfer = scene.transfer;
-    let flip = transfer.kind == TransferKind::Flip && transfer.pic_fraction < 1.0;
-    flip && scene.scheme != StressScheme::Usl
 }
 
 /// The growth of the particles of a body, as logarithms, by identifier from the first. Zeros take no memory before they
@@ -110,7 +95,7 @@ pub(crate) struct TensionWatch {
     bodies: Vec<Growth>,
     /// Largest principal stress over density at the last look \[m²/s²\]; infinite before the first.
     tension: f64,
-    /// What strains may have added to it since \[m²/s²\].
+    /// The rise that strains may have added since \[m²/s²\].
     risen: f64,
     /// Sum of (dt/h)² since \[s²/m²\].
     time: f64,

@@ -39,7 +39,7 @@ pub static PLATE: Question = Question {
     name: "plate",
     holds: "a block with free sides that is pressed on a smooth plate carries the pressure in every row and no other stress",
     because: "5 % in the cell beside the interface, 2 % elsewhere; corners do not turn the normal; a load on two rows, which widens \
-              them, is felt as far below as the block is wide (Saint-Venant), and no row is asked there",
+              them, is felt as far below as the block is wide (Saint-Venant), and no row there is judged",
     foreseen: ON_DRIVEN,
     make: plate,
 };
@@ -138,7 +138,7 @@ fn plate(dice: &mut Dice) -> Trial {
     let dimension = crowd::dimension(dice);
     let mut layers = vec![layer(dice, dimension), layer(dice, dimension)];
     layers[0].height = LEAST + dice.place();
-    // As wide as a block may be, so that rows are asked below what feels the load.
+    // As wide as a block may be, so that rows are judged below those that feel the load.
     layers[1].height += 4.0;
     let free = 2;
     let mut column = Column::new(dice, dimension, 0.0, &layers, free);

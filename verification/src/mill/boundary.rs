@@ -18,7 +18,7 @@ pub struct Frame {
     axes: usize,
     /// Time step \[s\].
     dt: f64,
-    /// Whether velocities that are mapped a second time belong to the positions after the step.
+    /// True where velocities that are mapped a second time belong to the positions after the step.
     at_new_positions: bool,
     /// Time by which positions are taken too late \[s\]: 0, but for a test of the mill.
     late: f64,

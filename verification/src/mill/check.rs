@@ -24,7 +24,7 @@ pub struct Derivation {
 }
 
 impl Derivation {
-    /// Whether derivatives are what differences say.
+    /// True where derivatives are what differences say.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.deformation <= MOST_OF_DEFORMATION && self.force <= MOST_OF_FORCE

@@ -21,12 +21,12 @@ const SMALL: f64 = 1e-3;
 /// Largest angle by which a floating body turns \[rad\].
 const MOST_SPIN: f64 = 0.8;
 
-/// What a problem is about; its numbers are drawn.
+/// The kind of a problem; its numbers are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
     /// Number of axes.
     pub axes: usize,
-    /// How the body is held.
+    /// The support of the body.
     pub family: Family,
     /// Kind of law.
     pub kind: Kind,

@@ -1,4 +1,4 @@
-//! What theory expects of a problem: orders and errors, as gates.
+//! Expectations of theory for a problem: orders and errors, as gates.
 
 use proctor_kernel::scene::{StressScheme, TransferKind, Weighting};
 
@@ -16,12 +16,12 @@ pub struct Gate {
     pub value: f64,
     /// Bound.
     pub bound: f64,
-    /// Whether the bound is the least that is accepted, of an order, or the most, of an error.
+    /// True where the bound is the least that is accepted, of an order, or the most, of an error.
     pub at_least: bool,
 }
 
 impl Gate {
-    /// Whether the number keeps its bound. What is not a number does not.
+    /// True where the number keeps its bound. What is not a number does not.
     #[must_use]
     pub fn holds(&self) -> bool {
         if self.at_least {
@@ -39,7 +39,7 @@ pub const ORDER_OF_STRESS: f64 = 1.0;
 /// Least median order of the displacement of many problems of a family.
 pub const LEAST_MEDIAN: f64 = 1.8;
 
-/// What is expected of a problem on its finest pair of meshes.
+/// Expectations for a problem on its finest pair of meshes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expected {
     /// Least order of the displacement; none where its error is round-off or time alone.
@@ -58,7 +58,7 @@ pub struct Expected {
 /// grow with the angle, and what is left of that does not fall with the mesh.
 const MOST_TURN: f64 = 0.5;
 
-/// What is expected of a problem.
+/// Expectations for a problem.
 ///
 /// Floors of orders lie below theory by what meshes of 8 to 32 cells show before errors are asymptotic; bounds of errors are
 /// some times those of the verification notes, A1 to A3, at 32 cells, and fall with h².
@@ -97,7 +97,7 @@ pub fn of(problem: &Problem) -> Expected {
     }
 }
 
-/// Whether domains follow the deformation.
+/// True where domains follow the deformation.
 fn follows(method: Method) -> bool {
     matches!(method.weighting, Weighting::ContiguousGimp(_))
 }

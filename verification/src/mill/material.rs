@@ -53,13 +53,13 @@ impl Kind {
         }
     }
 
-    /// Whether its stress depends on the way to F.
+    /// True where its stress depends on the way to F.
     #[must_use]
     pub fn remembers(self) -> bool {
         !matches!(self, Self::NeoHookean | Self::Hencky)
     }
 
-    /// Whether it has a yield surface.
+    /// True where it has a yield surface.
     #[must_use]
     pub fn yields(self) -> bool {
         matches!(self, Self::VonMises | Self::DruckerPrager)

@@ -157,7 +157,7 @@ impl Motion {
         })
     }
 
-    /// What depends on time.
+    /// The share that depends on time.
     #[must_use]
     pub fn at(&self, t: f64) -> Moment {
         let time = Timed::variable(Jet::variable(t, 0), 0);
@@ -177,7 +177,7 @@ impl Motion {
         }
     }
 
-    /// What depends on the place X \[m\].
+    /// The share that depends on the place X \[m\].
     #[must_use]
     pub fn of(&self, x0: &Vector) -> Place {
         let from_center: Vector = std::array::from_fn(|axis| x0[axis] - self.center[axis]);

@@ -39,7 +39,7 @@ struct State<const D: usize> {
     variables: Vec<Jet<D>>,
 }
 
-/// What is known of a place at the end of a path.
+/// The state of a place at the end of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ended {
     /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\].

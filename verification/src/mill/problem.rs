@@ -9,7 +9,7 @@ use super::material::Material;
 use super::motion::{Motion, Vector};
 use crate::settings::{Method, Settings};
 
-/// How a body is held.
+/// The support of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// On the whole mesh between fixed planes.
@@ -37,7 +37,7 @@ impl Family {
         }
     }
 
-    /// Whether nodes around the body are prescribed.
+    /// True where nodes around the body are prescribed.
     #[must_use]
     pub fn has_frame(self) -> bool {
         matches!(self, Self::Frame | Self::Affine)
@@ -62,7 +62,7 @@ pub const SHARE_OF_STEP: f64 = 0.6;
 pub struct Problem {
     /// Name: that of the family, the seed and the number.
     pub name: String,
-    /// How the body is held.
+    /// The support of the body.
     pub family: Family,
     /// Motion.
     pub motion: Motion,

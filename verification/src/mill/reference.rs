@@ -1,4 +1,4 @@
-//! What drives and what judges a run: start, body force and exact values of each particle.
+//! Load and reference of a run: start, body force and exact values of each particle.
 
 use std::collections::HashMap;
 use std::sync::Arc;

@@ -140,7 +140,7 @@ fn a_problem_follows_from_seed_and_number() {
     }
 }
 
-/// What inverts or stretches too far is refused with the reason.
+/// A motion that inverts or stretches too far is refused with the reason.
 #[test]
 fn what_has_no_solution_is_refused() {
     let mut wild = problem(Family::Box, Kind::NeoHookean, METHOD);

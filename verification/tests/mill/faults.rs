@@ -13,7 +13,7 @@ use proctor_verification::mill::problem::{Family, Problem};
 
 use super::{method, problem};
 
-/// What is wrong in the rate that a law is given.
+/// The fault in the rate that a law gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Wrong {
     Nothing,
@@ -159,7 +159,7 @@ impl Law for OwnDeformation {
 
 const USL: proctor_verification::settings::Method = method(StressScheme::Usl, TransferKind::Apic);
 
-/// Whether all gates hold.
+/// True where all gates hold.
 fn holds(problem: &Problem, faults: &Faults) -> bool {
     let (found, gates) = judge(problem, faults).expect("a solution");
     found.is_ok() && !gates.is_empty() && gates.iter().all(Gate::holds)

@@ -191,7 +191,7 @@ fn light_surfaces(scene: &Scene) -> Vec<&Body> {
     scene.bodies.iter().filter(is_light).collect()
 }
 
-/// Whether a body is free on both sides of an axis.
+/// True where a body is free on both sides of an axis.
 fn is_free(rest: &Rest<'_>, scene: &Scene, axis: usize) -> bool {
     [0, 1].iter().all(|&side| rest.is_free(scene, axis, side))
 }

@@ -4,7 +4,7 @@ use super::places::gap;
 use crate::scene::{Body, Scene, Shape, Vector};
 use crate::weights::ROUND_OFF;
 
-/// What a box rests on.
+/// The support of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Support {
     /// A driven body that stands still; in contact on the grid, or joined.
@@ -59,13 +59,13 @@ impl Rest<'_> {
         }
     }
 
-    /// Whether the face on the support lies on a line of the mesh.
+    /// True where the face on the support lies on a line of the mesh.
     pub fn on_a_line(&self, scene: &Scene) -> bool {
         let round_off = scene.mesh.tolerance(self.axis) / scene.mesh.cell[self.axis];
         self.beyond(scene, self.axis, self.side) < round_off.max(ROUND_OFF)
     }
 
-    /// Whether nothing holds a side: neither a plane with a condition nor another body within a cell.
+    /// True where nothing holds a side: neither a plane with a condition nor another body within a cell.
     pub fn is_free(&self, scene: &Scene, axis: usize, side: usize) -> bool {
         let (mesh, cell) = (&scene.mesh, scene.mesh.cell[axis]);
         let to_plane = if side == 0 {
@@ -124,7 +124,7 @@ pub(super) fn all<'a>(scene: &'a Scene) -> Vec<Rest<'a>> {
     scene.bodies.iter().filter_map(of).collect()
 }
 
-/// What a face of a body lies on.
+/// The support of a face of a body.
 fn support(
     scene: &Scene,
     body: &Body,

@@ -14,7 +14,7 @@ const FEWEST: usize = 10;
 /// Bounds of the bars of the histogram.
 const BARS: [f64; 6] = [1.25, 1.5, 1.75, 2.0, 2.25, 2.5];
 
-/// What was found of a family with a method.
+/// Results of a family with a method.
 #[derive(Clone, Debug, Default)]
 struct Row {
     problems: usize,
