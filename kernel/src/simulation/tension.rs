@@ -15,6 +15,7 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::{ParticleAt, StepError, StepErrorKind};
+use crate::laws::LinearElastic;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::plan::{loses_tension, scheme_word};
@@ -212,9 +213,11 @@ impl Simulation {
         })))
     }
 
-    /// Energy from nowhere over the energy that there was to turn over; 0 where not all work is known.
+    /// Energy from nowhere over the energy that there was to turn over; 0 where not all work is known, and where incremental
+    /// elasticity at large strain makes it.
     fn created_share(&mut self) -> f64 {
-        if !self.knows_all_work() {
+        let strained = self.extremes().volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE;
+        if strained || !self.knows_all_work() {
             return 0.0;
         }
         let energy = self.energy();
