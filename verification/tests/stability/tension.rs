@@ -66,6 +66,8 @@ fn noise_in_tension_grows_in_space() {
     assert!((growths[1] / growths[0] - 1.0).abs() < 0.3, "{growths:?}");
 }
 
+/// By Euler's load with shear the bar buckles at 0.14 of its modulus; from 0.1 on FLIP shows a growth of 0.001 per step, a fiftieth
+/// of that in tension. A twentieth of the modulus is far from both.
 #[test]
 fn usl_and_affine_velocities_hold_tension_and_all_hold_compression() {
     for weighting in GIMP {
@@ -74,8 +76,8 @@ fn usl_and_affine_velocities_hold_tension_and_all_hold_compression() {
             (StressScheme::Usl, TransferKind::Apic, 0.2),
             (StressScheme::Musl, TransferKind::Apic, 0.2),
             (StressScheme::Usf, TransferKind::Apic, 0.1),
-            (StressScheme::Musl, TransferKind::Flip, -0.2),
-            (StressScheme::Usf, TransferKind::Flip, -0.2),
+            (StressScheme::Musl, TransferKind::Flip, -0.05),
+            (StressScheme::Usf, TransferKind::Flip, -0.05),
         ] {
             let method = Method {
                 weighting,
