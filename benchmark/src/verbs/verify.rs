@@ -161,7 +161,7 @@ impl Verify {
     /// Looks at arguments that belong to random scenes and problems alone.
     ///
     /// # Errors
-    /// One of them without what it belongs to, or the mill beside what is none of it.
+    /// An option without the verb that it belongs to, or the mill together with options of cases.
     fn go_together(&self) -> Result<(), Failure> {
         let of_record = self.quick || self.list || self.repetitions > 1;
         let of_record = of_record || self.resume.is_some() || self.failed.is_some();
