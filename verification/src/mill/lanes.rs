@@ -71,8 +71,6 @@ impl<const N: usize> Lanes for Jet<N> {
     /// Always: the derivative of such a function is not known.
     fn map(self, _: fn(f64) -> f64) -> Self {
         // A derivative of zero would be a wrong reference without a word.
-        panic!(
-            "a function of numbers has no derivative here: the law needs a reference of its own"
-        )
+        panic!("a function of numbers has no derivative here: the law needs a reference of its own")
     }
 }
