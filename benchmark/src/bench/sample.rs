@@ -7,6 +7,7 @@ use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::{InitialField, Options, Part, Phase, Simulation, StepError};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// What is done in a sample.
@@ -124,7 +125,7 @@ impl Work {
         stop: &AtomicBool,
     ) -> Result<Timed, String> {
         let mut timed = Timed::default();
-        let mut phases = [Duration::ZERO; Phase::ALL.len()];
+        let phases = Arc::new(Mutex::new(PhaseTimes::default()));
         let end = self.scene.time;
         let goes_on = |simulation: &Simulation| {
             simulation.time() < end * (1.0 - 1e-9) && !stop.load(Ordering::Relaxed)
@@ -134,32 +135,67 @@ impl Work {
             if !goes_on(simulation) {
                 *simulation = start()?;
             }
-            let mut cold = warm_up;
+            let (mut cold, mut observed) = (warm_up, false);
             let team = simulation.team();
-            team.lead(|| {
+            let result = team.lead(|| {
                 while done < steps && goes_on(simulation) {
                     if cold > 0 {
                         simulation.step(end)?;
                         cold -= 1;
                         continue;
                     }
-                    let mut before = Instant::now();
-                    let mut ended = |phase: Phase| {
-                        let now = Instant::now();
-                        phases[phase as usize] += now - before;
-                        before = now;
-                    };
-                    let stopwatch = &mut timed.stopwatch;
-                    stopwatch.time(|| simulation.step_watched(end, &mut ended))?;
+                    if !observed {
+                        let phases = Arc::clone(&phases);
+                        let end = move |phase| times_of(&phases).end(phase);
+                        simulation.observe_phases(Some(Box::new(end)));
+                        observed = true;
+                    }
+                    times_of(&phases).begin();
+                    timed.stopwatch.time(|| simulation.step(end))?;
                     done += 1;
                 }
                 Ok(())
-            })
-            .map_err(|e: StepError| e.to_string())?;
+            });
+            simulation.observe_phases(None);
+            result.map_err(|e: StepError| e.to_string())?;
         }
-        timed.phases = Some(phases);
+        timed.phases = Some(times_of(&phases).spent);
         Ok(timed)
     }
+}
+
+/// Clock time in each phase so far.
+struct PhaseTimes {
+    before: Instant,
+    spent: [Duration; Phase::ALL.len()],
+}
+
+impl Default for PhaseTimes {
+    fn default() -> Self {
+        Self {
+            before: Instant::now(),
+            spent: [Duration::ZERO; Phase::ALL.len()],
+        }
+    }
+}
+
+impl PhaseTimes {
+    /// A step begins.
+    fn begin(&mut self) {
+        self.before = Instant::now();
+    }
+
+    /// A phase has ended.
+    fn end(&mut self, phase: Phase) {
+        let now = Instant::now();
+        self.spent[phase as usize] += now - self.before;
+        self.before = now;
+    }
+}
+
+/// The times, which one thread after the other writes.
+fn times_of(phases: &Mutex<PhaseTimes>) -> MutexGuard<'_, PhaseTimes> {
+    phases.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Time of a sample.

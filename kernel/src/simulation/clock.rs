@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::error::{StepError, StepErrorKind, Unstable};
 use super::interactions::Interaction;
-use super::phase::{Phase, Watcher};
+use super::phase::Phase;
 use crate::laws::UNPRESSED;
 use crate::layout::Layout;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
@@ -344,11 +344,7 @@ impl Simulation {
     }
 
     /// Time step towards `stop`: a constant one as it is, others so that `stop` is reached in equal steps.
-    pub(super) fn choose_time_step(
-        &mut self,
-        stop: f64,
-        ended: Watcher<'_>,
-    ) -> Result<StepInfo, StepError> {
+    pub(super) fn choose_time_step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
         let (most, dt_critical, bound) = self
             .propose()
             .map_err(|unstable| self.error(StepErrorKind::UnstableTimeStep(unstable)))?;
@@ -398,7 +394,7 @@ impl Simulation {
         for one in self.interactions() {
             one.refuse_leaps(self, dt)?;
         }
-        ended(Phase::TimeStep);
+        self.work.phase_timer.end(Phase::TimeStep);
         Ok(StepInfo {
             step,
             time,

@@ -15,7 +15,8 @@ use super::error::StepError;
 use super::interactions::grid::{self, faces::Faces};
 use super::interactions::{Interaction, Interactions};
 use super::passes::Groups;
-use super::step::Way;
+use super::phase::PhaseTimer;
+use super::step::Drift;
 use super::{Simulation, history_value};
 use crate::grid::Line;
 use crate::layout::Layout;
@@ -87,10 +88,10 @@ impl Simulation {
         self.state.start_spin = self.spin();
     }
 
-    /// Adds what this step did to the balance. Loads do work over the way that positions move.
-    pub(super) fn keep_books(&mut self, way: &Way) {
+    /// Adds the work and the losses of this step to the balance. Loads do work over the time that positions move.
+    pub(super) fn update_energy(&mut self, drift: &Drift) {
         let (books, sums) = (&mut self.state.books, &self.work.sums);
-        books.external_work += sums.power * way.time;
+        books.external_work += sums.power * drift.time;
         books.damping += sums.damping;
         books.friction += sums.friction;
         books.impact += sums.impact;
@@ -184,8 +185,7 @@ impl Simulation {
     }
 
     fn act_for_half_step(&mut self, behind: bool) -> Result<HalfStep, StepError> {
-        self.map_to_nodes();
-        self.find(&mut |_| ())?;
+        self.prepare_solve()?;
         let stored = self.interactions().map(Interaction::energy).sum();
         if !behind {
             return Ok(HalfStep {
@@ -195,8 +195,8 @@ impl Simulation {
         }
         let clock = self.state.clock;
         let times = [self.velocity_time(), clock.time];
-        let acting = self.acting_over(0.5 * clock.dt_before, times, clock.dt_before);
-        self.solve_nodes(&acting, &mut |_| ())?;
+        let acting = self.nodal_conditions_over(0.5 * clock.dt_before, times, clock.dt_before);
+        self.complete_solve(&acting)?;
         Ok(HalfStep {
             kinetic: self.change_of_kinetic_energy(&acting),
             stored,
@@ -227,7 +227,7 @@ pub(super) struct Kept {
     interactions: Interactions,
     groups: Groups,
     sums: PlaneSums,
-    mapped: Option<usize>,
+    phase_timer: PhaseTimer,
     /// The nodes in use, field by field.
     lines: Vec<Vec<Line>>,
     /// Forces on particles, which may be functions of time, body by body.
@@ -257,7 +257,8 @@ impl Kept {
             interactions,
             groups: simulation.state.groups,
             sums: simulation.work.sums,
-            mapped: simulation.work.mapped,
+            // Nobody observes what is put back.
+            phase_timer: std::mem::take(&mut simulation.work.phase_timer),
             lines,
             forces,
         }
@@ -273,7 +274,7 @@ impl Kept {
         }
         simulation.state.groups = self.groups;
         simulation.work.sums = self.sums;
-        simulation.work.mapped = self.mapped;
+        simulation.work.phase_timer = self.phase_timer;
         let grid = &mut simulation.work.grid;
         for (field, lines) in grid.fields.iter_mut().zip(&self.lines) {
             let all = field.nodes.lines_mut();

@@ -40,13 +40,12 @@ impl Simulation {
 
     /// Sum of the magnitudes of the unbalanced forces at the nodes that move freely \[N\].
     fn unbalanced_force(&mut self) -> Result<f64, StepError> {
-        self.map_to_nodes();
-        self.find(&mut |_| ())?;
+        self.prepare_solve()?;
         // Any time will do: forces at the nodes do not depend on it.
         let kick = self.free_step();
         let now = self.state.clock.time;
-        let acting = self.acting_over(kick, [now, now], kick);
-        self.solve_nodes(&acting, &mut |_| ())?;
+        let acting = self.nodal_conditions_over(kick, [now, now], kick);
+        self.complete_solve(&acting)?;
         let grid = &self.work.grid;
         let driven = |body: usize| self.decided.bodies[body].motion.is_some();
         let nodes = grid.free_nodes(driven);

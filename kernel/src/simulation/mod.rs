@@ -45,7 +45,7 @@ pub use event::{Event, EventKind};
 pub use extremes::Extremes;
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
-pub use interactions::mortar::{BoundaryVertex, Drift, VertexState};
+pub use interactions::mortar::{BoundaryDrift, BoundaryVertex, VertexState};
 pub use interactions::{
     Again, BodyList, Interaction, Now, OnSlab, PairList, Remembered, SlabPart, Visit,
 };
@@ -53,12 +53,12 @@ pub use measure::state_hash;
 pub use needs::{Foreseen, foresee};
 pub use nodes::NodeValues;
 pub use passes::Groups;
-pub use phase::Phase;
+pub use phase::{Phase, PhaseObserver};
 pub use rehearsal::{Part, Rehearsal};
 pub use spin::{MOST_LOST_SPIN, Spin};
 pub use start::{StartError, plan};
 pub use state::{Books, RestoreError, Saved, State};
-pub use step::Way;
+pub use step::Drift;
 pub use tension::{MOST_UNSEEN, Tension};
 pub use trust::{
     Doubt, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_VOLUME_RATIO,

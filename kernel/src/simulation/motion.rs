@@ -4,31 +4,43 @@ use super::conditions::{FieldNodes, Walls};
 use super::fields::{Owner, Slab};
 use super::interactions::{Again, Now, OnSlab, SlabPart};
 use super::mapping::fold;
-use super::phase::{Phase, SlabWatcher};
+use super::phase::{Phase, PhaseTimer};
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
 
-/// Has what acts between fields do something on a slab, in a phase that goes on after it.
-fn interact(
-    parts: &mut [SlabPart<'_>],
-    ended: &mut SlabWatcher<'_>,
-    amid: Phase,
-    mut act: impl FnMut(&mut dyn OnSlab),
-) {
-    if parts.is_empty() {
-        return;
-    }
-    let mut tell = |phase| {
-        if let Some(ended) = ended {
-            ended(phase);
+/// The interactions on one slab, with the timer of the phases where a visit is of one slab alone.
+pub(super) struct SlabInteractions<'v, 'a> {
+    pub(super) parts: &'v mut [SlabPart<'a>],
+    pub(super) timer: Option<&'v mut PhaseTimer>,
+}
+
+impl SlabInteractions<'_, '_> {
+    /// Nothing acts.
+    pub(super) fn none() -> Self {
+        Self {
+            parts: &mut [],
+            timer: None,
         }
-    };
-    tell(amid);
-    for part in parts {
-        act(part.on_slab());
     }
-    tell(Phase::Contact);
+
+    /// Calls `act` for each of them, in a phase that goes on after it.
+    fn act(&mut self, amid: Phase, mut act: impl FnMut(&mut dyn OnSlab)) {
+        if self.parts.is_empty() {
+            return;
+        }
+        self.end(amid);
+        for part in &mut *self.parts {
+            act(part.on_slab());
+        }
+        self.end(Phase::Contact);
+    }
+
+    fn end(&mut self, phase: Phase) {
+        if let Some(timer) = &mut self.timer {
+            timer.end(phase);
+        }
+    }
 }
 
 /// Sums of the planes of a slab, and of one field while they are formed.
@@ -49,13 +61,12 @@ impl SlabSums {
 /// From mapped sums to velocities that keep to the conditions and to each other; the sums of each plane.
 pub(super) fn solve(
     slab: &mut Slab<'_>,
-    parts: &mut [SlabPart<'_>],
+    mut interactions: SlabInteractions<'_, '_>,
     now: &Now<'_>,
-    ended: &mut SlabWatcher<'_>,
     sums: &mut SlabSums,
 ) -> Result<(), EmptyNode> {
-    let amid = Phase::NodesFromParticles;
-    interact(parts, ended, amid, |part| part.mapped(slab, now));
+    let amid = Phase::P2gAndSolve;
+    interactions.act(amid, |part| part.mapped(slab, now));
     sums.begin(slab.range().len());
     for number in 0..slab.fields.len() {
         equation_of_motion(&mut FieldNodes {
@@ -65,7 +76,7 @@ pub(super) fn solve(
             sums: &mut sums.planes,
         })?;
     }
-    interact(parts, ended, amid, |part| {
+    interactions.act(amid, |part| {
         part.correct(slab, now, &mut sums.planes);
     });
     for planes in slab.planes() {
@@ -147,9 +158,8 @@ fn add_sums(
 /// other.
 pub(super) fn solve_remapped(
     slab: &mut Slab<'_>,
-    parts: &mut [SlabPart<'_>],
+    mut interactions: SlabInteractions<'_, '_>,
     now: &Now<'_>,
-    ended: &mut SlabWatcher<'_>,
 ) {
     for number in 0..slab.fields.len() {
         let field = &mut slab.fields[number];
@@ -166,7 +176,7 @@ pub(super) fn solve_remapped(
         }
     }
     // Contact keeps to the planes once the fields do; the ghosts are filled after it.
-    interact(parts, ended, Phase::Remap, |part| {
+    interactions.act(Phase::Remap, |part| {
         part.correct_again(slab, now);
         for planes in slab.planes() {
             planes.constrain_remapped(&now.walls);
@@ -177,16 +187,15 @@ pub(super) fn solve_remapped(
 /// The same for momentum that was mapped at new positions, to the lower lanes (USF).
 pub(super) fn solve_mapped(
     slab: &mut Slab<'_>,
-    parts: &mut [SlabPart<'_>],
+    mut interactions: SlabInteractions<'_, '_>,
     now: &Now<'_>,
-    ended: &mut SlabWatcher<'_>,
 ) {
     now.mapping.run(slab);
     for planes in slab.planes() {
         planes.fold(&now.walls, true, false);
         planes.velocities();
     }
-    interact(parts, ended, Phase::Remap, |part| part.mapped(slab, now));
+    interactions.act(Phase::Remap, |part| part.mapped(slab, now));
     for number in 0..slab.fields.len() {
         let field = &mut slab.fields[number];
         if let Some(velocities) = now.prescribed(field.owner) {
@@ -195,7 +204,7 @@ pub(super) fn solve_mapped(
             conditions_again(slab, number, now);
         }
     }
-    interact(parts, ended, Phase::Remap, |part| {
+    interactions.act(Phase::Remap, |part| {
         part.correct_again(slab, now);
     });
     for planes in slab.planes() {

@@ -2,13 +2,15 @@
 
 use super::conditions::{Acting, load_on};
 use super::error::{StepError, StepErrorKind};
-use super::fields::Grid;
+use super::fields::{Grid, Slab};
 use super::interactions::{
     Again, Interaction, Interactions, Now, SlabParts, Visit, in_turn, on_slabs,
 };
 use super::mapping::{bodies_onto, fold};
-use super::motion::{SlabSums, solve, solve_mapped, solve_remapped, sums_after, total};
-use super::phase::{Phase, SlabWatcher, Watcher};
+use super::motion::{
+    SlabInteractions, SlabSums, solve, solve_mapped, solve_remapped, sums_after, total,
+};
+use super::phase::{Phase, PhaseTimer};
 use super::{Simulation, Work};
 use crate::particles::ParticleSet;
 use crate::stage::g2p::{self, Found, G2p, Task, dilation};
@@ -68,24 +70,27 @@ fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usiz
     (0..shares).map(move |share| count * share / shares..count * (share + 1) / shares)
 }
 
-/// Who is told of the phases within a visit of so many slabs: the first, where it is the only one.
-fn watchers(slabs: usize, ended: Watcher<'_>) -> impl Iterator<Item = SlabWatcher<'_>> + Send {
-    let mut ended = (slabs == 1).then_some(ended);
-    std::iter::repeat_with(move || ended.take())
+/// The parts of a simulation in a visit of the slabs.
+pub(super) struct Divided<'a> {
+    /// What the visit reads.
+    pub(super) now: Now<'a>,
+    /// The grid.
+    pub(super) grid: &'a mut Grid,
+    /// The interactions.
+    interactions: &'a mut Interactions,
+    /// The timer of the phases.
+    timer: &'a mut PhaseTimer,
 }
 
 impl Simulation {
-    /// Divides the simulation for a visit of the slabs: into what it reads, the grid, and the interactions.
-    pub(super) fn divide<'a>(
-        &'a mut self,
-        carry: Carry,
-        acting: &'a Acting,
-    ) -> (Now<'a>, &'a mut Grid, &'a mut Interactions) {
+    /// Divides the simulation for a visit of the slabs.
+    pub(super) fn divide<'a>(&'a mut self, carry: Carry, acting: &'a Acting) -> Divided<'a> {
         let origin = self.origin();
         let Work {
             grid,
             own_field,
             interactions,
+            phase_timer: timer,
             ..
         } = &mut self.work;
         let mapping = bodies_onto(&self.decided, &self.state, own_field, carry);
@@ -100,11 +105,16 @@ impl Simulation {
             measure: self.decided.plan.measure,
             settles: false,
         };
-        (now, grid, interactions)
+        Divided {
+            now,
+            grid,
+            interactions,
+            timer,
+        }
     }
 
     /// Sorts particles once they have travelled far enough since the last sort; whether it did.
-    pub(super) fn sort_if_stale(&mut self, ended: Watcher<'_>) -> bool {
+    pub(super) fn sort_if_stale(&mut self) -> bool {
         let superfluous = self.state.groups.superfluous as f64;
         let stale = self.state.travel > SORT_AFTER
             || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
@@ -116,59 +126,91 @@ impl Simulation {
             self.state.groups = Groups::default();
             self.sorted();
         }
-        ended(Phase::Sort);
+        self.work.phase_timer.end(Phase::Sort);
         stale
     }
 
-    /// Whether mapping and equation of motion take two visits of the slabs, since something looks at the nodes between them.
-    pub(super) fn maps_first(&self) -> bool {
+    /// Whether P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
+    /// Elsewhere one visit of each slab does both.
+    pub(super) fn has_separate_p2g(&self) -> bool {
         self.finds() || self.decided.conditions.iter().any(|one| one.finds())
     }
 
-    /// Mass, momentum and force to the nodes of all fields, where an interaction or a condition looks at them before the
-    /// equation of motion. Elsewhere the equation of motion follows at once, and the same visit does both.
-    pub(super) fn map_to_nodes(&mut self) {
-        self.set_body_force();
-        self.work.mapped = None;
-        if self.maps_first() {
-            let acting = self.acting(self.state.clock.dt_before);
-            let (now, grid, _) = self.divide(Carry::All, &acting);
-            let groups = AtomicUsize::new(0);
-            grid.visit(|mut slab| {
-                groups.fetch_add(now.map(&mut slab), atomic::Ordering::Relaxed);
-            });
-            self.work.mapped = Some(groups.into_inner());
-            self.work.acting = acting;
+    /// P2G: mass, momentum and force to the nodes of all fields.
+    pub(super) fn p2g(&mut self) {
+        let acting = self.nodal_conditions(self.state.clock.dt_before);
+        let Divided { now, grid, .. } = self.divide(Carry::All, &acting);
+        let groups = AtomicUsize::new(0);
+        grid.visit(|mut slab| {
+            groups.fetch_add(now.map(&mut slab), atomic::Ordering::Relaxed);
+        });
+        self.work.acting = acting;
+        self.state.groups.count(groups.into_inner());
+        self.work.phase_timer.end(Phase::P2gAndSolve);
+    }
+
+    /// P2G and contact detection, where they come before the equation of motion.
+    pub(super) fn prepare_solve(&mut self) -> Result<(), StepError> {
+        self.evaluate_body_force();
+        if self.has_separate_p2g() {
+            self.p2g();
+            self.detect_contact()?;
+        }
+        Ok(())
+    }
+
+    /// The equation of motion of all fields, with P2G where it has not come before; the number of nodes or vertices where an
+    /// interaction acts.
+    pub(super) fn complete_solve(&mut self, acting: &Acting) -> Result<usize, StepError> {
+        if self.has_separate_p2g() {
+            self.solve(acting)
+        } else {
+            self.p2g_and_solve(acting)
         }
     }
 
-    /// The equation of motion of all fields; the number of nodes or vertices where an interaction acts.
-    pub(super) fn solve_nodes(
+    /// The equation of motion of all fields on the nodal sums; the number of nodes or vertices where an interaction acts.
+    pub(super) fn solve(&mut self, acting: &Acting) -> Result<usize, StepError> {
+        self.visit_and_solve(acting, |_, _| 0)
+    }
+
+    /// P2G and the equation of motion, slab by slab in one visit; the number of nodes or vertices where an interaction acts.
+    pub(super) fn p2g_and_solve(&mut self, acting: &Acting) -> Result<usize, StepError> {
+        let touching = self.visit_and_solve(acting, |now, slab| now.map(slab))?;
+        let groups = self.work.solved.iter().map(|slab| slab.groups).sum();
+        self.state.groups.count(groups);
+        Ok(touching)
+    }
+
+    /// The equation of motion in one visit of the slabs, on each after `map`, which gives the number of groups.
+    fn visit_and_solve(
         &mut self,
         acting: &Acting,
-        ended: Watcher<'_>,
+        map: impl Fn(&Now<'_>, &mut Slab<'_>) -> usize + Sync,
     ) -> Result<usize, StepError> {
         for one in self.work.interactions.iter_mut().flatten() {
             one.load(&mut self.work.grid, &self.decided.scene);
             if one.finds() {
-                ended(Phase::Contact);
+                self.work.phase_timer.end(Phase::Contact);
             }
         }
-        let mapped = self.work.mapped.take();
         let settles = self.interactions().any(Interaction::settles);
         let mut solved = self.solved();
-        let (mut now, grid, interactions) = self.divide(Carry::All, acting);
+        let Divided {
+            mut now,
+            grid,
+            interactions,
+            timer,
+        } = self.divide(Carry::All, acting);
         now.settles = settles;
         let mut parts = SlabParts::new();
         on_slabs(interactions, grid, Visit::Trial, &mut parts);
-        let slabs = grid.slabs.len();
-        let all = (solved.iter_mut().zip(in_turn(&mut parts))).zip(watchers(slabs, &mut *ended));
-        grid.visit_with(all, |mut slab, ((solved, parts), mut ended)| {
-            solved.groups = match mapped {
-                Some(_) => 0,
-                None => now.map(&mut slab),
-            };
-            solved.empty = solve(&mut slab, parts, &now, &mut ended, &mut solved.sums).err();
+        let timers = timer.of_slabs(grid.slabs.len());
+        let all = (solved.iter_mut().zip(in_turn(&mut parts))).zip(timers);
+        grid.visit_with(all, |mut slab, ((solved, parts), timer)| {
+            solved.groups = map(&now, &mut slab);
+            let interactions = SlabInteractions { parts, timer };
+            solved.empty = solve(&mut slab, interactions, &now, &mut solved.sums).err();
         });
         drop(parts);
         self.work.solved = solved;
@@ -177,12 +219,10 @@ impl Simulation {
             return Err(self.load_on_empty_node(node));
         }
         self.work.sums = total(solved.iter().flat_map(|slab| &slab.sums.planes));
-        let groups = solved.iter().map(|slab| slab.groups).sum();
-        self.state.groups.count(mapped.unwrap_or(groups));
-        ended(Phase::NodesFromParticles);
+        self.work.phase_timer.end(Phase::P2gAndSolve);
         let touching = self.settle(acting)?;
         if settles {
-            ended(Phase::Contact);
+            self.work.phase_timer.end(Phase::Contact);
         }
         Ok(touching)
     }
@@ -198,10 +238,11 @@ impl Simulation {
     /// would report, is left to the step.
     pub(super) fn solve_alone(&mut self, acting: &Acting) {
         let mut solved = self.solved();
-        let (now, grid, _) = self.divide(Carry::All, acting);
+        let Divided { now, grid, .. } = self.divide(Carry::All, acting);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
             fold(&mut slab, &now.walls);
-            solved.empty = solve(&mut slab, &mut [], &now, &mut None, &mut solved.sums).err();
+            let none = SlabInteractions::none();
+            solved.empty = solve(&mut slab, none, &now, &mut solved.sums).err();
         });
         self.work.solved = solved;
     }
@@ -210,7 +251,7 @@ impl Simulation {
     /// plane by plane to those of the step.
     pub(super) fn add_sums_of_planes(&mut self, acting: &Acting) {
         let mut solved = self.solved();
-        let (now, grid, _) = self.divide(Carry::All, acting);
+        let Divided { now, grid, .. } = self.divide(Carry::All, acting);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
             sums_after(&mut slab, &now, &mut solved.sums);
         });
@@ -227,46 +268,47 @@ impl Simulation {
         self.error(StepErrorKind::LoadOnEmptyNode { load, position })
     }
 
-    /// The second mapping of a step, of the velocities after the kick: for MUSL at the old positions, for USF at the new
-    /// ones.
-    pub(super) fn map_again(
-        &mut self,
-        acting: &mut Acting,
-        again: Again,
-        ended: Watcher<'_>,
-    ) -> Result<(), StepError> {
+    /// The remap: a second P2G of the velocities after the kick, for MUSL at the old positions, for USF at the new ones.
+    pub(super) fn remap(&mut self, acting: &mut Acting, again: Again) -> Result<(), StepError> {
         let carry = match again {
             Again::OldPositions => Carry::Remap,
             Again::NewPositions => {
-                if self.sort_if_stale(ended) {
+                if self.sort_if_stale() {
                     // A sort may give a driven body a field, or take it.
                     self.work.acting = std::mem::take(acting);
-                    *acting = self.acting(self.work.acting.drift);
+                    *acting = self.nodal_conditions(self.work.acting.drift);
                 }
                 Carry::Momentum
             }
         };
-        let (now, grid, interactions) = self.divide(carry, acting);
+        let Divided {
+            now,
+            grid,
+            interactions,
+            timer,
+        } = self.divide(carry, acting);
         let now = now.again(again);
         let mut parts = SlabParts::new();
         on_slabs(interactions, grid, Visit::Again(again), &mut parts);
-        let slabs = grid.slabs.len();
-        let all = in_turn(&mut parts).zip(watchers(slabs, &mut *ended));
-        grid.visit_with(all, |mut slab, (parts, mut ended)| match again {
-            Again::OldPositions => solve_remapped(&mut slab, parts, &now, &mut ended),
-            Again::NewPositions => solve_mapped(&mut slab, parts, &now, &mut ended),
+        let all = in_turn(&mut parts).zip(timer.of_slabs(grid.slabs.len()));
+        grid.visit_with(all, |mut slab, (parts, timer)| {
+            let interactions = SlabInteractions { parts, timer };
+            match again {
+                Again::OldPositions => solve_remapped(&mut slab, interactions, &now),
+                Again::NewPositions => solve_mapped(&mut slab, interactions, &now),
+            }
         });
         drop(parts);
-        ended(Phase::Remap);
+        self.work.phase_timer.end(Phase::Remap);
         self.settle_again(acting, again)?;
         if self.interactions().any(Interaction::settles) {
-            ended(Phase::Contact);
+            self.work.phase_timer.end(Phase::Contact);
         }
         Ok(())
     }
 
-    /// Nodal values to the particles of all bodies that are not driven.
-    pub(super) fn interpolate(&mut self, task: Task) -> Result<(), StepError> {
+    /// Runs a G2P task on the particles of all bodies that are not driven.
+    pub(super) fn run_g2p(&mut self, task: Task) -> Result<(), StepError> {
         let nodes = self.decided.family().stage_nodes(self.state.stencil);
         let call = g2p::instance(self.decided.plan.axes, nodes, &task);
         let mesh = &self.decided.scene.mesh;

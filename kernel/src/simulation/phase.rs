@@ -1,7 +1,9 @@
-//! The phases of a step, as seen by whoever watches it.
+//! Phases of a step, and the timer that reports the end of each to an observer.
 
-/// A part of [`Simulation::step`](super::Simulation::step). The kernel reads no clock: a watcher of
-/// [`Simulation::step_watched`](super::Simulation::step_watched) is told when a phase has ended and may read its own.
+use std::fmt;
+
+/// A part of [`Simulation::step`](super::Simulation::step). The kernel reads no clock: an observer
+/// ([`Simulation::observe_phases`](super::Simulation::observe_phases)) gets each phase when it has ended and may read its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Phase {
     /// Contact: of boundaries (weights, gaps and forces, motion of vertices), of rigid surfaces, and on the grid. The last
@@ -13,20 +15,55 @@ pub enum Phase {
     /// Sorting of the particles, in steps that sort.
     Sort,
     /// Particles to nodes and the equation of motion, slab by slab in one visit, with what is prescribed at the nodes.
-    NodesFromParticles,
+    P2gAndSolve,
     /// The second mapping of momentum (MUSL, USF).
     Remap,
     /// Nodes to particles: velocity, position, strain and stress.
-    ParticlesFromNodes,
+    G2p,
     /// Driven bodies, clock and books.
     Finish,
 }
 
-/// Who is told of each phase when it has ended.
-pub(super) type Watcher<'a> = &'a mut (dyn FnMut(Phase) + Send);
+/// Called with each phase when it has ended.
+pub type PhaseObserver = Box<dyn FnMut(Phase) + Send + Sync>;
 
-/// Who is told of the phases within a visit of slabs: somebody where the visit is of one slab.
-pub(super) type SlabWatcher<'a> = Option<Watcher<'a>>;
+/// The timer of the phases: reports the end of each to an observer, where there is one.
+#[derive(Default)]
+pub(crate) struct PhaseTimer {
+    observer: Option<PhaseObserver>,
+}
+
+impl PhaseTimer {
+    /// Reports to an observer, or to none.
+    pub(super) fn new(observer: Option<PhaseObserver>) -> Self {
+        Self { observer }
+    }
+
+    /// Reports that a phase has ended.
+    pub(super) fn end(&mut self, phase: Phase) {
+        if let Some(observer) = &mut self.observer {
+            observer(phase);
+        }
+    }
+
+    /// The timer within a visit of so many slabs, slab by slab: of several slabs at once no clock tells when a phase ended.
+    pub(super) fn of_slabs(
+        &mut self,
+        slabs: usize,
+    ) -> impl Iterator<Item = Option<&mut PhaseTimer>> + Send {
+        let mut timer = (slabs == 1).then_some(self);
+        std::iter::repeat_with(move || timer.take())
+    }
+}
+
+impl fmt::Debug for PhaseTimer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let observed = self.observer.is_some();
+        f.debug_struct("PhaseTimer")
+            .field("observed", &observed)
+            .finish()
+    }
+}
 
 impl Phase {
     /// All phases, in the order of a step.
@@ -34,9 +71,9 @@ impl Phase {
         Self::Contact,
         Self::TimeStep,
         Self::Sort,
-        Self::NodesFromParticles,
+        Self::P2gAndSolve,
         Self::Remap,
-        Self::ParticlesFromNodes,
+        Self::G2p,
         Self::Finish,
     ];
 
@@ -47,9 +84,9 @@ impl Phase {
             Self::Contact => "contact",
             Self::TimeStep => "time_step",
             Self::Sort => "sort",
-            Self::NodesFromParticles => "p2g_solve",
+            Self::P2gAndSolve => "p2g_solve",
             Self::Remap => "remap",
-            Self::ParticlesFromNodes => "g2p",
+            Self::G2p => "g2p",
             Self::Finish => "finish",
         }
     }

@@ -6,6 +6,8 @@ use super::conditions::Acting;
 use super::error::StepError;
 use super::fields::Owner;
 use super::interactions::{Again, Interactions};
+use super::passes::Divided;
+use super::phase::PhaseTimer;
 use super::state::Saved;
 use crate::grid::ActiveRows;
 use crate::stage::g2p::Task;
@@ -22,13 +24,13 @@ pub enum Part {
     /// A sort of the particles as they are: the time of finding that few of them have to move.
     Sort,
     /// Particles to nodes: clear, then mass, momentum and force.
-    NodesFromParticles,
+    P2g,
     /// The equation of motion at the nodes, with boundary conditions.
     Solve,
     /// The second mapping of momentum.
     Remap,
     /// Nodes to particles: velocity, position, strain and stress.
-    ParticlesFromNodes,
+    G2p,
 }
 
 impl Part {
@@ -36,10 +38,10 @@ impl Part {
     pub const ALL: [Self; 6] = [
         Self::Weights,
         Self::Sort,
-        Self::NodesFromParticles,
+        Self::P2g,
         Self::Solve,
         Self::Remap,
-        Self::ParticlesFromNodes,
+        Self::G2p,
     ];
 
     /// Name for tables, records and configurations: lower case.
@@ -48,10 +50,10 @@ impl Part {
         match self {
             Self::Weights => "weights",
             Self::Sort => "sort",
-            Self::NodesFromParticles => "p2g",
+            Self::P2g => "p2g",
             Self::Solve => "solve",
             Self::Remap => "remap",
-            Self::ParticlesFromNodes => "g2p",
+            Self::G2p => "g2p",
         }
     }
 }
@@ -63,6 +65,7 @@ struct Kept {
     slabs: Vec<Range<usize>>,
     sums: PlaneSums,
     interactions: Interactions,
+    phase_timer: PhaseTimer,
 }
 
 /// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
@@ -87,11 +90,11 @@ impl Simulation {
             slabs: self.work.grid.slabs.clone(),
             sums: self.work.sums,
             interactions: self.work.interactions.clone(),
+            phase_timer: std::mem::take(&mut self.work.phase_timer),
         };
-        self.map_to_nodes();
-        self.find(&mut |_| ())?;
-        let info = self.choose_time_step(f64::INFINITY, &mut |_| ())?;
-        let acting = self.acting(info.dt);
+        self.prepare_solve()?;
+        let info = self.choose_time_step(f64::INFINITY)?;
+        let acting = self.nodal_conditions(info.dt);
         let mut rehearsal = Rehearsal {
             simulation: self,
             part,
@@ -112,17 +115,16 @@ impl Rehearsal<'_> {
     pub fn set(&mut self) -> Result<(), StepError> {
         let (simulation, kept) = (&mut *self.simulation, &self.kept);
         match self.part {
-            Part::Weights | Part::Sort | Part::NodesFromParticles => {}
-            Part::Solve => simulation.map_alone(&self.acting),
-            Part::Remap | Part::ParticlesFromNodes => {
+            Part::Weights | Part::Sort | Part::P2g => {}
+            Part::Solve => simulation.p2g_alone(&self.acting),
+            Part::Remap | Part::G2p => {
                 for (set, was) in simulation.state.sets.iter_mut().zip(&kept.saved.state.sets) {
                     for (column, was) in set.columns.iter_mut().zip(&was.columns) {
                         column.copy_from_slice(was);
                     }
                 }
-                simulation.map_to_nodes();
-                simulation.find(&mut |_| ())?;
-                simulation.solve_nodes(&self.acting, &mut |_| ())?;
+                simulation.prepare_solve()?;
+                simulation.complete_solve(&self.acting)?;
             }
         }
         Ok(())
@@ -141,15 +143,15 @@ impl Rehearsal<'_> {
                 }
                 Part::Sort => {
                     simulation.state.travel = f64::INFINITY;
-                    simulation.sort_if_stale(&mut |_| ());
+                    simulation.sort_if_stale();
                 }
-                Part::NodesFromParticles => simulation.map_alone(acting),
+                Part::P2g => simulation.p2g_alone(acting),
                 Part::Solve => simulation.solve_alone(acting),
-                Part::Remap => simulation.map_again(acting, Again::OldPositions, &mut |_| ())?,
-                Part::ParticlesFromNodes => {
-                    simulation.interpolate(Task {
+                Part::Remap => simulation.remap(acting, Again::OldPositions)?,
+                Part::G2p => {
+                    simulation.run_g2p(Task {
                         kick: true,
-                        ..simulation.task(dt, dt)
+                        ..simulation.g2p_task(dt, dt)
                     })?;
                 }
             }
@@ -170,13 +172,14 @@ impl Drop for Rehearsal<'_> {
         simulation.work.grid.slabs = std::mem::take(&mut kept.slabs);
         simulation.work.sums = kept.sums;
         simulation.work.interactions = std::mem::take(&mut kept.interactions);
+        simulation.work.phase_timer = std::mem::take(&mut kept.phase_timer);
     }
 }
 
 impl Simulation {
     /// Particles to nodes without the equation of motion.
-    fn map_alone(&mut self, acting: &Acting) {
-        let (now, grid, _) = self.divide(Carry::All, acting);
+    fn p2g_alone(&mut self, acting: &Acting) {
+        let Divided { now, grid, .. } = self.divide(Carry::All, acting);
         grid.visit(|mut slab| {
             now.mapping.run(&mut slab);
         });

@@ -118,7 +118,7 @@ impl Simulation {
             set.sort_by_position(&simulation.work.grid.team);
         }
         simulation.work.tension = TensionWatch::new(scene, &simulation.state.sets);
-        simulation.sort_if_stale(&mut |_| ());
+        simulation.sort_if_stale();
         simulation.require_carried()?;
         for one in simulation.interactions() {
             one.start(&simulation)?;

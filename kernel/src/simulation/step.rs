@@ -4,7 +4,7 @@ use super::Simulation;
 use super::clock::StepInfo;
 use super::error::StepError;
 use super::interactions::{Again, Interaction};
-use super::phase::{Phase, Watcher};
+use super::phase::{Phase, PhaseObserver, PhaseTimer};
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::scene::StressScheme;
@@ -12,20 +12,20 @@ use crate::stage::g2p::{Affine, Task};
 use crate::team::{OfItem, Team};
 use std::sync::Arc;
 
-/// How far positions move in a step.
+/// The displacement increment of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Way {
-    /// Time over which they move \[s\].
+pub struct Drift {
+    /// Time over which positions move \[s\].
     pub time: f64,
-    /// Way of the mesh, to which positions are relative \[m\].
+    /// Displacement increment of the mesh, to which positions are relative \[m\].
     pub mesh_shift: [f64; 3],
     /// Whether velocities are set to zero after it.
     pub reset: bool,
 }
 
-/// What a pass over the particles does with the nodal values.
+/// A G2P pass: the part of the update of the particles that it does.
 #[derive(Clone, Copy)]
-enum Gather {
+enum Pass {
     /// Velocities, positions, strain and stress.
     All,
     /// Velocities alone.
@@ -49,18 +49,10 @@ impl Simulation {
     /// See [`StepErrorKind`](super::StepErrorKind). The state is not to be used after an error; where particles are such
     /// that no step can go on, each further one gives the same error.
     pub fn step(&mut self, stop: f64) -> Result<StepInfo, StepError> {
-        self.step_watched(stop, &mut |_| ())
-    }
-
-    /// [`Simulation::step`] with a watcher, who is told of each phase when it has ended.
-    ///
-    /// # Errors
-    /// As [`Simulation::step`].
-    pub fn step_watched(&mut self, stop: f64, ended: Watcher<'_>) -> Result<StepInfo, StepError> {
         if let Some(error) = &self.work.failed {
             return Err(error.clone());
         }
-        let result = self.led(|simulation| simulation.cycle(stop, ended));
+        let result = self.led(|simulation| simulation.cycle(stop));
         if let Err(error) = &result
             && error.kind.breaks_particles()
         {
@@ -69,8 +61,13 @@ impl Simulation {
         result
     }
 
-    /// Who steps. Each step hands itself over to a thread of its team and waits for it; a caller that takes many steps in a
-    /// row does so within [`Team::lead`], and waits once.
+    /// Reports the end of each phase of the steps that follow to an observer, or no longer. No bit depends on it.
+    pub fn observe_phases(&mut self, observer: Option<PhaseObserver>) {
+        self.work.phase_timer = PhaseTimer::new(observer);
+    }
+
+    /// The threads that step. Each step hands itself over to a thread of its team and waits for it; a caller that takes many
+    /// steps in a row does so within [`Team::lead`], and waits once.
     #[must_use]
     pub fn team(&self) -> Arc<Team> {
         Arc::clone(&self.work.grid.team)
@@ -85,71 +82,79 @@ impl Simulation {
         team.lead(|| work(self))
     }
 
-    fn cycle(&mut self, stop: f64, ended: Watcher<'_>) -> Result<StepInfo, StepError> {
-        self.sort_if_stale(ended);
-        self.map_to_nodes();
-        self.find(ended)?;
-        let mut info = self.choose_time_step(stop, ended)?;
-        let mut acting = self.acting(info.dt);
-        info.contact_nodes = self.solve_nodes(&acting, ended)?;
-        let way = self.way(&mut info);
-        self.advance(&acting, &way, ended);
+    /// The cycle of a step.
+    fn cycle(&mut self, stop: f64) -> Result<StepInfo, StepError> {
+        self.sort_if_stale();
+        self.evaluate_body_force();
+        if self.has_separate_p2g() {
+            self.p2g();
+            self.detect_contact()?;
+        }
+        let mut info = self.choose_time_step(stop)?;
+        let mut conditions = self.nodal_conditions(info.dt);
+        info.contact_nodes = if self.has_separate_p2g() {
+            self.solve(&conditions)?
+        } else {
+            self.p2g_and_solve(&conditions)?
+        };
+        let drift = self.drift(&mut info);
+        self.move_boundaries(&conditions, &drift);
         match self.decided.plan.scheme {
-            StressScheme::Usl => self.gather(Gather::All, &way, ended)?,
+            StressScheme::Usl => self.g2p(Pass::All, &drift)?,
             StressScheme::Musl => {
-                self.gather(Gather::Kick, &way, ended)?;
-                self.map_again(&mut acting, Again::OldPositions, ended)?;
-                self.gather(Gather::MoveAndStrain, &way, ended)?;
+                self.g2p(Pass::Kick, &drift)?;
+                self.remap(&mut conditions, Again::OldPositions)?;
+                self.g2p(Pass::MoveAndStrain, &drift)?;
             }
             StressScheme::Usf => {
-                self.gather(Gather::KickAndMove, &way, ended)?;
-                self.map_again(&mut acting, Again::NewPositions, ended)?;
-                self.gather(Gather::Strain, &way, ended)?;
+                self.g2p(Pass::KickAndMove, &drift)?;
+                self.remap(&mut conditions, Again::NewPositions)?;
+                self.g2p(Pass::Strain, &drift)?;
             }
         }
-        self.work.acting = acting;
-        self.finish(&info, &way, ended)
+        self.work.acting = conditions;
+        self.finish(&info, &drift)
     }
 
-    /// A pass over the particles.
-    fn gather(&mut self, what: Gather, way: &Way, ended: Watcher<'_>) -> Result<(), StepError> {
-        let time = Some(way.time);
+    /// A G2P pass: nodal values to the particles.
+    fn g2p(&mut self, pass: Pass, drift: &Drift) -> Result<(), StepError> {
+        let time = Some(drift.time);
         let again = Task {
             affine: Affine::Leave,
-            ..self.task(None, None)
+            ..self.g2p_task(None, None)
         };
-        self.interpolate(match what {
-            Gather::All => Task {
+        self.run_g2p(match pass {
+            Pass::All => Task {
                 kick: true,
-                mesh_shift: way.mesh_shift,
-                ..self.task(time, time)
+                mesh_shift: drift.mesh_shift,
+                ..self.g2p_task(time, time)
             },
-            Gather::Kick => Task {
+            Pass::Kick => Task {
                 kick: true,
-                ..self.task(None, None)
+                ..self.g2p_task(None, None)
             },
-            Gather::MoveAndStrain => Task {
+            Pass::MoveAndStrain => Task {
                 gradient_of_upper: true,
                 affine: Affine::Leave,
-                mesh_shift: way.mesh_shift,
-                ..self.task(time, time)
+                mesh_shift: drift.mesh_shift,
+                ..self.g2p_task(time, time)
             },
-            Gather::KickAndMove => Task {
+            Pass::KickAndMove => Task {
                 kick: true,
-                mesh_shift: way.mesh_shift,
-                ..self.task(time, None)
+                mesh_shift: drift.mesh_shift,
+                ..self.g2p_task(time, None)
             },
-            Gather::Strain => Task {
-                strain: Some((way.time, Configuration::End)),
+            Pass::Strain => Task {
+                strain: Some((drift.time, Configuration::End)),
                 ..again
             },
         })?;
-        ended(Phase::ParticlesFromNodes);
+        self.work.phase_timer.end(Phase::G2p);
         Ok(())
     }
 
-    /// A pass over the particles that moves them by `drift` and strains them by `strain` \[s\].
-    pub(super) fn task(&self, drift: Option<f64>, strain: Option<f64>) -> Task {
+    /// The task of a G2P pass that moves particles over `drift` and strains them over `strain` \[s\].
+    pub(super) fn g2p_task(&self, drift: Option<f64>, strain: Option<f64>) -> Task {
         Task {
             kick: false,
             pic_fraction: self.decided.scene.transfer.pic_fraction,
@@ -161,16 +166,16 @@ impl Simulation {
         }
     }
 
-    /// How far positions move in this step: over its time, or back to a peak of kinetic energy. Notes the kinetic energy
+    /// The displacement increment of this step: over its time, or back to a peak of kinetic energy. Notes the kinetic energy
     /// and residual norm of the step, where measured.
-    fn way(&mut self, info: &mut StepInfo) -> Way {
+    fn drift(&mut self, info: &mut StepInfo) -> Drift {
         let sums = self.work.sums;
         let measured = (sums.kinetic, sums.unbalanced_squared.sqrt());
         info.measured = self.decided.plan.measure.then_some(measured);
         self.work.momentum = self.momentum_to_watch(info.step);
         let relaxed = self.peak_of_kinetic_energy(info);
         let time = relaxed.unwrap_or(info.dt);
-        Way {
+        Drift {
             time,
             mesh_shift: self.mesh_velocity(info).map(|v| v * time),
             reset: relaxed.is_some(),
@@ -178,7 +183,7 @@ impl Simulation {
     }
 
     /// Evaluates the body force at the positions of this step.
-    pub(super) fn set_body_force(&mut self) {
+    pub(super) fn evaluate_body_force(&mut self) {
         let Some(body_force) = &self.decided.body_force else {
             return;
         };
@@ -216,18 +221,13 @@ impl Simulation {
         }
     }
 
-    /// Moves what is driven, advances the clock, keeps the books, looks at the balances, and after a peak of kinetic energy sets velocities to
-    /// zero.
-    fn finish(
-        &mut self,
-        info: &StepInfo,
-        way: &Way,
-        ended: Watcher<'_>,
-    ) -> Result<StepInfo, StepError> {
-        self.move_driven_bodies(info, &way.mesh_shift)?;
+    /// Ends a step: moves driven bodies and the mesh, updates the energy balance and the clock, resets velocities at a peak of
+    /// kinetic energy, and checks the invariants.
+    fn finish(&mut self, info: &StepInfo, drift: &Drift) -> Result<StepInfo, StepError> {
+        self.move_driven_bodies(info, &drift.mesh_shift)?;
         self.state.mesh_shift =
-            std::array::from_fn(|axis| self.state.mesh_shift[axis] + way.mesh_shift[axis]);
-        self.keep_books(way);
+            std::array::from_fn(|axis| self.state.mesh_shift[axis] + drift.mesh_shift[axis]);
+        self.update_energy(drift);
         if self.state.clock.step == 0 {
             // Gaps are first measured in the first step, at the positions of the start.
             let stored: f64 = self.interactions().map(Interaction::energy).sum();
@@ -237,13 +237,13 @@ impl Simulation {
         self.state.clock.step = info.step;
         self.state.clock.time = info.time;
         self.state.clock.dt_before = info.dt;
-        if way.reset {
+        if drift.reset {
             self.state.books.damping += self.kinetic_energy();
             self.stop_motion();
         }
-        self.watch(info, way)?;
+        self.watch(info, drift)?;
         self.watch_tension(info)?;
-        ended(Phase::Finish);
+        self.work.phase_timer.end(Phase::Finish);
         Ok(*info)
     }
 }

@@ -16,7 +16,7 @@ use super::Simulation;
 use super::clock::StepInfo;
 use super::error::{StepError, StepErrorKind};
 use super::event::{Event, EventKind};
-use super::step::Way;
+use super::step::Drift;
 use crate::layout::Layout;
 use crate::scene::{OnImbalance, Vector};
 use std::fmt;
@@ -148,7 +148,7 @@ impl Simulation {
     }
 
     /// Looks at a step that has ended.
-    pub(super) fn watch(&mut self, info: &StepInfo, way: &Way) -> Result<(), StepError> {
+    pub(super) fn watch(&mut self, info: &StepInfo, drift: &Drift) -> Result<(), StepError> {
         let squares = self.state.found.iter().map(|found| found.increment_squared);
         let increment = squares.fold(0.0, f64::max).sqrt();
         self.state.trust.increment = self.state.trust.increment.max(increment);
@@ -161,7 +161,7 @@ impl Simulation {
             }
             let count = self.particles();
             let momentum = self.work.momentum.take();
-            if let Some(momentum) = momentum.filter(|m| m.particles == count && !way.reset) {
+            if let Some(momentum) = momentum.filter(|m| m.particles == count && !drift.reset) {
                 self.watch_momentum(info, &momentum);
             }
         }

@@ -6,6 +6,7 @@ use super::fields::Grid;
 use super::interactions::Interactions;
 use super::measure::ByIdentifier;
 use super::passes::{Gathered, Solved};
+use super::phase::PhaseTimer;
 use super::tension::TensionWatch;
 use super::trust::Momentum;
 use crate::stage::solve::PlaneSums;
@@ -18,8 +19,8 @@ pub(crate) struct Work {
     pub(crate) own_field: Vec<bool>,
     /// What acts between velocity fields; those of the user come last. What they remember is saved with the state.
     pub(crate) interactions: Interactions,
-    /// Groups of the first mapping of this step, where it is done already.
-    pub(crate) mapped: Option<usize>,
+    /// Reports the end of each phase, where somebody observes them.
+    pub(crate) phase_timer: PhaseTimer,
     /// Sums over the nodes of the last step.
     pub(crate) sums: PlaneSums,
     /// Why a step left particles where no step can go on.
@@ -47,7 +48,7 @@ impl Work {
             grid,
             own_field: vec![false; bodies],
             interactions,
-            mapped: None,
+            phase_timer: PhaseTimer::default(),
             sums: PlaneSums::default(),
             failed: None,
             acting: Acting::default(),

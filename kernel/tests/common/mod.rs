@@ -10,8 +10,8 @@ use proctor_kernel::scene::{
     Outside, PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
     Vector, VolumetricStrain, Weighting,
 };
-use proctor_kernel::simulation::{InitialField, InitialState, Options, Simulation};
-use std::sync::Arc;
+use proctor_kernel::simulation::{InitialField, InitialState, Options, Phase, Simulation};
+use std::sync::{Arc, Mutex};
 
 pub const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
 pub const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Musl, StressScheme::Usf];
@@ -315,4 +315,13 @@ pub fn first_error(
         }
     }
     panic!("no error in {most} steps");
+}
+
+/// Has the phases of the steps that follow added to a list.
+pub fn observe(simulation: &mut Simulation) -> Arc<Mutex<Vec<Phase>>> {
+    let phases = Arc::new(Mutex::new(vec![]));
+    let list = Arc::clone(&phases);
+    let observer = move |phase| list.lock().expect("no panic").push(phase);
+    simulation.observe_phases(Some(Box::new(observer)));
+    phases
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{
     APIC, DIMENSIONS, FLIP, NEVER, SCHEMES, body, cases, cuboid, distance, elastic, empty,
-    material, momentum_scale, options, particles, rough_drift,
+    material, momentum_scale, observe, options, particles, rough_drift,
 };
 use nalgebra::DMatrix;
 use proctor_kernel::contact::coulomb::{Coulomb, Law, Member, Touch};
@@ -385,7 +385,7 @@ proptest! {
 /// Contact in the one slab of one thread is told apart, and amid the phase in which it acts; the slabs of several threads
 /// are visited at once, and no phase of theirs is. Watching changes no bit.
 #[test]
-fn a_watcher_is_told_of_contact_apart() {
+fn an_observer_gets_contact_apart() {
     for scheme in SCHEMES {
         let mut scene = pair(Dimension::Two, 0.1, 0.3, 10.0, ContactNormal::Master);
         scene.mesh.cells[0] = 40;
@@ -394,21 +394,19 @@ fn a_watcher_is_told_of_contact_apart() {
         crate::common::run(&mut alone, 10);
         for threads in [1, 3] {
             let mut watched = flying(&scene, threads);
-            let mut phases = vec![];
+            let phases = observe(&mut watched);
             for _ in 0..10 {
-                phases.clear();
-                let mut note = |phase| phases.push(phase);
-                watched
-                    .step_watched(NEVER, &mut note)
-                    .expect("a sound step");
+                phases.lock().expect("no panic").clear();
+                watched.step(NEVER).expect("a sound step");
             }
+            let phases = phases.lock().expect("no panic").clone();
             assert_eq!(alone.state_hash(), watched.state_hash());
             let told = phases.contains(&Phase::Contact);
             assert_eq!(told, threads == 1, "{scheme:?}: {phases:?}");
             let after = phases.iter().rposition(|phase| *phase == Phase::Contact);
             let amid = after.map(|at| (phases[at - 1], phases[at + 1]));
             let expected = match scheme {
-                StressScheme::Usl => Phase::NodesFromParticles,
+                StressScheme::Usl => Phase::P2gAndSolve,
                 StressScheme::Musl | StressScheme::Usf => Phase::Remap,
             };
             assert!(

@@ -1,11 +1,11 @@
-//! Who watches a step or rehearses a part of it changes no bit of the result.
+//! Observing the phases of a step, or rehearsing a part of it, changes no bit of the result.
 
-use crate::common::{DIMENSIONS, NEVER, SCHEMES, block, run};
+use crate::common::{DIMENSIONS, NEVER, SCHEMES, block, observe, run};
 use proctor_kernel::scene::StressScheme;
 use proctor_kernel::simulation::{Options, Part, Phase, Simulation};
 
 #[test]
-fn a_watcher_sees_the_phases_in_order_and_changes_nothing() {
+fn an_observer_gets_the_phases_in_order_and_changes_nothing() {
     for scheme in SCHEMES {
         let mut scene = block(DIMENSIONS[1]);
         scene.scheme = scheme;
@@ -18,39 +18,38 @@ fn a_watcher_sees_the_phases_in_order_and_changes_nothing() {
         let start = || Simulation::new(&scene, &options).expect("the scene is sound");
         let (mut alone, mut watched) = (start(), start());
         run(&mut alone, 5);
-        let mut phases = vec![];
+        let phases = observe(&mut watched);
         for _ in 0..5 {
-            phases.clear();
-            watched
-                .step_watched(NEVER, &mut |phase| phases.push(phase))
-                .expect("a sound step");
+            phases.lock().expect("no panic").clear();
+            watched.step(NEVER).expect("a sound step");
         }
+        let phases = phases.lock().expect("no panic").clone();
         assert_eq!(alone.state_hash(), watched.state_hash(), "{scheme:?}");
         let expected = match scheme {
             StressScheme::Usl => vec![
                 Phase::Sort,
                 Phase::TimeStep,
-                Phase::NodesFromParticles,
-                Phase::ParticlesFromNodes,
+                Phase::P2gAndSolve,
+                Phase::G2p,
                 Phase::Finish,
             ],
             StressScheme::Musl => vec![
                 Phase::Sort,
                 Phase::TimeStep,
-                Phase::NodesFromParticles,
-                Phase::ParticlesFromNodes,
+                Phase::P2gAndSolve,
+                Phase::G2p,
                 Phase::Remap,
-                Phase::ParticlesFromNodes,
+                Phase::G2p,
                 Phase::Finish,
             ],
             StressScheme::Usf => vec![
                 Phase::Sort,
                 Phase::TimeStep,
-                Phase::NodesFromParticles,
-                Phase::ParticlesFromNodes,
+                Phase::P2gAndSolve,
+                Phase::G2p,
                 Phase::Sort,
                 Phase::Remap,
-                Phase::ParticlesFromNodes,
+                Phase::G2p,
                 Phase::Finish,
             ],
         };

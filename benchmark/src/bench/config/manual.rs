@@ -155,8 +155,8 @@ pub(super) fn tests(check: &mut Check<'_>, raw: &RawConfig, by_manual: bool) -> 
         let dt01 = number(check, &dt01, strain.and_then(|t| t.dt01), 0.01, true);
         let dt02 = format!("{at}ParticleVorticityIncrement_nParticles.dt02");
         let dt02 = number(check, &dt02, spin.and_then(|t| t.dt02), 0.01, true);
-        let p2g = Part::NodesFromParticles;
-        let g2p = Part::ParticlesFromNodes;
+        let p2g = Part::P2g;
+        let g2p = Part::G2p;
         tests.push(test("NodalMass", p2g, still));
         tests.push(test("NodalMomentum", p2g, State::Uniform(velocity)));
         tests.push(test("NodalInternalForce", p2g, State::Stressed(1.0)));
@@ -229,17 +229,13 @@ pub(super) fn tests(check: &mut Check<'_>, raw: &RawConfig, by_manual: bool) -> 
         let rate = trace / 3.0 / dt;
         tests.push(ManualTest {
             density: Some(initial),
-            ..test(
-                "ParticleDensity",
-                Part::ParticlesFromNodes,
-                State::Stretching([rate; 3]),
-            )
+            ..test("ParticleDensity", Part::G2p, State::Stretching([rate; 3]))
         });
         let along_x = State::Stretching([epsilon / dt, 0.0, 0.0]);
         tests.push(ManualTest {
             young,
             poisson,
-            ..test("ParticleStress", Part::ParticlesFromNodes, along_x)
+            ..test("ParticleStress", Part::G2p, along_x)
         });
     }
     tests

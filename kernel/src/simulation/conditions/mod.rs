@@ -190,14 +190,19 @@ impl Simulation {
     }
 
     /// What acts in a step of length `dt` \[s\], in the lists of [`Work::acting`](super::Work), to which they may be given back.
-    pub(super) fn acting(&mut self, dt: f64) -> Acting {
+    pub(super) fn nodal_conditions(&mut self, dt: f64) -> Acting {
         let kick = 0.5 * (self.state.clock.dt_before + dt);
         let half_steps = [self.velocity_time(), self.state.clock.time + 0.5 * dt];
-        self.acting_over(kick, half_steps, dt)
+        self.nodal_conditions_over(kick, half_steps, dt)
     }
 
     /// What acts over `kick` \[s\], between these times of the velocities \[s\], where positions move over `drift` \[s\].
-    pub(super) fn acting_over(&mut self, kick: f64, half_steps: [f64; 2], drift: f64) -> Acting {
+    pub(super) fn nodal_conditions_over(
+        &mut self,
+        kick: f64,
+        half_steps: [f64; 2],
+        drift: f64,
+    ) -> Acting {
         let mut acting = std::mem::take(&mut self.work.acting);
         acting.begin(kick, half_steps, drift);
         let bodies = self.decided.bodies.iter();

@@ -11,8 +11,8 @@ use crate::simulation::conditions::{Acting, Condition, Walls};
 use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::mapping::BodiesOnto;
-use crate::simulation::phase::{Phase, Watcher};
-use crate::simulation::{BodyRun, Simulation, Way};
+use crate::simulation::phase::Phase;
+use crate::simulation::{BodyRun, Drift, Simulation};
 use crate::stage::solve::PlaneSums;
 use smallvec::SmallVec;
 use std::any::Any;
@@ -140,7 +140,7 @@ pub trait Interaction: Any + Send + Sync {
     }
 
     /// Positions move; called where [`Interaction::finds`].
-    fn advance(&mut self, _simulation: &Simulation, _acting: &Acting, _way: &Way) {}
+    fn advance(&mut self, _simulation: &Simulation, _acting: &Acting, _drift: &Drift) {}
 
     /// Energy that is stored between the fields \[J\].
     fn energy(&self) -> f64 {
@@ -448,14 +448,11 @@ impl Simulation {
         self.interactions().any(Interaction::finds)
     }
 
-    /// Gaps, forces, and the time steps that they allow.
-    pub(super) fn find(&mut self, ended: Watcher<'_>) -> Result<(), StepError> {
-        if self.maps_first() {
-            ended(Phase::NodesFromParticles);
-        }
+    /// Contact detection: gaps, forces, and the time steps that they allow.
+    pub(super) fn detect_contact(&mut self) -> Result<(), StepError> {
         if self.finds() {
             self.each(|one, simulation| one.find(simulation))?;
-            ended(Phase::Contact);
+            self.work.phase_timer.end(Phase::Contact);
         }
         Ok(())
     }
@@ -475,14 +472,14 @@ impl Simulation {
         self.each(|one, simulation| one.settle_again(simulation, acting, again))
     }
 
-    /// Positions move.
-    pub(super) fn advance(&mut self, acting: &Acting, way: &Way, ended: Watcher<'_>) {
+    /// Moves the boundaries of interactions with the velocities after the equation of motion.
+    pub(super) fn move_boundaries(&mut self, acting: &Acting, drift: &Drift) {
         if self.finds() {
             let Ok(()) = self.each::<Infallible>(|one, simulation| {
-                one.advance(simulation, acting, way);
+                one.advance(simulation, acting, drift);
                 Ok(())
             });
-            ended(Phase::Contact);
+            self.work.phase_timer.end(Phase::Contact);
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::mortar::pair::{Ahead, Surfaces, contact_forces_to};
 use crate::scene::Vector;
 use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
-use crate::simulation::{Simulation, Way};
+use crate::simulation::{Drift, Simulation};
 use crate::team::{OfItem, Team};
 use std::sync::atomic::{self, AtomicUsize};
 
@@ -378,18 +378,18 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
-    pub(super) fn advance(&mut self, hosts: &Simulation, way: &Way, half_step: f64) {
-        let drift = way.time;
+    pub(super) fn advance(&mut self, hosts: &Simulation, drift: &Drift, half_step: f64) {
+        let time = drift.time;
         // Positions are relative to the mesh, and what lies in one of its planes goes with it.
         let mesh: Option<PointIn<D>> =
-            (way.mesh_shift != [0.0; 3]).then(|| from_vector(&way.mesh_shift));
+            (drift.mesh_shift != [0.0; 3]).then(|| from_vector(&drift.mesh_shift));
         let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.decided.scene));
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {
             match &surface.carrier {
                 Carrier::Prescribed(motion) => {
                     let v: PointIn<D> = velocity_of(motion.as_ref(), half_step);
-                    surface.moved.fill(v * drift);
+                    surface.moved.fill(v * time);
                 }
                 Carrier::Body { index, follow } => {
                     let Some(field) = hosts.work.grid.own_field(*index) else {
@@ -398,8 +398,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     let lines = field.nodes.lines();
                     let team = &hosts.work.grid.team;
                     if stays(&surface.carrier) {
-                        surface.move_with_ties(lines, way, team);
-                        surface.advance(&way.mesh_shift);
+                        surface.move_with_ties(lines, drift, team);
+                        surface.advance(&drift.mesh_shift);
                         continue;
                     }
                     if let Some(around) = &mut surface.around {
@@ -421,8 +421,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                             }
                         }
                         match &mesh {
-                            None => surface.boundary.held(vertex, v) * drift,
-                            Some(mesh) => surface.boundary.held(vertex, v * drift - mesh) + mesh,
+                            None => surface.boundary.held(vertex, v) * time,
+                            Some(mesh) => surface.boundary.held(vertex, v * time - mesh) + mesh,
                         }
                     };
                     team.fill(
@@ -434,7 +434,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     );
                 }
             }
-            surface.advance(&way.mesh_shift);
+            surface.advance(&drift.mesh_shift);
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::simulation::conditions::Acting;
 use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{BodyList, Interaction, Remembered};
-use crate::simulation::{Simulation, Way};
+use crate::simulation::{Drift, Simulation};
 
 impl Interaction for MortarState {
     fn boxed(&self) -> Box<dyn Interaction> {
@@ -85,10 +85,10 @@ impl Interaction for MortarState {
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).
-    fn advance(&mut self, simulation: &Simulation, acting: &Acting, way: &Way) {
+    fn advance(&mut self, simulation: &Simulation, acting: &Acting, drift: &Drift) {
         let [_, half_step] = acting.half_steps;
-        self.plane.advance(simulation, way, half_step);
-        self.space.advance(simulation, way, half_step);
+        self.plane.advance(simulation, drift, half_step);
+        self.space.advance(simulation, drift, half_step);
     }
 
     /// What the normal laws store.

@@ -28,7 +28,7 @@ pub(super) const MORTAR: Kind = Kind {
     make: MortarState::of,
 };
 
-pub use vertices::{BoundaryVertex, Drift, VertexState};
+pub use vertices::{BoundaryDrift, BoundaryVertex, VertexState};
 
 use super::Kind;
 use crate::mortar::bound::NodalStiffness;

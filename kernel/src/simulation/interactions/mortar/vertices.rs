@@ -49,9 +49,9 @@ pub struct BoundaryVertex {
     pub force: Vector,
 }
 
-/// How far a vertex is off its body.
+/// The drift of a vertex off its body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drift {
+pub struct BoundaryDrift {
     /// Identifier of the body.
     pub body: i64,
     /// Number of the vertex in the boundary, from 0.
@@ -70,13 +70,16 @@ impl Simulation {
     /// included, and in a uniform strain, however large, a vertex that goes with its body has no drift. Where the strain
     /// varies, that place is known up to the second order in the size of a cell.
     #[must_use]
-    pub fn boundary_drift(&self) -> Option<Drift> {
+    pub fn boundary_drift(&self) -> Option<BoundaryDrift> {
         let state = self.mortar()?;
         let cells = &self.scene().mesh.cell[..self.plan().axes];
         let h = cells.iter().copied().fold(f64::INFINITY, f64::min);
-        let found = [state.plane.farthest_off(self), state.space.farthest_off(self)];
+        let found = [
+            state.plane.farthest_off(self),
+            state.space.farthest_off(self),
+        ];
         let found = found.into_iter().flatten().next();
-        found.map(|(body, vertex, distance)| Drift {
+        found.map(|(body, vertex, distance)| BoundaryDrift {
             body,
             vertex,
             distance,
