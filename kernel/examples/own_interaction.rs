@@ -28,18 +28,23 @@ impl Interaction for Drag {
         self.bodies.into_iter().collect()
     }
 
-    fn on_slabs<'a>(&'a mut self, grid: &Grid, _: Visit, give: &mut dyn FnMut(SlabPart<'a>)) {
+    fn on_slabs<'a>(
+        &'a mut self,
+        grid: &Grid,
+        _: VelocityMapping,
+        give: &mut dyn FnMut(SlabPart<'a>),
+    ) {
         for _ in &grid.slabs {
             give(SlabPart::own(&*self));
         }
     }
 }
 
-impl OnSlab for &Drag {
-    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, _: &mut [PlaneSums]) {
+impl SlabInteraction for &Drag {
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, _: &mut [PlaneSums]) {
         // Exact for any step: the share of the relative velocity that is lost in the time over which velocities change.
-        let lost = 1.0 - (-self.rate * now.acting().kick).exp();
-        slab.for_each_shared(self.bodies, now, |[a, b]| {
+        let lost = 1.0 - (-self.rate * context.nodal().kick).exp();
+        slab.for_each_shared(self.bodies, context, |[a, b]| {
             let (m_a, m_b) = (a.mass(), b.mass());
             let (v_a, v_b) = (a.velocity(), b.velocity());
             let impulse: Vector =

@@ -13,16 +13,16 @@ use crate::scene::{
 };
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
-pub(crate) use entries::Words;
+pub(crate) use entries::PlanEntries;
 use entries::is_list;
 pub use stability::{AUTOMATIC_SHARE, has_safe_step, stability_number};
 use std::fmt;
 pub use tension::{ForeseenTension, foreseen_tension};
 pub(crate) use tension::{loses_tension, scheme_word};
 
-/// What a library user asks for beyond the scene.
+/// Options of a plan beyond the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Demands {
+pub struct PlanOptions {
     /// Keep the initial positions, for displacements.
     pub displacement: bool,
     /// Measure kinetic energy and unbalanced force at the nodes in every step.
@@ -32,7 +32,7 @@ pub struct Demands {
 }
 
 /// Says what it makes of a scene.
-pub(crate) type Feature = fn(&Scene, &mut Words);
+pub(crate) type Feature = fn(&Scene, &mut PlanEntries);
 
 /// Decisions for one scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,14 +60,14 @@ pub struct Plan {
     /// Columns of the particle sets, per body.
     pub layouts: Vec<Layout>,
     /// What was decided, in words.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<PlanEntry>,
     /// What the scene may do, but not well, each with its reason.
     pub warnings: Vec<String>,
 }
 
 /// One decision in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct PlanEntry {
     /// Group: stage, particle field, output, time step.
     pub group: &'static str,
     /// What is kept or left out.
@@ -81,7 +81,7 @@ pub struct Entry {
 impl Plan {
     /// Decides what the scene needs; `features` say what they make of it, in their order.
     #[must_use]
-    pub(crate) fn of(scene: &Scene, demands: Demands, features: &[Feature]) -> Self {
+    pub(crate) fn of(scene: &Scene, demands: PlanOptions, features: &[Feature]) -> Self {
         let axes = scene.dimension.axes();
         let domain_update = scene.weighting.domain_update();
         let family = scene.weighting.kind().family;

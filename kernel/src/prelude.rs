@@ -1,4 +1,4 @@
-//! What a program that simulates a scene of its own needs: `use proctor_kernel::prelude::*;`.
+//! Prelude for a program that simulates a scene of its own: `use proctor_kernel::prelude::*;`.
 
 pub use crate::lanes::Lanes;
 pub use crate::laws::{
@@ -10,6 +10,7 @@ pub use crate::scene::{
     StressScheme, TimeStep, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };
 pub use crate::simulation::{
-    Acting, BodyList, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, Node, Now,
-    OnSlab, Options, PairList, PlaneSums, Simulation, Slab, SlabPart, StepError, StepInfo, Visit,
+    BodyList, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, NodalConditions,
+    Node, Options, PairList, PlaneSums, Simulation, Slab, SlabInteraction, SlabPart, StepContext,
+    StepError, StepInfo, VelocityMapping,
 };

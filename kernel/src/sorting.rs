@@ -11,7 +11,7 @@ use crate::lanes::Selected;
 use crate::particles::ParticleSet;
 use crate::team::Team;
 use crate::weights::{Family, base_offset};
-use cells::{Cells, Number, Numbering};
+use cells::{CellNumbers, Cells, Numbering};
 use smallvec::SmallVec;
 use std::ops::Range;
 
@@ -30,19 +30,19 @@ pub struct Sorter {
     /// First and last cell in use of each row of base cells.
     occupied: Vec<Option<(u32, u32)>>,
     /// Of each set, for their lengths differ.
-    spares: Vec<Spares>,
+    spares: Vec<SpareColumns>,
 }
 
 /// Columns of a set that are not in use.
 #[derive(Debug, Default)]
-struct Spares {
+struct SpareColumns {
     /// One for each thread.
     columns: Vec<Vec<f64>>,
     ids: Vec<u64>,
 }
 
 /// Cells that a thread owns: their numbers, and the particles that it found in them.
-struct Share<'a> {
+struct CellShare<'a> {
     cells: Range<usize>,
     ends: &'a mut [u32],
     /// How many particles.
@@ -50,7 +50,7 @@ struct Share<'a> {
 }
 
 /// A list of something for each thread, which takes no memory where they are few.
-type Few<T> = SmallVec<[T; 16]>;
+type ThreadList<T> = SmallVec<[T; 16]>;
 
 impl Sorter {
     /// Sorts all sets by base cell for functions of a family that reach `stencil` nodes per axis, keeping the order within a
@@ -67,7 +67,7 @@ impl Sorter {
         let bases = shape.bases();
         self.occupied.clear();
         self.occupied.resize(bases[0] * bases[1], None);
-        self.spares.resize_with(sets.len(), Spares::default);
+        self.spares.resize_with(sets.len(), SpareColumns::default);
         let offset = family.sort_offset(stencil);
         for (index, set) in sets.iter_mut().enumerate() {
             let cells = Cells::in_use(set, shape, offset, lanes, team);
@@ -91,7 +91,7 @@ impl Sorter {
         self.keys.resize(set.len(), 0);
         let share = set.len().div_ceil(team.count()).max(1);
         team.each(self.keys.chunks_mut(share).enumerate(), |(part, keys)| {
-            lanes.run(Number {
+            lanes.run(CellNumbers {
                 numbering,
                 set,
                 start: part * share,
@@ -114,13 +114,13 @@ impl Sorter {
         self.ends.clear();
         self.ends.resize(count[0] * per_layer, 0);
         self.order.resize(set.len(), 0);
-        let mut shares = Few::new();
+        let mut shares = ThreadList::new();
         let mut rest = self.ends.as_mut_slice();
         for layers in shares_of_layers(set, bases[0], team.count()) {
             let place = |layer: usize| layer.clamp(first[0], first[0] + count[0]) - first[0];
             let cells = place(layers.start) * per_layer..place(layers.end) * per_layer;
             let (ends, behind) = rest.split_at_mut(cells.len());
-            shares.push(Share {
+            shares.push(CellShare {
                 cells,
                 ends,
                 count: 0,
@@ -233,7 +233,7 @@ impl Sorter {
 }
 
 /// The layers of base cells in `count` ranges at most, with about equal numbers of particles as of the last sort.
-fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> Few<Range<usize>> {
+fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> ThreadList<Range<usize>> {
     let known = set.layers.len() == layers + 1 && set.layers[layers] == set.len();
     let end_of = |share: usize| match (share == count, known) {
         (true, _) => layers,
@@ -241,7 +241,7 @@ fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> Few<Range
         (_, false) => share * layers / count,
     };
     let mut from = 0;
-    let mut shares = Few::new();
+    let mut shares = ThreadList::new();
     for share in 1..=count {
         let to = end_of(share).clamp(from, layers);
         shares.push(from..to);
@@ -258,7 +258,7 @@ fn widen(span: &mut Option<(u32, u32)>, low: u32, high: u32) {
 }
 
 /// Reorders all columns: particle `order[i]` becomes particle `i`.
-fn permute(set: &mut ParticleSet, order: &[u32], spares: &mut Spares, team: &Team) {
+fn permute(set: &mut ParticleSet, order: &[u32], spares: &mut SpareColumns, team: &Team) {
     // The identifiers are one column more, and those of the last share are fewest.
     let share = (set.columns.len() + 1).div_ceil(team.count()).max(1);
     spares.columns.resize_with(team.count(), Vec::new);

@@ -116,7 +116,7 @@ fn methods_stand_in_their_lists() {
     assert_eq!(weighting::ALL.len(), weightings.len());
     for one in &weightings {
         assert_eq!(one.kind().weighting, *one);
-        let same_name = |kind: &&weighting::Kind| kind.name == one.kind().name;
+        let same_name = |kind: &&weighting::WeightingType| kind.name == one.kind().name;
         assert_eq!(weighting::ALL.iter().filter(same_name).count(), 1);
         assert_eq!(one.kind().update.is_some(), one.domain_update().is_some());
     }

@@ -1,7 +1,7 @@
 //! The threads that share the work: the same answers for any number, and nobody else woken by one alone.
 
 use proctor_kernel::simulation::{Options, Simulation};
-use proctor_kernel::team::{OfItem, Team};
+use proctor_kernel::team::{ItemCost, Team};
 use std::collections::HashSet;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Mutex;
@@ -22,7 +22,7 @@ fn answers_come_in_order_for_any_number_of_threads() {
     for team in teams() {
         // What a list holds before is written over, and what it grows by.
         let mut squares = vec![1; 10];
-        team.fill(7..MANY, OfItem::Small, |i| i * i, &0, &mut squares);
+        team.fill(7..MANY, ItemCost::Small, |i| i * i, &0, &mut squares);
         assert_eq!(squares.len(), MANY - 7);
         assert!(squares.iter().zip(7..).all(|(square, i)| *square == i * i));
         let parts = team.map((0..20).collect(), |part: usize| part + 1);
@@ -51,7 +51,7 @@ fn workers(team: &Team) -> HashSet<ThreadId> {
     team.map(vec![(); 100], |()| note());
     team.fill(
         0..MANY,
-        OfItem::Small,
+        ItemCost::Small,
         |_| u8::from(note()),
         &0,
         &mut vec![],

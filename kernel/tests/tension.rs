@@ -8,7 +8,7 @@ use common::{
     simulation_from,
 };
 use proctor_kernel::laws::NeoHookean;
-use proctor_kernel::plan::Demands;
+use proctor_kernel::plan::PlanOptions;
 use proctor_kernel::scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
     Traction, Weighting,
@@ -263,7 +263,7 @@ fn what_is_pressed_or_swings_goes_on() {
 #[test]
 fn the_plan_warns_of_tension() {
     let told = |scene: &Scene| {
-        let warnings = plan(scene, Demands::default()).warnings;
+        let warnings = plan(scene, PlanOptions::default()).warnings;
         warnings.iter().any(|w| w.contains("in tension"))
     };
     for dimension in DIMENSIONS {

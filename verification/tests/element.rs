@@ -2,8 +2,8 @@
 #![allow(missing_docs)]
 
 use proctor_kernel::laws::{
-    AnyLaw, Bingham, DruckerPrager, EquationOfState, LinearElastic, Match, MohrCoulomb, Newtonian,
-    Residual, Softening, Tresca, VonMises,
+    AnyLaw, Bingham, ConeMatch, DruckerPrager, EquationOfState, LinearElastic, MohrCoulomb,
+    Newtonian, Residual, Softening, Tresca, VonMises,
 };
 use proctor_verification::element::path::{Path, Row, follow};
 use proctor_verification::element::{Control, State, Test, exact_deviator, exact_pressure, run};
@@ -24,8 +24,8 @@ fn laws() -> Vec<AnyLaw> {
         Tresca::new(YOUNG, POISSON, 4e4).into(),
         MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e4, 0.0]).into(),
         MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e4, 30.0]).into(),
-        DruckerPrager::new(YOUNG, POISSON, [30.0, 1e4, 5.0], Match::Outer).into(),
-        DruckerPrager::new(YOUNG, POISSON, [20.0, 1e4, 0.0], Match::Inner).into(),
+        DruckerPrager::new(YOUNG, POISSON, [30.0, 1e4, 5.0], ConeMatch::Outer).into(),
+        DruckerPrager::new(YOUNG, POISSON, [20.0, 1e4, 0.0], ConeMatch::Inner).into(),
     ]
 }
 
@@ -313,7 +313,7 @@ fn a_table_unloads_at_held_stress() {
     let mut all = laws();
     all.push(MohrCoulomb::new(YOUNG, POISSON, soil).into());
     all.push(MohrCoulomb::new(YOUNG, POISSON, [35.0, 0.0, 5.0]).into());
-    all.push(DruckerPrager::new(YOUNG, POISSON, soil, Match::Outer).into());
+    all.push(DruckerPrager::new(YOUNG, POISSON, soil, ConeMatch::Outer).into());
     for law in all {
         let p = -PRESSURE;
         let row = |time, values| Row { time, values };

@@ -1,6 +1,6 @@
 //! Keys of scene files as tables and in full.
 
-use proctor_files::json::{Block, Key, Otherwise};
+use proctor_files::json::{Key, KeyBlock, KeyDefault};
 use proctor_kernel::number::Number;
 use serde_json::Value;
 use std::fmt::{self, Write as _};
@@ -13,7 +13,7 @@ const LONGEST_DEFAULT: usize = 16;
 pub const EVERYWHERE: &str = "comment";
 
 /// The keys of one block, a line each.
-pub struct BlockTable<'a>(pub &'a Block);
+pub struct BlockTable<'a>(pub &'a KeyBlock);
 
 impl fmt::Display for BlockTable<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -50,8 +50,8 @@ impl fmt::Display for BlockTable<'_> {
 /// Name, unit, default and meaning.
 fn row(key: &Key) -> [String; 4] {
     let default = match &key.default {
-        Otherwise::Needed if key.needs.is_some() => "(needed)".to_owned(),
-        Otherwise::Value(value) => cut(&shown(value), LONGEST_DEFAULT),
+        KeyDefault::Needed if key.needs.is_some() => "(needed)".to_owned(),
+        KeyDefault::Value(value) => cut(&shown(value), LONGEST_DEFAULT),
         default => cut(&default.to_string(), LONGEST_DEFAULT),
     };
     [
@@ -102,10 +102,10 @@ impl fmt::Display for InFull<'_> {
             line("only with", needs)?;
         }
         match &key.default {
-            Otherwise::Needed => line("default", "none: the key is needed")?,
-            Otherwise::OfOther => {}
-            Otherwise::Value(value) => line("default", &shown(value))?,
-            Otherwise::Words(words) => line("default", words)?,
+            KeyDefault::Needed => line("default", "none: the key is needed")?,
+            KeyDefault::OfOther => {}
+            KeyDefault::Value(value) => line("default", &shown(value))?,
+            KeyDefault::Words(words) => line("default", words)?,
         }
         for (i, example) in key.examples.iter().enumerate() {
             let name = if i == 0 { "example" } else { "" };

@@ -3,7 +3,7 @@
 use crate::exit::{Failure, Outcome};
 use crate::show::keys::{BlockTable, EVERYWHERE, InFull};
 use clap::Args;
-use proctor_files::json::{Block, Key, blocks, elsewhere};
+use proctor_files::json::{Key, KeyBlock, blocks, elsewhere};
 use std::io::Write;
 
 /// Nearest names that are told where no key has the name.
@@ -65,7 +65,7 @@ impl Keys {
             let gap = if told.is_empty() || i > 0 { "" } else { "\n" };
             writeln!(out, "{gap}`{word}`: {}", other.answer)?;
         }
-        let of_word = |block: &&Block| {
+        let of_word = |block: &&KeyBlock| {
             let last = block.path.rsplit('.').next().unwrap_or("");
             is(word, &block.path) || is(word, last)
         };
@@ -76,7 +76,7 @@ impl Keys {
     }
 }
 
-fn all(blocks: &[Block], out: &mut dyn Write) -> Result<Outcome, Failure> {
+fn all(blocks: &[KeyBlock], out: &mut dyn Write) -> Result<Outcome, Failure> {
     for block in blocks {
         writeln!(out, "{}", BlockTable(block))?;
     }
@@ -89,7 +89,7 @@ fn all(blocks: &[Block], out: &mut dyn Write) -> Result<Outcome, Failure> {
 }
 
 /// The keys of scenes with their blocks; that which every object has once.
-fn keys(blocks: &[Block]) -> impl Iterator<Item = (&Block, &Key)> {
+fn keys(blocks: &[KeyBlock]) -> impl Iterator<Item = (&KeyBlock, &Key)> {
     let all = blocks
         .iter()
         .flat_map(|block| block.keys.iter().map(move |key| (block, key)));
@@ -97,9 +97,9 @@ fn keys(blocks: &[Block]) -> impl Iterator<Item = (&Block, &Key)> {
 }
 
 /// The keys of that name, with their block or without.
-fn named<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
+fn named<'a>(word: &str, blocks: &'a [KeyBlock]) -> Vec<(&'a KeyBlock, &'a Key)> {
     // A key of the top has no block before it.
-    let whole = |block: &Block, key: &Key| {
+    let whole = |block: &KeyBlock, key: &Key| {
         is(
             word,
             format!("{}.{}", block.path, key.name).trim_start_matches('.'),
@@ -112,19 +112,19 @@ fn named<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
 }
 
 /// The keys that have the word as a value; else those with it in their name; else those with it in their meaning.
-fn matching<'a>(word: &str, blocks: &'a [Block]) -> Vec<(&'a Block, &'a Key)> {
-    let part = |(_, key): &(&Block, &Key)| {
+fn matching<'a>(word: &str, blocks: &'a [KeyBlock]) -> Vec<(&'a KeyBlock, &'a Key)> {
+    let part = |(_, key): &(&KeyBlock, &Key)| {
         word.len() >= PART && key.name.to_lowercase().contains(&word.to_lowercase())
     };
-    let meant = |(_, key): &(&Block, &Key)| {
+    let meant = |(_, key): &(&KeyBlock, &Key)| {
         let mut words = key.meaning.split(|c: char| !c.is_alphanumeric());
         words.any(|known| is(word, known))
     };
-    let valued = |(_, key): &(&Block, &Key)| {
+    let valued = |(_, key): &(&KeyBlock, &Key)| {
         let mut words = key.words.iter().filter_map(|word| word.as_str());
         words.any(|known| is(word, known))
     };
-    for search in [&valued as &dyn Fn(&(&Block, &Key)) -> bool, &part] {
+    for search in [&valued as &dyn Fn(&(&KeyBlock, &Key)) -> bool, &part] {
         let found: Vec<_> = keys(blocks).filter(search).collect();
         if !found.is_empty() {
             return found;
@@ -139,7 +139,7 @@ fn is(word: &str, name: &str) -> bool {
 }
 
 /// What to say to a word that leads to no key.
-fn unknown(word: &str, blocks: &[Block]) -> String {
+fn unknown(word: &str, blocks: &[KeyBlock]) -> String {
     let mut names: Vec<&str> = blocks
         .iter()
         .flat_map(|block| block.keys.iter().map(|key| key.name.as_str()))

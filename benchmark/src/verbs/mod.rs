@@ -25,7 +25,7 @@ use crate::exit::{Failure, Outcome};
 use crate::say::say;
 pub use amount::Amount;
 use clap::Subcommand;
-use proctor_files::json::{Places, Source};
+use proctor_files::json::{SceneSource, SourceMap};
 use proctor_kernel::scene::Scene;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
@@ -91,15 +91,17 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
 const STANDARD_INPUT: &str = "-";
 
 /// A scene from a file, or with `-` from standard input, and the places of its values; or all that is wrong with it.
-fn scene(path: &Path) -> Result<(Scene, Places), Failure> {
+fn scene(path: &Path) -> Result<(Scene, SourceMap), Failure> {
     let source = if path.as_os_str() == STANDARD_INPUT {
         let input = std::io::stdin();
         if input.is_terminal() {
             say!("reading a scene from standard input, to its end");
         }
-        Source::stream("stdin", Path::new(""), input.lock())
+        SceneSource::stream("stdin", Path::new(""), input.lock())
     } else {
-        Source::file(path)
+        SceneSource::file(path)
     };
-    source.and_then(Source::scene).map_err(Failure::bad_input)
+    source
+        .and_then(SceneSource::scene)
+        .map_err(Failure::bad_input)
 }

@@ -6,7 +6,7 @@ use crate::say::say;
 use crate::show::{Table, bytes, grouped};
 use clap::Args;
 use proctor_kernel::memory::{Memory, words};
-use proctor_kernel::simulation::{Options, Simulation, foresee};
+use proctor_kernel::simulation::{Options, Simulation, estimate_memory};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -30,7 +30,7 @@ impl Plan {
             threads: Some(1),
             ..Options::default()
         };
-        let asked = foresee(&scene);
+        let asked = estimate_memory(&scene);
         if asked.bytes > LARGE {
             say!(
                 "about {} particles and {} nodes, which need {} of the {} that are free",

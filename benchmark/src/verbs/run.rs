@@ -10,10 +10,10 @@ use crate::measure::Stopwatch;
 use crate::progress::Progress;
 use crate::say::say;
 use clap::Args;
-use proctor_files::json::Places;
+use proctor_files::json::SourceMap;
 use proctor_files::output::summary::{SUMMARY, Status};
 use proctor_files::output::{OutputFolder, Summary};
-use proctor_files::run::{Go, Run as KernelRun, RunError};
+use proctor_files::run::{Run as KernelRun, RunControl, RunError};
 use proctor_kernel::simulation::{Bound, StepInfo};
 use report::Report;
 use std::collections::BTreeMap;
@@ -112,7 +112,7 @@ impl Run {
 }
 
 /// Why a run cannot start or go on, with the place in the scene where there is one.
-fn told(places: &Places, error: &RunError) -> String {
+fn told(places: &SourceMap, error: &RunError) -> String {
     match error {
         RunError::Setup(error) => places.of_setup(error),
         RunError::Step(error) => places.of_step(error),
@@ -132,7 +132,11 @@ fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Optio
             run.advance(stop, |info: &StepInfo| {
                 *bounds.entry(bound_words(info.bound)).or_default() += 1;
                 progress.at(info.time / end);
-                if interrupt.raised() { Go::Stop } else { Go::On }
+                if interrupt.raised() {
+                    RunControl::Stop
+                } else {
+                    RunControl::On
+                }
             })
         });
         tally.particle_steps += particles as f64 * (run.simulation().steps() - before) as f64;

@@ -1,4 +1,4 @@
-//! Whole files, unless what is made of them does not fit into the memory of the machine.
+//! Reading of whole files, unless what is made of them does not fit into the memory of the machine.
 //!
 //! Everything that is read goes through here: see [`proctor_kernel::memory`].
 

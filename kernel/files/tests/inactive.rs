@@ -5,7 +5,7 @@ mod common;
 
 use common::{options, run};
 use proctor_files::json::from_json;
-use proctor_kernel::plan::{Entry, Plan};
+use proctor_kernel::plan::{Plan, PlanEntry};
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::Simulation;
 use std::path::Path;
@@ -103,7 +103,7 @@ fn scene(keys: &str) -> Scene {
         .unwrap_or_else(|e| panic!("{keys}: {e}"))
 }
 
-fn entry<'a>(plan: &'a Plan, name: &str) -> &'a Entry {
+fn entry<'a>(plan: &'a Plan, name: &str) -> &'a PlanEntry {
     plan.entries
         .iter()
         .find(|e| e.name == name)

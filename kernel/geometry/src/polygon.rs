@@ -1,4 +1,4 @@
-//! Whether a polygon is simple.
+//! Simple polygons: the test for edges that cross or touch.
 
 /// Corners in the plane.
 type Point = [f64; 2];

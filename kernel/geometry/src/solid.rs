@@ -4,7 +4,7 @@ use crate::shape::{Dimension, Shape, Vector};
 
 /// The point of the surface of a shape nearest to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest {
+pub struct ClosestPoint {
     /// The point of the surface \[m\].
     pub point: Vector,
     /// Distance from the surface \[m\], negative inside the shape.
@@ -18,7 +18,7 @@ impl Shape {
     /// The point of the surface of the shape that is nearest to `x`, both in the same coordinates \[m\]; `None` for a list
     /// of particles, which has no surface.
     #[must_use]
-    pub fn nearest(&self, dimension: Dimension, x: &Vector) -> Option<Nearest> {
+    pub fn nearest(&self, dimension: Dimension, x: &Vector) -> Option<ClosestPoint> {
         let (distance, normal) = match self {
             Self::Cuboid { p1, p2 } => cuboid(p1, p2, dimension.axes(), x),
             Self::Sphere { center, radius } => {
@@ -70,7 +70,7 @@ impl Shape {
             }
             Self::Particles(_) => return None,
         };
-        Some(Nearest {
+        Some(ClosestPoint {
             point: std::array::from_fn(|k| x[k] - distance * normal[k]),
             distance,
             normal,

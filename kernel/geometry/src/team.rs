@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_micros(200);
 
 /// How much there is to do for one of many items.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OfItem {
+pub enum ItemCost {
     /// Next to nothing.
     Small,
     /// A search or a system of equations.
@@ -111,7 +111,7 @@ impl Team {
     pub fn fill<R: Send + Clone>(
         &self,
         items: Range<usize>,
-        work: OfItem,
+        work: ItemCost,
         value: impl Fn(usize) -> R + Send + Sync,
         blank: &R,
         results: &mut Vec<R>,
@@ -127,10 +127,10 @@ impl Team {
 
     /// How many of so many items a thread is to take at once.
     #[must_use]
-    pub fn share(&self, items: usize, work: OfItem) -> usize {
+    pub fn share(&self, items: usize, work: ItemCost) -> usize {
         let shortest = match work {
-            OfItem::Small => SHORTEST_SHARE,
-            OfItem::Search => SHORTEST_SHARE_OF_SEARCHES,
+            ItemCost::Small => SHORTEST_SHARE,
+            ItemCost::Search => SHORTEST_SHARE_OF_SEARCHES,
         };
         let most = (items / shortest).max(1);
         let parts = (self.count * PARTS_PER_THREAD).min(most);

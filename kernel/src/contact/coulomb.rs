@@ -47,7 +47,7 @@ fn direction(member: &Member, axis: usize) -> Option<f64> {
 
 /// Two fields that touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch {
+pub struct FieldTouch {
     /// Index of the master among the fields.
     pub master: usize,
     /// Index of the slave.
@@ -55,12 +55,12 @@ pub struct Touch {
     /// Unit normal from master to slave.
     pub normal: Vector,
     /// What they may do.
-    pub law: Law,
+    pub law: FrictionLaw,
 }
 
 /// What two fields that touch may do.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Law {
+pub enum FrictionLaw {
     /// Part, slide and stick: Coulomb friction with this coefficient.
     Coulomb(f64),
     /// Slide, but neither approach nor part.
@@ -95,7 +95,7 @@ impl Coulomb {
         &mut self,
         members: &mut [Member],
         joined: impl Fn(usize, usize) -> bool,
-        touches: &[Touch],
+        touches: &[FieldTouch],
         impulses: &mut Vec<Vector>,
     ) {
         self.join(members, joined);
@@ -128,7 +128,7 @@ impl Coulomb {
         &mut self,
         members: &mut [Member],
         joined: impl Fn(usize, usize) -> bool,
-        touches: &[Touch],
+        touches: &[FieldTouch],
         alpha: f64,
         impulses: &mut Vec<Vector>,
     ) -> bool {
@@ -229,11 +229,11 @@ impl Coulomb {
     }
 
     /// Iterates the impulses of all touches.
-    fn sweep(&mut self, touches: &[Touch]) {
+    fn sweep(&mut self, touches: &[FieldTouch]) {
         self.velocity.clone_from(&self.trial);
         self.impulse.clear();
         self.impulse.resize(touches.len(), [0.0; 3]);
-        let ends = |touch: &Touch, group: &[usize]| (group[touch.master], group[touch.slave]);
+        let ends = |touch: &FieldTouch, group: &[usize]| (group[touch.master], group[touch.slave]);
         let mut most = 0;
         for group in 0..self.group.len() {
             let own = touches.iter().filter(|t| {
@@ -281,7 +281,7 @@ impl Coulomb {
     }
 
     /// Adds the changes of the impulses to the velocities.
-    fn apply(&mut self, touches: &[Touch], wanted: bool) {
+    fn apply(&mut self, touches: &[FieldTouch], wanted: bool) {
         if !wanted {
             return;
         }
@@ -300,13 +300,13 @@ impl Coulomb {
 
 /// The nearest impulse that the law of a touch admits. Coulomb: the normal part is not negative and the tangential one
 /// at most friction times that.
-fn admitted(impulse: &Vector, touch: &Touch) -> Vector {
+fn admitted(impulse: &Vector, touch: &FieldTouch) -> Vector {
     let normal = &touch.normal;
     let along: f64 = (0..3).map(|k| impulse[k] * normal[k]).sum();
     let friction = match touch.law {
-        Law::Coulomb(friction) => friction,
-        Law::Slide => return normal.map(|n| along * n),
-        Law::Stick => return *impulse,
+        FrictionLaw::Coulomb(friction) => friction,
+        FrictionLaw::Slide => return normal.map(|n| along * n),
+        FrictionLaw::Stick => return *impulse,
     };
     if along <= ROUND_OFF * length(impulse) {
         return [0.0; 3];

@@ -10,7 +10,7 @@ use crate::weights::base_node;
 use std::ops::Range;
 
 /// First and last node along each axis that both bodies of a pair can reach.
-type Shared = [(f64, f64); 3];
+type SharedNodes = [(f64, f64); 3];
 
 /// The particles of a body near its partners.
 #[derive(Clone, Debug, Default)]
@@ -20,7 +20,7 @@ pub struct Interface {
     /// Rows that these particles can reach.
     pub rows: ActiveRows,
     /// What the body shares with each partner, while it is sought.
-    shared: Vec<Shared>,
+    shared: Vec<SharedNodes>,
 }
 
 impl Interface {
@@ -39,7 +39,7 @@ impl Interface {
             **near && !pair.by_shape && (pair.master == body || pair.slave == body)
         });
         shared.clear();
-        shared.extend(own.map(|(pair, _)| -> Shared {
+        shared.extend(own.map(|(pair, _)| -> SharedNodes {
             std::array::from_fn(|axis| {
                 if axis >= shape.axes {
                     return (0.0, 0.0);
@@ -81,7 +81,7 @@ fn reaches(
     set: &ParticleSet,
     layer: usize,
     p: usize,
-    nodes: &Shared,
+    nodes: &SharedNodes,
     shape: &GridShape,
     stencil: usize,
 ) -> bool {

@@ -11,7 +11,7 @@ const STAIRCASE: f64 = 0.5;
 
 /// Two bodies that overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Overlap {
+pub struct BodyOverlap {
     /// Depth of the deepest overlap of two particles \[m\].
     pub depth: f64,
     /// Between them, relative to the mesh origin \[m\].
@@ -21,7 +21,7 @@ pub struct Overlap {
 /// The deepest overlap of the particles of a pair beyond the steps of their surfaces. `half_lengths` are those of the
 /// particles of all bodies \[m\].
 #[must_use]
-pub fn overlap(pair: &Pair, sets: &[ParticleSet], half_lengths: &[Vector]) -> Option<Overlap> {
+pub fn overlap(pair: &Pair, sets: &[ParticleSet], half_lengths: &[Vector]) -> Option<BodyOverlap> {
     let (master, slave) = (&sets[pair.master], &sets[pair.slave]);
     let axes = master.layout.axes;
     let reach: Vector = std::array::from_fn(|axis| {
@@ -40,7 +40,7 @@ pub fn overlap(pair: &Pair, sets: &[ParticleSet], half_lengths: &[Vector]) -> Op
     for p in 0..master.len() {
         cells.entry(cell(&master.position(p))).or_default().push(p);
     }
-    let mut deepest: Option<Overlap> = None;
+    let mut deepest: Option<BodyOverlap> = None;
     for q in 0..slave.len() {
         let x = slave.position(q);
         let here = cell(&x);
@@ -53,7 +53,7 @@ pub fn overlap(pair: &Pair, sets: &[ParticleSet], half_lengths: &[Vector]) -> Op
                 let over = (0..axes).all(|axis| depth(axis) > STAIRCASE * reach[axis]);
                 let depth = (0..axes).map(depth).fold(f64::INFINITY, f64::min);
                 if over && deepest.is_none_or(|d| d.depth < depth) {
-                    deepest = Some(Overlap {
+                    deepest = Some(BodyOverlap {
                         depth,
                         at: std::array::from_fn(|axis| 0.5 * (x[axis] + y[axis])),
                     });

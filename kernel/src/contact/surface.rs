@@ -45,14 +45,14 @@ pub fn fold_gradient(surface: &mut Planes<'_>, walls: &[Wall]) {
 
 /// What is known of one body at a node.
 #[derive(Clone, Copy, Debug)]
-pub struct Side<'a> {
+pub struct SurfaceSide<'a> {
     /// Mass of the body at the node \[kg\].
     pub mass: f64,
     /// Second line of the node.
     pub surface: &'a Line,
 }
 
-impl Side<'_> {
+impl SurfaceSide<'_> {
     /// Outward unit normal, where the gradient is one.
     fn normal(&self, cell: &Vector) -> Option<Vector> {
         let g: Vector = std::array::from_fn(|axis| self.surface[GRADIENT + axis]);
@@ -64,7 +64,7 @@ impl Side<'_> {
 
 /// Normal of a pair at a node, as mass gradients have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gradients {
+pub struct MassGradients {
     /// Unit normal from master to slave.
     pub normal: Vector,
     /// Whether the gradients of both bodies are opposite: at a free corner, an edge or the end of a wall one of them
@@ -76,15 +76,15 @@ pub struct Gradients {
 #[must_use]
 pub fn normal(
     kind: ContactNormal,
-    master: &Side<'_>,
-    slave: &Side<'_>,
+    master: &SurfaceSide<'_>,
+    slave: &SurfaceSide<'_>,
     cell: &Vector,
-) -> Option<Gradients> {
+) -> Option<MassGradients> {
     let of_master = master.normal(cell);
     let of_slave = slave.normal(cell).map(|n| n.map(|c| -c));
     let (Some(m), Some(s)) = (of_master, of_slave) else {
         let normal = of_master.or(of_slave)?;
-        return Some(Gradients {
+        return Some(MassGradients {
             normal,
             opposite: false,
         });
@@ -104,7 +104,7 @@ pub fn normal(
         }
     };
     let between: f64 = (0..3).map(|axis| (m[axis] - s[axis]).powi(2)).sum();
-    Some(Gradients {
+    Some(MassGradients {
         normal,
         opposite: between <= OPPOSITE * OPPOSITE,
     })
@@ -175,7 +175,7 @@ impl Probe {
 }
 
 /// The planes in which a probe looks.
-pub struct Search<'a> {
+pub struct ProbeSearch<'a> {
     /// Shape of the grid.
     pub shape: &'a GridShape,
     /// Planes that are owned.
@@ -185,7 +185,7 @@ pub struct Search<'a> {
 }
 
 /// The box of all nodes with a probe, and lengths that are the same for all particles.
-struct Within {
+struct ProbeBox {
     /// Lowest and highest storage indices.
     low: [usize; 3],
     high: [usize; 3],
@@ -195,7 +195,7 @@ struct Within {
     radius: f64,
 }
 
-impl Search<'_> {
+impl ProbeSearch<'_> {
     /// Finds the reach of the particles at the interface of a body at probes, which are at different nodes, and puts them
     /// into the clouds of those that have one, as those of one side of their pair. `surface` are the second lines of the
     /// nodes of the owned planes.
@@ -217,7 +217,7 @@ impl Search<'_> {
         // A particle may have left its layer by one cell since the last sort, and a layer by which hats are sorted may begin one
         // node before the stencil.
         let first = self.planes.start.saturating_sub(self.stencil + 1);
-        let within = Within {
+        let within = ProbeBox {
             low,
             high,
             per_length: self.shape.cell.map(|cell| 1.0 / cell),
@@ -235,7 +235,7 @@ impl Search<'_> {
     fn show(
         &self,
         (set, p): (&ParticleSet, usize),
-        within: &Within,
+        within: &ProbeBox,
         surface: &[Line],
         probes: &mut [Probe],
         (clouds, side): (&mut [Cloud], usize),

@@ -74,7 +74,7 @@ pub trait Readable: Law {
 
 /// A type of law, as it stands in a list.
 #[derive(Clone, Copy, Debug)]
-pub struct Kind {
+pub struct LawType {
     /// The word of scene files.
     pub name: &'static str,
     /// What it is for, in a few words.
@@ -89,7 +89,7 @@ pub struct Kind {
     pub read: fn(&[f64], &[usize], &[Rows]) -> AnyLaw,
 }
 
-impl Kind {
+impl LawType {
     /// The kind of a type.
     #[must_use]
     pub const fn of<M: Readable>() -> Self {

@@ -4,7 +4,7 @@
 //! a scene says how wide the band was in which strength was seen to fall, plastic strain counts as much more as a cell is
 //! wider than it, and the energy of a band does not depend on the cell.
 
-use super::{Accepted, Choice, Constant, Given, Unfit};
+use super::{Accepted, Choice, Constant, ConstantDefault, InvalidConstant};
 
 /// Whether softening scales with the cell.
 pub(super) const REGULARISATION: Choice = Choice {
@@ -20,7 +20,7 @@ pub(super) const WIDTH: Constant = Constant {
     meaning: "Width of the band in which strength was seen to fall as the law says; 0 where nothing is scaled",
     unit: "m",
     accepted: Accepted::NotNegative,
-    given: Given::Or(0.0),
+    given: ConstantDefault::Or(0.0),
 };
 
 /// What softens without a length of its own.
@@ -86,15 +86,15 @@ impl Band {
     }
 
     /// What is wrong with the band itself.
-    pub(super) fn problems(self) -> Option<Unfit> {
+    pub(super) fn problems(self) -> Option<InvalidConstant> {
         if self.scales && self.width == 0.0 {
-            Some(Unfit {
+            Some(InvalidConstant {
                 key: WIDTH.key,
                 found: "0 with a crack band".to_owned(),
                 accepted: "a width greater than 0 [m]".to_owned(),
             })
         } else if !self.scales && self.width > 0.0 {
-            Some(Unfit {
+            Some(InvalidConstant {
                 key: WIDTH.key,
                 found: format!("{} without a crack band", self.width),
                 accepted: "0, or \"regularisation\": \"crack_band\"".to_owned(),
@@ -106,13 +106,18 @@ impl Band {
 
     /// Softening of a strength, by `slope` per plastic strain \[Pa\], where a point bears less than `most`: beyond, its
     /// stress would have to fall faster than its elasticity lets it (snap-back).
-    pub(super) fn too_steep(self, key: &'static str, slope: f64, most: f64) -> Option<Unfit> {
+    pub(super) fn too_steep(
+        self,
+        key: &'static str,
+        slope: f64,
+        most: f64,
+    ) -> Option<InvalidConstant> {
         // A strength that falls over no strain is refused for its marks.
         if !self.is_placed() || !slope.is_finite() || slope * self.factor() < most {
             return None;
         }
         Some(if self.factor() == 1.0 {
-            Unfit {
+            InvalidConstant {
                 key,
                 found: format!(
                     "strength that falls by {slope} Pa per plastic strain, which no point can bear"
@@ -120,7 +125,7 @@ impl Band {
                 accepted: format!("less than {most} Pa per plastic strain"),
             }
         } else {
-            Unfit {
+            InvalidConstant {
                 key: WIDTH.key,
                 found: format!(
                     "strength that falls by {} Pa per plastic strain in cells of {} m, which no point can bear",

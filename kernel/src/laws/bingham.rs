@@ -7,8 +7,8 @@ use super::principal::components;
 use super::state::{BULK, EXPONENT, EquationOfState};
 use super::tensor::volume_ratio;
 use super::{
-    Accepted, AnyLaw, Choice, Constant, Given, Increment, Law, LinearElastic, Particle, Pressed,
-    Readable,
+    Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, LinearElastic, Particle,
+    PressurizedFluid, Readable,
 };
 use crate::lanes::Lanes;
 use crate::layout::Variable;
@@ -62,14 +62,14 @@ impl Law for Bingham {
             meaning: "Shear stress up to which the fluid does not flow",
             unit: "Pa",
             accepted: Accepted::Positive,
-            given: Given::Needed,
+            given: ConstantDefault::Needed,
         },
         Constant {
             key: "shear",
             meaning: "Shear modulus of the fluid where it does not flow; the bulk modulus where it is not given",
             unit: "Pa",
             accepted: Accepted::Positive,
-            given: Given::As("bulk"),
+            given: ConstantDefault::As("bulk"),
         },
         EXPONENT,
     ];
@@ -99,7 +99,7 @@ impl Law for Bingham {
     }
 
     fn pressed(&self) -> Option<AnyLaw> {
-        Some(Pressed(*self).into())
+        Some(PressurizedFluid(*self).into())
     }
 
     fn parts(&self) -> bool {

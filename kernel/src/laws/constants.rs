@@ -12,12 +12,12 @@ pub struct Constant {
     /// Which values.
     pub accepted: Accepted,
     /// What it is where a scene does not say.
-    pub given: Given,
+    pub given: ConstantDefault,
 }
 
-/// What a constant is where a scene does not say.
+/// Default of a constant that a scene leaves out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Given {
+pub enum ConstantDefault {
     /// Nothing: the scene must say.
     Needed,
     /// A number.
@@ -70,9 +70,9 @@ pub struct Curve {
     pub example: &'static [[f64; 2]],
 }
 
-/// A constant that does not go with the others.
+/// A constant that is invalid beside the others.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unfit {
+pub struct InvalidConstant {
     /// Its key.
     pub key: &'static str,
     /// What was found.
@@ -122,7 +122,7 @@ pub(super) const YOUNG: Constant = Constant {
     meaning: "Young's modulus",
     unit: "Pa",
     accepted: Accepted::Positive,
-    given: Given::Needed,
+    given: ConstantDefault::Needed,
 };
 
 /// Poisson's ratio.
@@ -131,7 +131,7 @@ pub(super) const POISSON: Constant = Constant {
     meaning: "Poisson's ratio",
     unit: "",
     accepted: Accepted::Between(-1.0, 0.5),
-    given: Given::Needed,
+    given: ConstantDefault::Needed,
 };
 
 /// Isotropic elasticity: four constants, of which two follow from the others.

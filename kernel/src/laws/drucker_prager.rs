@@ -1,18 +1,18 @@
 //! Elasticity that yields by the criterion of Drucker and Prager, with tension cut-off.
 
-use super::gap::{GAP, Tip};
+use super::gap::{GAP, TensionApex};
 use super::plastic::{
-    ALGORITHMIC, RELAXATION, Returned, STRAIN, WORK, Yielding, deviator, second_invariant,
+    ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, WORK, Yielding, deviator, second_invariant,
 };
 use super::principal::components;
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
-use super::{Choice, Constant, LinearElastic, Readable, Unfit};
+use super::{Choice, Constant, InvalidConstant, LinearElastic, Readable};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 
 /// Where the cone of Drucker and Prager touches the pyramid of Mohr and Coulomb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Match {
+pub enum ConeMatch {
     /// In plane strain at flow.
     PlaneStrain,
     /// At the edges of triaxial compression.
@@ -23,7 +23,7 @@ pub enum Match {
 
 /// Drucker-Prager: sqrt(J_2) + eta p <= xi c with p = tr sigma / 3 and flow along sqrt(J_2) + eta_psi p; p <= t.
 ///
-/// eta, xi and eta_psi follow from friction, cohesion and dilation of Mohr and Coulomb by [`Match`]. In plane strain flow has
+/// eta, xi and eta_psi follow from friction, cohesion and dilation of Mohr and Coulomb by [`ConeMatch`]. In plane strain flow has
 /// no part across the plane, so that eta_psi = 3 sin psi / sqrt(9 + 3 sin² psi), and with
 /// A = sqrt(1 - eta_psi²/3) + eta_psi sin phi / 3 both criteria agree where eta = sin phi / A and xi = cos phi / A.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub struct DruckerPrager {
     dilation: f64,
     tensile: f64,
     relaxation: f64,
-    matched: Match,
+    matched: ConeMatch,
     /// eta, xi c and eta_psi.
     cone: [f64; 3],
     /// Largest mean stress \[Pa\].
@@ -48,23 +48,23 @@ impl DruckerPrager {
         young: f64,
         poisson: f64,
         [friction, cohesion, dilation]: [f64; 3],
-        matched: Match,
+        matched: ConeMatch,
     ) -> Self {
         let (sine, cosine) = strength::sine_and_cosine(friction);
         let (of_flow, _) = strength::sine_and_cosine(dilation);
         let root = 3.0_f64.sqrt();
         let (eta, xi, eta_psi) = match matched {
-            Match::PlaneStrain => {
+            ConeMatch::PlaneStrain => {
                 let eta_psi = 3.0 * of_flow / (9.0 + 3.0 * of_flow * of_flow).sqrt();
                 let a = (1.0 - eta_psi * eta_psi / 3.0).sqrt() + eta_psi * sine / 3.0;
                 (sine / a, cosine / a, eta_psi)
             }
-            Match::Outer => (
+            ConeMatch::Outer => (
                 6.0 * sine / (root * (3.0 - sine)),
                 6.0 * cosine / (root * (3.0 - sine)),
                 6.0 * of_flow / (root * (3.0 - of_flow)),
             ),
-            Match::Inner => (
+            ConeMatch::Inner => (
                 6.0 * sine / (root * (3.0 + sine)),
                 6.0 * cosine / (root * (3.0 + sine)),
                 6.0 * of_flow / (root * (3.0 + of_flow)),
@@ -143,7 +143,7 @@ impl Yielding for DruckerPrager {
         ]
     }
 
-    fn problems(&self) -> Vec<Unfit> {
+    fn problems(&self) -> Vec<InvalidConstant> {
         strength::problems(self.friction, self.dilation, self.cohesion, self.tensile)
     }
 
@@ -161,7 +161,11 @@ impl Yielding for DruckerPrager {
 
     /// The return to the cone; beyond the largest mean stress that to the disc which ends it, along the axis or to its edge.
     #[inline(always)]
-    fn returned<L: Lanes, const D: usize>(&self, trial: &[L; 6], _: &[L]) -> Option<Returned<L>> {
+    fn returned<L: Lanes, const D: usize>(
+        &self,
+        trial: &[L; 6],
+        _: &[L],
+    ) -> Option<ReturnedStress<L>> {
         let zero = L::splat(0.0);
         let [eta, limit, eta_psi] = self.cone;
         let (shear, bulk) = {
@@ -209,7 +213,7 @@ impl Yielding for DruckerPrager {
         // What of the volume is no flow from the cone.
         let swollen = (mean - new_mean) * L::splat(1.0 / bulk);
         let sheared = (radius - new_radius) * L::splat(eta_psi / shear);
-        Some(Returned {
+        Some(ReturnedStress {
             stress: out,
             yields,
             opened: L::select(too_far, (swollen - sheared).max(zero), zero),
@@ -217,8 +221,8 @@ impl Yielding for DruckerPrager {
     }
 
     #[inline(always)]
-    fn tip<L: Lanes>(&self, _: &[L]) -> Tip<L> {
-        Tip {
+    fn tip<L: Lanes>(&self, _: &[L]) -> TensionApex<L> {
+        TensionApex {
             tension: L::splat(self.most),
             radius: L::splat(self.edge()),
         }
@@ -236,7 +240,7 @@ impl Readable for DruckerPrager {
     }];
 
     fn read(values: &[f64], choices: &[usize]) -> Self {
-        let matches = [Match::PlaneStrain, Match::Outer, Match::Inner];
+        let matches = [ConeMatch::PlaneStrain, ConeMatch::Outer, ConeMatch::Inner];
         Self::new(
             values[0],
             values[1],

@@ -14,7 +14,7 @@ pub const GAP: Variable = Variable::scalar("gap", "");
 
 /// The end of a yield surface on the side of tension.
 #[derive(Clone, Copy, Debug)]
-pub struct Tip<L> {
+pub struct TensionApex<L> {
     /// Largest mean stress \[Pa\].
     pub tension: L,
     /// Largest `sqrt(J_2)` under it \[Pa\].
@@ -37,7 +37,7 @@ pub(super) fn close<L: Lanes>(stress: &mut [L; 6], gap: L, bulk: f64) -> L {
 
 /// The stress of a material whose gap stays open, for a trial stress: a tension up to that of the tip and the shear there.
 #[inline(always)]
-pub(super) fn carried<L: Lanes, const D: usize>(trial: &[L; 6], tip: &Tip<L>) -> [L; 6] {
+pub(super) fn carried<L: Lanes, const D: usize>(trial: &[L; 6], tip: &TensionApex<L>) -> [L; 6] {
     let zero = L::splat(0.0);
     let (mean, s) = deviator::<L, D>(trial);
     let radius = second_invariant::<L, D>(&s).sqrt();

@@ -1,6 +1,6 @@
 //! A yield stress along straight lines between marks of plastic strain, as tests of the laboratory give it.
 
-use super::{Curve, Unfit};
+use super::{Curve, InvalidConstant};
 use crate::lanes::Lanes;
 
 /// Most marks of a curve: each costs a comparison in every return.
@@ -118,9 +118,9 @@ impl Marks {
     }
 
     /// What is wrong with a row: the first that is.
-    pub fn problem(&self) -> Option<Unfit> {
+    pub fn problem(&self) -> Option<InvalidConstant> {
         let unfit = |found: String, accepted: String| {
-            Some(Unfit {
+            Some(InvalidConstant {
                 key: CURVE.key,
                 found,
                 accepted,
@@ -152,7 +152,7 @@ impl Marks {
     /// Yield stress \[Pa\] at a plastic strain.
     #[inline(always)]
     pub fn stress_at<L: Lanes>(&self, strain: L) -> L {
-        let piece: InLanes<L> = self.piece(|piece| L::splat(piece.strain).lt(strain));
+        let piece: PieceLanes<L> = self.piece(|piece| L::splat(piece.strain).lt(strain));
         piece.stress_at(strain)
     }
 
@@ -161,15 +161,15 @@ impl Marks {
     #[inline(always)]
     pub fn strain_of_return<L: Lanes>(&self, beyond: L, before: L, stiffness: L) -> L {
         let sum = stiffness.mul_add(before, beyond);
-        let piece: InLanes<L> = self.piece(|piece| L::splat(piece.sum).lt(sum));
+        let piece: PieceLanes<L> = self.piece(|piece| L::splat(piece.sum).lt(sum));
         (beyond - piece.stress_at(before)) / (stiffness + piece.slope)
     }
 
     /// The last piece that has begun; pieces begin one after the other.
     #[inline(always)]
-    fn piece<L: Lanes>(&self, has_begun: impl Fn(&Piece) -> L::Mask) -> InLanes<L> {
+    fn piece<L: Lanes>(&self, has_begun: impl Fn(&Piece) -> L::Mask) -> PieceLanes<L> {
         let first = &self.pieces[0];
-        let mut found = InLanes {
+        let mut found = PieceLanes {
             strain: L::splat(first.strain),
             stress: L::splat(first.stress),
             slope: L::splat(first.slope),
@@ -185,13 +185,13 @@ impl Marks {
 }
 
 /// A piece for each lane.
-struct InLanes<L> {
+struct PieceLanes<L> {
     strain: L,
     stress: L,
     slope: L,
 }
 
-impl<L: Lanes> InLanes<L> {
+impl<L: Lanes> PieceLanes<L> {
     /// The line of the piece, also where it goes on before it.
     #[inline(always)]
     fn stress_at(&self, strain: L) -> L {

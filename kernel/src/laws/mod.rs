@@ -10,26 +10,28 @@ mod gap;
 mod marks;
 pub mod plastic;
 mod point;
-mod pressed;
+mod pressurized_fluid;
 pub mod principal;
 mod state;
-mod stored;
+mod stored_particle;
 mod strain;
 mod strength;
 pub mod tensor;
 
-pub use any::{AnyLaw, Kind, Readable};
+pub use any::{AnyLaw, LawType, Readable};
 pub use band::Band;
-pub use constants::{Accepted, Choice, Constant, Curve, Given, Isotropic, Rows, Unfit};
-pub use drucker_prager::Match;
-pub use gap::{GAP, Tip};
+pub use constants::{
+    Accepted, Choice, Constant, ConstantDefault, Curve, InvalidConstant, Isotropic, Rows,
+};
+pub use drucker_prager::ConeMatch;
+pub use gap::{GAP, TensionApex};
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
-pub use plastic::{Returned, Yielding};
+pub use plastic::{ReturnedStress, Yielding};
 pub use point::{Point, PointFault};
-pub use pressed::{Pressed, UNPRESSED};
+pub use pressurized_fluid::{PressurizedFluid, UNPRESSED};
 pub use state::EquationOfState;
-pub use stored::Stored;
+pub use stored_particle::StoredParticle;
 pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 
@@ -48,7 +50,7 @@ macro_rules! list {
         )*
 
         /// The laws that scene files name.
-        pub static ALL: &[Kind] = &[$(Kind::of::<$law>()),*];
+        pub static ALL: &[LawType] = &[$(LawType::of::<$law>()),*];
     };
 }
 
@@ -100,7 +102,7 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// What of its constants does not go together; each by itself is accepted.
-    fn problems(&self) -> Vec<Unfit> {
+    fn problems(&self) -> Vec<InvalidConstant> {
         vec![]
     }
 
@@ -136,7 +138,7 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// The law of a body that has a stress at the start, for one whose stress follows from the volume: it remembers the volume
-    /// that each particle has without pressure ([`Pressed`]). Particles of a law without one weigh what is pressed into them.
+    /// that each particle has without pressure ([`PressurizedFluid`]). Particles of a law without one weigh what is pressed into them.
     fn pressed(&self) -> Option<AnyLaw> {
         None
     }

@@ -5,7 +5,8 @@ use super::plastic::{deviator, second_invariant};
 use super::principal::components;
 use super::state::{BULK, EXPONENT, EquationOfState};
 use super::{
-    Accepted, AnyLaw, Choice, Constant, Given, Increment, Law, Particle, Pressed, Readable,
+    Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, Particle,
+    PressurizedFluid, Readable,
 };
 use crate::lanes::Lanes;
 use crate::layout::Variable;
@@ -19,7 +20,7 @@ pub(super) const VISCOSITY: Constant = Constant {
     meaning: "Dynamic viscosity",
     unit: "Pa s",
     accepted: Accepted::NotNegative,
-    given: Given::Needed,
+    given: ConstantDefault::Needed,
 };
 
 /// What becomes of a fluid that is drawn apart.
@@ -89,7 +90,7 @@ impl Law for Newtonian {
     }
 
     fn pressed(&self) -> Option<AnyLaw> {
-        Some(Pressed(*self).into())
+        Some(PressurizedFluid(*self).into())
     }
 
     fn parts(&self) -> bool {

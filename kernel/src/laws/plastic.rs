@@ -1,13 +1,14 @@
-//! What laws with a yield surface have in common: an elastic trial stress, its return, and what the way back costs.
+//! Plastic laws: an elastic trial stress, its return to the yield surface, and the plastic work of the return.
 //!
 //! The elastic increment of Hughes and Winget gives a trial stress; a law returns it to its yield surface by the implicit
 //! (backward Euler) rule, sigma = sigma_trial - C : de_p. A particle that does not yield keeps the bits of the trial stress.
 
-use super::gap::{self, Tip};
+use super::gap::{self, TensionApex};
 use super::linear_elastic::strain;
 use super::principal::components;
 use super::{
-    Constant, Curve, Given, Increment, Isotropic, Law, LinearElastic, Particle, Rows, Unfit,
+    Constant, ConstantDefault, Curve, Increment, InvalidConstant, Isotropic, Law, LinearElastic,
+    Particle, Rows,
 };
 use crate::lanes::Lanes;
 use crate::layout::Variable;
@@ -28,12 +29,12 @@ pub(super) const RELAXATION: Constant = Constant {
     meaning: "Time in which a stress beyond the yield surface returns to it (Duvaut and Lions 1972); 0 returns it at once",
     unit: "s",
     accepted: super::Accepted::NotNegative,
-    given: Given::Or(0.0),
+    given: ConstantDefault::Or(0.0),
 };
 
 /// The stress after a return to a yield surface.
 #[derive(Clone, Copy, Debug)]
-pub struct Returned<L: Lanes> {
+pub struct ReturnedStress<L: Lanes> {
     /// The stress that the trial stress returns to, ordered as a law is given a stress \[Pa\].
     pub stress: [L; 6],
     /// The lanes that yield.
@@ -72,7 +73,7 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// See [`Law::problems`].
-    fn problems(&self) -> Vec<Unfit>;
+    fn problems(&self) -> Vec<InvalidConstant>;
 
     /// See [`Law::warnings`].
     fn warnings(&self) -> Vec<String>;
@@ -97,11 +98,11 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<Returned<L>>;
+    ) -> Option<ReturnedStress<L>>;
 
     /// The end of the surface on the side of tension, for a law with a [`Yielding::GAP`]. Must be `#[inline(always)]`.
-    fn tip<L: Lanes>(&self, _variables: &[L]) -> Tip<L> {
-        Tip {
+    fn tip<L: Lanes>(&self, _variables: &[L]) -> TensionApex<L> {
+        TensionApex {
             tension: L::splat(0.0),
             radius: L::splat(0.0),
         }
@@ -126,7 +127,7 @@ impl<Y: Yielding> Law for Y {
         Yielding::curves(self)
     }
 
-    fn problems(&self) -> Vec<Unfit> {
+    fn problems(&self) -> Vec<InvalidConstant> {
         Yielding::problems(self)
     }
 
@@ -174,7 +175,7 @@ impl<Y: Yielding> Law for Y {
             returned = Some(opened::<L, Y, D>(self, stress, variables, gap, returned));
         }
         let volume = increment.volume / increment.mass * L::splat(increment.density);
-        if let Some(Returned {
+        if let Some(ReturnedStress {
             stress: mut after,
             yields,
             mut opened,
@@ -265,8 +266,8 @@ fn opened<L: Lanes, Y: Yielding, const D: usize>(
     trial: &[L; 6],
     variables: &[L],
     gap: usize,
-    returned: Option<Returned<L>>,
-) -> Returned<L> {
+    returned: Option<ReturnedStress<L>>,
+) -> ReturnedStress<L> {
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let afloat = zero.lt(variables[gap]);
     let mut stress = gap::carried::<L, D>(trial, &law.tip(variables));
@@ -279,7 +280,7 @@ fn opened<L: Lanes, Y: Yielding, const D: usize>(
         yields = zero.lt(either);
         opened = otherwise.opened;
     }
-    Returned {
+    ReturnedStress {
         stress,
         yields,
         opened,
@@ -287,7 +288,7 @@ fn opened<L: Lanes, Y: Yielding, const D: usize>(
 }
 
 /// What lies between a trial stress and the stress after it.
-struct WayBack<L> {
+struct ReturnPath<L> {
     /// Plastic deviatoric strain, sqrt(2/3 e : e) of the deviator e of the plastic strain increment.
     strain: L,
     /// Plastic work per volume \[J/m³\], sigma : de_p with the stress after the step.
@@ -306,7 +307,7 @@ fn way_back<L: Lanes, const D: usize>(
     trial: &[L; 6],
     after: &[L; 6],
     strain: &[L; 6],
-) -> WayBack<L> {
+) -> ReturnPath<L> {
     let third = L::splat(1.0 / 3.0);
     let mut change = [L::splat(0.0); 6];
     for slot in 0..components(D) {
@@ -332,7 +333,7 @@ fn way_back<L: Lanes, const D: usize>(
     let bulk = elasticity.bulk();
     let dilation = mean_change * L::splat(1.0 / bulk);
     let undone = square.mul_add(L::splat(1.0 / (2.0 * shear)), mean_change * dilation);
-    WayBack {
+    ReturnPath {
         strain: square.sqrt() * L::splat((2.0_f64 / 3.0).sqrt() / (2.0 * shear)),
         work: product.mul_add(L::splat(1.0 / (2.0 * shear)), mean * dilation),
         algorithmic: L::splat(0.5) * (undone - whole),

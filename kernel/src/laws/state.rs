@@ -1,6 +1,6 @@
 //! The pressure of a fluid as a function of its volume.
 
-use super::{Accepted, Constant, Given, Increment};
+use super::{Accepted, Constant, ConstantDefault, Increment};
 use crate::lanes::{Lanes, functions};
 
 /// Bulk modulus of a fluid.
@@ -9,7 +9,7 @@ pub(super) const BULK: Constant = Constant {
     meaning: "Bulk modulus of the fluid",
     unit: "Pa",
     accepted: Accepted::Positive,
-    given: Given::Needed,
+    given: ConstantDefault::Needed,
 };
 
 /// Exponent of Tait's equation.
@@ -18,7 +18,7 @@ pub(super) const EXPONENT: Constant = Constant {
     meaning: "Exponent n of the pressure K/n (J^-n - 1) of a volume ratio J (Tait); 0 is its limit, -K ln J",
     unit: "",
     accepted: Accepted::NotNegative,
-    given: Given::Or(0.0),
+    given: ConstantDefault::Or(0.0),
 };
 
 /// Volume strain up to which energy is a power series: beyond, the closed form has lost no digits.

@@ -4,7 +4,9 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{AnyLaw, Constant, Curve, Increment, Law, Particle, Rows, Stored, Unfit};
+use super::{
+    AnyLaw, Constant, Curve, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle,
+};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -105,7 +107,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// See [`Law::NEEDS_DEFORMATION`].
     fn needs_deformation(&self) -> bool;
     /// See [`Law::problems`].
-    fn problems(&self) -> Vec<Unfit>;
+    fn problems(&self) -> Vec<InvalidConstant>;
     /// See [`Law::warnings`].
     fn warnings(&self) -> Vec<String>;
     /// See [`Law::in_cells`].
@@ -125,7 +127,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// See [`Law::energy`].
     fn energy(&self, particle: &Particle<'_>) -> f64;
     /// The same of a particle where it is stored.
-    fn energy_of(&self, particle: &Stored<'_>) -> f64;
+    fn energy_of(&self, particle: &StoredParticle<'_>) -> f64;
     /// See [`Law::dissipated`].
     fn dissipated(&self, particle: &Particle<'_>) -> f64;
     /// See [`Law::algorithmic`].
@@ -157,7 +159,7 @@ impl<M: Law> Strain for M {
     fn needs_deformation(&self) -> bool {
         M::NEEDS_DEFORMATION
     }
-    fn problems(&self) -> Vec<Unfit> {
+    fn problems(&self) -> Vec<InvalidConstant> {
         Law::problems(self)
     }
     fn warnings(&self) -> Vec<String> {
@@ -187,7 +189,7 @@ impl<M: Law> Strain for M {
     fn energy(&self, particle: &Particle<'_>) -> f64 {
         Law::energy(self, particle)
     }
-    fn energy_of(&self, particle: &Stored<'_>) -> f64 {
+    fn energy_of(&self, particle: &StoredParticle<'_>) -> f64 {
         particle.ask(|particle| Law::energy(self, particle))
     }
     fn dissipated(&self, particle: &Particle<'_>) -> f64 {
@@ -197,7 +199,7 @@ impl<M: Law> Strain for M {
         Law::algorithmic(self, particle)
     }
     fn speed_squared(&self, particle: &Particle<'_>) -> f64 {
-        Selected::any().run(AtRest(self, particle))
+        Selected::any().run(RestWaveSpeed(self, particle))
     }
     fn equals(&self, other: &dyn Strain) -> bool {
         let other: &dyn Any = other;
@@ -205,17 +207,17 @@ impl<M: Law> Strain for M {
     }
     fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> Strained {
         if block.layout.axes == 2 {
-            lanes.run(OfBlock::<M, 2>(self, block))
+            lanes.run(StrainKernel::<M, 2>(self, block))
         } else {
-            lanes.run(OfBlock::<M, 3>(self, block))
+            lanes.run(StrainKernel::<M, 3>(self, block))
         }
     }
 }
 
 /// The wave speed of one particle that does not strain.
-struct AtRest<'a, M>(&'a M, &'a Particle<'a>);
+struct RestWaveSpeed<'a, M>(&'a M, &'a Particle<'a>);
 
-impl<M: Law> Kernel for AtRest<'_, M> {
+impl<M: Law> Kernel for RestWaveSpeed<'_, M> {
     type Output = f64;
 
     #[inline(always)]
@@ -271,9 +273,9 @@ const fn components(variables: &[Variable]) -> usize {
 }
 
 /// The strain of a block as a kernel, for laws of one type.
-struct OfBlock<'a, 'b, 'm, M, const D: usize>(pub &'m M, pub Block<'a, 'b>);
+struct StrainKernel<'a, 'b, 'm, M, const D: usize>(pub &'m M, pub Block<'a, 'b>);
 
-impl<M: Law, const D: usize> Kernel for OfBlock<'_, '_, '_, M, D> {
+impl<M: Law, const D: usize> Kernel for StrainKernel<'_, '_, '_, M, D> {
     type Output = Strained;
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! Friction, cohesion, dilation and tensile strength, as the laws of soils and rocks share them.
 
-use super::{Accepted, Constant, Given, Unfit};
+use super::{Accepted, Constant, ConstantDefault, InvalidConstant};
 
 /// The angle of friction.
 pub(super) const FRICTION: Constant = Constant {
@@ -8,7 +8,7 @@ pub(super) const FRICTION: Constant = Constant {
     meaning: "Angle of internal friction",
     unit: "°",
     accepted: Accepted::From(0.0, 90.0),
-    given: Given::Needed,
+    given: ConstantDefault::Needed,
 };
 
 /// The cohesion.
@@ -17,7 +17,7 @@ pub(super) const COHESION: Constant = Constant {
     meaning: "Cohesion",
     unit: "Pa",
     accepted: Accepted::NotNegative,
-    given: Given::Needed,
+    given: ConstantDefault::Needed,
 };
 
 /// The angle of dilation.
@@ -26,7 +26,7 @@ pub(super) const DILATION: Constant = Constant {
     meaning: "Angle of dilation, at most that of friction",
     unit: "°",
     accepted: Accepted::Between(-90.0, 90.0),
-    given: Given::Or(0.0),
+    given: ConstantDefault::Or(0.0),
 };
 
 /// The tensile strength.
@@ -35,7 +35,7 @@ pub(super) const TENSILE: Constant = Constant {
     meaning: "Tensile strength; 0 stands for the greatest that friction and cohesion admit, c cot(phi)",
     unit: "Pa",
     accepted: Accepted::NotNegative,
-    given: Given::Or(0.0),
+    given: ConstantDefault::Or(0.0),
 };
 
 /// Sine and cosine of an angle in degrees.
@@ -84,10 +84,15 @@ pub(super) fn warnings(friction: f64, dilation: f64) -> Vec<String> {
 }
 
 /// What does not go together.
-pub(super) fn problems(friction: f64, dilation: f64, cohesion: f64, tensile: f64) -> Vec<Unfit> {
+pub(super) fn problems(
+    friction: f64,
+    dilation: f64,
+    cohesion: f64,
+    tensile: f64,
+) -> Vec<InvalidConstant> {
     let mut found = vec![];
     if dilation > friction {
-        found.push(Unfit {
+        found.push(InvalidConstant {
             key: DILATION.key,
             found: format!(
                 "{dilation}, more than the friction of {friction} [°]: flow would do negative work"
@@ -96,7 +101,7 @@ pub(super) fn problems(friction: f64, dilation: f64, cohesion: f64, tensile: f64
         });
     }
     if friction == 0.0 && cohesion == 0.0 {
-        found.push(Unfit {
+        found.push(InvalidConstant {
             key: COHESION.key,
             found: "0 with a friction of 0: no strength at all".to_owned(),
             accepted: "a number greater than 0 [Pa], or a friction greater than 0".to_owned(),
@@ -106,7 +111,7 @@ pub(super) fn problems(friction: f64, dilation: f64, cohesion: f64, tensile: f64
     let most = apex(sine, cosine, cohesion);
     // Printed numbers may lie a rounding above it.
     if tensile > most * (1.0 + 1e-9) {
-        found.push(Unfit {
+        found.push(InvalidConstant {
             key: TENSILE.key,
             found: format!("{tensile}, more than friction and cohesion admit"),
             accepted: format!("a number up to c cot(phi) = {most} [Pa]"),

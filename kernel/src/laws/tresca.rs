@@ -1,9 +1,9 @@
 //! Elasticity that yields by the criterion of Tresca: Mohr and Coulomb without friction.
 
-use super::gap::Tip;
-use super::plastic::{RELAXATION, Returned, Yielding};
+use super::gap::TensionApex;
+use super::plastic::{RELAXATION, ReturnedStress, Yielding};
 use super::strength::{COHESION, TENSILE};
-use super::{Constant, LinearElastic, MohrCoulomb, Readable, Unfit};
+use super::{Constant, InvalidConstant, LinearElastic, MohrCoulomb, Readable};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 
@@ -53,7 +53,7 @@ impl Yielding for Tresca {
         vec![of[0], of[1], of[3], of[5], of[7]]
     }
 
-    fn problems(&self) -> Vec<Unfit> {
+    fn problems(&self) -> Vec<InvalidConstant> {
         Yielding::problems(&self.0)
     }
 
@@ -74,12 +74,12 @@ impl Yielding for Tresca {
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<Returned<L>> {
+    ) -> Option<ReturnedStress<L>> {
         self.0.returned::<L, D>(trial, variables)
     }
 
     #[inline(always)]
-    fn tip<L: Lanes>(&self, variables: &[L]) -> Tip<L> {
+    fn tip<L: Lanes>(&self, variables: &[L]) -> TensionApex<L> {
         self.0.tip(variables)
     }
 }

@@ -1,10 +1,11 @@
 //! Elasticity that yields by the criterion of von Mises, with isotropic hardening.
 
 use super::marks::{CURVE, Marks};
-use super::plastic::{RELAXATION, Returned, Yielding, deviator, second_invariant};
+use super::plastic::{RELAXATION, ReturnedStress, Yielding, deviator, second_invariant};
 use super::principal::components;
 use super::{
-    Accepted, Band, Choice, Constant, Curve, Given, LinearElastic, Readable, Rows, Unfit, band,
+    Accepted, Band, Choice, Constant, ConstantDefault, Curve, InvalidConstant, LinearElastic,
+    Readable, Rows, band,
 };
 use crate::lanes::{Lanes, functions};
 
@@ -142,28 +143,28 @@ impl Yielding for VonMises {
             meaning: "Stress at which it yields in uniaxial tension",
             unit: "Pa",
             accepted: Accepted::Positive,
-            given: Given::Needed,
+            given: ConstantDefault::Needed,
         },
         Constant {
             key: "hardening",
             meaning: "Growth of the yield stress with the plastic strain; negative where it softens",
             unit: "Pa",
             accepted: Accepted::Finite,
-            given: Given::Or(0.0),
+            given: ConstantDefault::Or(0.0),
         },
         Constant {
             key: "hardening.saturation",
             meaning: "Growth of the yield stress that saturates with the plastic strain (Voce)",
             unit: "Pa",
             accepted: Accepted::NotNegative,
-            given: Given::Or(0.0),
+            given: ConstantDefault::Or(0.0),
         },
         Constant {
             key: "hardening.rate",
             meaning: "How fast it saturates: it lacks exp(-rate times plastic strain) of its end",
             unit: "",
             accepted: Accepted::NotNegative,
-            given: Given::Or(0.0),
+            given: ConstantDefault::Or(0.0),
         },
         RELAXATION,
         band::WIDTH,
@@ -192,7 +193,7 @@ impl Yielding for VonMises {
         vec![self.marks.rows().to_vec()]
     }
 
-    fn problems(&self) -> Vec<Unfit> {
+    fn problems(&self) -> Vec<InvalidConstant> {
         let most = self.stiffness();
         let rows = self.marks.problem();
         let falls = (rows.is_none()).then(|| self.marks.steepest(self.yield_stress));
@@ -203,7 +204,7 @@ impl Yielding for VonMises {
                 _ => format!("rows with a slope of {slope}"),
             };
             Some(if unfit.key == key {
-                Unfit {
+                InvalidConstant {
                     found: format!("{}, softening that no point can bear", slope(-fall)),
                     accepted: format!("a number greater than -3 G = {} [Pa]", -most),
                     ..unfit
@@ -212,7 +213,7 @@ impl Yielding for VonMises {
                 unfit
             })
         };
-        let both = (!self.marks.is_empty() && self.saturation != 0.0).then(|| Unfit {
+        let both = (!self.marks.is_empty() && self.saturation != 0.0).then(|| InvalidConstant {
             key: CURVE.key,
             found: "rows beside a growth that saturates".to_owned(),
             accepted: "no rows, or a `hardening.saturation` of 0".to_owned(),
@@ -254,7 +255,7 @@ impl Yielding for VonMises {
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<Returned<L>> {
+    ) -> Option<ReturnedStress<L>> {
         let (mean, s) = deviator::<L, D>(trial);
         let q = (L::splat(3.0) * second_invariant::<L, D>(&s)).sqrt();
         let zero = L::splat(0.0);
@@ -297,7 +298,7 @@ impl Yielding for VonMises {
                 s[slot] * ratio
             };
         }
-        Some(Returned {
+        Some(ReturnedStress {
             stress: out,
             yields,
             opened: zero,

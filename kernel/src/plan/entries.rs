@@ -1,7 +1,7 @@
-//! What the plan says of each thing that it keeps or leaves out, and why.
+//! Entries of the plan: each thing that it keeps or leaves out, and why.
 
 use super::stability::has_safe_step;
-use super::{Demands, Entry, Feature, Plan};
+use super::{Feature, Plan, PlanEntry, PlanOptions};
 use crate::layout::Layout;
 use crate::number::Number;
 use crate::scene::{Body, Dimension, Scene, Shape, StressScheme};
@@ -11,10 +11,10 @@ impl Plan {
     pub(super) fn describe(
         &self,
         scene: &Scene,
-        demands: Demands,
+        demands: PlanOptions,
         features: &[Feature],
-    ) -> Vec<Entry> {
-        let mut list = Words(vec![]);
+    ) -> Vec<PlanEntry> {
+        let mut list = PlanEntries(vec![]);
         let dimension = match scene.dimension {
             Dimension::Two => "2D, plane strain",
             Dimension::Three => "3D",
@@ -154,11 +154,11 @@ pub(super) fn is_list(body: &Body) -> bool {
 }
 
 /// The list as it grows.
-pub(crate) struct Words(Vec<Entry>);
+pub(crate) struct PlanEntries(Vec<PlanEntry>);
 
-impl Words {
+impl PlanEntries {
     pub(crate) fn keep(&mut self, group: &'static str, name: &str, because: &str) {
-        self.0.push(Entry {
+        self.0.push(PlanEntry {
             group,
             name: name.into(),
             kept: true,
@@ -167,7 +167,7 @@ impl Words {
     }
 
     pub(crate) fn leave(&mut self, group: &'static str, name: &str, because: &str) {
-        self.0.push(Entry {
+        self.0.push(PlanEntry {
             group,
             name: name.into(),
             kept: false,

@@ -1,4 +1,4 @@
-//! What a scene may do, but not well.
+//! Warnings of the plan: scenes that are allowed but have a known error.
 
 mod beside;
 mod layer;

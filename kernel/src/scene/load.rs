@@ -1,4 +1,4 @@
-//! What acts on the bodies from outside: base motion, forces, tractions.
+//! Loads on the bodies from outside: base motion, forces, tractions.
 
 use super::{Mesh, Vector};
 use std::ops::Range;

@@ -2,7 +2,7 @@
 
 use super::{Body, History, Scene};
 use crate::mortar::boundary::Chain;
-use crate::mortar::motion::Follow;
+use crate::mortar::motion::FollowMode;
 use crate::mortar::points::Detection;
 use crate::surface::Surface;
 use std::f64::consts::PI;
@@ -29,7 +29,7 @@ pub struct BodyBoundary {
     /// Where the vertices are at the start.
     pub vertices: Vertices,
     /// How they follow.
-    pub follow: Follow,
+    pub follow: FollowMode,
 }
 
 /// Vertices of a boundary. In three dimensions triangles that lie in planes of the mesh that are not free are left out:

@@ -1,4 +1,4 @@
-//! What is written, and what happens to particles that leave.
+//! Results to be written, and the fate of particles that leave.
 
 use super::Vector;
 

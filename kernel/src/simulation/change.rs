@@ -6,7 +6,7 @@
 
 use super::Simulation;
 use super::error::SetupError;
-use super::interactions::grid::State;
+use super::interactions::grid::GridContact;
 use super::interactions::mortar::MortarState;
 use super::setup::fastest;
 use crate::scene::{Damping, History, Vector};
@@ -19,7 +19,7 @@ impl Simulation {
     /// # Errors
     /// A component that is not finite, or one along an axis that does not exist.
     pub fn set_gravity(&mut self, gravity: Vector) -> Result<(), SetupError> {
-        let flat = gravity[self.decided.plan.axes..].iter().all(|g| *g == 0.0);
+        let flat = gravity[self.model.plan.axes..].iter().all(|g| *g == 0.0);
         if !flat || gravity.iter().any(|g| !g.is_finite()) {
             return Err(refused(
                 "gravity",
@@ -27,10 +27,10 @@ impl Simulation {
             ));
         }
         let before = self.dead_load_potential();
-        self.state.books.external_work += before - self.state.books.dead_load_origin;
-        self.decided.scene.gravity = gravity;
+        self.state.ledger.external_work += before - self.state.ledger.dead_load_origin;
+        self.model.scene.gravity = gravity;
         self.set_conditions()?;
-        self.state.books.dead_load_origin = self.dead_load_potential();
+        self.state.ledger.dead_load_origin = self.dead_load_potential();
         Ok(())
     }
 
@@ -46,21 +46,21 @@ impl Simulation {
             ));
         }
         if let Some(entry) = self
-            .decided
+            .model
             .scene
             .contacts
             .iter_mut()
             .find(|c| c.id == contact)
         {
             entry.friction = friction;
-            if let Some(State { pairs, .. }) = self.interaction_mut() {
+            if let Some(GridContact { pairs, .. }) = self.interaction_mut() {
                 for pair in pairs.iter_mut().filter(|p| p.id == contact) {
                     pair.friction = friction;
                 }
             }
             return Ok(());
         }
-        let mut contacts = self.decided.scene.mortar.contacts.iter_mut();
+        let mut contacts = self.model.scene.mortar.contacts.iter_mut();
         let Some(entry) = contacts.find(|c| c.id == contact) else {
             return Err(refused(
                 "contact",
@@ -96,8 +96,8 @@ impl Simulation {
                 &format!("{friction}; accepted: a finite number, 0 or greater"),
             ));
         }
-        let count = self.decided.scene.surfaces.len();
-        let Some(entry) = self.decided.scene.surfaces.get_mut(surface) else {
+        let count = self.model.scene.surfaces.len();
+        let Some(entry) = self.model.scene.surfaces.get_mut(surface) else {
             return Err(refused(
                 "surface",
                 &format!("{surface}; accepted: below {count}, the number of surfaces"),
@@ -113,7 +113,7 @@ impl Simulation {
     /// # Errors
     /// No such body, or a history that is empty or not finite or whose times do not increase.
     pub fn set_motion(&mut self, body: i64, motion: Option<History>) -> Result<(), SetupError> {
-        let Some(index) = self.decided.bodies.iter().position(|b| b.id == body) else {
+        let Some(index) = self.model.bodies.iter().position(|b| b.id == body) else {
             return Err(refused(
                 "body",
                 &format!("{body}, which no body has as its id"),
@@ -132,12 +132,12 @@ impl Simulation {
                 ));
             }
         }
-        self.decided.scene.bodies[index].motion.clone_from(&motion);
-        self.decided.bodies[index].keeps_shape &= motion.is_some();
-        self.decided.bodies[index].motion = motion;
+        self.model.scene.bodies[index].motion.clone_from(&motion);
+        self.model.bodies[index].keeps_shape &= motion.is_some();
+        self.model.bodies[index].motion = motion;
         self.state.start_spin = None;
         let found = &mut self.state.found[index];
-        let fastest = fastest(&self.decided.scene.bodies[index]);
+        let fastest = fastest(&self.model.scene.bodies[index]);
         found.speed_squared = found.speed_squared.max(fastest);
         let Ok(()) = self.each::<Infallible>(|one, simulation| {
             one.motion_changed(simulation, index);
@@ -153,7 +153,7 @@ impl Simulation {
     /// A factor outside 0 to 1, or a scene with another kind of damping.
     pub fn set_local_damping(&mut self, alpha: Option<f64>) -> Result<(), SetupError> {
         if matches!(
-            self.decided.scene.damping,
+            self.model.scene.damping,
             Damping::Kinetic | Damping::Viscous { .. }
         ) {
             return Err(refused("damping", "the scene has another kind of damping"));
@@ -165,7 +165,7 @@ impl Simulation {
             ));
         }
         self.state.start_spin = None;
-        self.decided.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
+        self.model.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
         self.set_conditions()
     }
 }

@@ -1,7 +1,7 @@
 //! The choice of the time step.
 
 use super::Simulation;
-use super::error::{StepError, StepErrorKind, Unstable};
+use super::error::{StepError, StepErrorKind, TimeStepAboveCritical};
 use super::interactions::Interaction;
 use super::phase::Phase;
 use crate::laws::UNPRESSED;
@@ -170,14 +170,14 @@ impl Limits {
 impl Simulation {
     /// The shortest side of a cell \[m\].
     pub(super) fn smallest_cell(&self) -> f64 {
-        let cell = &self.decided.scene.mesh.cell[..self.decided.plan.axes];
+        let cell = &self.model.scene.mesh.cell[..self.model.plan.axes];
         cell.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// The step that would be taken now if nothing interacted \[s\].
     pub(super) fn free_step(&self) -> f64 {
         let limits = self.free_limits();
-        match self.decided.scene.time_step {
+        match self.model.scene.time_step {
             TimeStep::Automatic => limits.automatic(),
             TimeStep::Multiplier { multiplier, .. } => limits.multiple(multiplier, self),
             TimeStep::Fixed { dt, .. } => dt,
@@ -236,13 +236,13 @@ impl Simulation {
 
     /// Largest rate of viscous damping of a body that moves freely \[1/s\].
     fn viscous_rate(&self) -> f64 {
-        let free = self.decided.bodies.iter().filter(|b| b.motion.is_none());
+        let free = self.model.bodies.iter().filter(|b| b.motion.is_none());
         free.map(|body| body.viscous_rate).fold(0.0, f64::max)
     }
 
     /// Factor of local damping; 0 without.
     fn local_damping(&self) -> f64 {
-        match self.decided.scene.damping {
+        match self.model.scene.damping {
             Damping::Local { alpha } => alpha,
             Damping::None | Damping::Viscous { .. } | Damping::Kinetic => 0.0,
         }
@@ -251,7 +251,7 @@ impl Simulation {
     /// Largest longitudinal viscosity of a particle over its density \[m²/s\].
     fn diffusivity(&self) -> f64 {
         let mut most = 0.0_f64;
-        for (body, set) in self.decided.bodies.iter().zip(&self.state.sets) {
+        for (body, set) in self.model.bodies.iter().zip(&self.state.sets) {
             let viscosity = body.law.viscosity();
             if viscosity > 0.0 && body.motion.is_none() {
                 let [mass, volume] =
@@ -272,23 +272,23 @@ impl Simulation {
 
     /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
     fn acceleration(&self) -> f64 {
-        length(&self.decided.scene.gravity) + self.decided.load_acceleration
+        length(&self.model.scene.gravity) + self.model.load_acceleration
     }
 
     /// [`stability_number`] of the scene.
     #[must_use]
     pub fn stability_number(&self) -> f64 {
         let smallest = self
-            .decided
+            .model
             .bodies
             .iter()
-            .flat_map(|body| &body.mapping.half_length[..self.decided.plan.axes])
+            .flat_map(|body| &body.mapping.half_length[..self.model.plan.axes])
             .copied()
             .fold(f64::INFINITY, f64::min);
         stability_number(
-            self.decided.scene.weighting,
-            self.decided.scene.scheme,
-            self.decided.scene.transfer.kind,
+            self.model.scene.weighting,
+            self.model.scene.scheme,
+            self.model.scene.transfer.kind,
             smallest,
         )
     }
@@ -304,12 +304,12 @@ impl Simulation {
     }
 
     /// The step that would be taken now without regard to output times, or why it is refused.
-    pub(super) fn propose(&self) -> Result<(f64, f64, Bound), Unstable> {
+    pub(super) fn propose(&self) -> Result<(f64, f64, Bound), TimeStepAboveCritical> {
         let limits = self.limits();
         let (critical, automatic) = (limits.critical(), limits.automatic());
         let steps = self.interactions().map(Interaction::closing_step);
         let closing = CLOSING_SHARE * steps.fold(f64::INFINITY, f64::min);
-        let (dt, bound, allow) = match self.decided.scene.time_step {
+        let (dt, bound, allow) = match self.model.scene.time_step {
             TimeStep::Automatic if closing < automatic => (closing, Bound::Closing, false),
             TimeStep::Automatic if self.grown(closing) < automatic => {
                 (self.grown(closing), Bound::Contact, false)
@@ -330,7 +330,7 @@ impl Simulation {
         };
         // Round-off must not refuse a step that was chosen to be exactly critical.
         if dt > critical * (1.0 + 1e-9) && !allow {
-            return Err(Unstable {
+            return Err(TimeStepAboveCritical {
                 dt,
                 critical,
                 wave_speed: limits.wave_speed,

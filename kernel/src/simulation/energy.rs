@@ -1,4 +1,4 @@
-//! The energy balance: what was given, what is there, and where the rest went.
+//! The energy balance: external work, stored and kinetic energy, and the channels of dissipation.
 //!
 //! Velocities are half a step behind positions (leapfrog), while work and strain energy are those of the positions. So the
 //! kinetic energy of the balance is brought to their time: the forces at the present positions are mapped once more, and
@@ -10,7 +10,7 @@
 //! were removed. What no channel accounts for is the remainder: the transfer between particles and nodes, friction of mortar contact,
 //! velocities that boundary planes stop, and errors of the time integration.
 
-use super::conditions::Acting;
+use super::conditions::NodalConditions;
 use super::error::StepError;
 use super::interactions::grid::{self, faces::Faces};
 use super::interactions::{Interaction, Interactions};
@@ -83,18 +83,18 @@ struct HalfStep {
 impl Simulation {
     /// Begins the energy balance.
     pub(super) fn open_ledger(&mut self) {
-        self.state.books.dead_load_origin = self.dead_load_potential();
-        self.state.books.initial_energy = self.kinetic_energy() + self.strain_energy();
+        self.state.ledger.dead_load_origin = self.dead_load_potential();
+        self.state.ledger.initial_energy = self.kinetic_energy() + self.strain_energy();
         self.state.start_spin = self.spin();
     }
 
     /// Adds the work and the losses of this step to the balance. Loads do work over the time that positions move.
     pub(super) fn update_energy(&mut self, drift: &Drift) {
-        let (books, sums) = (&mut self.state.books, &self.work.sums);
-        books.external_work += sums.power * drift.time;
-        books.damping += sums.damping;
-        books.friction += sums.friction;
-        books.impact += sums.impact;
+        let (ledger, sums) = (&mut self.state.ledger, &self.work.sums);
+        ledger.external_work += sums.power * drift.time;
+        ledger.damping += sums.damping;
+        ledger.friction += sums.friction;
+        ledger.impact += sums.impact;
     }
 
     /// The energy balance at the time of the positions. It costs about as much as a step, and changes nothing.
@@ -121,10 +121,10 @@ impl Simulation {
     }
 
     fn balance(&self, missing: &HalfStep) -> Energy {
-        let books = &self.state.books;
+        let ledger = &self.state.ledger;
         let [kinetic, strain, load] = self.energies();
         let kinetic = kinetic + missing.kinetic;
-        let external_work = books.external_work + load - books.dead_load_origin;
+        let external_work = ledger.external_work + load - ledger.dead_load_origin;
         // What is stored at the start is known from the first step on.
         let at_start = if self.state.clock.step == 0 {
             missing.stored
@@ -132,10 +132,10 @@ impl Simulation {
             0.0
         };
         let present = kinetic + strain + missing.stored;
-        let dissipated = books.initial_energy + at_start + external_work - present;
-        let damping = books.damping + missing.sums.damping;
-        let friction = books.friction + missing.sums.friction;
-        let impact = books.impact + missing.sums.impact;
+        let dissipated = ledger.initial_energy + at_start + external_work - present;
+        let damping = ledger.damping + missing.sums.damping;
+        let friction = ledger.friction + missing.sums.friction;
+        let impact = ledger.impact + missing.sums.impact;
         let plastic = self.plastic_work();
         Energy {
             kinetic,
@@ -147,16 +147,16 @@ impl Simulation {
             friction,
             impact,
             plastic,
-            removed: books.removed,
+            removed: ledger.removed,
             algorithmic: self.algorithmic_work(),
-            remainder: dissipated - damping - friction - impact - plastic - books.removed,
+            remainder: dissipated - damping - friction - impact - plastic - ledger.removed,
         }
     }
 
     /// Kinetic energy by which bodies whose motion is prescribed are ahead of their particles' velocities \[J\].
     fn driven_ahead(&self) -> f64 {
         let now = self.state.clock.time;
-        let bodies = self.state.sets.iter().zip(&self.decided.bodies);
+        let bodies = self.state.sets.iter().zip(&self.model.bodies);
         bodies
             .filter_map(|(set, body)| {
                 let v = history_value(body.motion.as_ref()?, now);
@@ -178,7 +178,7 @@ impl Simulation {
         if !mappable {
             return None;
         }
-        let kept = Kept::take(self);
+        let kept = NodalSnapshot::take(self);
         let found = self.led(|simulation| simulation.act_for_half_step(behind));
         kept.put_back(self);
         found.ok()
@@ -195,22 +195,22 @@ impl Simulation {
         }
         let clock = self.state.clock;
         let times = [self.velocity_time(), clock.time];
-        let acting = self.nodal_conditions_over(0.5 * clock.dt_before, times, clock.dt_before);
-        self.complete_solve(&acting)?;
+        let nodal = self.nodal_conditions_over(0.5 * clock.dt_before, times, clock.dt_before);
+        self.complete_solve(&nodal)?;
         Ok(HalfStep {
-            kinetic: self.change_of_kinetic_energy(&acting),
+            kinetic: self.change_of_kinetic_energy(&nodal),
             stored,
             sums: self.work.sums,
         })
     }
 
     /// By how much the kinetic energy of all fields that move freely has changed in the last equation of motion \[J\].
-    fn change_of_kinetic_energy(&self, acting: &Acting) -> f64 {
+    fn change_of_kinetic_energy(&self, nodal: &NodalConditions) -> f64 {
         let grid = &self.work.grid;
-        let driven = |body: usize| self.decided.bodies[body].motion.is_some();
+        let driven = |body: usize| self.model.bodies[body].motion.is_some();
         let mut sum = 0.0;
         for (node, line) in grid.free_nodes(driven) {
-            if is_ghost(&grid.shape, &acting.walls, grid.shape.indices(node)) {
+            if is_ghost(&grid.shape, &nodal.walls, grid.shape.indices(node)) {
                 continue;
             }
             for axis in 0..3 {
@@ -222,8 +222,8 @@ impl Simulation {
     }
 }
 
-/// What acting for half a step changes and is put back.
-pub(super) struct Kept {
+/// Snapshot of all that acting for half a step changes, to be put back.
+pub(super) struct NodalSnapshot {
     interactions: Interactions,
     groups: Groups,
     sums: PlaneSums,
@@ -234,7 +234,7 @@ pub(super) struct Kept {
     forces: Vec<Vec<Vec<f64>>>,
 }
 
-impl Kept {
+impl NodalSnapshot {
     pub(super) fn take(simulation: &mut Simulation) -> Self {
         // Surfaces of bodies in contact are found anew in each visit, and a copy would be as large as the mesh.
         let faces = simulation.take_faces();
@@ -306,14 +306,14 @@ pub(super) fn kinetic_energy(set: &ParticleSet) -> f64 {
 
 impl Simulation {
     fn take_faces(&mut self) -> Faces {
-        let state = self.interaction_mut::<grid::State>();
+        let state = self.interaction_mut::<grid::GridContact>();
         state
             .map(|state| std::mem::take(&mut state.faces))
             .unwrap_or_default()
     }
 
     fn give_faces(&mut self, faces: Faces) {
-        if let Some(state) = self.interaction_mut::<grid::State>() {
+        if let Some(state) = self.interaction_mut::<grid::GridContact>() {
             state.faces = faces;
         }
     }

@@ -1,7 +1,7 @@
-//! What can go wrong at set-up and in a step.
+//! Errors at set-up and in a step.
 
+use super::invariants::Violation;
 use super::tension::Tension;
-use super::trust::Doubt;
 use crate::memory::OutOfMemory;
 use crate::number::Number;
 use std::fmt;
@@ -22,7 +22,7 @@ pub enum SetupError {
     /// The machine lacks the lanes that were asked for.
     Lanes(crate::lanes::LanesUnavailable),
     /// The prescribed time step is above the critical one at the start.
-    UnstableTimeStep(Unstable),
+    UnstableTimeStep(TimeStepAboveCritical),
     /// A load does not fit the mesh, or a material does not bear an initial stress.
     Load {
         /// Which load, as a path into the scene.
@@ -45,7 +45,7 @@ pub enum SetupError {
     /// The thread pool could not be made.
     Threads(String),
     /// Pairs of contact whose bodies overlap at the start.
-    Overlap(Vec<Overlapping>),
+    Overlap(Vec<InitialOverlap>),
     /// A boundary or pair of mortar contact that cannot be used.
     Mortar {
         /// Which, as in the scene.
@@ -64,7 +64,7 @@ pub enum SetupError {
 
 /// Two bodies in contact that overlap at the start.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Overlapping {
+pub struct InitialOverlap {
     /// Name of the contact, as a path into the scene.
     pub contact: String,
     /// Identifiers of master and slave.
@@ -77,7 +77,7 @@ pub struct Overlapping {
 
 /// A time step above the critical one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unstable {
+pub struct TimeStepAboveCritical {
     /// Time step \[s\].
     pub dt: f64,
     /// Critical time step of the scheme \[s\].
@@ -94,7 +94,7 @@ pub struct Unstable {
     pub local_damping: f64,
 }
 
-impl fmt::Display for Unstable {
+impl fmt::Display for TimeStepAboveCritical {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
@@ -146,7 +146,7 @@ impl fmt::Display for SetupError {
             Self::Overlap(all) => {
                 for (
                     i,
-                    Overlapping {
+                    InitialOverlap {
                         contact,
                         bodies: [master, slave],
                         depth,
@@ -201,7 +201,7 @@ pub enum StepErrorKind {
     /// A particle left the mesh.
     Outside(ParticleAt),
     /// The prescribed time step exceeds the critical one.
-    UnstableTimeStep(Unstable),
+    UnstableTimeStep(TimeStepAboveCritical),
     /// A time step so short that the time stays what it is.
     TimeStands {
         /// Time step \[s\].
@@ -289,7 +289,7 @@ pub enum StepErrorKind {
         threshold: f64,
     },
     /// A balance does not hold, and the scene asks to stop then.
-    NotTrusted(Doubt),
+    NotTrusted(Violation),
     /// A body is in tension, which FLIP does not hold with MUSL or USF.
     Tension(Tension),
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
@@ -451,7 +451,7 @@ impl fmt::Display for StepError {
                 "{particle} approaches the surface {surface:?} by {approach} m in one step, more than the distance \
                  threshold {threshold} m; accepted: a smaller time step or a larger distance_threshold"
             ),
-            StepErrorKind::NotTrusted(doubt) => write!(f, "{doubt}"),
+            StepErrorKind::NotTrusted(violation) => write!(f, "{violation}"),
             StepErrorKind::Tension(tension) => write!(f, "{tension}"),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,

@@ -1,7 +1,7 @@
-//! What happened in a run that went on.
+//! Events of a run that went on.
 
 use super::error::ParticleAt;
-use super::trust::{LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO};
+use super::invariants::{LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO};
 use crate::scene::Vector;
 use std::fmt;
 
@@ -25,8 +25,8 @@ pub enum EventKind {
     RecordEnded,
     /// Particle domains outgrew half a cell; from here on the stencil has four nodes per axis.
     WiderStencil,
-    /// The first particle whose volume is less than [`LEAST_VOLUME_RATIO`](super::trust::LEAST_VOLUME_RATIO) of that of
-    /// the start, or more than [`MOST_VOLUME_RATIO`](super::trust::MOST_VOLUME_RATIO) of it.
+    /// The first particle whose volume is less than [`LEAST_VOLUME_RATIO`](super::invariants::LEAST_VOLUME_RATIO) of that of
+    /// the start, or more than [`MOST_VOLUME_RATIO`](super::invariants::MOST_VOLUME_RATIO) of it.
     VolumeRatio {
         /// The particle.
         particle: ParticleAt,

@@ -1,10 +1,10 @@
 //! Largest deformations of a run, of which laws and particle domains bear only so much.
 //!
-//! Particles are looked at together with the balances (`trust.rs`), and only those of a law or a particle domain that a large
+//! Particles are looked at together with the balances (`invariants.rs`), and only those of a law or a particle domain that a large
 //! deformation harms.
 
 use super::Simulation;
-use super::caution::MOST_STRETCH_RATIO;
+use super::result_warnings::MOST_STRETCH_RATIO;
 use crate::laws::LinearElastic;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -27,7 +27,7 @@ impl Simulation {
     #[must_use]
     pub fn extremes(&self) -> Extremes {
         let mut all = self.state.extremes;
-        for (set, body) in self.state.sets.iter().zip(&self.decided.bodies) {
+        for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
             if body.motion.is_some() {
                 continue;
             }
@@ -64,7 +64,7 @@ impl Simulation {
     /// Whether particle domains, or what a weighting function has in their place, keep the ratio of their sides.
     fn domains_do_not_follow(&self) -> bool {
         matches!(
-            self.decided.scene.weighting,
+            self.model.scene.weighting,
             Weighting::ContiguousGimp(DomainUpdate::Determinant) | Weighting::QuadraticBSpline
         )
     }

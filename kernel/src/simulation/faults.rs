@@ -16,7 +16,7 @@ impl Simulation {
             match kind {
                 FaultKind::NotFinite => return Err(self.error(self.not_finite(set, p))),
                 FaultKind::Inverted => return Err(self.error(StepErrorKind::Inverted(at))),
-                FaultKind::Outside if self.decided.scene.outside == Outside::Stop => {
+                FaultKind::Outside if self.model.scene.outside == Outside::Stop => {
                     return Err(self.error(StepErrorKind::Outside(at)));
                 }
                 FaultKind::Outside => self.remove_outside(set)?,
@@ -26,7 +26,7 @@ impl Simulation {
     }
 
     pub(super) fn remove_outside(&mut self, set: usize) -> Result<(), StepError> {
-        let mesh = &self.decided.scene.mesh;
+        let mesh = &self.model.scene.mesh;
         let mut gone = vec![];
         for p in 0..self.state.sets[set].len() {
             let x = self.state.sets[set].position(p);
@@ -41,7 +41,7 @@ impl Simulation {
                 let at = self.particle_at(set, p);
                 return Err(self.error(StepErrorKind::Inverted(at)));
             }
-            let inside = (0..self.decided.plan.axes)
+            let inside = (0..self.model.plan.axes)
                 .all(|axis| x[axis] >= 0.0 && x[axis] <= mesh.cells[axis] as f64 * mesh.cell[axis]);
             if !inside {
                 gone.push(p);
@@ -94,7 +94,7 @@ impl Simulation {
         };
         StepErrorKind::Law {
             particle,
-            law: self.decided.bodies[set].law.name(),
+            law: self.model.bodies[set].law.name(),
             column,
         }
     }
@@ -103,7 +103,7 @@ impl Simulation {
         let (mass, volume) = self.mass_and_volume(set, p);
         ParticleAt {
             id: self.state.sets[set].id[p],
-            body: self.decided.bodies[set].id,
+            body: self.model.bodies[set].id,
             position: self.position(set, p),
             volume,
             mass,

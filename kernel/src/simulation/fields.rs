@@ -92,12 +92,12 @@ pub struct Grid {
     pub team: Arc<Team>,
     least_share: usize,
     sorter: Sorter,
-    cutting: Cutting,
+    cutting: PlaneCounts,
 }
 
 /// Numbers of particles that begin in each plane, and work in it, while the planes are cut.
 #[derive(Debug, Default)]
-struct Cutting {
+struct PlaneCounts {
     particles: Vec<usize>,
     work: Vec<usize>,
 }
@@ -161,7 +161,7 @@ impl Grid {
             team,
             least_share: least_share.unwrap_or(LEAST_SHARE).max(1),
             sorter: Sorter::default(),
-            cutting: Cutting::default(),
+            cutting: PlaneCounts::default(),
         }
     }
 
@@ -287,7 +287,7 @@ impl Grid {
             let sets = sets.iter();
             sets.map(|set| set.in_layers(plane..plane + 1).len()).sum()
         };
-        let Cutting { particles, work } = &mut self.cutting;
+        let PlaneCounts { particles, work } = &mut self.cutting;
         particles.clear();
         if threads > 1 {
             particles.extend((0..self.shape.nodes[0]).map(of_plane));

@@ -7,7 +7,7 @@ use crate::layout::Layout;
 use crate::number::Number;
 use crate::particles::ParticleSet;
 use crate::scene::{InitialStress, Scene, Vector};
-use crate::stage::g2p::Found;
+use crate::stage::g2p::ParticleMaxima;
 
 /// Sets the stress of a body, by its index, at the start, and what the first time step depends on.
 ///
@@ -18,7 +18,7 @@ pub(super) fn set(
     scene: &Scene,
     index: usize,
     run: &BodyRun,
-    found: &mut Found,
+    found: &mut ParticleMaxima,
 ) -> Result<(), SetupError> {
     let body = &scene.bodies[index];
     if body.initial_stress == InitialStress::None {
@@ -31,14 +31,14 @@ pub(super) fn set(
         .find(|(variable, ..)| **variable == UNPRESSED)
         .map(|(_, _, column)| column);
     let mut point = Point::new(&material.law, material.density, [0.0; 6]);
-    let mut worst: Option<Beyond> = None;
+    let mut worst: Option<YieldExcess> = None;
     for p in 0..set.len() {
         let local = set.position(p);
         let x: Vector = std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]);
         let stress = (body.initial_stress).at(&x, &scene.gravity, material.density);
         let beyond = beyond(&mut point, &stress);
         if beyond > worst.as_ref().map_or(0.0, |worst| worst.by) {
-            worst = Some(Beyond {
+            worst = Some(YieldExcess {
                 by: beyond,
                 x,
                 stress,
@@ -64,7 +64,7 @@ pub(super) fn set(
             compress(set, p, ratio);
         }
     }
-    let Some(Beyond { by, x, stress }) = worst else {
+    let Some(YieldExcess { by, x, stress }) = worst else {
         return Ok(());
     };
     let number = |x: f64| Number(x).to_string();
@@ -111,7 +111,7 @@ fn compress(set: &mut ParticleSet, p: usize, ratio: f64) {
 }
 
 /// A particle whose stress its law does not bear.
-struct Beyond {
+struct YieldExcess {
     by: f64,
     x: Vector,
     stress: [f64; 6],

@@ -1,7 +1,7 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
 use super::fields::{Owner, Slab, SlabField};
-use super::{BodyRun, Decided, State};
+use super::{BodyRun, Model, State};
 use crate::contact::interface::Interface;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
@@ -16,28 +16,28 @@ use crate::weights::{
 };
 use std::ops::{Deref, Range};
 
-/// The mapping of a kind. Borrows the particles alone, so that the nodes can be written meanwhile.
-pub(super) fn bodies_onto<'a>(
-    decided: &'a Decided,
+/// P2G of the quantities that `carry` names. Borrows the particles alone, so that the nodes can be written meanwhile.
+pub(super) fn particle_to_grid<'a>(
+    model: &'a Model,
     state: &'a State,
     own_field: &'a [bool],
     carry: Carry,
-) -> BodiesOnto<'a> {
-    let (plan, stencil) = (&decided.plan, state.stencil);
-    let nodes = decided.family().stage_nodes(stencil);
+) -> ParticleToGrid<'a> {
+    let (plan, stencil) = (&model.plan, state.stencil);
+    let nodes = model.family().stage_nodes(stencil);
     let carries_force = matches!(carry, Carry::All | Carry::Force);
-    let instance = |carry| Carrier {
+    let instance = |carry| P2gInstance {
         carry,
         call: p2g::instance(plan.axes, nodes, plan.full_mapping, carry),
         leaves_parts: p2g::leaves_parts(plan.axes, plan.full_mapping, carry),
     };
-    BodiesOnto {
+    ParticleToGrid {
         sets: &state.sets,
-        bodies: &decided.bodies,
+        bodies: &model.bodies,
         own_field,
-        lanes: decided.lanes,
+        lanes: model.lanes,
         stencil,
-        family: decided.family(),
+        family: model.family(),
         affine: plan.affine != Affine::Leave,
         free: instance(carry),
         driven: instance(Carry::Momentum),
@@ -47,17 +47,17 @@ pub(super) fn bodies_onto<'a>(
     }
 }
 
-/// What is carried, and the stage that does.
+/// The quantities that a mapping carries, with the compiled stage that carries them.
 #[derive(Clone, Copy)]
-struct Carrier {
+struct P2gInstance {
     carry: Carry,
     call: P2gFn,
     /// Whether it leaves nodes in two parts.
     leaves_parts: bool,
 }
 
-/// A mapping of bodies onto one slab after the other.
-pub(super) struct BodiesOnto<'a> {
+/// P2G: the mapping of bodies onto one slab after the other.
+pub(super) struct ParticleToGrid<'a> {
     /// Particles.
     pub(super) sets: &'a [ParticleSet],
     /// Their bodies.
@@ -72,16 +72,16 @@ pub(super) struct BodiesOnto<'a> {
     /// Whether momentum has an affine part.
     affine: bool,
     /// Of bodies that move freely.
-    free: Carrier,
+    free: P2gInstance,
     /// Of bodies with a field of their own whose motion is prescribed: their mass alone counts.
-    driven: Carrier,
+    driven: P2gInstance,
     /// Of particles near a partner of contact.
-    gradient: Carrier,
+    gradient: P2gInstance,
     /// What changes the force of the mean stress of bodies that move freely, where its strain is a mean over cells.
-    mean_stress: Option<[Carrier; 2]>,
+    mean_stress: Option<[P2gInstance; 2]>,
 }
 
-impl BodiesOnto<'_> {
+impl ParticleToGrid<'_> {
     /// Clears all fields of a slab and maps each body onto its own; returns the number of groups in the layers of
     /// particles that the slab owns.
     pub(super) fn run(&self, slab: &mut Slab<'_>) -> usize {
@@ -175,7 +175,7 @@ impl BodiesOnto<'_> {
         index: usize,
         layers: &mut dyn Iterator<Item = (Range<usize>, bool)>,
         planes: &mut Planes<'_>,
-        Carrier { carry, call, .. }: Carrier,
+        P2gInstance { carry, call, .. }: P2gInstance,
     ) -> usize {
         let (set, body) = (&self.sets[index], &self.bodies[index]);
         let layout = Layout {

@@ -2,11 +2,11 @@
 //! they do not depend on how particles are stored.
 
 use super::{BodyEnergy, Simulation};
-use crate::laws::{Particle, Stored};
+use crate::laws::{Particle, StoredParticle};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
-use crate::team::OfItem;
+use crate::team::ItemCost;
 use std::sync::{MutexGuard, PoisonError};
 
 impl Simulation {
@@ -55,7 +55,8 @@ impl Simulation {
 
     /// Kinetic energy, strain energy, and dead load times position, with the same bits as each of them alone, in one pass.
     pub(super) fn energies(&self) -> [f64; 3] {
-        let (mut kinetic, mut strain, mut load) = (Sum::default(), 0.0, Sum::default());
+        let (mut kinetic, mut strain, mut load) =
+            (CompensatedSum::default(), 0.0, CompensatedSum::default());
         for (index, set) in self.state.sets.iter().enumerate() {
             let terms = |p| {
                 let strain = self.strain_energy_of(index, p);
@@ -85,7 +86,7 @@ impl Simulation {
     }
 
     fn strain_energy_of(&self, index: usize, p: usize) -> f64 {
-        let law = &self.decided.bodies[index].law;
+        let law = &self.model.bodies[index].law;
         law.energy_of(&self.stored(index, p))
     }
 
@@ -108,7 +109,7 @@ impl Simulation {
     }
 
     fn plastic_work_of(&self, index: usize, p: usize) -> f64 {
-        let law = &self.decided.bodies[index].law;
+        let law = &self.model.bodies[index].law;
         self.of_particle(index, p, |particle| law.dissipated(particle))
     }
 
@@ -126,7 +127,7 @@ impl Simulation {
 
     /// `None` for a body whose law has no yield surface.
     fn body_energy(&self, index: usize) -> Option<BodyEnergy> {
-        let law = &self.decided.bodies[index].law;
+        let law = &self.model.bodies[index].law;
         if !law.yields() {
             return None;
         }
@@ -146,10 +147,10 @@ impl Simulation {
         self.stored(index, p).ask(ask)
     }
 
-    fn stored(&self, index: usize, p: usize) -> Stored<'_> {
-        Stored {
+    fn stored(&self, index: usize, p: usize) -> StoredParticle<'_> {
+        StoredParticle {
             set: &self.state.sets[index],
-            density: self.decided.bodies[index].density,
+            density: self.model.bodies[index].density,
             p,
         }
     }
@@ -177,7 +178,7 @@ impl Simulation {
         }
         for places in places.chunks(AT_ONCE) {
             terms.resize(K * places.len(), 0.0);
-            let share = team.share(places.len(), OfItem::Small);
+            let share = team.share(places.len(), ItemCost::Small);
             let parts = places.chunks(share).zip(terms.chunks_mut(K * share));
             team.each(parts, |(places, terms)| {
                 let (terms, _) = terms.as_chunks_mut();
@@ -200,7 +201,7 @@ impl Simulation {
 
     /// Sum over all particles in order of the identifier.
     fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64 + Sync) -> f64 {
-        let mut sum = Sum::default();
+        let mut sum = CompensatedSum::default();
         for set in &self.state.sets {
             self.add_each(set, |p| [term(set, p)], |[x]| sum.add(x));
         }
@@ -213,7 +214,7 @@ impl Simulation {
     }
 
     fn dead_load(&self, set: &ParticleSet, p: usize) -> f64 {
-        let g = self.decided.scene.gravity;
+        let g = self.model.scene.gravity;
         let x: Vector =
             std::array::from_fn(|axis| set.position(p)[axis] + self.state.mesh_shift[axis]);
         let m = set.columns[Layout::MASS][p];
@@ -231,8 +232,8 @@ impl Simulation {
         let kinetic = 0.5 * set.columns[Layout::MASS][p] * square;
         let energy = kinetic + self.strain_energy_of(index, p) + self.plastic_work_of(index, p);
         let load = self.dead_load(set, p);
-        self.state.books.removed += energy;
-        self.state.books.dead_load_origin -= load;
+        self.state.ledger.removed += energy;
+        self.state.ledger.dead_load_origin -= load;
     }
 }
 
@@ -243,12 +244,12 @@ fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
 
 /// A compensated sum (Neumaier 1974): a million equal terms would otherwise leave 1e-11 of the sum as round-off.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sum {
+struct CompensatedSum {
     sum: f64,
     lost: f64,
 }
 
-impl Sum {
+impl CompensatedSum {
     fn add(&mut self, x: f64) {
         let next = self.sum + x;
         self.lost += if self.sum.abs() >= x.abs() {

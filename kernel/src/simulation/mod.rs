@@ -1,11 +1,8 @@
 //! A scene in motion: state, explicit cycle, and what can be asked of it.
 
-mod carried;
-mod caution;
 mod change;
 mod clock;
 pub(crate) mod conditions;
-mod decided;
 mod energy;
 mod error;
 mod event;
@@ -13,60 +10,66 @@ mod extremes;
 mod faults;
 pub(crate) mod fields;
 mod history;
-mod imbalance;
+mod initial_imbalance;
 mod initial_stress;
 pub(crate) mod interactions;
+mod invariants;
 mod mapping;
 mod measure;
+mod memory_estimate;
+mod model;
 mod motion;
-mod needs;
 mod nodes;
 mod passes;
 mod phase;
 mod rehearsal;
 mod relaxation;
+mod result_warnings;
 mod setup;
 mod spin;
 mod start;
 mod state;
 mod step;
 mod tension;
-mod trust;
-mod work;
+mod traction_cover;
+mod work_state;
 
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
-pub use caution::{Caution, MOST_REMAINDER, MOST_STRETCH_RATIO};
 pub use clock::{Bound, Clock, StepInfo};
-pub use conditions::{Acting, Condition, FieldNodes, Node};
+pub use conditions::{Condition, FieldNodes, NodalConditions, Node};
 pub use energy::{BodyEnergy, Energy};
-pub use error::{Overlapping, ParticleAt, SetupError, StepError, StepErrorKind, Unstable};
+pub use error::{
+    InitialOverlap, ParticleAt, SetupError, StepError, StepErrorKind, TimeStepAboveCritical,
+};
 pub use event::{Event, EventKind};
 pub use extremes::Extremes;
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
 pub use interactions::mortar::{BoundaryDrift, BoundaryVertex, VertexState};
 pub use interactions::{
-    Again, BodyList, Interaction, Now, OnSlab, PairList, Remembered, SlabPart, Visit,
+    BodyList, Interaction, PairList, Remap, SavedArrays, SlabInteraction, SlabPart, StepContext,
+    VelocityMapping,
+};
+pub use invariants::{
+    Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM,
+    MOST_VOLUME_RATIO, Violation,
 };
 pub use measure::state_hash;
-pub use needs::{Foreseen, foresee};
+pub use memory_estimate::{MemoryEstimate, estimate_memory};
 pub use nodes::NodeValues;
 pub use passes::Groups;
 pub use phase::{Phase, PhaseObserver};
 pub use rehearsal::{Part, Rehearsal};
+pub use result_warnings::{MOST_REMAINDER, MOST_STRETCH_RATIO, ResultWarning};
 pub use spin::{MOST_LOST_SPIN, Spin};
 pub use start::{StartError, plan};
-pub use state::{Books, RestoreError, Saved, State};
+pub use state::{EnergyLedger, RestoreError, Saved, State};
 pub use step::Drift;
 pub use tension::{MOST_UNSEEN, Tension};
-pub use trust::{
-    Doubt, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_VOLUME_RATIO,
-    Reason, Trust,
-};
 
-pub(crate) use decided::{BodyRun, Decided};
-use work::Work;
+pub(crate) use model::{BodyRun, Model};
+use work_state::WorkState;
 
 use crate::lanes::{LaneChoice, Selected};
 use crate::laws::UNDEFORMED;
@@ -160,22 +163,22 @@ impl fmt::Debug for Options {
 
 /// A scene in motion: what was decided of it, its state, and what a step works with.
 pub struct Simulation {
-    pub(crate) decided: Decided,
+    pub(crate) model: Model,
     pub(crate) state: State,
-    pub(crate) work: Work,
+    pub(crate) work: WorkState,
 }
 
 impl Simulation {
     /// The scene.
     #[must_use]
     pub fn scene(&self) -> &Scene {
-        &self.decided.scene
+        &self.model.scene
     }
 
     /// The plan.
     #[must_use]
     pub fn plan(&self) -> &Plan {
-        &self.decided.plan
+        &self.model.plan
     }
 
     /// Particle sets, one per body, in the order of the scene.
@@ -223,7 +226,7 @@ impl Simulation {
     /// Lanes in use.
     #[must_use]
     pub fn lanes(&self) -> Selected {
-        self.decided.lanes
+        self.model.lanes
     }
 
     /// What happened so far.
@@ -236,17 +239,15 @@ impl Simulation {
     #[must_use]
     pub fn body_and_material(&self, set: usize) -> (i64, i64) {
         (
-            self.decided.bodies[set].id,
-            self.decided.bodies[set].material_id,
+            self.model.bodies[set].id,
+            self.model.bodies[set].material_id,
         )
     }
 
     /// Lower corner of the mesh now \[m\]. A base that moves along its normal takes the mesh with it.
     #[must_use]
     pub fn origin(&self) -> Vector {
-        std::array::from_fn(|axis| {
-            self.decided.scene.mesh.origin[axis] + self.state.mesh_shift[axis]
-        })
+        std::array::from_fn(|axis| self.model.scene.mesh.origin[axis] + self.state.mesh_shift[axis])
     }
 
     /// Position of a particle in the coordinates of the scene \[m\].
@@ -290,7 +291,7 @@ impl Simulation {
     pub fn initial_position(&self, set: usize, p: usize) -> Option<Vector> {
         let x = self.state.sets[set].vector(self.state.sets[set].layout.displacement_origin?, p);
         Some(std::array::from_fn(|axis| {
-            x[axis] + self.decided.scene.mesh.origin[axis]
+            x[axis] + self.model.scene.mesh.origin[axis]
         }))
     }
 
@@ -316,6 +317,6 @@ impl Simulation {
             .force
             .map_or([0.0; 3], |first| particles.vector(first, p));
         let m = particles.columns[Layout::MASS][p];
-        std::array::from_fn(|axis| m * self.decided.scene.gravity[axis] + own[axis])
+        std::array::from_fn(|axis| m * self.model.scene.gravity[axis] + own[axis])
     }
 }

@@ -2,7 +2,7 @@
 
 use super::conditions::{FieldNodes, Walls};
 use super::fields::{Owner, Slab};
-use super::interactions::{Again, Now, OnSlab, SlabPart};
+use super::interactions::{Remap, SlabInteraction, SlabPart, StepContext};
 use super::mapping::fold;
 use super::phase::{Phase, PhaseTimer};
 use crate::grid::Line;
@@ -25,7 +25,7 @@ impl SlabInteractions<'_, '_> {
     }
 
     /// Calls `act` for each of them, in a phase that goes on after it.
-    fn act(&mut self, amid: Phase, mut act: impl FnMut(&mut dyn OnSlab)) {
+    fn act(&mut self, amid: Phase, mut act: impl FnMut(&mut dyn SlabInteraction)) {
         if self.parts.is_empty() {
             return;
         }
@@ -62,89 +62,89 @@ impl SlabSums {
 pub(super) fn solve(
     slab: &mut Slab<'_>,
     mut interactions: SlabInteractions<'_, '_>,
-    now: &Now<'_>,
+    context: &StepContext<'_>,
     sums: &mut SlabSums,
 ) -> Result<(), EmptyNode> {
     let amid = Phase::P2gAndSolve;
-    interactions.act(amid, |part| part.mapped(slab, now));
+    interactions.act(amid, |part| part.mapped(slab, context));
     sums.begin(slab.range().len());
     for number in 0..slab.fields.len() {
         equation_of_motion(&mut FieldNodes {
             slab,
             number,
-            now,
+            context,
             sums: &mut sums.planes,
         })?;
     }
     interactions.act(amid, |part| {
-        part.correct(slab, now, &mut sums.planes);
+        part.correct(slab, context, &mut sums.planes);
     });
     for planes in slab.planes() {
-        planes.unfold(&now.walls, true);
+        planes.unfold(&context.walls, true);
     }
-    if !now.settles {
-        add_sums(slab, now, sums);
+    if !context.settles {
+        add_sums(slab, context, sums);
     }
     Ok(())
 }
 
 /// From the mapped sums of a field to trial velocities that keep to its conditions.
 fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
-    let now = field.now;
-    if let Some(velocities) = now.prescribed(field.owner()) {
-        prescribe(field.parts().0, velocities, &now.walls);
+    let context = field.context;
+    if let Some(velocities) = context.prescribed(field.owner()) {
+        prescribe(field.parts().0, velocities, &context.walls);
         return Ok(());
     }
-    for condition in now.conditions {
+    for condition in context.conditions {
         condition.before(field)?;
     }
-    let by = now.acceleration();
+    let by = context.acceleration();
     let driven = match field.owner() {
-        Owner::Phase => &now.acting.driven[..],
+        Owner::Phase => &context.nodal.driven[..],
         Owner::Body(_) => &[],
     };
     let (planes, _, sums) = field.parts();
-    planes.leave_out_prescribed(&by, &now.walls, [&now.acting.held, driven], sums);
+    planes.leave_out_prescribed(&by, &context.walls, [&context.nodal.held, driven], sums);
     planes.accelerate(&by, sums);
-    for condition in now.conditions {
+    for condition in context.conditions {
         condition.after(field);
     }
     Ok(())
 }
 
 /// Ghost nodes of all fields, and the sums of each plane with the velocities that they hold.
-pub(super) fn sums_after(slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut SlabSums) {
+pub(super) fn sums_after(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut SlabSums) {
     for planes in slab.planes() {
-        planes.unfold(&now.walls, true);
+        planes.unfold(&context.walls, true);
     }
     sums.begin(slab.range().len());
-    add_sums(slab, now, sums);
+    add_sums(slab, context, sums);
 }
 
 /// Adds the sums of all fields whose motion is not prescribed to those of the planes.
 fn add_sums(
     slab: &mut Slab<'_>,
-    now: &Now<'_>,
+    context: &StepContext<'_>,
     SlabSums {
         planes: sums,
         of_field,
     }: &mut SlabSums,
 ) {
     for number in 0..slab.fields.len() {
-        if now.prescribed(slab.fields[number].owner).is_some() {
+        if context.prescribed(slab.fields[number].owner).is_some() {
             continue;
         }
         of_field.clear();
         of_field.resize(sums.len(), PlaneSums::default());
-        if now.measure {
+        if context.measure {
             let planes = &slab.fields[number].planes;
-            planes.measure(now.acting.kick, of_field);
+            planes.measure(context.nodal.kick, of_field);
         }
-        for condition in now.conditions {
+        for condition in context.conditions {
             condition.settled(&mut FieldNodes {
                 slab,
                 number,
-                now,
+                context,
                 sums: of_field,
             });
         }
@@ -159,27 +159,27 @@ fn add_sums(
 pub(super) fn solve_remapped(
     slab: &mut Slab<'_>,
     mut interactions: SlabInteractions<'_, '_>,
-    now: &Now<'_>,
+    context: &StepContext<'_>,
 ) {
     for number in 0..slab.fields.len() {
         let field = &mut slab.fields[number];
         field.planes.clear_upper();
-        if let Some([_, after]) = now.prescribed(field.owner) {
+        if let Some([_, after]) = context.prescribed(field.owner) {
             let planes = &mut field.planes;
             for_masses(planes, |line| line[4..7].copy_from_slice(after));
-            planes.constrain_remapped(&now.walls);
+            planes.constrain_remapped(&context.walls);
         } else {
-            now.mapping.run_field(field);
-            field.planes.fold_remapped(&now.walls);
+            context.mapping.run_field(field);
+            field.planes.fold_remapped(&context.walls);
             field.planes.remapped_velocities();
-            conditions_again(slab, number, now);
+            remap_conditions(slab, number, context);
         }
     }
     // Contact keeps to the planes once the fields do; the ghosts are filled after it.
     interactions.act(Phase::Remap, |part| {
-        part.correct_again(slab, now);
+        part.correct_remapped(slab, context);
         for planes in slab.planes() {
-            planes.constrain_remapped(&now.walls);
+            planes.constrain_remapped(&context.walls);
         }
     });
 }
@@ -188,40 +188,40 @@ pub(super) fn solve_remapped(
 pub(super) fn solve_mapped(
     slab: &mut Slab<'_>,
     mut interactions: SlabInteractions<'_, '_>,
-    now: &Now<'_>,
+    context: &StepContext<'_>,
 ) {
-    now.mapping.run(slab);
+    context.mapping.run(slab);
     for planes in slab.planes() {
-        planes.fold(&now.walls, true, false);
+        planes.fold(&context.walls, true, false);
         planes.velocities();
     }
-    interactions.act(Phase::Remap, |part| part.mapped(slab, now));
+    interactions.act(Phase::Remap, |part| part.mapped(slab, context));
     for number in 0..slab.fields.len() {
         let field = &mut slab.fields[number];
-        if let Some(velocities) = now.prescribed(field.owner) {
-            prescribe(&mut field.planes, velocities, &now.walls);
+        if let Some(velocities) = context.prescribed(field.owner) {
+            prescribe(&mut field.planes, velocities, &context.walls);
         } else {
-            conditions_again(slab, number, now);
+            remap_conditions(slab, number, context);
         }
     }
     interactions.act(Phase::Remap, |part| {
-        part.correct_again(slab, now);
+        part.correct_remapped(slab, context);
     });
     for planes in slab.planes() {
-        planes.unfold(&now.walls, false);
+        planes.unfold(&context.walls, false);
     }
 }
 
 /// Conditions on the velocities of a field that were mapped a second time.
-fn conditions_again(slab: &mut Slab<'_>, number: usize, now: &Now<'_>) {
+fn remap_conditions(slab: &mut Slab<'_>, number: usize, context: &StepContext<'_>) {
     let mut field = FieldNodes {
         slab,
         number,
-        now,
+        context,
         sums: &mut [],
     };
-    for condition in now.conditions {
-        condition.again(&mut field);
+    for condition in context.conditions {
+        condition.remap(&mut field);
     }
 }
 
@@ -261,7 +261,7 @@ pub(super) fn total<'a>(planes: impl IntoIterator<Item = &'a PlaneSums>) -> Plan
     total
 }
 
-impl Now<'_> {
+impl StepContext<'_> {
     /// The first mapping of a step: mass, velocity and force of all fields; the number of groups in the layers of
     /// particles that the slab owns.
     pub(super) fn map(&self, slab: &mut Slab<'_>) -> usize {
@@ -271,18 +271,18 @@ impl Now<'_> {
     }
 
     /// The same for a second mapping, of the velocities after the kick.
-    pub(super) fn again(mut self, again: Again) -> Self {
+    pub(super) fn remap(mut self, remap: Remap) -> Self {
         self.walls = at_half_step_after(&self.walls);
-        self.again = Some(again);
+        self.remap = Some(remap);
         self
     }
 
     /// What enters the acceleration beside stress.
     fn acceleration(&self) -> Acceleration {
         Acceleration {
-            gravity: self.acting.gravity,
-            local_damping: self.acting.local_damping,
-            kick: self.acting.kick,
+            gravity: self.nodal.gravity,
+            local_damping: self.nodal.local_damping,
+            kick: self.nodal.kick,
         }
     }
 

@@ -1,7 +1,7 @@
-//! What lies at the nodes, for those who look at it from outside.
+//! Nodal values for output.
 
 use super::Simulation;
-use super::interactions::grid::State;
+use super::interactions::grid::GridContact;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
 use crate::scene::Vector;
 use std::collections::HashMap;
@@ -68,7 +68,7 @@ impl Simulation {
                             .unwrap_or(([0.0; 3], f64::NAN));
                         all.push(NodeValues {
                             position: std::array::from_fn(|a| local[a] + self.origin()[a]),
-                            body: body.map(|b| self.decided.bodies[b].id),
+                            body: body.map(|b| self.model.bodies[b].id),
                             mass: line[0],
                             velocity: [line[1], line[2], line[3]],
                             contact_force,
@@ -95,7 +95,7 @@ impl Simulation {
             at.0 = std::array::from_fn(|axis| at.0[axis] + force[axis]);
             at.1 = at.1.min(gap);
         };
-        if let Some(State { pairs, met, .. }) = self.interaction() {
+        if let Some(GridContact { pairs, met, .. }) = self.interaction() {
             let met = met.iter().map(|met| &met.meetings);
             for (meetings, meeting) in met.flat_map(|m| m.nodes.iter().map(move |node| (m, node))) {
                 for touch in &meetings.touches[meeting.touches.clone()] {
@@ -118,7 +118,7 @@ impl Simulation {
         (0..shape.axes).any(|axis| {
             let index = at[shape.direction(axis)];
             let upper = GHOSTS_BELOW + shape.cells[axis];
-            let wall = |side| self.decided.scene.plane_acts(axis, side);
+            let wall = |side| self.model.scene.plane_acts(axis, side);
             (index < GHOSTS_BELOW && wall(0)) || (index > upper && wall(1))
         })
     }

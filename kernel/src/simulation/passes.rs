@@ -1,19 +1,19 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
-use super::conditions::{Acting, load_on};
+use super::conditions::{NodalConditions, load_on};
 use super::error::{StepError, StepErrorKind};
 use super::fields::{Grid, Slab};
 use super::interactions::{
-    Again, Interaction, Interactions, Now, SlabParts, Visit, in_turn, on_slabs,
+    Interaction, Interactions, Remap, SlabParts, StepContext, VelocityMapping, in_turn, on_slabs,
 };
-use super::mapping::{bodies_onto, fold};
+use super::mapping::{fold, particle_to_grid};
 use super::motion::{
     SlabInteractions, SlabSums, solve, solve_mapped, solve_remapped, sums_after, total,
 };
 use super::phase::{Phase, PhaseTimer};
-use super::{Simulation, Work};
+use super::{Simulation, WorkState};
 use crate::particles::ParticleSet;
-use crate::stage::g2p::{self, Found, G2p, Task, dilation};
+use crate::stage::g2p::{self, G2p, ParticleMaxima, Task, dilation};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::EmptyNode;
 use std::ops::Range;
@@ -44,9 +44,9 @@ impl Groups {
     }
 }
 
-/// What the visit of a slab gave.
+/// Result of the solve on one slab.
 #[derive(Debug, Default)]
-pub(crate) struct Solved {
+pub(crate) struct SlabSolution {
     sums: SlabSums,
     /// Groups in the layers of particles that the slab owns.
     groups: usize,
@@ -54,12 +54,12 @@ pub(crate) struct Solved {
     empty: Option<EmptyNode>,
 }
 
-/// What a pass over some particles of a body gave.
+/// Result of a G2P pass over a share of the particles of a body.
 #[derive(Debug, Default)]
-pub(crate) struct Gathered {
+pub(crate) struct G2pShare {
     /// Index of the body.
     body: usize,
-    found: Found,
+    found: ParticleMaxima,
     /// By how much tr L exceeds its mean over cells, where it is that mean.
     excess: Vec<f64>,
 }
@@ -71,9 +71,9 @@ fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usiz
 }
 
 /// The parts of a simulation in a visit of the slabs.
-pub(super) struct Divided<'a> {
+pub(super) struct VisitParts<'a> {
     /// What the visit reads.
-    pub(super) now: Now<'a>,
+    pub(super) context: StepContext<'a>,
     /// The grid.
     pub(super) grid: &'a mut Grid,
     /// The interactions.
@@ -84,29 +84,33 @@ pub(super) struct Divided<'a> {
 
 impl Simulation {
     /// Divides the simulation for a visit of the slabs.
-    pub(super) fn divide<'a>(&'a mut self, carry: Carry, acting: &'a Acting) -> Divided<'a> {
+    pub(super) fn divide<'a>(
+        &'a mut self,
+        carry: Carry,
+        nodal: &'a NodalConditions,
+    ) -> VisitParts<'a> {
         let origin = self.origin();
-        let Work {
+        let WorkState {
             grid,
             own_field,
             interactions,
             phase_timer: timer,
             ..
         } = &mut self.work;
-        let mapping = bodies_onto(&self.decided, &self.state, own_field, carry);
-        let now = Now {
+        let mapping = particle_to_grid(&self.model, &self.state, own_field, carry);
+        let context = StepContext {
             mapping,
-            acting,
-            conditions: &self.decided.conditions,
+            nodal,
+            conditions: &self.model.conditions,
             origin,
-            walls: acting.walls.clone(),
-            prescribed: &acting.prescribed,
-            again: None,
-            measure: self.decided.plan.measure,
+            walls: nodal.walls.clone(),
+            prescribed: &nodal.prescribed,
+            remap: None,
+            measure: self.model.plan.measure,
             settles: false,
         };
-        Divided {
-            now,
+        VisitParts {
+            context,
             grid,
             interactions,
             timer,
@@ -119,9 +123,9 @@ impl Simulation {
         let stale = self.state.travel > SORT_AFTER
             || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
         if stale {
-            let reach = (self.decided.family(), self.state.stencil);
+            let reach = (self.model.family(), self.state.stencil);
             let sets = &mut self.state.sets;
-            self.work.grid.sort(sets, reach, self.decided.lanes);
+            self.work.grid.sort(sets, reach, self.model.lanes);
             self.state.travel = 0.0;
             self.state.groups = Groups::default();
             self.sorted();
@@ -133,18 +137,18 @@ impl Simulation {
     /// Whether P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
     /// Elsewhere one visit of each slab does both.
     pub(super) fn has_separate_p2g(&self) -> bool {
-        self.finds() || self.decided.conditions.iter().any(|one| one.finds())
+        self.finds() || self.model.conditions.iter().any(|one| one.finds())
     }
 
     /// P2G: mass, momentum and force to the nodes of all fields.
     pub(super) fn p2g(&mut self) {
-        let acting = self.nodal_conditions(self.state.clock.dt_before);
-        let Divided { now, grid, .. } = self.divide(Carry::All, &acting);
+        let nodal = self.nodal_conditions(self.state.clock.dt_before);
+        let VisitParts { context, grid, .. } = self.divide(Carry::All, &nodal);
         let groups = AtomicUsize::new(0);
         grid.visit(|mut slab| {
-            groups.fetch_add(now.map(&mut slab), atomic::Ordering::Relaxed);
+            groups.fetch_add(context.map(&mut slab), atomic::Ordering::Relaxed);
         });
-        self.work.acting = acting;
+        self.work.nodal = nodal;
         self.state.groups.count(groups.into_inner());
         self.work.phase_timer.end(Phase::P2gAndSolve);
     }
@@ -161,22 +165,22 @@ impl Simulation {
 
     /// The equation of motion of all fields, with P2G where it has not come before; the number of nodes or vertices where an
     /// interaction acts.
-    pub(super) fn complete_solve(&mut self, acting: &Acting) -> Result<usize, StepError> {
+    pub(super) fn complete_solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
         if self.has_separate_p2g() {
-            self.solve(acting)
+            self.solve(nodal)
         } else {
-            self.p2g_and_solve(acting)
+            self.p2g_and_solve(nodal)
         }
     }
 
     /// The equation of motion of all fields on the nodal sums; the number of nodes or vertices where an interaction acts.
-    pub(super) fn solve(&mut self, acting: &Acting) -> Result<usize, StepError> {
-        self.visit_and_solve(acting, |_, _| 0)
+    pub(super) fn solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
+        self.visit_and_solve(nodal, |_, _| 0)
     }
 
     /// P2G and the equation of motion, slab by slab in one visit; the number of nodes or vertices where an interaction acts.
-    pub(super) fn p2g_and_solve(&mut self, acting: &Acting) -> Result<usize, StepError> {
-        let touching = self.visit_and_solve(acting, |now, slab| now.map(slab))?;
+    pub(super) fn p2g_and_solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
+        let touching = self.visit_and_solve(nodal, |context, slab| context.map(slab))?;
         let groups = self.work.solved.iter().map(|slab| slab.groups).sum();
         self.state.groups.count(groups);
         Ok(touching)
@@ -185,32 +189,32 @@ impl Simulation {
     /// The equation of motion in one visit of the slabs, on each after `map`, which gives the number of groups.
     fn visit_and_solve(
         &mut self,
-        acting: &Acting,
-        map: impl Fn(&Now<'_>, &mut Slab<'_>) -> usize + Sync,
+        nodal: &NodalConditions,
+        map: impl Fn(&StepContext<'_>, &mut Slab<'_>) -> usize + Sync,
     ) -> Result<usize, StepError> {
         for one in self.work.interactions.iter_mut().flatten() {
-            one.load(&mut self.work.grid, &self.decided.scene);
+            one.load(&mut self.work.grid, &self.model.scene);
             if one.finds() {
                 self.work.phase_timer.end(Phase::Contact);
             }
         }
         let settles = self.interactions().any(Interaction::settles);
         let mut solved = self.solved();
-        let Divided {
-            mut now,
+        let VisitParts {
+            mut context,
             grid,
             interactions,
             timer,
-        } = self.divide(Carry::All, acting);
-        now.settles = settles;
+        } = self.divide(Carry::All, nodal);
+        context.settles = settles;
         let mut parts = SlabParts::new();
-        on_slabs(interactions, grid, Visit::Trial, &mut parts);
+        on_slabs(interactions, grid, VelocityMapping::Trial, &mut parts);
         let timers = timer.of_slabs(grid.slabs.len());
         let all = (solved.iter_mut().zip(in_turn(&mut parts))).zip(timers);
         grid.visit_with(all, |mut slab, ((solved, parts), timer)| {
-            solved.groups = map(&now, &mut slab);
+            solved.groups = map(&context, &mut slab);
             let interactions = SlabInteractions { parts, timer };
-            solved.empty = solve(&mut slab, interactions, &now, &mut solved.sums).err();
+            solved.empty = solve(&mut slab, interactions, &context, &mut solved.sums).err();
         });
         drop(parts);
         self.work.solved = solved;
@@ -220,7 +224,7 @@ impl Simulation {
         }
         self.work.sums = total(solved.iter().flat_map(|slab| &slab.sums.planes));
         self.work.phase_timer.end(Phase::P2gAndSolve);
-        let touching = self.settle(acting)?;
+        let touching = self.settle(nodal)?;
         if settles {
             self.work.phase_timer.end(Phase::Contact);
         }
@@ -228,32 +232,32 @@ impl Simulation {
     }
 
     /// Places for what the visit of each slab gives.
-    fn solved(&mut self) -> Vec<Solved> {
+    fn solved(&mut self) -> Vec<SlabSolution> {
         let mut solved = std::mem::take(&mut self.work.solved);
-        solved.resize_with(self.work.grid.slabs.len(), Solved::default);
+        solved.resize_with(self.work.grid.slabs.len(), SlabSolution::default);
         solved
     }
 
     /// The equation of motion on the sums that lie on the nodes, without interactions. A load on an empty node, which a step
     /// would report, is left to the step.
-    pub(super) fn solve_alone(&mut self, acting: &Acting) {
+    pub(super) fn solve_alone(&mut self, nodal: &NodalConditions) {
         let mut solved = self.solved();
-        let Divided { now, grid, .. } = self.divide(Carry::All, acting);
+        let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
-            fold(&mut slab, &now.walls);
+            fold(&mut slab, &context.walls);
             let none = SlabInteractions::none();
-            solved.empty = solve(&mut slab, none, &now, &mut solved.sums).err();
+            solved.empty = solve(&mut slab, none, &context, &mut solved.sums).err();
         });
         self.work.solved = solved;
     }
 
     /// Ghost nodes of the equation of motion once more, with the velocities that are there now, and their sums, which are added
     /// plane by plane to those of the step.
-    pub(super) fn add_sums_of_planes(&mut self, acting: &Acting) {
+    pub(super) fn add_sums_of_planes(&mut self, nodal: &NodalConditions) {
         let mut solved = self.solved();
-        let Divided { now, grid, .. } = self.divide(Carry::All, acting);
+        let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
-            sums_after(&mut slab, &now, &mut solved.sums);
+            sums_after(&mut slab, &context, &mut solved.sums);
         });
         for plane in solved.iter().flat_map(|slab| &slab.sums.planes) {
             self.work.sums += plane;
@@ -264,43 +268,52 @@ impl Simulation {
     fn load_on_empty_node(&self, node: usize) -> StepError {
         let local = self.work.grid.shape.position(node);
         let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
-        let load = load_on(&self.decided.scene, &self.work.grid.shape, node);
+        let load = load_on(&self.model.scene, &self.work.grid.shape, node);
         self.error(StepErrorKind::LoadOnEmptyNode { load, position })
     }
 
     /// The remap: a second P2G of the velocities after the kick, for MUSL at the old positions, for USF at the new ones.
-    pub(super) fn remap(&mut self, acting: &mut Acting, again: Again) -> Result<(), StepError> {
-        let carry = match again {
-            Again::OldPositions => Carry::Remap,
-            Again::NewPositions => {
+    pub(super) fn remap(
+        &mut self,
+        nodal: &mut NodalConditions,
+        remap: Remap,
+    ) -> Result<(), StepError> {
+        let carry = match remap {
+            Remap::OldPositions => Carry::Remap,
+            Remap::NewPositions => {
                 if self.sort_if_stale() {
                     // A sort may give a driven body a field, or take it.
-                    self.work.acting = std::mem::take(acting);
-                    *acting = self.nodal_conditions(self.work.acting.drift);
+                    self.work.nodal = std::mem::take(nodal);
+                    *nodal = self.nodal_conditions(self.work.nodal.drift);
                 }
                 Carry::Momentum
             }
         };
-        let Divided {
-            now,
+        let VisitParts {
+            context,
             grid,
             interactions,
             timer,
-        } = self.divide(carry, acting);
-        let now = now.again(again);
+        } = self.divide(carry, nodal);
+        let context = context.remap(remap);
         let mut parts = SlabParts::new();
-        on_slabs(interactions, grid, Visit::Again(again), &mut parts);
+        on_slabs(
+            interactions,
+            grid,
+            VelocityMapping::Remap(remap),
+            &mut parts,
+        );
         let all = in_turn(&mut parts).zip(timer.of_slabs(grid.slabs.len()));
         grid.visit_with(all, |mut slab, (parts, timer)| {
             let interactions = SlabInteractions { parts, timer };
-            match again {
-                Again::OldPositions => solve_remapped(&mut slab, interactions, &now),
-                Again::NewPositions => solve_mapped(&mut slab, interactions, &now),
+            match remap {
+                Remap::OldPositions => solve_remapped(&mut slab, interactions, &context),
+                Remap::NewPositions => solve_mapped(&mut slab, interactions, &context),
             }
         });
         drop(parts);
         self.work.phase_timer.end(Phase::Remap);
-        self.settle_again(acting, again)?;
+        self.settle_remapped(nodal, remap)?;
         if self.interactions().any(Interaction::settles) {
             self.work.phase_timer.end(Phase::Contact);
         }
@@ -309,23 +322,23 @@ impl Simulation {
 
     /// Runs a G2P task on the particles of all bodies that are not driven.
     pub(super) fn run_g2p(&mut self, task: Task) -> Result<(), StepError> {
-        let nodes = self.decided.family().stage_nodes(self.state.stencil);
-        let call = g2p::instance(self.decided.plan.axes, nodes, &task);
-        let mesh = &self.decided.scene.mesh;
+        let nodes = self.model.family().stage_nodes(self.state.stencil);
+        let call = g2p::instance(self.model.plan.axes, nodes, &task);
+        let mesh = &self.model.scene.mesh;
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
-        let (lanes, stencil) = (self.decided.lanes, self.state.stencil);
-        let cell_average = self.decided.plan.cell_average && task.strain.is_some();
+        let (lanes, stencil) = (self.model.lanes, self.state.stencil);
+        let cell_average = self.model.plan.cell_average && task.strain.is_some();
         let grid = &self.work.grid;
         let particles = self.state.sets.iter().map(ParticleSet::len).sum();
         let most = grid.share_of_particles(particles);
-        let bodies = &self.decided.bodies;
+        let bodies = &self.model.bodies;
         let is_free = |index: usize| bodies[index].motion.is_none();
         let gathered = &mut self.work.gathered;
         let sets = self.state.sets.iter().enumerate();
         let free = sets.filter(|(index, _)| is_free(*index));
         let count = free.map(|(_, set)| shares(set.len(), most).len()).sum();
-        gathered.resize_with(count, Gathered::default);
+        gathered.resize_with(count, G2pShare::default);
         let sets = self.state.sets.iter_mut().enumerate();
         let parts = sets
             .filter(|(index, _)| is_free(*index))
@@ -366,14 +379,14 @@ impl Simulation {
                     },
                 );
                 let fault = part.fault.map(|(p, kind)| (start + p, kind));
-                (gathered.body, gathered.found) = (index, Found { fault, ..part });
+                (gathered.body, gathered.found) = (index, ParticleMaxima { fault, ..part });
             });
         let mut travel = 0.0_f64;
         let mut faults = vec![];
         for of_body in gathered.chunk_by(|one, other| one.body == other.body) {
             let index = of_body[0].body;
             let parts = of_body.iter().map(|part| part.found);
-            let all = parts.fold(Found::default(), Found::and);
+            let all = parts.fold(ParticleMaxima::default(), ParticleMaxima::and);
             travel = travel.max(all.travel);
             let found = &mut self.state.found[index];
             if task.kick {
@@ -392,7 +405,7 @@ impl Simulation {
         }
         self.state.travel += travel;
         self.judge(&faults)?;
-        if task.strain.is_some() && self.decided.plan.domain_update.is_some() {
+        if task.strain.is_some() && self.model.plan.domain_update.is_some() {
             self.widen_stencil()?;
         }
         Ok(())

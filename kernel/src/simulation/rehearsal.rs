@@ -2,11 +2,11 @@
 
 use super::Simulation;
 use super::clock::StepInfo;
-use super::conditions::Acting;
+use super::conditions::NodalConditions;
 use super::error::StepError;
 use super::fields::Owner;
-use super::interactions::{Again, Interactions};
-use super::passes::Divided;
+use super::interactions::{Interactions, Remap};
+use super::passes::VisitParts;
 use super::phase::PhaseTimer;
 use super::state::Saved;
 use crate::grid::ActiveRows;
@@ -59,7 +59,7 @@ impl Part {
 }
 
 /// What a step changes and a rehearsal gives back: the state, and what can be asked of the last step beside it.
-struct Kept {
+struct StepSnapshot {
     saved: Saved,
     fields: Vec<(Owner, ActiveRows)>,
     slabs: Vec<Range<usize>>,
@@ -74,8 +74,8 @@ pub struct Rehearsal<'a> {
     simulation: &'a mut Simulation,
     part: Part,
     info: StepInfo,
-    acting: Acting,
-    kept: Kept,
+    nodal: NodalConditions,
+    kept: StepSnapshot,
 }
 
 impl Simulation {
@@ -84,7 +84,7 @@ impl Simulation {
     /// # Errors
     /// If the next step cannot be begun; see [`StepErrorKind`](super::StepErrorKind).
     pub fn rehearse(&mut self, part: Part) -> Result<Rehearsal<'_>, StepError> {
-        let kept = Kept {
+        let kept = StepSnapshot {
             saved: self.save(),
             fields: self.work.grid.rows(),
             slabs: self.work.grid.slabs.clone(),
@@ -94,12 +94,12 @@ impl Simulation {
         };
         self.prepare_solve()?;
         let info = self.choose_time_step(f64::INFINITY)?;
-        let acting = self.nodal_conditions(info.dt);
+        let nodal = self.nodal_conditions(info.dt);
         let mut rehearsal = Rehearsal {
             simulation: self,
             part,
             info,
-            acting,
+            nodal,
             kept,
         };
         rehearsal.set()?;
@@ -116,7 +116,7 @@ impl Rehearsal<'_> {
         let (simulation, kept) = (&mut *self.simulation, &self.kept);
         match self.part {
             Part::Weights | Part::Sort | Part::P2g => {}
-            Part::Solve => simulation.p2g_alone(&self.acting),
+            Part::Solve => simulation.p2g_alone(&self.nodal),
             Part::Remap | Part::G2p => {
                 for (set, was) in simulation.state.sets.iter_mut().zip(&kept.saved.state.sets) {
                     for (column, was) in set.columns.iter_mut().zip(&was.columns) {
@@ -124,7 +124,7 @@ impl Rehearsal<'_> {
                     }
                 }
                 simulation.prepare_solve()?;
-                simulation.complete_solve(&self.acting)?;
+                simulation.complete_solve(&self.nodal)?;
             }
         }
         Ok(())
@@ -135,7 +135,7 @@ impl Rehearsal<'_> {
     /// # Errors
     /// As a step.
     pub fn play(&mut self) -> Result<(), StepError> {
-        let (part, dt, acting) = (self.part, Some(self.info.dt), &mut self.acting);
+        let (part, dt, nodal) = (self.part, Some(self.info.dt), &mut self.nodal);
         self.simulation.led(|simulation| {
             match part {
                 Part::Weights => {
@@ -145,9 +145,9 @@ impl Rehearsal<'_> {
                     simulation.state.travel = f64::INFINITY;
                     simulation.sort_if_stale();
                 }
-                Part::P2g => simulation.p2g_alone(acting),
-                Part::Solve => simulation.solve_alone(acting),
-                Part::Remap => simulation.remap(acting, Again::OldPositions)?,
+                Part::P2g => simulation.p2g_alone(nodal),
+                Part::Solve => simulation.solve_alone(nodal),
+                Part::Remap => simulation.remap(nodal, Remap::OldPositions)?,
                 Part::G2p => {
                     simulation.run_g2p(Task {
                         kick: true,
@@ -178,23 +178,19 @@ impl Drop for Rehearsal<'_> {
 
 impl Simulation {
     /// Particles to nodes without the equation of motion.
-    fn p2g_alone(&mut self, acting: &Acting) {
-        let Divided { now, grid, .. } = self.divide(Carry::All, acting);
+    fn p2g_alone(&mut self, nodal: &NodalConditions) {
+        let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);
         grid.visit(|mut slab| {
-            now.mapping.run(&mut slab);
+            context.mapping.run(&mut slab);
         });
     }
 
     /// Weights of all particles, slab by slab.
     fn weigh(&self) -> f64 {
-        let (lanes, axes, stencil) = (
-            self.decided.lanes,
-            self.decided.plan.axes,
-            self.state.stencil,
-        );
+        let (lanes, axes, stencil) = (self.model.lanes, self.model.plan.axes, self.state.stencil);
         let (slabs, team) = (&self.work.grid.slabs, &self.work.grid.team);
         let mut sum = 0.0;
-        for (set, body) in self.state.sets.iter().zip(&self.decided.bodies) {
+        for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
             let of_slab = |slab: &Range<usize>| {
                 let range = set.in_layers(slab.clone());
                 weigh::weights(lanes, axes, stencil, set, &body.mapping, range)

@@ -10,7 +10,7 @@ impl Simulation {
     ///
     /// The energies at t - 3dt/2, t - dt/2 and t + dt/2 define a parabola whose vertex lies in (t - dt, t).
     pub(super) fn peak_of_kinetic_energy(&mut self, info: &StepInfo) -> Option<f64> {
-        if !self.decided.plan.kinetic_damping {
+        if !self.model.plan.kinetic_damping {
             return None;
         }
         let now = self.work.sums.kinetic;

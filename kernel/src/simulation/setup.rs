@@ -4,22 +4,22 @@ use super::clock::length;
 use super::error::SetupError;
 use super::fields::Grid;
 use super::tension::TensionWatch;
-use super::work::Work;
+use super::work_state::WorkState;
 use super::{
-    BaseVelocity, BodyRun, Decided, Displacement, InitialState, MOST_VOLUME_RATIO, Options,
-    Simulation, State, conditions, initial_stress, interactions, needs,
+    BaseVelocity, BodyRun, Displacement, InitialState, MOST_VOLUME_RATIO, Model, Options,
+    Simulation, State, conditions, initial_stress, interactions, memory_estimate,
 };
-use crate::bodies::{FillError, HalfLength, Room, fill_within};
+use crate::bodies::{FillError, HalfLength, MemoryRoom, fill_within};
 use crate::grid::GridShape;
 use crate::lanes::Selected;
 use crate::laws::Particle;
 use crate::layout::Layout;
 use crate::memory::Memory;
 use crate::particles::ParticleSet;
-use crate::plan::{Demands, Plan};
+use crate::plan::{Plan, PlanOptions};
 use crate::scene::{Body, BoxLoad, DomainUpdate, Scene};
 use crate::stage::Mapping;
-use crate::stage::g2p::Found;
+use crate::stage::g2p::ParticleMaxima;
 use crate::team::Team;
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ impl Simulation {
     /// # Errors
     /// Input that shows its fault only here: see [`SetupError`].
     pub fn new(scene: &Scene, options: &Options) -> Result<Self, SetupError> {
-        let demands = Demands {
+        let demands = PlanOptions {
             displacement: options.displacement,
             measure: options.measure,
             body_force: options.body_force.is_some(),
@@ -50,10 +50,10 @@ impl Simulation {
                 what: format!("the mesh has {bases} cells; accepted: at most {}", u32::MAX),
             });
         }
-        needs::grid(scene, &shape, &mut memory)?;
-        needs::frames(scene, &mut memory)?;
-        needs::loads(scene, &shape, &mut memory)?;
-        needs::bodies(scene, &plan, memory)?;
+        memory_estimate::grid(scene, &shape, &mut memory)?;
+        memory_estimate::frames(scene, &mut memory)?;
+        memory_estimate::loads(scene, &shape, &mut memory)?;
+        memory_estimate::bodies(scene, &plan, memory)?;
         let conditions = conditions::of(scene, &shape, &options.conditions)?;
         let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
         let mut next_id = 0;
@@ -87,17 +87,17 @@ impl Simulation {
             })?;
         }
         let load_acceleration = sets.iter().map(largest_acceleration).fold(0.0, f64::max);
-        needs::layers(scene, &shape, &sets, &mut memory)?;
+        memory_estimate::layers(scene, &shape, &sets, &mut memory)?;
         let team = team(scene, options, next_id as usize)?;
         let interactions = interactions::of(scene, &bodies, &options.interactions, &mut memory)?;
         let mut simulation = Self {
             state: State::new(sets, all_found),
-            work: Work::new(
+            work: WorkState::new(
                 Grid::new(shape, team, options.least_share),
                 interactions,
                 bodies.len(),
             ),
-            decided: Decided {
+            model: Model {
                 scene: scene.clone(),
                 plan,
                 lanes,
@@ -126,11 +126,11 @@ impl Simulation {
         simulation.open_ledger();
         if options.initial.is_none() {
             // No volume has changed yet.
-            simulation.state.trust.volume_left = libm::log(MOST_VOLUME_RATIO);
+            simulation.state.invariants.volume_left = libm::log(MOST_VOLUME_RATIO);
         }
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
         let imbalance = simulation.initial_imbalance();
-        simulation.decided.plan.warnings.extend(imbalance);
+        simulation.model.plan.warnings.extend(imbalance);
         Ok(simulation)
     }
 }
@@ -170,11 +170,11 @@ fn fill_body(
     index: usize,
     first_id: u64,
     memory: &mut Memory,
-) -> Result<(ParticleSet, BodyRun, Found), SetupError> {
+) -> Result<(ParticleSet, BodyRun, ParticleMaxima), SetupError> {
     let body = &scene.bodies[index];
-    let room = Room {
+    let room = MemoryRoom {
         memory: *memory,
-        per_particle: needs::per_particle(scene, &plan.layouts[index]),
+        per_particle: memory_estimate::per_particle(scene, &plan.layouts[index]),
     };
     let refused = |e: FillError| SetupError::Body {
         body: body.name.clone(),
@@ -188,7 +188,7 @@ fn fill_body(
         &room,
     )
     .map_err(refused)?;
-    needs::particles(filled.count(), &room, memory).map_err(refused)?;
+    memory_estimate::particles(filled.count(), &room, memory).map_err(refused)?;
     let material = &scene.materials[body.material];
     let law = scene.law_of(body);
     let law = law.in_cells(scene.size_of_cell()).unwrap_or(law);
@@ -257,7 +257,7 @@ fn fill_body(
             _ => None,
         },
     };
-    let found = Found {
+    let found = ParticleMaxima {
         speed_squared: speed.max(fastest(body)),
         wave_speed_squared,
         increment_squared: 0.0,
@@ -325,7 +325,7 @@ fn start_from(
     set: &mut ParticleSet,
     scene: &Scene,
     run: &BodyRun,
-    found: &mut Found,
+    found: &mut ParticleMaxima,
     initial: &(dyn Fn(&[f64; 3]) -> InitialState + Send + Sync),
 ) {
     let axes = set.layout.axes;

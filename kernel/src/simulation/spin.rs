@@ -24,7 +24,7 @@ pub struct Spin {
 impl Simulation {
     /// Angular momentum of the particles, where nothing outside can turn them and FLIP moves them.
     pub(super) fn spin(&self) -> Option<Spin> {
-        is_left_alone(&self.decided.scene).then_some(())?;
+        is_left_alone(&self.model.scene).then_some(())?;
         let (mut mass, mut center, mut momentum) = (0.0, [0.0; 3], [0.0; 3]);
         self.each_particle(|m, x, v| {
             mass += m;
@@ -54,7 +54,7 @@ impl Simulation {
     pub(super) fn lost_spin(&self) -> Option<f64> {
         let (start, now) = (self.state.start_spin?, self.spin()?);
         let removed = |event: &super::Event| matches!(event.kind, EventKind::Removed(_));
-        if start.scale <= 0.0 || self.decided.has_own || self.state.events.iter().any(removed) {
+        if start.scale <= 0.0 || self.model.has_own || self.state.events.iter().any(removed) {
             return None;
         }
         let lost: Vector =

@@ -1,7 +1,7 @@
 //! From a scene to a simulation.
 
 use super::{Options, SetupError, Simulation, conditions, interactions};
-use crate::plan::{Demands, Plan};
+use crate::plan::{Plan, PlanOptions};
 use crate::scene::{Scene, SceneError};
 use std::fmt;
 
@@ -18,7 +18,7 @@ impl Scene {
 
 /// What a scene needs, and nothing else.
 #[must_use]
-pub fn plan(scene: &Scene, demands: Demands) -> Plan {
+pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
     Plan::of(
         scene,
         demands,

@@ -1,4 +1,4 @@
-//! The state: what a step leaves behind and the next one needs.
+//! The state: all that a step leaves behind and the next one needs.
 //!
 //! It is one plain value. A checkpoint writes it, a rehearsal and a restart take it up again, a change between stages goes
 //! on with it, all by [`Simulation::save`] and [`Simulation::restore`]. What can be had from the scene is not in it: neither
@@ -8,24 +8,24 @@ use super::Simulation;
 use super::clock::Clock;
 use super::event::Event;
 use super::extremes::Extremes;
-use super::interactions::{Interaction, Remembered};
+use super::interactions::{Interaction, SavedArrays};
+use super::invariants::InvariantMonitor;
 use super::passes::Groups;
 use super::spin::Spin;
-use super::trust::Trust;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
-use crate::stage::g2p::Found;
+use crate::stage::g2p::ParticleMaxima;
 use std::fmt;
 
-/// What a step leaves behind and the next one needs, but for what interactions remember: see [`Saved`].
+/// The state of a simulation after a step, but for the saved arrays of interactions: see [`Saved`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Particle sets, one per body, in the order of the scene. The order of particles in a set decides in which order sums
     /// are formed.
     pub sets: Vec<ParticleSet>,
     /// What the last step found in each set: the next time step is chosen by it.
-    pub found: Vec<Found>,
+    pub found: Vec<ParticleMaxima>,
     /// Step counter, time, and the time steps so far.
     pub clock: Clock,
     /// Nodes per axis of the stencil, 3 or 4.
@@ -39,11 +39,11 @@ pub struct State {
     /// Kinetic energies one and two half-steps ago, with kinetic damping \[J\].
     pub kinetic: [f64; 2],
     /// The energy balance.
-    pub books: Books,
+    pub ledger: EnergyLedger,
     /// What happened so far.
     pub events: Vec<Event>,
     /// What the balances were seen to do so far.
-    pub trust: Trust,
+    pub invariants: InvariantMonitor,
     /// Largest deformations so far.
     pub extremes: Extremes,
     /// Angular momentum at the start, where nothing outside can turn the bodies.
@@ -52,7 +52,7 @@ pub struct State {
 
 /// Running sums of the energy balance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Books {
+pub struct EnergyLedger {
     /// Work of nodal loads and of what has a prescribed velocity so far, less that of dead loads on it \[J\].
     pub external_work: f64,
     /// Sum of force times position over particles with dead loads at the start, less those removed \[J\].
@@ -75,7 +75,7 @@ pub struct Saved {
     /// The state.
     pub state: State,
     /// What each interaction remembers, in the order in which they act.
-    pub interactions: Vec<Remembered>,
+    pub interactions: Vec<SavedArrays>,
 }
 
 /// A saved state that is not one of the scene of the simulation.
@@ -125,7 +125,7 @@ impl std::error::Error for RestoreError {}
 
 impl State {
     /// The state at time zero of sets that were just filled; what each body was found to be.
-    pub(super) fn new(sets: Vec<ParticleSet>, found: Vec<Found>) -> Self {
+    pub(super) fn new(sets: Vec<ParticleSet>, found: Vec<ParticleMaxima>) -> Self {
         let widest = found.iter().map(|f| f.half_length).fold(0.0, f64::max);
         Self {
             sets,
@@ -137,9 +137,9 @@ impl State {
             groups: Groups::default(),
             mesh_shift: [0.0; 3],
             kinetic: [0.0; 2],
-            books: Books::default(),
+            ledger: EnergyLedger::default(),
             events: vec![],
-            trust: Trust::default(),
+            invariants: InvariantMonitor::default(),
             extremes: Extremes::default(),
             start_spin: None,
         }
@@ -188,7 +188,7 @@ impl Simulation {
         for (body, (set, was)) in own.sets.iter().zip(&was.sets).enumerate() {
             self.particles_fit(body, set, was)?;
         }
-        let interactions: Vec<Remembered> = self.interactions().map(Interaction::save).collect();
+        let interactions: Vec<SavedArrays> = self.interactions().map(Interaction::save).collect();
         let count = interactions.len();
         same("interactions", count, saved.interactions.len())?;
         for (own, was) in interactions.iter().zip(&saved.interactions) {
@@ -216,7 +216,7 @@ impl Simulation {
         same(layers, set.layers.len(), was.layers.len())?;
         let in_layers = was.layers.last().copied().unwrap_or(0);
         let ordered = was.layers.is_sorted() && in_layers == was.id.len();
-        let mesh = &self.decided.scene.mesh;
+        let mesh = &self.model.scene.mesh;
         let inside = (0..set.layout.axes).all(|axis| {
             let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
             let x = &was.columns[Layout::POSITION + axis];

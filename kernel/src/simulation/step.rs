@@ -3,13 +3,13 @@
 use super::Simulation;
 use super::clock::StepInfo;
 use super::error::StepError;
-use super::interactions::{Again, Interaction};
+use super::interactions::{Interaction, Remap};
 use super::phase::{Phase, PhaseObserver, PhaseTimer};
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::scene::StressScheme;
 use crate::stage::g2p::{Affine, Task};
-use crate::team::{OfItem, Team};
+use crate::team::{ItemCost, Team};
 use std::sync::Arc;
 
 /// The displacement increment of a step.
@@ -99,27 +99,27 @@ impl Simulation {
         };
         let drift = self.drift(&mut info);
         self.move_boundaries(&conditions, &drift);
-        match self.decided.plan.scheme {
+        match self.model.plan.scheme {
             StressScheme::Usl => self.g2p(Pass::All, &drift)?,
             StressScheme::Musl => {
                 self.g2p(Pass::Kick, &drift)?;
-                self.remap(&mut conditions, Again::OldPositions)?;
+                self.remap(&mut conditions, Remap::OldPositions)?;
                 self.g2p(Pass::MoveAndStrain, &drift)?;
             }
             StressScheme::Usf => {
                 self.g2p(Pass::KickAndMove, &drift)?;
-                self.remap(&mut conditions, Again::NewPositions)?;
+                self.remap(&mut conditions, Remap::NewPositions)?;
                 self.g2p(Pass::Strain, &drift)?;
             }
         }
-        self.work.acting = conditions;
+        self.work.nodal = conditions;
         self.finish(&info, &drift)
     }
 
     /// A G2P pass: nodal values to the particles.
     fn g2p(&mut self, pass: Pass, drift: &Drift) -> Result<(), StepError> {
         let time = Some(drift.time);
-        let again = Task {
+        let remap = Task {
             affine: Affine::Leave,
             ..self.g2p_task(None, None)
         };
@@ -146,7 +146,7 @@ impl Simulation {
             },
             Pass::Strain => Task {
                 strain: Some((drift.time, Configuration::End)),
-                ..again
+                ..remap
             },
         })?;
         self.work.phase_timer.end(Phase::G2p);
@@ -157,12 +157,12 @@ impl Simulation {
     pub(super) fn g2p_task(&self, drift: Option<f64>, strain: Option<f64>) -> Task {
         Task {
             kick: false,
-            pic_fraction: self.decided.scene.transfer.pic_fraction,
+            pic_fraction: self.model.scene.transfer.pic_fraction,
             drift,
             mesh_shift: [0.0; 3],
             strain: strain.map(|dt| (dt, Configuration::Beginning)),
             gradient_of_upper: false,
-            affine: self.decided.plan.affine,
+            affine: self.model.plan.affine,
         }
     }
 
@@ -171,7 +171,7 @@ impl Simulation {
     fn drift(&mut self, info: &mut StepInfo) -> Drift {
         let sums = self.work.sums;
         let measured = (sums.kinetic, sums.unbalanced_squared.sqrt());
-        info.measured = self.decided.plan.measure.then_some(measured);
+        info.measured = self.model.plan.measure.then_some(measured);
         self.work.momentum = self.momentum_to_watch(info.step);
         let relaxed = self.peak_of_kinetic_energy(info);
         let time = relaxed.unwrap_or(info.dt);
@@ -184,12 +184,12 @@ impl Simulation {
 
     /// Evaluates the body force at the positions of this step.
     pub(super) fn evaluate_body_force(&mut self) {
-        let Some(body_force) = &self.decided.body_force else {
+        let Some(body_force) = &self.model.body_force else {
             return;
         };
         let (time, start_origin, origin) = (
             self.state.clock.time,
-            self.decided.scene.mesh.origin,
+            self.model.scene.mesh.origin,
             self.origin(),
         );
         for set in &mut self.state.sets {
@@ -209,7 +209,7 @@ impl Simulation {
                 )
             };
             let (team, values) = (&self.work.grid.team, &mut self.work.forces);
-            team.fill(0..set.len(), OfItem::Small, evaluate, &[0.0; 3], values);
+            team.fill(0..set.len(), ItemCost::Small, evaluate, &[0.0; 3], values);
             for axis in 0..axes {
                 let mut out = std::mem::take(&mut set.columns[force + axis]);
                 let masses = &set.columns[Layout::MASS];
@@ -231,14 +231,14 @@ impl Simulation {
         if self.state.clock.step == 0 {
             // Gaps are first measured in the first step, at the positions of the start.
             let stored: f64 = self.interactions().map(Interaction::energy).sum();
-            self.state.books.initial_energy += stored;
+            self.state.ledger.initial_energy += stored;
         }
         self.note_end_of_record(info);
         self.state.clock.step = info.step;
         self.state.clock.time = info.time;
         self.state.clock.dt_before = info.dt;
         if drift.reset {
-            self.state.books.damping += self.kinetic_energy();
+            self.state.ledger.damping += self.kinetic_energy();
             self.stop_motion();
         }
         self.watch(info, drift)?;

@@ -103,17 +103,17 @@ pub(crate) struct TensionWatch {
     /// Bound of the growth since.
     bound: f64,
     /// Least share of energy that no node saw since the growth began, and the growth at that time.
-    least: Least,
+    least: LeastShares,
 }
 
 /// The least share of energy that no node saw of late, and the largest growth of a particle, as a logarithm, at that time.
 #[derive(Clone, Copy, Debug)]
-struct Least {
+struct LeastShares {
     unseen: f64,
     logarithm: f64,
 }
 
-impl Least {
+impl LeastShares {
     /// Before the growth began.
     const NONE: Self = Self {
         unseen: f64::INFINITY,
@@ -144,14 +144,14 @@ impl TensionWatch {
             risen: 0.0,
             time: 0.0,
             bound: 0.0,
-            least: Least::NONE,
+            least: LeastShares::NONE,
         })
     }
 }
 
 /// The particle whose way has grown most.
 #[derive(Clone, Copy)]
-struct Worst {
+struct MostStretched {
     set: usize,
     p: usize,
     logarithm: f64,
@@ -189,7 +189,7 @@ impl Simulation {
         }
         let worst = self.grow(watch);
         let Some(worst) = worst.filter(|worst| worst.logarithm >= BEGUN) else {
-            watch.least = Least::NONE;
+            watch.least = LeastShares::NONE;
             return Ok(());
         };
         let unseen = self.unseen_share();
@@ -205,7 +205,7 @@ impl Simulation {
         }
         Err(self.error(StepErrorKind::Tension(Tension {
             particle: self.particle_at(worst.set, worst.p),
-            scheme: self.decided.plan.scheme,
+            scheme: self.model.plan.scheme,
             stress: worst.stress,
             growth: worst.specific * rate,
             unseen,
@@ -225,11 +225,11 @@ impl Simulation {
     }
 
     /// Adds the growth since the last look; the particle that has grown most, the first of them by its identifier.
-    fn grow(&self, watch: &mut TensionWatch) -> Option<Worst> {
-        let mut worst: Option<Worst> = None;
+    fn grow(&self, watch: &mut TensionWatch) -> Option<MostStretched> {
+        let mut worst: Option<MostStretched> = None;
         let mut most = 0.0_f64;
         for (set, growth) in watch.bodies.iter_mut().enumerate() {
-            if self.decided.bodies[set].motion.is_some() {
+            if self.model.bodies[set].motion.is_some() {
                 continue;
             }
             let particles = &self.state.sets[set];
@@ -252,7 +252,7 @@ impl Simulation {
                     *logarithm > w.logarithm || same && particles.id[p] < particles.id[w.p]
                 });
                 if more {
-                    worst = Some(Worst {
+                    worst = Some(MostStretched {
                         set,
                         p,
                         logarithm: *logarithm,
@@ -281,7 +281,7 @@ impl Simulation {
 
     /// Kinetic energy at the nodes of the velocities that were mapped a second time \[J\].
     fn kinetic_energy_after_second_mapping(&self) -> f64 {
-        let first = match self.decided.plan.scheme {
+        let first = match self.model.plan.scheme {
             StressScheme::Musl => 4,
             StressScheme::Usl | StressScheme::Usf => 1,
         };

@@ -1,6 +1,6 @@
 //! The base cells in which particles lie, and their numbers.
 
-use super::Few;
+use super::ThreadList;
 use crate::grid::GridShape;
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load};
 use crate::layout::Layout;
@@ -51,7 +51,7 @@ impl Cells {
             ]
         };
         let nothing = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-        let mut extents: Few<_> = starts.clone().map(|_| nothing).collect();
+        let mut extents: ThreadList<_> = starts.clone().map(|_| nothing).collect();
         team.each(starts.zip(&mut extents), |(start, extent)| {
             *extent = of_part(start);
         });
@@ -151,14 +151,14 @@ impl Numbering {
 }
 
 /// The numbers of the base cells of particles from `start` on, in lanes.
-pub(super) struct Number<'a> {
+pub(super) struct CellNumbers<'a> {
     pub(super) numbering: &'a Numbering,
     pub(super) set: &'a ParticleSet,
     pub(super) start: usize,
     pub(super) keys: &'a mut [u32],
 }
 
-impl Kernel for Number<'_> {
+impl Kernel for CellNumbers<'_> {
     type Output = ();
 
     #[inline(always)]

@@ -40,7 +40,7 @@ pub struct TouchedNode {
     pub node: usize,
     /// The lowest number of the velocity fields that move together there: 0 the common one, then the layers.
     pub field: usize,
-    /// The others, as places in [`Touches::others`].
+    /// The others, as places in [`SurfaceTouches::others`].
     pub others: Range<usize>,
     /// 1/m per axis \[1/kg\], and nothing; zero along axes in which a boundary prescribes the velocity.
     pub mobility: [f64; 4],
@@ -48,14 +48,14 @@ pub struct TouchedNode {
     pub change: [f64; 4],
 }
 
-/// A node of a touching particle, as its place in [`Touches::nodes`], and its weight per axis: beside a boundary the mirrored
+/// A node of a touching particle, as its place in [`SurfaceTouches::nodes`], and its weight per axis: beside a boundary the mirrored
 /// part of a weight has the sign of the mirrored velocity.
 pub type Weight = (usize, [f64; 4]);
 
 /// A particle and a surface that it touches or may touch within the step.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Touch {
-    /// Its nodes, as places in [`Touches::weights`].
+pub struct SurfaceTouch {
+    /// Its nodes, as places in [`SurfaceTouches::weights`].
     pub weights: Range<usize>,
     /// Unit normal of the surface, away from it.
     pub normal: [f64; 3],
@@ -78,7 +78,7 @@ pub struct Touch {
     pub tangential_impulse: [f64; 3],
 }
 
-impl Touch {
+impl SurfaceTouch {
     /// Impulse on the body \[N s\].
     #[must_use]
     pub fn impulse(&self) -> [f64; 3] {
@@ -114,9 +114,9 @@ struct Response {
 
 /// Particles that touch, and what they share. All lists are kept from step to step, so that a step takes no memory.
 #[derive(Clone, Debug, Default)]
-pub struct Touches {
+pub struct SurfaceTouches {
     /// Particles, in the order of their identifiers by surface and body.
-    pub list: Vec<Touch>,
+    pub list: Vec<SurfaceTouch>,
     /// Nodes of one particle after the other.
     pub weights: Vec<Weight>,
     /// Nodes that any of them reaches.
@@ -126,7 +126,7 @@ pub struct Touches {
     responses: Vec<Response>,
 }
 
-impl Touches {
+impl SurfaceTouches {
     /// Forgets all particles and nodes.
     pub fn clear(&mut self) {
         self.list.clear();
@@ -139,7 +139,11 @@ impl Touches {
     /// impulse times the mean of the velocities over the surface before and after the step, with the sign turned. `line` gives
     /// a node after the solve, before the changes are applied.
     #[must_use]
-    pub fn taken<'a>(&self, touch: &Touch, line: impl Fn(&TouchedNode) -> &'a Line) -> [f64; 2] {
+    pub fn taken<'a>(
+        &self,
+        touch: &SurfaceTouch,
+        line: impl Fn(&TouchedNode) -> &'a Line,
+    ) -> [f64; 2] {
         let mut mean = touch.relative;
         for (n, w) in &self.weights[touch.weights.clone()] {
             let node = &self.nodes[*n];
@@ -190,7 +194,7 @@ impl Touches {
     }
 
     /// The response sum_I S_Ip² / m_I of the point of a touch.
-    fn response(&self, touch: &Touch) -> Response {
+    fn response(&self, touch: &SurfaceTouch) -> Response {
         let mut sum = [0.0_f64; 3];
         for (n, w) in &self.weights[touch.weights.clone()] {
             for axis in 0..3 {
@@ -303,7 +307,7 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 
 /// Sweeps over all touches: a vector and one unused lane are half a line.
 struct Sweeps<'a> {
-    list: &'a mut [Touch],
+    list: &'a mut [SurfaceTouch],
     responses: &'a [Response],
     weights: &'a [Weight],
     nodes: &'a mut [TouchedNode],
@@ -347,7 +351,7 @@ fn dot_fused(a: &[f64; 4], b: &[f64; 3]) -> f64 {
 ///
 /// Four sums side by side, as each term of one waits for the term before it.
 #[inline(always)]
-fn velocity<H: Lanes>(touch: &Touch, weights: &[Weight], nodes: &[TouchedNode]) -> [f64; 4] {
+fn velocity<H: Lanes>(touch: &SurfaceTouch, weights: &[Weight], nodes: &[TouchedNode]) -> [f64; 4] {
     let [x, y, z] = touch.relative;
     let zero = H::splat(0.0);
     let mut sums = [H::load(&[x, y, z, 0.0]), zero, zero, zero];
@@ -368,7 +372,7 @@ fn velocity<H: Lanes>(touch: &Touch, weights: &[Weight], nodes: &[TouchedNode]) 
 /// Corrects one touch with all others held; returns the change of its velocity.
 #[inline(always)]
 fn correct<H: Lanes>(
-    touch: &mut Touch,
+    touch: &mut SurfaceTouch,
     response: &Response,
     weights: &[Weight],
     nodes: &mut [TouchedNode],

@@ -19,16 +19,16 @@ pub fn weights(
     range: Range<usize>,
 ) -> f64 {
     match (axes, stencil) {
-        (2, 3) => lanes.run(Weigh::<2, 3>(set, mapping, range)),
-        (2, _) => lanes.run(Weigh::<2, 4>(set, mapping, range)),
-        (_, 3) => lanes.run(Weigh::<3, 3>(set, mapping, range)),
-        _ => lanes.run(Weigh::<3, 4>(set, mapping, range)),
+        (2, 3) => lanes.run(WeightKernel::<2, 3>(set, mapping, range)),
+        (2, _) => lanes.run(WeightKernel::<2, 4>(set, mapping, range)),
+        (_, 3) => lanes.run(WeightKernel::<3, 3>(set, mapping, range)),
+        _ => lanes.run(WeightKernel::<3, 4>(set, mapping, range)),
     }
 }
 
-struct Weigh<'a, const D: usize, const N: usize>(&'a ParticleSet, &'a Mapping, Range<usize>);
+struct WeightKernel<'a, const D: usize, const N: usize>(&'a ParticleSet, &'a Mapping, Range<usize>);
 
-impl<const D: usize, const N: usize> Kernel for Weigh<'_, D, N> {
+impl<const D: usize, const N: usize> Kernel for WeightKernel<'_, D, N> {
     type Output = f64;
 
     #[inline(always)]

@@ -1,10 +1,10 @@
 //! APIC (Jiang et al. 2015): particles carry `B_p D_p^-1 (x_I - x_p)` beside the mean velocity around them.
 
-use super::Kind;
+use super::TransferType;
 use crate::scene::TransferKind;
 use crate::stage::g2p::Affine;
 
-pub(super) const APIC: Kind = Kind {
+pub(super) const APIC: TransferType = TransferType {
     transfer: TransferKind::Apic,
     word: "APIC",
     affine: Affine::Apic,

@@ -1,10 +1,10 @@
 //! FLIP: particles keep their velocity and take the change at the nodes.
 
-use super::Kind;
+use super::TransferType;
 use crate::scene::TransferKind;
 use crate::stage::g2p::Affine;
 
-pub(super) const FLIP: Kind = Kind {
+pub(super) const FLIP: TransferType = TransferType {
     transfer: TransferKind::Flip,
     word: "FLIP",
     affine: Affine::Leave,

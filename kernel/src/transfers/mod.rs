@@ -7,7 +7,7 @@ use crate::stage::g2p::Affine;
 
 /// A kind of transfer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kind {
+pub struct TransferType {
     /// What a scene chooses it by.
     pub transfer: TransferKind,
     /// Its word in scene files, which is its name in tables too.
@@ -24,7 +24,7 @@ macro_rules! list {
         $(mod $file;)*
 
         /// All kinds.
-        pub const ALL: &[Kind] = &[$($file::$kind),*];
+        pub const ALL: &[TransferType] = &[$($file::$kind),*];
     };
 }
 
@@ -40,7 +40,7 @@ impl TransferKind {
     /// # Panics
     /// Never: a test asks for each.
     #[must_use]
-    pub fn kind(self) -> &'static Kind {
+    pub fn kind(self) -> &'static TransferType {
         let found = ALL.iter().find(|kind| kind.transfer == self);
         found.expect("every transfer is in the list")
     }

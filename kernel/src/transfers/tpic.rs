@@ -1,10 +1,10 @@
 //! TPIC: particles carry the velocity gradient beside the mean velocity around them.
 
-use super::Kind;
+use super::TransferType;
 use crate::scene::TransferKind;
 use crate::stage::g2p::Affine;
 
-pub(super) const TPIC: Kind = Kind {
+pub(super) const TPIC: TransferType = TransferType {
     transfer: TransferKind::Tpic,
     word: "TPIC",
     affine: Affine::Tpic,

@@ -1,11 +1,11 @@
 //! B-splines.
 
-use super::Kind;
+use super::WeightingType;
 use crate::scene::Weighting;
 use crate::weights::Family;
 
 /// The quadratic one, which is GIMP with domains of one cell.
-pub(super) const QUADRATIC: Kind = Kind {
+pub(super) const QUADRATIC: WeightingType = WeightingType {
     weighting: Weighting::QuadraticBSpline,
     word: "quadratic_bspline",
     update: None,

@@ -1,11 +1,11 @@
 //! GIMP: the hat averaged over the domain of the particle.
 
-use super::Kind;
+use super::WeightingType;
 use crate::scene::{DomainUpdate, Weighting};
 use crate::weights::Family;
 
 /// Domains keep their size.
-pub(super) const UNIFORM: Kind = Kind {
+pub(super) const UNIFORM: WeightingType = WeightingType {
     weighting: Weighting::UniformGimp,
     word: "uGIMP",
     update: None,
@@ -16,7 +16,7 @@ pub(super) const UNIFORM: Kind = Kind {
 };
 
 /// Domains keep their shape and follow the volume.
-pub(super) const BY_DETERMINANT: Kind = Kind {
+pub(super) const BY_DETERMINANT: WeightingType = WeightingType {
     weighting: Weighting::ContiguousGimp(DomainUpdate::Determinant),
     word: "cpGIMP",
     update: Some("determinant"),
@@ -26,7 +26,7 @@ pub(super) const BY_DETERMINANT: Kind = Kind {
 };
 
 /// Domains follow the right stretch.
-pub(super) const BY_STRETCH: Kind = Kind {
+pub(super) const BY_STRETCH: WeightingType = WeightingType {
     weighting: Weighting::ContiguousGimp(DomainUpdate::Stretch),
     word: "cpGIMP",
     update: Some("stretch"),
@@ -36,7 +36,7 @@ pub(super) const BY_STRETCH: Kind = Kind {
 };
 
 /// Domains follow the left stretch.
-pub(super) const BY_LEFT_STRETCH: Kind = Kind {
+pub(super) const BY_LEFT_STRETCH: WeightingType = WeightingType {
     weighting: Weighting::ContiguousGimp(DomainUpdate::LeftStretch),
     word: "cpGIMP",
     update: Some("left_stretch"),

@@ -1,11 +1,11 @@
 //! Linear functions.
 
-use super::Kind;
+use super::WeightingType;
 use crate::scene::Weighting;
 use crate::weights::Family;
 
 /// The hat at the position of the particle.
-pub(super) const LINEAR: Kind = Kind {
+pub(super) const LINEAR: WeightingType = WeightingType {
     weighting: Weighting::Linear,
     word: "linear",
     update: None,

@@ -7,7 +7,7 @@ use crate::weights::Family;
 
 /// A kind of weighting function.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kind {
+pub struct WeightingType {
     /// What a scene chooses it by.
     pub weighting: Weighting,
     /// Its word in scene files.
@@ -30,7 +30,7 @@ macro_rules! list {
         $(mod $file;)*
 
         /// All kinds.
-        pub const ALL: &[Kind] = &[$($($file::$kind),*),*];
+        pub const ALL: &[WeightingType] = &[$($($file::$kind),*),*];
     };
 }
 
@@ -46,7 +46,7 @@ impl Weighting {
     /// # Panics
     /// Never: a test asks for each.
     #[must_use]
-    pub fn kind(self) -> &'static Kind {
+    pub fn kind(self) -> &'static WeightingType {
         let found = ALL.iter().find(|kind| kind.weighting == self);
         found.expect("every weighting function is in the list")
     }

@@ -1,6 +1,6 @@
 //! Meshes, bodies and measures that the tests share.
 
-use proctor_kernel::bodies::{FillError, Filled, HalfLength, fill};
+use proctor_kernel::bodies::{FillError, FilledBody, HalfLength, fill};
 use proctor_kernel::scene::{Body, Dimension, InitialStress, Mesh, PlaneCondition, Shape, Vector};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -58,7 +58,7 @@ impl Setting {
         }
     }
 
-    pub fn try_fill(&self, shape: Shape) -> Result<Filled, FillError> {
+    pub fn try_fill(&self, shape: Shape) -> Result<FilledBody, FillError> {
         let body = Body {
             name: "body".into(),
             id: 1,
@@ -78,7 +78,7 @@ impl Setting {
     }
 
     /// Fills, and checks what holds for every shape.
-    pub fn fill(&self, shape: Shape) -> Filled {
+    pub fn fill(&self, shape: Shape) -> FilledBody {
         let list = matches!(shape, Shape::Particles(_));
         let filled = self.try_fill(shape).expect("the body fits the mesh");
         let n = filled.count();
@@ -107,7 +107,7 @@ impl Setting {
     /// Fills a shape that takes the sub-cells of the mesh, and compares with a search of all of them.
     /// `depth` is the distance of a relative point to the surface \[m\], or any quantity like it, positive
     /// inside.
-    pub fn fill_as_searched(&self, shape: Shape, depth: impl Fn(Vector) -> f64) -> Filled {
+    pub fn fill_as_searched(&self, shape: Shape, depth: impl Fn(Vector) -> f64) -> FilledBody {
         let filled = self.fill(shape);
         let expected: Vec<Vector> = self
             .centres()
@@ -192,7 +192,7 @@ pub fn settings(dimension: Dimension) -> impl Strategy<Value = Setting> {
 }
 
 /// Positions, particle by particle.
-pub fn points(filled: &Filled) -> Vec<Vector> {
+pub fn points(filled: &FilledBody) -> Vec<Vector> {
     (0..filled.count())
         .map(|p| [filled.x[0][p], filled.x[1][p], filled.x[2][p]])
         .collect()
@@ -215,7 +215,7 @@ pub fn compensated_sum(values: &[f64]) -> f64 {
 
 /// Particles by a function of position, rounded to 1e-6 m and sorted: equal for bodies that the function maps
 /// onto each other.
-pub fn image(filled: &Filled, map: impl Fn(Vector) -> Vector) -> Vec<[i64; 3]> {
+pub fn image(filled: &FilledBody, map: impl Fn(Vector) -> Vector) -> Vec<[i64; 3]> {
     let mut image: Vec<[i64; 3]> = points(filled)
         .into_iter()
         .map(|x| map(x).map(|x| (x * 1e6).round() as i64))

@@ -276,7 +276,7 @@ fn particles_after(
     task: Task,
     cell_average: bool,
     order: Order,
-) -> (Vec<Vec<u64>>, g2p::Found) {
+) -> (Vec<Vec<u64>>, g2p::ParticleMaxima) {
     let (columns, found) = gathered(lanes, axes, [stencil; 2], law, task, cell_average, order);
     let bits = |column: &Vec<f64>| column.iter().map(|value| value.to_bits()).collect();
     (columns.iter().map(bits).collect(), found)
@@ -291,7 +291,7 @@ fn gathered(
     task: Task,
     cell_average: bool,
     order: Order,
-) -> (Vec<Vec<f64>>, g2p::Found) {
+) -> (Vec<Vec<f64>>, g2p::ParticleMaxima) {
     let finite = law.needs_deformation();
     let wanted = Optional {
         deformation: finite,

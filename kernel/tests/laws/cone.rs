@@ -2,7 +2,7 @@
 
 use crate::support::{DENSITY, close, numbers, point, shear, strain, uniaxial};
 use nalgebra::{Matrix3, Vector3};
-use proctor_kernel::laws::{AnyLaw, DruckerPrager, Match, Point};
+use proctor_kernel::laws::{AnyLaw, ConeMatch, DruckerPrager, Point};
 
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.2;
@@ -10,7 +10,7 @@ const SHEAR: f64 = YOUNG / (2.0 * (1.0 + POISSON));
 const BULK: f64 = YOUNG / (3.0 * (1.0 - 2.0 * POISSON));
 const CONFINED: f64 = BULK + 4.0 * SHEAR / 3.0;
 
-fn soil(friction: f64, cohesion: f64, dilation: f64, matched: Match) -> DruckerPrager {
+fn soil(friction: f64, cohesion: f64, dilation: f64, matched: ConeMatch) -> DruckerPrager {
     DruckerPrager::new(YOUNG, POISSON, [friction, cohesion, dilation], matched)
 }
 
@@ -25,7 +25,7 @@ fn invariants(s: &[f64; 6]) -> (f64, f64) {
 #[test]
 fn an_oedometer_yields() {
     for (friction, dilation) in [(20.0, 20.0), (20.0, 5.0), (15.0, 0.0)] {
-        for matched in [Match::PlaneStrain, Match::Outer, Match::Inner] {
+        for matched in [ConeMatch::PlaneStrain, ConeMatch::Outer, ConeMatch::Inner] {
             let law = soil(friction, 0.01, dilation, matched);
             let [eta, limit, flow] = law.cone();
             let root = 2.0 * SHEAR / 3.0_f64.sqrt();
@@ -47,7 +47,7 @@ fn an_oedometer_yields() {
 #[test]
 fn flow_in_plane_strain_has_the_strength_of_mohr_and_coulomb() {
     for (friction, dilation) in [(30.0_f64, 0.0), (30.0, 30.0), (25.0, 10.0)] {
-        let law: AnyLaw = soil(friction, 0.01, dilation, Match::PlaneStrain).into();
+        let law: AnyLaw = soil(friction, 0.01, dilation, ConeMatch::PlaneStrain).into();
         let mut point = Point::new(&law, DENSITY, [-1.0, -1.0, -1.0, 0.0, 0.0, 0.0]);
         // The plane swells as flow does, so that stresses come to rest.
         let swelling = 0.5 * 0.2 * dilation.to_radians().sin();
@@ -72,8 +72,8 @@ fn outer_and_inner_cones_touch_the_edges() {
     let large = -2.0;
     let small = ((1.0 + sine) * large - 2.0 * cohesion * cosine) / (1.0 - sine);
     for (s, matched) in [
-        ([large, large, small], Match::Outer),
-        ([large, small, small], Match::Inner),
+        ([large, large, small], ConeMatch::Outer),
+        ([large, small, small], ConeMatch::Inner),
     ] {
         let [eta, limit, _] = soil(friction, cohesion, 0.0, matched).cone();
         let (mean, radius) = invariants(&[s[0], s[1], s[2], 0.0, 0.0, 0.0]);
@@ -93,7 +93,7 @@ fn a_return_keeps_what_defines_it() {
         (0.0, 0.0, 1.0, 0.2),
         (35.0, 0.0, 0.0, 0.0),
     ] {
-        for matched in [Match::PlaneStrain, Match::Outer, Match::Inner] {
+        for matched in [ConeMatch::PlaneStrain, ConeMatch::Outer, ConeMatch::Inner] {
             let law = soil(friction, cohesion, dilation, matched).with_tensile(tensile);
             let [eta, limit, flow] = law.cone();
             let apex = if eta > 0.0 {
@@ -144,7 +144,7 @@ fn a_return_keeps_what_defines_it() {
 /// Pulled apart, a soil is left with its tensile strength and no shear at the apex, also without dilation.
 #[test]
 fn the_apex_needs_no_dilation() {
-    let law: AnyLaw = soil(30.0, 1.0, 0.0, Match::PlaneStrain).into();
+    let law: AnyLaw = soil(30.0, 1.0, 0.0, ConeMatch::PlaneStrain).into();
     let mut point = point(&law);
     let strain_of = Matrix3::from_diagonal(&Vector3::new(0.05, 0.04, 0.05));
     strain(&mut point, &strain_of, 10);

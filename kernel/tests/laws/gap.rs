@@ -3,7 +3,7 @@
 use crate::support::{DENSITY, close, numbers, point};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::{
-    AnyLaw, DruckerPrager, GAP, LinearElastic, Match, MohrCoulomb, Particle, Point, Softening,
+    AnyLaw, ConeMatch, DruckerPrager, GAP, LinearElastic, MohrCoulomb, Particle, Point, Softening,
     Tresca, UNDEFORMED,
 };
 
@@ -17,9 +17,9 @@ fn soils(friction: f64, cohesion: f64, dilation: f64) -> Vec<AnyLaw> {
     let of = |matched| DruckerPrager::new(YOUNG, POISSON, cone, matched).into();
     vec![
         MohrCoulomb::new(YOUNG, POISSON, cone).into(),
-        of(Match::PlaneStrain),
-        of(Match::Outer),
-        of(Match::Inner),
+        of(ConeMatch::PlaneStrain),
+        of(ConeMatch::Outer),
+        of(ConeMatch::Inner),
     ]
 }
 
@@ -131,7 +131,7 @@ fn a_gap_of_a_cohesive_soil_closes_at_no_pressure() {
     let mut laws = soils(30.0, 5e3, 10.0);
     laws.push(cut(MohrCoulomb::new(YOUNG, POISSON, [30.0, 5e3, 10.0])));
     laws.push(
-        DruckerPrager::new(YOUNG, POISSON, [30.0, 5e3, 0.0], Match::Outer)
+        DruckerPrager::new(YOUNG, POISSON, [30.0, 5e3, 0.0], ConeMatch::Outer)
             .with_tensile(2e3)
             .into(),
     );
@@ -189,7 +189,7 @@ fn work_goes_where_it_is_told_to_go() {
     let cut = MohrCoulomb::new(YOUNG, POISSON, [30.0, 5e3, 10.0]).with_tensile(2e3);
     laws.push(cut.into());
     laws.push(cut.relaxing(0.7).into());
-    let cut = DruckerPrager::new(YOUNG, POISSON, [30.0, 5e3, 5.0], Match::Outer);
+    let cut = DruckerPrager::new(YOUNG, POISSON, [30.0, 5e3, 5.0], ConeMatch::Outer);
     laws.push(cut.with_tensile(2e3).into());
     for law in laws {
         let mut next = numbers(11);

@@ -17,8 +17,8 @@ use crate::support::{DENSITY, close, point, shear, strain, tensor};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::{
-    AnyLaw, DruckerPrager, EquationOfState, LinearElastic, Match, MohrCoulomb, Newtonian, Point,
-    Tresca,
+    AnyLaw, ConeMatch, DruckerPrager, EquationOfState, LinearElastic, MohrCoulomb, Newtonian,
+    Point, Tresca,
 };
 
 const YOUNG: f64 = 100.0;
@@ -48,7 +48,7 @@ fn no_friction_is_no_division_by_zero() {
         for tensile in [0.0, 0.5] {
             let laws: [AnyLaw; 2] = [
                 soil(friction, 1.0, 0.0).with_tensile(tensile).into(),
-                DruckerPrager::new(YOUNG, POISSON, [friction, 1.0, 0.0], Match::Outer)
+                DruckerPrager::new(YOUNG, POISSON, [friction, 1.0, 0.0], ConeMatch::Outer)
                     .with_tensile(tensile)
                     .into(),
             ];
@@ -255,7 +255,7 @@ fn the_step_does_not_decide_the_answer() {
     for dilation in [0.0, 10.0] {
         let cone = [30.0, 0.1, dilation];
         let laws: [AnyLaw; 2] = [
-            DruckerPrager::new(YOUNG, POISSON, cone, Match::PlaneStrain).into(),
+            DruckerPrager::new(YOUNG, POISSON, cone, ConeMatch::PlaneStrain).into(),
             soil(30.0, 0.1, dilation).into(),
         ];
         for law in laws {

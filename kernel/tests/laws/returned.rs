@@ -3,8 +3,8 @@
 use crate::support::{DENSITY, midpoint, numbers, tensor};
 use nalgebra::Matrix3;
 use proctor_kernel::laws::{
-    AnyLaw, DruckerPrager, LinearElastic, Match, MohrCoulomb, Point, Residual, Softening, Tresca,
-    VonMises,
+    AnyLaw, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, Point, Residual, Softening,
+    Tresca, VonMises,
 };
 
 const YOUNG: f64 = 100.0;
@@ -37,8 +37,8 @@ pub(crate) fn laws(scale: f64) -> Vec<AnyLaw> {
             .softening(Softening::Exponential { eta: 20.0 }, softens)
             .into(),
         MohrCoulomb::new(young, POISSON, [35.0, 0.0, 0.0]).into(),
-        DruckerPrager::new(young, POISSON, [30.0, scale, 10.0], Match::PlaneStrain).into(),
-        DruckerPrager::new(young, POISSON, [30.0, scale, 0.0], Match::Outer)
+        DruckerPrager::new(young, POISSON, [30.0, scale, 10.0], ConeMatch::PlaneStrain).into(),
+        DruckerPrager::new(young, POISSON, [30.0, scale, 0.0], ConeMatch::Outer)
             .with_tensile(0.4 * scale)
             .into(),
     ]

@@ -1,7 +1,7 @@
 //! The bound of the time step against frequencies that are known.
 
 use crate::support::point;
-use proctor_kernel::mortar::bound::{Closing, NodalStiffness, SAFETY, allowed_approach};
+use proctor_kernel::mortar::bound::{ClosingRate, NodalStiffness, SAFETY, allowed_approach};
 use proctor_kernel::mortar::pair::VertexContact;
 use proctor_kernel::weights::Family;
 use proctor_kernel::weights::vertex_weights;
@@ -89,7 +89,7 @@ fn the_vertex_that_is_in_most_of_a_hurry_decides() {
         })
     };
     let (gc, reach) = (0.2, 1.1);
-    let of = |sites: &[Option<VertexContact<2, 1>>]| Closing::of(sites, gc, reach, [3.0, 2.0]);
+    let of = |sites: &[Option<VertexContact<2, 1>>]| ClosingRate::of(sites, gc, reach, [3.0, 2.0]);
     // Nothing faces anything: both at full speed towards each other, from just out of reach.
     let whole = of(&[None]);
     assert_eq!((whole.vertex, whole.time_step()), (None, 1.0 / 5.0));
@@ -102,7 +102,7 @@ fn the_vertex_that_is_in_most_of_a_hurry_decides() {
     ]);
     assert_eq!(found.vertex, Some(7));
     assert!((found.time_step() - 0.1).abs() < 1e-15);
-    assert_eq!(Closing::NONE.time_step(), f64::INFINITY);
+    assert_eq!(ClosingRate::NONE.time_step(), f64::INFINITY);
 }
 
 /// Weights of a face on a light node: row sums grow as its mass goes to zero, the frequency does not, nor does the second product.

@@ -1,7 +1,7 @@
 //! What is a boundary and what is not; normals and areas.
 
 use crate::support::{chain, moved, open, point};
-use proctor_kernel::mortar::boundary::{Boundary, BoundaryError, Side};
+use proctor_kernel::mortar::boundary::{Boundary, BoundaryError, BoundarySide};
 
 const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
 
@@ -9,13 +9,13 @@ fn reversed(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().rev().copied().collect()
 }
 
-fn error(points: &[[f64; 2]], side: Side) -> BoundaryError {
+fn error(points: &[[f64; 2]], side: BoundarySide) -> BoundaryError {
     Boundary::new(&[chain(points, side)]).expect_err("is not a boundary")
 }
 
 #[test]
 fn normals_point_out_of_the_material() {
-    let square = Boundary::new(&[chain(&SQUARE, Side::Outer)]).expect("sound");
+    let square = Boundary::new(&[chain(&SQUARE, BoundarySide::Outer)]).expect("sound");
     for s in 0..4 {
         let [a, b] = square.segments()[s];
         let middle = 0.5 * (square.points[a] + square.points[b]);
@@ -42,8 +42,8 @@ fn a_ring_has_its_area_wherever_it_lies() {
         .map(|p| [0.25 + 0.5 * p[0], 0.25 + 0.5 * p[1]])
         .collect();
     let ring = Boundary::new(&[
-        chain(&SQUARE, Side::Outer),
-        chain(&reversed(&inner), Side::Hole),
+        chain(&SQUARE, BoundarySide::Outer),
+        chain(&reversed(&inner), BoundarySide::Hole),
     ])
     .expect("sound");
     assert!((ring.area() - 0.75).abs() < 1e-15);
@@ -59,16 +59,16 @@ fn a_ring_has_its_area_wherever_it_lies() {
 #[test]
 fn wrong_orientation_is_named() {
     assert!(matches!(
-        error(&reversed(&SQUARE), Side::Outer),
+        error(&reversed(&SQUARE), BoundarySide::Outer),
         BoundaryError::Orientation { chain: 0, area, .. } if area == -1.0
     ));
     assert!(matches!(
-        error(&SQUARE, Side::Hole),
-        BoundaryError::Orientation { side: Side::Hole, area, .. } if area == 1.0
+        error(&SQUARE, BoundarySide::Hole),
+        BoundaryError::Orientation { side: BoundarySide::Hole, area, .. } if area == 1.0
     ));
     // A line there and back encloses nothing.
     assert!(matches!(
-        error(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]], Side::Outer),
+        error(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]], BoundarySide::Outer),
         BoundaryError::Orientation { .. }
     ));
 }
@@ -78,7 +78,7 @@ fn crossings_are_named_with_their_segments() {
     // A bow with a large and a small loop, so that it encloses a positive area.
     let bow = [[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [1.0, -0.5]];
     assert_eq!(
-        error(&bow, Side::Outer),
+        error(&bow, BoundarySide::Outer),
         BoundaryError::Crossing {
             first: [0, 0],
             second: [0, 2]
@@ -87,13 +87,13 @@ fn crossings_are_named_with_their_segments() {
     // A vertex on another segment.
     let touching = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
     assert!(matches!(
-        error(&touching, Side::Outer),
+        error(&touching, BoundarySide::Outer),
         BoundaryError::Crossing { .. }
     ));
     // A spike that runs back on itself.
     let spike = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
     assert_eq!(
-        error(&spike, Side::Open),
+        error(&spike, BoundarySide::Open),
         BoundaryError::Crossing {
             first: [0, 0],
             second: [0, 1]
@@ -101,8 +101,8 @@ fn crossings_are_named_with_their_segments() {
     );
     // Two chains.
     let two = Boundary::new(&[
-        chain(&SQUARE, Side::Outer),
-        chain(&[[0.5, 0.5], [1.5, 0.5]], Side::Open),
+        chain(&SQUARE, BoundarySide::Outer),
+        chain(&[[0.5, 0.5], [1.5, 0.5]], BoundarySide::Open),
     ]);
     assert_eq!(
         two.expect_err("they cross"),
@@ -114,8 +114,8 @@ fn crossings_are_named_with_their_segments() {
     // Collinear but apart is no crossing.
     assert!(
         Boundary::new(&[
-            chain(&[[0.0, 0.0], [1.0, 0.0]], Side::Open),
-            chain(&[[2.0, 0.0], [3.0, 0.0]], Side::Open),
+            chain(&[[0.0, 0.0], [1.0, 0.0]], BoundarySide::Open),
+            chain(&[[2.0, 0.0], [3.0, 0.0]], BoundarySide::Open),
         ])
         .is_ok()
     );
@@ -124,15 +124,18 @@ fn crossings_are_named_with_their_segments() {
 #[test]
 fn degenerate_polylines_are_named() {
     assert_eq!(
-        error(&SQUARE[..2], Side::Outer),
+        error(&SQUARE[..2], BoundarySide::Outer),
         BoundaryError::TooFew { chain: 0, found: 2 }
     );
     assert_eq!(
-        error(&SQUARE[..1], Side::Open),
+        error(&SQUARE[..1], BoundarySide::Open),
         BoundaryError::TooFew { chain: 0, found: 1 }
     );
     assert_eq!(
-        error(&[[0.0, 0.0], [1.0, f64::NAN], [2.0, 0.0]], Side::Open),
+        error(
+            &[[0.0, 0.0], [1.0, f64::NAN], [2.0, 0.0]],
+            BoundarySide::Open
+        ),
         BoundaryError::NotFinite {
             chain: 0,
             vertex: 1
@@ -141,7 +144,7 @@ fn degenerate_polylines_are_named() {
     // The first vertex repeated at the end of a closed polyline.
     let mut closed = SQUARE.to_vec();
     closed.push(SQUARE[0]);
-    let found = error(&closed, Side::Outer);
+    let found = error(&closed, BoundarySide::Outer);
     assert_eq!(
         found,
         BoundaryError::Repeated {

@@ -3,7 +3,7 @@
 use crate::common::cases;
 use crate::support::{moved, point};
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::broad::{Bounds, Near};
+use proctor_kernel::mortar::broad::{Bounds, NearElements};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::scene::Shape;
 use proptest::prelude::*;
@@ -42,7 +42,7 @@ proptest! {
                 .filter(|m| box_of(&slave, s, 0.0).overlaps(&box_of(&master, *m, reach)))
                 .map(|m| [s, m]));
         }
-        let mut near = Near::default();
+        let mut near = NearElements::default();
         // Twice: what is left of another search must not matter.
         near.find(&master, &slave, 2.0 * reach);
         near.find(&slave, &master, reach);

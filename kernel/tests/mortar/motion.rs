@@ -3,7 +3,7 @@
 use crate::support::point;
 use nalgebra::Matrix2;
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::motion::{Follow, NodalGradient, vertex_velocity};
+use proctor_kernel::mortar::motion::{FollowMode, NodalGradient, vertex_velocity};
 use proctor_kernel::mortar::weights::VertexWeights;
 use proctor_kernel::weights::Family;
 use proctor_kernel::weights::vertex_weights;
@@ -11,7 +11,7 @@ use proctor_kernel::weights::vertex_weights;
 const CELL: [f64; 2] = [0.25, 0.5];
 
 /// Velocity of a vertex at a place given in cells, in a field v = c + G x on nodes with the given masses.
-fn follow(xi: Point, gradient: Matrix2<f64>, masses: &[f64; 9], how: Follow) -> (Point, Point) {
+fn follow(xi: Point, gradient: Matrix2<f64>, masses: &[f64; 9], how: FollowMode) -> (Point, Point) {
     let cell = Point::from(CELL);
     let w = vertex_weights(Family::Gimp, &xi, 0.25)
         .augmented(masses)
@@ -41,15 +41,15 @@ fn gradients_carry_every_linear_field_past_empty_nodes() {
         (found - exact).norm()
     };
     // With equal masses the weights reproduce linear fields by themselves.
-    for how in [Follow::Velocity, Follow::Spin, Follow::Gradient] {
+    for how in [FollowMode::Velocity, FollowMode::Spin, FollowMode::Gradient] {
         assert!(error(spin, &[1.0; 9], how) < 1e-14, "{how:?}");
     }
     // Beside empty nodes the velocity alone is that of a point inside the body: 2/s times a quarter of a cell.
-    assert!(error(spin, &LEFT, Follow::Velocity) > 0.1);
-    assert!(error(spin, &LEFT, Follow::Spin) < 1e-14);
-    assert!(error(spin, &LEFT, Follow::Gradient) < 1e-14);
-    assert!(error(shear, &LEFT, Follow::Spin) > 0.05);
-    assert!(error(shear, &LEFT, Follow::Gradient) < 1e-14);
+    assert!(error(spin, &LEFT, FollowMode::Velocity) > 0.1);
+    assert!(error(spin, &LEFT, FollowMode::Spin) < 1e-14);
+    assert!(error(spin, &LEFT, FollowMode::Gradient) < 1e-14);
+    assert!(error(shear, &LEFT, FollowMode::Spin) > 0.05);
+    assert!(error(shear, &LEFT, FollowMode::Gradient) < 1e-14);
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn without_augmentation_a_vertex_lags_behind_a_translation() {
             w,
             |k| velocities[k],
             still,
-            Follow::Spin,
+            FollowMode::Spin,
             &Point::from(CELL),
         )
     };

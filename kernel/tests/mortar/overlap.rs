@@ -3,7 +3,7 @@
 use crate::support::{moved, open, point};
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::outline::{distance_to_outline, outline};
-use proctor_kernel::mortar::overlap::{Overlap, overlap};
+use proctor_kernel::mortar::overlap::{BoundaryOverlap, overlap};
 use proctor_kernel::scene::Shape;
 use std::sync::Arc;
 
@@ -22,13 +22,16 @@ fn square(size: f64) -> Shape {
 fn squares_cross_touch_or_lie_in_each_other() {
     let (large, small) = (of(&square(2.0)), of(&square(1.0)));
     let at = |x: f64, y: f64| overlap(&moved(&small, 0.0, point(x, y)), &large);
-    assert!(matches!(at(1.6, 0.45), Some(Overlap::Crossing { .. })));
+    assert!(matches!(
+        at(1.6, 0.45),
+        Some(BoundaryOverlap::Crossing { .. })
+    ));
     // Where they cross is a vertex.
     assert!(at(1.5, 0.45).is_some());
-    assert_eq!(at(0.5, 0.45), Some(Overlap::SlaveInside(0)));
+    assert_eq!(at(0.5, 0.45), Some(BoundaryOverlap::SlaveInside(0)));
     assert_eq!(
         overlap(&large, &moved(&small, 0.0, point(0.5, 0.45))),
-        Some(Overlap::MasterInside(0))
+        Some(BoundaryOverlap::MasterInside(0))
     );
     // On an edge, at a corner, apart.
     assert_eq!(at(2.0, 0.45), None);
@@ -37,7 +40,7 @@ fn squares_cross_touch_or_lie_in_each_other() {
     // A line inside is inside, one beside is not.
     assert_eq!(
         overlap(&large, &open(&[[0.5, 0.5], [1.5, 0.7]])),
-        Some(Overlap::MasterInside(0))
+        Some(BoundaryOverlap::MasterInside(0))
     );
     assert_eq!(overlap(&large, &open(&[[0.0, -0.1], [2.0, -0.1]])), None);
     assert!(overlap(&large, &open(&[[-0.1, -0.1], [2.0, 0.5]])).is_some());
@@ -52,7 +55,10 @@ fn a_hole_is_not_inside() {
     });
     assert_eq!(overlap(&of(&square(1.0)), &ring), None);
     let within = moved(&of(&square(0.2)), 0.0, point(1.9, 0.4));
-    assert_eq!(overlap(&within, &ring), Some(Overlap::SlaveInside(0)));
+    assert_eq!(
+        overlap(&within, &ring),
+        Some(BoundaryOverlap::SlaveInside(0))
+    );
 }
 
 #[test]

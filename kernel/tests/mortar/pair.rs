@@ -7,9 +7,9 @@ use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::mortar::pair::{
-    Ahead, PairForces, PairLaw, Slip, Surfaces, contact_forces, resultant,
+    PairForces, PairLaw, PairSurfaces, Slip, StepAhead, contact_forces, resultant,
 };
-use proctor_kernel::mortar::points::{Detection, Search};
+use proctor_kernel::mortar::points::{Detection, MasterSearch};
 use proctor_kernel::scene::Shape;
 use proptest::prelude::*;
 use std::ops::Range;
@@ -25,7 +25,7 @@ fn law(detection: Detection, mu: f64) -> PairLaw {
             stiffness: 1.0e6,
         }),
         detection,
-        search: Search {
+        search: MasterSearch {
             reach: 0.3,
             depth: 0.2,
         },
@@ -39,7 +39,7 @@ fn forces(
     slip: &mut Slip<1>,
 ) -> PairForces<2, 1> {
     contact_forces(
-        Surfaces {
+        PairSurfaces {
             slave,
             master,
             slave_moved: &at_rest(slave),
@@ -162,7 +162,7 @@ proptest! {
         let master_moved = vec![point(seed[2], seed[3]); master.points.len()];
         let mut slip = Slip::default();
         let found = contact_forces(
-            Surfaces { slave: &slave, master: &master, slave_moved: &slave_moved, master_moved: &master_moved,
+            PairSurfaces { slave: &slave, master: &master, slave_moved: &slave_moved, master_moved: &master_moved,
                 slave_velocity: &at_rest(&slave), master_velocity: &at_rest(&master), ahead: None },
             &law, &mut slip);
         let (on_slave, moment_slave) = resultant(&slave.points, &found.slave, &point(0.0, 0.0));
@@ -197,7 +197,7 @@ proptest! {
         let run = |slave: &Boundary, master: &Boundary, slide: Point| {
             let mut slip = Slip::default();
             let steps: Vec<PairForces<2, 1>> = (0..3).map(|_| contact_forces(
-                Surfaces { slave, master, slave_moved: &vec![slide; slave.points.len()],
+                PairSurfaces { slave, master, slave_moved: &vec![slide; slave.points.len()],
                     master_moved: &at_rest(master), slave_velocity: &at_rest(slave),
                     master_velocity: &at_rest(master), ahead: None }, &law, &mut slip)).collect();
             steps.into_iter().next_back().unwrap()
@@ -229,7 +229,7 @@ fn pulling_a_line_along_a_floor() {
     let mut slip = Slip::default();
     let mut pull = |dx: f64| {
         let found = contact_forces(
-            Surfaces {
+            PairSurfaces {
                 slave: &slave,
                 master: &master,
                 slave_moved: &[point(dx, 0.0); 3],
@@ -290,7 +290,7 @@ fn the_approach_is_the_relative_motion_along_the_normal() {
     let slave = ceiling(&[0.0, 0.5], 0.05);
     let master = floor(&[-1.0, 1.0], 0.0);
     let found = contact_forces(
-        Surfaces {
+        PairSurfaces {
             slave: &slave,
             master: &master,
             slave_moved: &[point(0.3, -0.01); 2],
@@ -320,14 +320,14 @@ fn the_stiffness_of_a_gap_that_will_close_counts() {
     let stiffness = |closing: f64, kick: [f64; 2], time: f64| {
         let [slave_kick, master_kick] = kick.map(|v| [point(0.0, v); 2]);
         let found = contact_forces(
-            Surfaces {
+            PairSurfaces {
                 slave: &slave,
                 master: &master,
                 slave_moved: &none,
                 master_moved: &none,
                 slave_velocity: &[point(0.0, -closing); 2],
                 master_velocity: &none,
-                ahead: Some(Ahead {
+                ahead: Some(StepAhead {
                     time,
                     slave_kick: &slave_kick,
                     master_kick: &master_kick,

@@ -4,12 +4,12 @@ use crate::common::cases;
 use crate::support::{ceiling, floor, open, point};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::points::{Detection, MortarPoint, MortarPoints, Search};
+use proctor_kernel::mortar::points::{Detection, MasterSearch, MortarPoint, MortarPoints};
 use proctor_kernel::mortar::segments::{feet, project};
 use proctor_kernel::team::Team;
 use proptest::prelude::*;
 
-const SEARCH: Search = Search {
+const SEARCH: MasterSearch = MasterSearch {
     reach: 0.5,
     depth: 0.5,
 };
@@ -112,8 +112,8 @@ fn the_nearest_of_several_masters_is_seen() {
     let near = [[1.0, 0.0], [0.0, 0.0]];
     let far = [[1.0, -0.2], [0.0, -0.2]];
     let both = Boundary::new(&[
-        crate::support::chain(&far, proctor_kernel::mortar::boundary::Side::Open),
-        crate::support::chain(&near, proctor_kernel::mortar::boundary::Side::Open),
+        crate::support::chain(&far, proctor_kernel::mortar::boundary::BoundarySide::Open),
+        crate::support::chain(&near, proctor_kernel::mortar::boundary::BoundarySide::Open),
     ])
     .expect("sound");
     let slave = ceiling(&[0.2, 0.8], 0.1);

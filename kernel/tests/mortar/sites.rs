@@ -1,10 +1,10 @@
 //! Sites: where a boundary has normals.
 
 use crate::support::{at_rest, chain, floor, point};
-use proctor_kernel::mortar::boundary::{Boundary, Side};
+use proctor_kernel::mortar::boundary::{Boundary, BoundarySide};
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
-use proctor_kernel::mortar::pair::{PairLaw, Slip, Surfaces, contact_forces};
-use proctor_kernel::mortar::points::{Detection, Search};
+use proctor_kernel::mortar::pair::{PairLaw, PairSurfaces, Slip, contact_forces};
+use proctor_kernel::mortar::points::{Detection, MasterSearch};
 use proctor_kernel::mortar::sites::Sites;
 
 /// A closed polygon with equal sides.
@@ -15,7 +15,7 @@ fn polygon(sides: usize) -> Boundary {
             [cos, sin]
         })
         .collect();
-    Boundary::new(&[chain(&corners, Side::Outer)]).expect("sound")
+    Boundary::new(&[chain(&corners, BoundarySide::Outer)]).expect("sound")
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn a_block_keeps_to_the_cone_of_the_line_below_it() {
         [1.0, 1.0],
         [-1.0, 1.0],
     ];
-    let block = Boundary::new(&[chain(&block, Side::Outer)]).expect("sound");
+    let block = Boundary::new(&[chain(&block, BoundarySide::Outer)]).expect("sound");
     let line = floor(&[-2.3, -0.7, 0.1, 0.9, 2.2], 0.0);
     for detection in [Detection::Mortar, Detection::NodeToSegment] {
         for block_is_slave in [true, false] {
@@ -96,12 +96,12 @@ fn a_block_keeps_to_the_cone_of_the_line_below_it() {
                     stiffness: 1.0e8,
                 }),
                 detection,
-                search: Search {
+                search: MasterSearch {
                     reach: 0.7,
                     depth: 0.7,
                 },
             };
-            let surfaces = Surfaces {
+            let surfaces = PairSurfaces {
                 slave,
                 master,
                 slave_moved,

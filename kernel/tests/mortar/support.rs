@@ -1,17 +1,17 @@
 //! Boundaries that the tests share.
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Boundary, Chain, Side};
+use proctor_kernel::mortar::boundary::{Boundary, BoundarySide, Chain};
 
 pub fn point(x: f64, y: f64) -> Point {
     Point::new(x, y)
 }
 
 pub fn open(points: &[[f64; 2]]) -> Boundary {
-    Boundary::new(&[chain(points, Side::Open)]).expect("the line is sound")
+    Boundary::new(&[chain(points, BoundarySide::Open)]).expect("the line is sound")
 }
 
-pub fn chain(points: &[[f64; 2]], side: Side) -> Chain {
+pub fn chain(points: &[[f64; 2]], side: BoundarySide) -> Chain {
     Chain {
         points: points.iter().map(|p| point(p[0], p[1])).collect(),
         side,

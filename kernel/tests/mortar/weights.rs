@@ -2,7 +2,7 @@
 
 use crate::common::cases;
 use crate::support::point;
-use proctor_kernel::mortar::weights::Lost;
+use proctor_kernel::mortar::weights::LostVertex;
 use proctor_kernel::weights::Family;
 use proctor_kernel::weights::{face_weights, vertex_weights};
 use proptest::prelude::*;
@@ -45,7 +45,7 @@ proptest! {
         }
         let reachable = (0..9).any(|k| raw.weights[k] * masses[k] > 0.0);
         match raw.augmented(&masses) {
-            Err(Lost) => prop_assert!(!reachable),
+            Err(LostVertex) => prop_assert!(!reachable),
             Ok(w) => {
                 prop_assert!(reachable);
                 prop_assert!((w.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);

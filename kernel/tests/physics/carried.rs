@@ -2,7 +2,7 @@
 
 use crate::common::{DIMENSIONS, WEIGHTINGS, body, cuboid, empty, options, simulation};
 use proctor_kernel::scene::{Dimension, ParticleSeed, Scene, Shape, Traction, Vector};
-use proctor_kernel::simulation::{Caution, SetupError, Simulation};
+use proctor_kernel::simulation::{ResultWarning, SetupError, Simulation};
 use std::sync::Arc;
 
 fn traction(p1: Vector, p2: Vector) -> Traction {
@@ -171,7 +171,8 @@ fn a_body_that_leaves_its_traction_is_told_of() {
         }
         let energy = simulation.energy();
         let all = simulation.cautions(&energy);
-        let told = |caution: &Caution| matches!(caution, Caution::Traction { index: 0, .. });
+        let told =
+            |caution: &ResultWarning| matches!(caution, ResultWarning::Traction { index: 0, .. });
         assert!(all.iter().any(told), "{all:?}");
         let left = all
             .iter()

@@ -7,7 +7,7 @@ use proctor_kernel::laws::{AnyLaw, NeoHookean};
 use proctor_kernel::scene::{
     Damping, Dimension, DomainUpdate, PlaneCondition, Scene, StressScheme, Transfer, Weighting,
 };
-use proctor_kernel::simulation::{Caution, InitialState, Simulation};
+use proctor_kernel::simulation::{InitialState, ResultWarning, Simulation};
 use std::sync::Arc;
 
 /// An elastic block that falls 1.5 m; the reported scene with cells of 0.5 m in place of 0.25 m.
@@ -32,7 +32,7 @@ fn until(scene: &Scene, time: f64) -> Simulation {
     simulation
 }
 
-fn cautions(simulation: &mut Simulation) -> Vec<Caution> {
+fn cautions(simulation: &mut Simulation) -> Vec<ResultWarning> {
     let energy = simulation.energy();
     simulation.cautions(&energy)
 }
@@ -43,12 +43,12 @@ fn energy_from_nowhere_and_large_strain_of_incremental_elasticity_are_told() {
     let energy = simulation.energy();
     let all = simulation.cautions(&energy);
     let [
-        Caution::Energy {
+        ResultWarning::Energy {
             remainder,
             scale,
             causes,
         },
-        Caution::Strain { volume_change },
+        ResultWarning::Strain { volume_change },
     ] = &all[..]
     else {
         panic!("{all:?} {energy:?}");
@@ -112,7 +112,7 @@ fn domains_that_do_not_follow_a_large_stretch_are_told() {
         (Weighting::QuadraticBSpline, "B-spline"),
     ] {
         let all = found(0.4, weighting);
-        let [Caution::Stretch { ratio, .. }] = &all[..] else {
+        let [ResultWarning::Stretch { ratio, .. }] = &all[..] else {
             panic!("{all:?}");
         };
         // 1.477 at rest.
@@ -149,7 +149,7 @@ fn lost_spin_is_a_reason_for_caution() {
         }
         let all = cautions(&mut simulation);
         all.into_iter().find_map(|caution| match caution {
-            Caution::Spin { lost } => Some(lost),
+            ResultWarning::Spin { lost } => Some(lost),
             _ => None,
         })
     };

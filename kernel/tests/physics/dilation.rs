@@ -5,7 +5,7 @@ use crate::common::{
     momentum_scale, options, particles, rough, run, simulation_from, weightings_and_schemes,
 };
 use proctor_kernel::laws::AnyLaw;
-use proctor_kernel::plan::Demands;
+use proctor_kernel::plan::PlanOptions;
 use proctor_kernel::scene::{
     Dimension, Scene, StressScheme, TimeStep, VolumetricStrain, Weighting,
 };
@@ -182,7 +182,7 @@ fn the_plan_warns_of_locking() {
             volumetric_strain,
             ..averaged(Dimension::Two, poisson)
         };
-        plan(&scene, Demands::default()).warnings
+        plan(&scene, PlanOptions::default()).warnings
     };
     for poisson in [-0.5, 0.0, 0.3, 0.49] {
         assert_eq!(

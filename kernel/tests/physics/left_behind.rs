@@ -4,7 +4,7 @@ use crate::common::{
     APIC, DIMENSIONS, FLIP, SCHEMES, body, cuboid, elastic, empty, material, simulation,
 };
 use proctor_kernel::scene::{Dimension, Scene, StressScheme, Traction, Transfer};
-use proctor_kernel::simulation::{Caution, Simulation};
+use proctor_kernel::simulation::{ResultWarning, Simulation};
 
 /// Density, size along the motion, traction, speed at the start, and the cell.
 const DENSITY: f64 = 1000.0;
@@ -117,7 +117,7 @@ fn a_traction_left_behind_is_told_and_acts_no_more() {
         let mut gone = until(&scene, 0.25);
         let speed = gone.center(0).2[0];
         let energy = gone.energy();
-        let left = |caution: &Caution| matches!(caution, Caution::Traction { index: 0, share } if *share == 1.0);
+        let left = |caution: &ResultWarning| matches!(caution, ResultWarning::Traction { index: 0, share } if *share == 1.0);
         assert!(
             gone.cautions(&energy).iter().any(left),
             "{:?}",

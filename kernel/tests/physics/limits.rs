@@ -42,7 +42,7 @@ fn viscous_damping_bounds_the_step() {
             (energy.damping / start - 1.0).abs() < 1e-6,
             "{scheme:?} {energy:?}"
         );
-        assert_eq!(simulation.trust().doubt, None, "{scheme:?}");
+        assert_eq!(simulation.invariants().violation, None, "{scheme:?}");
     }
 }
 

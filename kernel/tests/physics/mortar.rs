@@ -5,8 +5,8 @@ use crate::common::{
     run_towards, simulation,
 };
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, PlaneCondition,
@@ -40,7 +40,7 @@ pub fn disc(center: [f64; 2], radius: f64) -> Shape {
     }
 }
 
-pub fn boundary(body: i64, follow: Follow) -> BodyBoundary {
+pub fn boundary(body: i64, follow: FollowMode) -> BodyBoundary {
     BodyBoundary {
         body,
         vertices: Vertices::Spacing(0.05),
@@ -54,7 +54,7 @@ pub fn line(points: &[[f64; 2]]) -> RigidLine {
         id: 9,
         chains: vec![Chain {
             points: points.iter().map(|p| Point::from(*p)).collect(),
-            side: Side::Open,
+            side: BoundarySide::Open,
         }],
         motion: None,
     }
@@ -74,7 +74,10 @@ pub fn collision(friction: f64) -> Scene {
     }
     scene.bodies[0].velocity = [2.0, 0.0, 0.0];
     scene.bodies[1].velocity = [-2.0, 0.5, 0.0];
-    scene.mortar.boundaries = vec![boundary(1, Follow::Spin), boundary(2, Follow::Material)];
+    scene.mortar.boundaries = vec![
+        boundary(1, FollowMode::Spin),
+        boundary(2, FollowMode::Material),
+    ];
     scene.mortar.contacts = vec![contact(1, 2, friction)];
     scene
 }
@@ -155,7 +158,7 @@ fn a_contact_that_never_meets_changes_no_bit() {
         scene.bodies.truncate(1);
         scene.mortar = Mortar::default();
         if with {
-            scene.mortar.boundaries = vec![boundary(1, Follow::Spin)];
+            scene.mortar.boundaries = vec![boundary(1, FollowMode::Spin)];
             scene.mortar.lines = vec![line(&[[2.2, 0.05], [0.1, 0.05]])];
             scene.mortar.contacts = vec![contact(9, 1, 0.3)];
         }
@@ -168,7 +171,7 @@ fn a_contact_that_never_meets_changes_no_bit() {
 
 /// How far the vertices are from where the mean turn of the particles would have brought them, in the mean, after
 /// about one turn \[m\].
-fn drift(follow: Follow, transfer: Transfer) -> f64 {
+fn drift(follow: FollowMode, transfer: Transfer) -> f64 {
     let mut scene = empty(Dimension::Two, [14, 14, 1], 0.1);
     let center = [0.7, 0.7, 0.0];
     scene.transfer = transfer;
@@ -218,14 +221,14 @@ fn drift(follow: Follow, transfer: Transfer) -> f64 {
 #[test]
 fn vertices_follow_a_turning_body() {
     let follows = [
-        Follow::Velocity,
-        Follow::Spin,
-        Follow::Gradient,
-        Follow::Material,
+        FollowMode::Velocity,
+        FollowMode::Spin,
+        FollowMode::Gradient,
+        FollowMode::Material,
     ];
     let [velocity, spin, gradient, material] = follows.map(|follow| drift(follow, APIC));
     // With FLIP the spins come from a velocity gradient that is kept for them alone.
-    let flip = drift(Follow::Spin, FLIP);
+    let flip = drift(FollowMode::Spin, FLIP);
     assert!(flip < 0.02, "{flip}");
     assert!(spin < 0.02, "{velocity} {spin} {gradient}");
     assert!(gradient < 0.02, "{velocity} {spin} {gradient}");
@@ -235,7 +238,7 @@ fn vertices_follow_a_turning_body() {
 
 /// A block whose middle hangs behind its ends, or its right half beside a plane of symmetry: the way of the vertices on
 /// the right half in the first steps, with the places that they had \[m\].
-fn sagging(half: bool, follow: Follow) -> Vec<([f64; 2], f64)> {
+fn sagging(half: bool, follow: FollowMode) -> Vec<([f64; 2], f64)> {
     let middle = 1.2;
     let mut scene = empty(Dimension::Two, [24, 14, 1], 0.1);
     let mut left = 0.7;
@@ -251,7 +254,7 @@ fn sagging(half: bool, follow: Follow) -> Vec<([f64; 2], f64)> {
     scene.bodies = vec![body(1, shape)];
     scene.mortar.boundaries = vec![boundary(1, follow)];
     // Of a spin alone the images count, for which particles must reach beyond the plane.
-    if follow == Follow::Spin {
+    if follow == FollowMode::Spin {
         scene.weighting = Weighting::QuadraticBSpline;
     }
     let options = Options {
@@ -284,15 +287,19 @@ fn sagging(half: bool, follow: Follow) -> Vec<([f64; 2], f64)> {
 /// image turns the other way.
 #[test]
 fn half_a_body_beside_a_plane_of_symmetry_moves_as_the_whole_does() {
-    for follow in [Follow::Velocity, Follow::Spin, Follow::Material] {
+    for follow in [FollowMode::Velocity, FollowMode::Spin, FollowMode::Material] {
         let (whole, half) = (sagging(false, follow), sagging(true, follow));
         assert!(half.len() > 20);
         let most = whole.iter().map(|(_, way)| way.abs()).fold(0.0, f64::max);
         assert!(most > 1e-3);
         // With spins the vertices in the plane itself leave it by what images give them of normal velocity, and those beside
         // it go another way by the square of that.
-        let within = if follow == Follow::Spin { 1e-5 } else { 1e-7 };
-        let judged = |at: &[f64; 2]| follow != Follow::Spin || at[0] > 1.2 + 1e-9;
+        let within = if follow == FollowMode::Spin {
+            1e-5
+        } else {
+            1e-7
+        };
+        let judged = |at: &[f64; 2]| follow != FollowMode::Spin || at[0] > 1.2 + 1e-9;
         for (at, way) in half.iter().filter(|(at, _)| judged(at)) {
             let near = |(x, _): &&([f64; 2], f64)| (x[0] - at[0]).hypot(x[1] - at[1]) < 1e-9;
             let (_, expected) = whole.iter().find(near).expect("the same vertices");
@@ -309,7 +316,7 @@ fn half_a_body_beside_a_plane_of_symmetry_moves_as_the_whole_does() {
 fn without_augmentation_momentum_is_lost() {
     let mut scene = collision(0.4);
     for boundary in &mut scene.mortar.boundaries {
-        boundary.follow = Follow::Unaugmented;
+        boundary.follow = FollowMode::Unaugmented;
     }
     let mut simulation = simulation(&scene);
     let (before, scale) = (simulation.momentum(), momentum_scale(&simulation));

@@ -4,8 +4,8 @@ use crate::common::{APIC, FLIP, body, cuboid, empty, material, options, run_towa
 use crate::mortar::{boundary, collision, contact, disc, line};
 use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::scene::{
     Damping, Dimension, History, MortarContact, Scene, StressScheme, Vertices,
 };
@@ -29,7 +29,7 @@ fn load() -> f64 {
 
 /// A disc at rest at the critical gap over a plane, which comes up to 0.3 of the gap within a time \[s\]. A start there is
 /// refused: the barrier presses with twelve times Young's modulus.
-fn resting(follow: Follow, rise: f64) -> Scene {
+fn resting(follow: FollowMode, rise: f64) -> Scene {
     let mut scene = empty(Dimension::Two, [36, 36, 1], CELL);
     let bottom = 0.25;
     scene.transfer = APIC;
@@ -56,7 +56,7 @@ fn resting(follow: Follow, rise: f64) -> Scene {
 }
 
 /// Of a disc that has settled: force over weight, peak over that of Hertz, distance from Hertz in L2, drift in cells.
-fn settled(follow: Follow, rise: f64) -> [f64; 4] {
+fn settled(follow: FollowMode, rise: f64) -> [f64; 4] {
     let mut simulation = simulation(&resting(follow, rise));
     let end = 2.5;
     while simulation.time() < end {
@@ -83,13 +83,13 @@ fn settled(follow: Follow, rise: f64) -> [f64; 4] {
 #[test]
 fn a_disc_that_was_squeezed_settles_with_the_pressure_of_hertz() {
     let at_once = 5.0e-4;
-    let [force, peak, off, drift] = settled(Follow::Spin, at_once);
+    let [force, peak, off, drift] = settled(FollowMode::Spin, at_once);
     assert!((force - 1.0).abs() < 1e-3, "{force}");
     assert!(
         peak > 1.5 && off > 0.5 && drift > 0.1,
         "{peak} {off} {drift}"
     );
-    let [force, peak, off, drift] = settled(Follow::Material, at_once);
+    let [force, peak, off, drift] = settled(FollowMode::Material, at_once);
     assert!((force - 1.0).abs() < 1e-3, "{force}");
     assert!((peak - 1.0).abs() < 0.1 && off < 0.25, "{peak} {off}");
     assert!(drift < 1e-12, "{drift}");
@@ -102,7 +102,7 @@ fn staying_on_the_body_does_no_work() {
     let mut scene = collision(0.4);
     (scene.scheme, scene.transfer) = (StressScheme::Musl, FLIP);
     for boundary in &mut scene.mortar.boundaries {
-        boundary.follow = Follow::Material;
+        boundary.follow = FollowMode::Material;
     }
     let mut simulation = simulation(&scene);
     let energy = simulation.kinetic_energy();
@@ -124,10 +124,10 @@ fn staying_on_the_body_does_no_work() {
 #[test]
 fn a_motion_without_strain_has_no_drift() {
     for follow in [
-        Follow::Velocity,
-        Follow::Spin,
-        Follow::Gradient,
-        Follow::Material,
+        FollowMode::Velocity,
+        FollowMode::Spin,
+        FollowMode::Gradient,
+        FollowMode::Material,
     ] {
         let mut scene = collision(0.0);
         scene.bodies.truncate(1);
@@ -174,10 +174,10 @@ fn a_vertex_that_cannot_stay_on_its_body_is_refused() {
     let triangle = [[0.5, 0.3], [0.8, 0.3], [0.5, 1.35]];
     scene.mortar.boundaries.truncate(1);
     scene.mortar.contacts.clear();
-    scene.mortar.boundaries[0].follow = Follow::Material;
+    scene.mortar.boundaries[0].follow = FollowMode::Material;
     scene.mortar.boundaries[0].vertices = Vertices::Given(vec![Chain {
         points: triangle.iter().map(|p| Point::from(*p)).collect(),
-        side: Side::Outer,
+        side: BoundarySide::Outer,
     }]);
     let refused = |scene: &Scene| match Simulation::new(scene, &options()) {
         Err(SetupError::Mortar { path, reason }) => format!("{path}: {reason}"),
@@ -193,6 +193,6 @@ fn a_vertex_that_cannot_stay_on_its_body_is_refused() {
     scene.bodies[0].particles_per_cell = [1, 1, 1];
     let said = refused(&scene);
     assert!(said.contains("gradient"), "{said}");
-    scene.mortar.boundaries[0].follow = Follow::Gradient;
+    scene.mortar.boundaries[0].follow = FollowMode::Gradient;
     assert!(Simulation::new(&scene, &options()).is_ok());
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{APIC, TPIC, body, cuboid, elastic, empty, material, simulation};
 use crate::mortar::{contact, line, run_until};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::scene::{
     BodyBoundary, BoxLoad, Damping, Dimension, DomainUpdate, MortarContact, PlaneCondition,
     RigidFacets, Scene, StressScheme, Vertices, Weighting,
@@ -21,7 +21,7 @@ const LOADED: f64 = 0.05;
 
 /// A column without Poisson's ratio between sliding planes, whose top is loaded, over a rigid plane; its face is at a share
 /// `at` of its cell.
-fn column(dimension: Dimension, h: f64, at: f64, follow: Follow) -> Scene {
+fn column(dimension: Dimension, h: f64, at: f64, follow: FollowMode) -> Scene {
     let axes = dimension.axes();
     let up = axes - 1;
     let across = if axes == 2 { 4.0 } else { 2.0 } * h;
@@ -102,13 +102,13 @@ fn farthest_off(scene: &Scene, h: f64) -> f64 {
 }
 
 /// Those that go by nodes alone. Ties to particles give the rows 0.86 and 1.14 of the pressure at 0.36 of a cell.
-const ALL: [Follow; 3] = [Follow::Velocity, Follow::Spin, Follow::Gradient];
+const ALL: [FollowMode; 3] = [FollowMode::Velocity, FollowMode::Spin, FollowMode::Gradient];
 
 #[test]
 fn rows_at_the_face_carry_the_pressure() {
     for h in [0.05, 0.025] {
         for at in [0.03, 0.2, 0.36, 0.55, 0.7, 0.9] {
-            let off = farthest_off(&column(Dimension::Two, h, at, Follow::Spin), h);
+            let off = farthest_off(&column(Dimension::Two, h, at, FollowMode::Spin), h);
             assert!(off < 0.1, "face at {at} of a cell of {h} m: {off}");
         }
     }
@@ -135,7 +135,7 @@ fn rows_carry_it_with_every_weighting() {
     ];
     for weighting in weightings {
         for (scheme, at) in [(StressScheme::Usl, 0.36), (StressScheme::Musl, 0.9)] {
-            let mut scene = column(Dimension::Two, 0.05, at, Follow::Spin);
+            let mut scene = column(Dimension::Two, 0.05, at, FollowMode::Spin);
             (scene.weighting, scene.scheme) = (weighting, scheme);
             let off = farthest_off(&scene, 0.05);
             assert!(off < 0.1, "{weighting:?}, face at {at} of a cell: {off}");
@@ -145,7 +145,7 @@ fn rows_carry_it_with_every_weighting() {
 
 #[test]
 fn rows_carry_it_in_space() {
-    for follow in [Follow::Spin, Follow::Gradient] {
+    for follow in [FollowMode::Spin, FollowMode::Gradient] {
         for at in [0.36, 0.9] {
             let off = farthest_off(&column(Dimension::Three, 0.05, at, follow), 0.05);
             assert!(off < 0.1, "{follow:?}, face at {at} of a cell: {off}");
@@ -159,7 +159,7 @@ fn rows_carry_it_where_a_face_sinks_below_a_node() {
     for scheme in [StressScheme::Usl, StressScheme::Musl] {
         for transfer in [APIC, TPIC] {
             for at in [0.0, 1e-5, 1e-3] {
-                let mut scene = column(Dimension::Two, 0.05, at, Follow::Spin);
+                let mut scene = column(Dimension::Two, 0.05, at, FollowMode::Spin);
                 (scene.scheme, scene.transfer) = (scheme, transfer);
                 let off = farthest_off(&scene, 0.05);
                 assert!(off < 0.1, "{scheme:?}, face at {at} of a cell: {off}");
@@ -195,7 +195,7 @@ fn rows_of_a_stiff_block_on_a_soft_one_carry_it() {
             scene.mortar.boundaries.push(BodyBoundary {
                 body: body.id,
                 vertices: Vertices::Spacing(0.5 * h),
-                follow: Follow::Spin,
+                follow: FollowMode::Spin,
             });
         }
         scene.box_loads = vec![BoxLoad {

@@ -4,9 +4,9 @@
 use crate::common::{body, cuboid, elastic, empty, material, options, simulation};
 use crate::mortar::{GAP, boundary, collision, contact, disc, line, plate};
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::law::NormalLaw;
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape,
     StressScheme, TimeStep, Vertices,
@@ -36,7 +36,7 @@ fn a_start_that_squeezes_is_refused() {
         scene.materials = vec![material(elastic(young, 0.3))];
         let block = cuboid([0.6, height + gap, 0.0], [1.2, 0.9, 0.0]);
         scene.bodies = vec![body(1, block)];
-        scene.mortar.boundaries = vec![boundary(1, Follow::Spin)];
+        scene.mortar.boundaries = vec![boundary(1, FollowMode::Spin)];
         scene.mortar.lines = vec![line(&[[2.0, height], [0.2, height]])];
         scene.mortar.contacts = vec![contact(9, 1, 0.0)];
         Simulation::new(&scene, &options())
@@ -59,7 +59,7 @@ fn a_vertex_off_the_body_is_named() {
     let triangle = [[0.5, 0.3], [0.8, 0.3], [0.5, 1.2]];
     scene.mortar.boundaries[0].vertices = Vertices::Given(vec![Chain {
         points: triangle.iter().map(|p| Point::from(*p)).collect(),
-        side: Side::Outer,
+        side: BoundarySide::Outer,
     }]);
     let mut simulation = simulation(&scene);
     let error = simulation.step(1.0).expect_err("nothing is near it");
@@ -175,7 +175,7 @@ fn a_gap_that_turns_is_not_run_over() {
         scene.mortar.boundaries.push(BodyBoundary {
             body: id,
             vertices: Vertices::Spacing(0.5),
-            follow: Follow::Velocity,
+            follow: FollowMode::Velocity,
         });
     }
     scene.mortar.contacts = vec![MortarContact {

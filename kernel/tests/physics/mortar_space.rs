@@ -4,7 +4,7 @@ use crate::common::{
     APIC, IDENTITY, body, elastic, empty, material, momentum_scale, options, run_towards,
     simulation,
 };
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape, Vertices,
@@ -29,7 +29,7 @@ fn contact(master: i64, slave: i64, friction: f64) -> MortarContact {
     }
 }
 
-fn boundary(body: i64, follow: Follow) -> BodyBoundary {
+fn boundary(body: i64, follow: FollowMode) -> BodyBoundary {
     BodyBoundary {
         body,
         vertices: Vertices::Spacing(0.1),
@@ -55,7 +55,10 @@ pub fn collision(friction: f64) -> Scene {
     }
     scene.bodies[0].velocity = [2.0, 0.0, 0.0];
     scene.bodies[1].velocity = [-2.0, 0.5, 0.3];
-    scene.mortar.boundaries = vec![boundary(1, Follow::Spin), boundary(2, Follow::Material)];
+    scene.mortar.boundaries = vec![
+        boundary(1, FollowMode::Spin),
+        boundary(2, FollowMode::Material),
+    ];
     scene.mortar.contacts = vec![contact(1, 2, friction)];
     scene
 }
@@ -116,7 +119,7 @@ fn threads_change_no_bit() {
 fn vertices_turn_with_their_body() {
     let omega = [3.0, -2.0, 5.0];
     let (center, time) = ([0.5, 0.5, 0.5], 0.2);
-    let error = |follow: Follow| {
+    let error = |follow: FollowMode| {
         let mut scene = empty(Dimension::Three, [10, 10, 10], 0.1);
         scene.transfer = APIC;
         scene.materials = vec![material(elastic(1.0e6, 0.3))];
@@ -160,10 +163,10 @@ fn vertices_turn_with_their_body() {
         (squares / start.len() as f64).sqrt()
     };
     let follows = [
-        Follow::Velocity,
-        Follow::Spin,
-        Follow::Gradient,
-        Follow::Material,
+        FollowMode::Velocity,
+        FollowMode::Spin,
+        FollowMode::Gradient,
+        FollowMode::Material,
     ];
     let [velocity, spin, gradient, material] = follows.map(error);
     // A turn of 1.2 rad carries the vertices by 0.3 m.
@@ -189,7 +192,7 @@ fn faces_in_walls_are_left_out() {
         },
     )];
     scene.bodies[0].velocity = [1.0, 0.0, 0.5];
-    scene.mortar.boundaries = vec![boundary(1, Follow::Material)];
+    scene.mortar.boundaries = vec![boundary(1, FollowMode::Material)];
     scene.check().expect("sound");
     let mut simulation = simulation(&scene);
     let start = simulation.boundary_vertices(1).expect("has a boundary");
@@ -221,7 +224,7 @@ fn roofs(distance: f64) -> Scene {
         body(2, roof(1, middle + distance + 0.4, middle + distance)),
     ];
     scene.bodies[1].velocity = [0.0, 0.0, -1.0];
-    scene.mortar.boundaries = vec![boundary(1, Follow::Spin), boundary(2, Follow::Spin)];
+    scene.mortar.boundaries = vec![boundary(1, FollowMode::Spin), boundary(2, FollowMode::Spin)];
     scene.mortar.contacts = vec![contact(1, 2, 0.0)];
     scene
 }

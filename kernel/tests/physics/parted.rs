@@ -1,7 +1,9 @@
 //! What parts in the cycle: water without tension that splashes, sand that is dropped.
 
 use crate::common::{APIC, body, cuboid, empty, material, options};
-use proctor_kernel::laws::{AnyLaw, DruckerPrager, EquationOfState, Match, MohrCoulomb, Newtonian};
+use proctor_kernel::laws::{
+    AnyLaw, ConeMatch, DruckerPrager, EquationOfState, MohrCoulomb, Newtonian,
+};
 use proctor_kernel::layout::Layout;
 use proctor_kernel::scene::{Dimension, DomainUpdate, PlaneCondition, Scene, Weighting};
 use proctor_kernel::simulation::Simulation;
@@ -86,7 +88,7 @@ fn dropped_sand_rests_at_its_own_volume() {
     let (young, poisson) = (1e6, 0.3);
     let laws: [AnyLaw; 2] = [
         MohrCoulomb::new(young, poisson, [30.0, 0.0, 0.0]).into(),
-        DruckerPrager::new(young, poisson, [30.0, 0.0, 0.0], Match::PlaneStrain).into(),
+        DruckerPrager::new(young, poisson, [30.0, 0.0, 0.0], ConeMatch::PlaneStrain).into(),
     ];
     for law in laws {
         let mut scene = empty(Dimension::Two, [8, 14, 1], 0.1);

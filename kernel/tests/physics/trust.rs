@@ -5,7 +5,7 @@ use crate::common::{
 };
 use proctor_kernel::scene::{Dimension, OnImbalance, Scene, Shape, StressScheme, TimeStep};
 use proctor_kernel::simulation::{
-    Condition, FieldNodes, Options, Reason, Simulation, StepErrorKind,
+    Condition, FieldNodes, Invariant, Options, Simulation, StepErrorKind,
 };
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ fn rough_start(scene: &Scene) -> Simulation {
 /// Steps until there is a doubt, an error, or `most` steps.
 fn run(mut simulation: Simulation, most: u64) -> Simulation {
     for _ in 0..most {
-        if simulation.step(1.0e9).is_err() || simulation.trust().doubt.is_some() {
+        if simulation.step(1.0e9).is_err() || simulation.invariants().violation.is_some() {
             break;
         }
     }
@@ -48,15 +48,18 @@ fn an_unstable_run_says_so_and_a_stable_one_does_not() {
         let mut stable = swinging(0.3);
         stable.scheme = scheme;
         let good = run(rough_start(&stable), 600);
-        let trust = good.trust();
-        assert_eq!(trust.doubt, None, "{scheme:?}");
+        let invariants = good.invariants();
+        assert_eq!(invariants.violation, None, "{scheme:?}");
         assert_eq!(good.steps(), 600);
-        assert!(trust.gain < 0.05 && trust.given > 0.0, "{trust:?}");
         assert!(
-            trust.increment > 0.0 && trust.increment < 1.0e-6,
-            "{trust:?}"
+            invariants.gain < 0.05 && invariants.given > 0.0,
+            "{invariants:?}"
         );
-        assert!(trust.lost_momentum < 1.0e-13, "{trust:?}");
+        assert!(
+            invariants.increment > 0.0 && invariants.increment < 1.0e-6,
+            "{invariants:?}"
+        );
+        assert!(invariants.lost_momentum < 1.0e-13, "{invariants:?}");
 
         let mut unstable = swinging(if scheme == StressScheme::Usl {
             1.0
@@ -65,12 +68,15 @@ fn an_unstable_run_says_so_and_a_stable_one_does_not() {
         });
         unstable.scheme = scheme;
         let bad = run(rough_start(&unstable), 2000);
-        let doubt = bad
-            .trust()
-            .doubt
-            .unwrap_or_else(|| panic!("{scheme:?}: {:?}", bad.trust()));
-        assert!(doubt.reason != Reason::Momentum, "{doubt}");
-        assert!(doubt.step <= bad.steps() && doubt.value > 0.5, "{doubt}");
+        let violation = bad
+            .invariants()
+            .violation
+            .unwrap_or_else(|| panic!("{scheme:?}: {:?}", bad.invariants()));
+        assert!(violation.reason != Invariant::Momentum, "{violation}");
+        assert!(
+            violation.step <= bad.steps() && violation.value > 0.5,
+            "{violation}"
+        );
     }
 }
 
@@ -85,10 +91,10 @@ fn a_scene_may_ask_to_stop() {
             Err(error) => break error,
         }
     };
-    let StepErrorKind::NotTrusted(doubt) = error.kind else {
+    let StepErrorKind::NotTrusted(violation) = error.kind else {
         panic!("{error}");
     };
-    assert_eq!(simulation.trust().doubt, Some(doubt));
+    assert_eq!(simulation.invariants().violation, Some(violation));
     assert!(
         error.to_string().contains("not to be trusted since step"),
         "{error}"
@@ -99,14 +105,14 @@ fn a_scene_may_ask_to_stop() {
 #[test]
 fn a_doubt_stays() {
     let mut unstable = run(rough_start(&swinging(1.0)), 2000);
-    let doubt = unstable.trust().doubt.expect("unstable");
+    let violation = unstable.invariants().violation.expect("unstable");
     for _ in 0..10 {
         let _ = unstable.step(1.0e9);
     }
-    assert_eq!(unstable.trust().doubt, Some(doubt));
+    assert_eq!(unstable.invariants().violation, Some(violation));
     let mut other = simulation(&swinging(1.0));
     other.restore(unstable.save()).expect("the same scene");
-    assert_eq!(other.trust(), unstable.trust());
+    assert_eq!(other.invariants(), unstable.invariants());
 }
 
 /// A fast body that is squeezed by half its length within a step: the strain increment is told at once.
@@ -127,14 +133,14 @@ fn a_step_that_strains_too_far_is_told_at_once() {
         dt: 2.0e-3,
         allow_unstable: true,
     };
-    let doubt = run(simulation(&scene), 5)
-        .trust()
-        .doubt
+    let violation = run(simulation(&scene), 5)
+        .invariants()
+        .violation
         .expect("strained too far");
     assert_eq!(
-        (doubt.reason, doubt.step),
-        (Reason::Increment, 1),
-        "{doubt}"
+        (violation.reason, violation.step),
+        (Invariant::Increment, 1),
+        "{violation}"
     );
 }
 
@@ -163,12 +169,15 @@ fn momentum_from_nowhere_is_told() {
         };
         run(Simulation::new(&scene, &options).expect("sound"), 300)
     };
-    assert_eq!(carried(true).trust().doubt, None);
-    let doubt = carried(false).trust().doubt.expect("momentum from nowhere");
+    assert_eq!(carried(true).invariants().violation, None);
+    let violation = carried(false)
+        .invariants()
+        .violation
+        .expect("momentum from nowhere");
     assert_eq!(
-        (doubt.reason, doubt.step),
-        (Reason::Momentum, 16),
-        "{doubt}"
+        (violation.reason, violation.step),
+        (Invariant::Momentum, 16),
+        "{violation}"
     );
-    assert!(doubt.to_string().contains("momentum"), "{doubt}");
+    assert!(violation.to_string().contains("momentum"), "{violation}");
 }

@@ -2,8 +2,8 @@
 
 use crate::common::{NEO_HOOKEAN, body, cuboid, elastic, empty, material, simulation};
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BaseMotion, BodyBoundary, BoxLoad, Contact, ContactNormal, Dimension, Enforcement, History,
@@ -292,7 +292,7 @@ fn an_interface_within_cells_is_named() {
 /// A block on a rigid line in mortar contact: ways by which the rows at its face do not carry the pressure.
 #[test]
 fn ways_of_mortar_contact_without_rows_under_pressure_are_named() {
-    let block = |follow: Follow, weighting: Weighting, round: bool| {
+    let block = |follow: FollowMode, weighting: Weighting, round: bool| {
         let mut scene = empty(Dimension::Two, [8, 12, 1], 0.1);
         scene.weighting = weighting;
         scene.materials = vec![soft(1.0e6)];
@@ -316,7 +316,7 @@ fn ways_of_mortar_contact_without_rows_under_pressure_are_named() {
             id: 9,
             chains: vec![Chain {
                 points: vec![Point::new(0.9, 0.228), Point::new(-0.1, 0.228)],
-                side: Side::Open,
+                side: BoundarySide::Open,
             }],
             motion: None,
         }];
@@ -337,10 +337,10 @@ fn ways_of_mortar_contact_without_rows_under_pressure_are_named() {
     let warned = |scene: &Scene, words: &str| warns(scene, &[words, "rows of particles at a face"]);
     let gimp = Weighting::UniformGimp;
     let spin = "\"spin\", the default";
-    for follow in [Follow::Velocity, Follow::Spin, Follow::Gradient] {
+    for follow in [FollowMode::Velocity, FollowMode::Spin, FollowMode::Gradient] {
         assert!(!warned(&block(follow, gimp, false), ""));
     }
-    for follow in [Follow::Material, Follow::Unaugmented] {
+    for follow in [FollowMode::Material, FollowMode::Unaugmented] {
         assert!(warned(&block(follow, gimp, false), spin));
         // Behind a round face no row is at it.
         assert!(!warned(&block(follow, gimp, true), ""));
@@ -348,6 +348,6 @@ fn ways_of_mortar_contact_without_rows_under_pressure_are_named() {
         apart.mortar.contacts.clear();
         assert!(!warned(&apart, ""));
     }
-    let linear = block(Follow::Spin, Weighting::Linear, false);
+    let linear = block(FollowMode::Spin, Weighting::Linear, false);
     assert!(warned(&linear, "quadratic_bspline"));
 }

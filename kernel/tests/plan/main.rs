@@ -14,7 +14,7 @@ use common::{
     particles, rough, run,
 };
 use proctor_kernel::layout::Layout;
-use proctor_kernel::plan::{Demands, Entry, Plan};
+use proctor_kernel::plan::{Plan, PlanEntry, PlanOptions};
 use proctor_kernel::scene::{
     BaseMotion, BoxLoad, Contact, ContactNormal, Damping, Dimension, Field, History, Motion,
     PlaneCondition, PointLoad, Results, Scene, Transfer, TransferKind, Weighting,
@@ -38,7 +38,7 @@ fn bare(axes: usize) -> usize {
     2 + 2 * axes + if axes == 2 { 4 } else { 6 }
 }
 
-fn entry<'a>(plan: &'a Plan, name: &str) -> &'a Entry {
+fn entry<'a>(plan: &'a Plan, name: &str) -> &'a PlanEntry {
     plan.entries
         .iter()
         .find(|e| e.name == name)
@@ -220,7 +220,7 @@ fn stages_that_are_kept_act() {
 #[test]
 fn the_plan_says_why() {
     let scene = plain(Dimension::Two);
-    let plan = proctor_kernel::simulation::plan(&scene, Demands::default());
+    let plan = proctor_kernel::simulation::plan(&scene, PlanOptions::default());
     assert_eq!(
         plan.layouts,
         vec![Layout::new(
@@ -247,7 +247,7 @@ fn the_plan_says_why() {
             transfer: with,
             ..scene
         },
-        Demands::default(),
+        PlanOptions::default(),
     );
     assert!(plan.layouts[0].affine.is_some() && plan.full_mapping);
 }

@@ -8,7 +8,7 @@ use crate::common::{
     options, rough, run,
 };
 use crate::{contact, entry};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BaseMotion, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Field, HeldBox, History,
@@ -35,14 +35,14 @@ struct Feature {
     /// Gives it so that it does nothing.
     idle: Give,
     /// Gives it so that it acts; `None` where it never changes the motion, or only where a body is near.
-    acting: Option<Give>,
+    nodal: Option<Give>,
 }
 
 const fn left_out(
     name: &'static str,
     entry: &'static str,
     idle: Give,
-    acting: Option<Give>,
+    nodal: Option<Give>,
 ) -> Feature {
     Feature {
         name,
@@ -50,19 +50,14 @@ const fn left_out(
         kept: false,
         columns: false,
         idle,
-        acting,
+        nodal,
     }
 }
 
-const fn kept(
-    name: &'static str,
-    entry: &'static str,
-    idle: Give,
-    acting: Option<Give>,
-) -> Feature {
+const fn kept(name: &'static str, entry: &'static str, idle: Give, nodal: Option<Give>) -> Feature {
     Feature {
         kept: true,
-        ..left_out(name, entry, idle, acting)
+        ..left_out(name, entry, idle, nodal)
     }
 }
 
@@ -71,11 +66,11 @@ const fn carried(
     name: &'static str,
     entry: &'static str,
     idle: Give,
-    acting: Option<Give>,
+    nodal: Option<Give>,
 ) -> Feature {
     Feature {
         columns: true,
-        ..kept(name, entry, idle, acting)
+        ..kept(name, entry, idle, nodal)
     }
 }
 
@@ -202,7 +197,7 @@ fn mortar(scene: &mut Scene) {
         .map(|id| BodyBoundary {
             body: id,
             vertices: Vertices::Spacing(0.1),
-            follow: Follow::Velocity,
+            follow: FollowMode::Velocity,
         })
         .to_vec();
     scene.mortar.contacts = vec![MortarContact {
@@ -436,8 +431,8 @@ fn check(scene: &Scene, without: &Simulation, feature: &Feature) {
     if !feature.columns {
         assert_eq!(idle.state_hash(), without.state_hash(), "{what}");
     }
-    if let Some(acting) = feature.acting {
-        let acts = bits(&give(acting)) != bits(without);
+    if let Some(nodal) = feature.nodal {
+        let acts = bits(&give(nodal)) != bits(without);
         assert!(acts, "{what}: changes nothing where it should act");
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::common::{body, cuboid, elastic, empty, material, simulation};
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Contact, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, History,
@@ -164,7 +164,7 @@ fn domains_that_pass_a_line_to_and_fro_are_named() {
         scene.mortar.boundaries = vec![BodyBoundary {
             body: 1,
             vertices: Vertices::Spacing(0.05),
-            follow: Follow::Spin,
+            follow: FollowMode::Spin,
         }];
         let level = low - 0.006;
         scene.mortar.lines = vec![RigidLine {
@@ -172,7 +172,7 @@ fn domains_that_pass_a_line_to_and_fro_are_named() {
             id: 9,
             chains: vec![Chain {
                 points: vec![Point::new(0.4, level), Point::new(-0.1, level)],
-                side: Side::Open,
+                side: BoundarySide::Open,
             }],
             motion: None,
         }];

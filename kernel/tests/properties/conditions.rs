@@ -25,7 +25,7 @@ impl Condition for Held {
         Self::hold(field);
     }
 
-    fn again(&self, field: &mut FieldNodes<'_, '_>) {
+    fn remap(&self, field: &mut FieldNodes<'_, '_>) {
         Self::hold(field);
     }
 }

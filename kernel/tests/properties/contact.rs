@@ -5,7 +5,7 @@ use crate::common::{
     material, momentum_scale, observe, options, particles, rough_drift,
 };
 use nalgebra::DMatrix;
-use proctor_kernel::contact::coulomb::{Coulomb, Law, Member, Touch};
+use proctor_kernel::contact::coulomb::{Coulomb, FieldTouch, FrictionLaw, Member};
 use proctor_kernel::scene::{
     Contact, ContactNormal, Dimension, PlaneCondition, Scene, StressScheme, Vector,
 };
@@ -28,7 +28,7 @@ fn dot(a: &Vector, b: &Vector) -> f64 {
 }
 
 /// Up to four fields with masses over twelve decades, and one touch for some of their pairs.
-fn node() -> impl Strategy<Value = (Vec<Member>, Vec<Touch>)> {
+fn node() -> impl Strategy<Value = (Vec<Member>, Vec<FieldTouch>)> {
     let vector = || prop::array::uniform3(-1.0..1.0_f64);
     let member =
         (-6.0..6.0_f64, vector(), vector()).prop_map(|(mass, velocity, increment)| Member {
@@ -49,11 +49,11 @@ fn node() -> impl Strategy<Value = (Vec<Member>, Vec<Touch>)> {
                 for slave in master + 1..members.len() {
                     let (normal, friction, present) = next.next().expect("six pairs of four");
                     if (present || members.len() == 2) && dot(&normal, &normal) > 1e-2 {
-                        touches.push(Touch {
+                        touches.push(FieldTouch {
                             master,
                             slave,
                             normal: unit(&normal),
-                            law: Law::Coulomb(friction),
+                            law: FrictionLaw::Coulomb(friction),
                         });
                     }
                 }
@@ -68,10 +68,10 @@ const WEDGED: f64 = 0.05;
 
 /// How far the normals of touches are from hanging on each other, by the masses between which they act: the smallest eigenvalue
 /// of their response to impulses along them, that of each to its own being 1.
-fn independence(members: &[Member], touches: &[Touch]) -> f64 {
-    let response = |s: &Touch, t: &Touch| {
+fn independence(members: &[Member], touches: &[FieldTouch]) -> f64 {
+    let response = |s: &FieldTouch, t: &FieldTouch| {
         let of = |body: usize| {
-            let sign = |touch: &Touch| {
+            let sign = |touch: &FieldTouch| {
                 f64::from(i8::from(touch.master == body) - i8::from(touch.slave == body))
             };
             sign(s) * sign(t) / members[body].mass
@@ -92,7 +92,7 @@ fn independence(members: &[Member], touches: &[Touch]) -> f64 {
         .fold(1.0, f64::min)
 }
 
-fn resolve(members: &[Member], touches: &[Touch]) -> (Vec<Member>, Vec<Vector>) {
+fn resolve(members: &[Member], touches: &[FieldTouch]) -> (Vec<Member>, Vec<Vector>) {
     let mut after = members.to_vec();
     let mut impulses = vec![];
     Coulomb::default().resolve(&mut after, |_, _| false, touches, &mut impulses);
@@ -113,11 +113,11 @@ fn wedged_bodies_are_known_as_such() {
         body(0.9, [-0.968, 0.470, 0.0]),
         body(1.0, [0.0; 3]),
     ];
-    let touch = |master, slave, normal: Vector| Touch {
+    let touch = |master, slave, normal: Vector| FieldTouch {
         master,
         slave,
         normal: unit(&normal),
-        law: Law::Coulomb(0.0),
+        law: FrictionLaw::Coulomb(0.0),
     };
     let wedged = [
         touch(0, 2, [0.828, 0.561, 0.0]),
@@ -146,7 +146,7 @@ proptest! {
             prop_assert!(change.abs() <= 1e-13 * scale, "momentum changes by {change} of {scale}");
         }
         for (touch, impulse) in touches.iter().zip(&impulses) {
-            let Law::Coulomb(friction) = touch.law else { unreachable!("all are Coulomb") };
+            let FrictionLaw::Coulomb(friction) = touch.law else { unreachable!("all are Coulomb") };
             let along = dot(impulse, &touch.normal);
             let size = dot(impulse, impulse).sqrt();
             prop_assert!(along >= 0.0, "pulls by {along}");
@@ -167,7 +167,7 @@ proptest! {
         prop_assume!(members.len() == 2 && touches.len() == 1);
         let (after, impulses) = resolve(&members, &touches);
         let (a, b, touch) = (&members[0], &members[1], &touches[0]);
-        let Law::Coulomb(friction) = touch.law else { unreachable!("all are Coulomb") };
+        let FrictionLaw::Coulomb(friction) = touch.law else { unreachable!("all are Coulomb") };
         // The manual's f_c dt on the master, eq. (7) with the signs of the errata.
         let sticking: Vector = std::array::from_fn(|k| {
             (a.mass * (b.mass * b.velocity[k]) - b.mass * (a.mass * a.velocity[k])) / (a.mass + b.mass)
@@ -205,14 +205,14 @@ proptest! {
         for (i, m) in members.iter().enumerate() {
             turned[place(i)] = *m;
         }
-        let mut moved: Vec<Touch> = touches
+        let mut moved: Vec<FieldTouch> = touches
             .iter()
-            .map(|t| Touch { master: place(t.master), slave: place(t.slave), ..*t })
+            .map(|t| FieldTouch { master: place(t.master), slave: place(t.slave), ..*t })
             .collect();
         moved.reverse();
-        let (again, _) = resolve(&turned, &moved);
+        let (remap, _) = resolve(&turned, &moved);
         for (i, m) in after.iter().enumerate() {
-            prop_assert!(distance(&m.velocity, &again[place(i)].velocity) <= 1e-12, "{i}: {m:?} {:?}", again[place(i)]);
+            prop_assert!(distance(&m.velocity, &remap[place(i)].velocity) <= 1e-12, "{i}: {m:?} {:?}", remap[place(i)]);
         }
     }
 
@@ -225,7 +225,7 @@ proptest! {
             m.mass = m.mass.powf(0.1);
         }
         for t in &mut touches {
-            t.law = Law::Coulomb(0.0);
+            t.law = FrictionLaw::Coulomb(0.0);
         }
         let (after, _) = resolve(&members, &touches);
         let wedged = independence(&members, &touches) < WEDGED;
@@ -245,10 +245,10 @@ proptest! {
             .iter()
             .map(|m| Member { velocity: mirror(&m.velocity), increment: mirror(&m.increment), ..*m })
             .collect();
-        let turned: Vec<Touch> = touches.iter().map(|t| Touch { normal: mirror(&t.normal), ..*t }).collect();
+        let turned: Vec<FieldTouch> = touches.iter().map(|t| FieldTouch { normal: mirror(&t.normal), ..*t }).collect();
         let (after, _) = resolve(&members, &touches);
-        let (again, _) = resolve(&flipped, &turned);
-        for (a, b) in after.iter().zip(&again) {
+        let (remap, _) = resolve(&flipped, &turned);
+        for (a, b) in after.iter().zip(&remap) {
             prop_assert_eq!(mirror(&a.velocity), b.velocity);
         }
     }

@@ -2,7 +2,7 @@
 
 use super::common::{DIMENSIONS, FLIP, SCHEMES, block, cuboid, options, rough, run};
 use proctor_kernel::prelude::*;
-use proctor_kernel::simulation::Remembered;
+use proctor_kernel::simulation::SavedArrays;
 
 /// Gives two bodies fields of their own, and one velocity where both are: they move as if they shared one.
 #[derive(Clone)]
@@ -21,29 +21,34 @@ impl Interaction for Glue {
         self.bodies.into_iter().collect()
     }
 
-    fn on_slabs<'a>(&'a mut self, grid: &Grid, _: Visit, give: &mut dyn FnMut(SlabPart<'a>)) {
+    fn on_slabs<'a>(
+        &'a mut self,
+        grid: &Grid,
+        _: VelocityMapping,
+        give: &mut dyn FnMut(SlabPart<'a>),
+    ) {
         for _ in &grid.slabs {
             give(SlabPart::own(&*self));
         }
     }
 
-    fn settle(&mut self, _: &mut Simulation, _: &Acting) -> Result<usize, StepError> {
+    fn settle(&mut self, _: &mut Simulation, _: &NodalConditions) -> Result<usize, StepError> {
         self.steps += 1.0;
         Ok(0)
     }
 
-    fn save(&self) -> Remembered {
+    fn save(&self) -> SavedArrays {
         vec![("steps".into(), vec![self.steps])]
     }
 
-    fn restore(&mut self, saved: &Remembered) {
+    fn restore(&mut self, saved: &SavedArrays) {
         self.steps = saved[0].1[0];
     }
 }
 
 impl Glue {
-    fn join(&self, slab: &mut Slab<'_>, now: &Now<'_>) {
-        slab.for_each_shared(self.bodies, now, |[a, b]| {
+    fn join(&self, slab: &mut Slab<'_>, context: &StepContext<'_>) {
+        slab.for_each_shared(self.bodies, context, |[a, b]| {
             let mass = a.mass() + b.mass();
             let mean = |of_a: Vector, of_b: Vector| -> Vector {
                 std::array::from_fn(|k| (a.mass() * of_a[k] + b.mass() * of_b[k]) / mass)
@@ -57,13 +62,13 @@ impl Glue {
     }
 }
 
-impl OnSlab for &Glue {
-    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, _: &mut [PlaneSums]) {
-        self.join(slab, now);
+impl SlabInteraction for &Glue {
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, _: &mut [PlaneSums]) {
+        self.join(slab, context);
     }
 
-    fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
-        self.join(slab, now);
+    fn correct_remapped(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>) {
+        self.join(slab, context);
     }
 }
 

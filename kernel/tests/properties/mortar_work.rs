@@ -1,7 +1,7 @@
 //! The map of contact forces from vertices to nodes is the transpose of that of velocities from nodes to vertices.
 
 use crate::common::{FLIP, body, calm, cuboid, elastic, empty, material, options};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape, Vector,
@@ -17,7 +17,7 @@ const GAP: f64 = 0.04;
 fn pressed(
     dimension: Dimension,
     weighting: Weighting,
-    follow: Follow,
+    follow: FollowMode,
     (angle, shift, half): (f64, Vector, bool),
 ) -> Scene {
     let axes = dimension.axes();
@@ -88,7 +88,7 @@ fn pressed(
 
 /// Of one body in the first step: the work of its contact forces on vertices over the time step \[W\], that on the nodes, and
 /// the moments of both about the origin \[N m\].
-struct Books {
+struct EnergyLedger {
     on_vertices: f64,
     on_nodes: f64,
     moment_of_vertices: Vector,
@@ -96,7 +96,7 @@ struct Books {
 }
 
 /// From rest and without stress the nodes have what contact gave them, f dt/2 = m v.
-fn first_step(scene: &Scene, id: i64) -> Books {
+fn first_step(scene: &Scene, id: i64) -> EnergyLedger {
     let mut simulation = Simulation::new(scene, &options()).expect("sound");
     let before = simulation.boundary_vertices(id).expect("has one");
     let dt = simulation.step(f64::INFINITY).expect("runs").dt;
@@ -106,23 +106,23 @@ fn first_step(scene: &Scene, id: i64) -> Books {
         .iter()
         .filter(|vertex| vertex.id == id)
         .map(|vertex| vertex.force);
-    let mut books = Books {
+    let mut ledger = EnergyLedger {
         on_vertices: 0.0,
         on_nodes: 0.0,
         moment_of_vertices: [0.0; 3],
         moment_of_nodes: [0.0; 3],
     };
     for ((f, x), y) in forces.zip(&before).zip(&after) {
-        books.on_vertices += (0..3).map(|a| f[a] * (y[a] - x[a]) / dt).sum::<f64>();
-        add_cross(&mut books.moment_of_vertices, x, &f);
+        ledger.on_vertices += (0..3).map(|a| f[a] * (y[a] - x[a]) / dt).sum::<f64>();
+        add_cross(&mut ledger.moment_of_vertices, x, &f);
     }
     let nodes = simulation.node_values();
     for node in nodes.iter().filter(|node| node.body == Some(id)) {
         let f = node.velocity.map(|v| node.mass * v / (0.5 * dt));
-        books.on_nodes += (0..3).map(|a| f[a] * node.velocity[a]).sum::<f64>();
-        add_cross(&mut books.moment_of_nodes, &node.position, &f);
+        ledger.on_nodes += (0..3).map(|a| f[a] * node.velocity[a]).sum::<f64>();
+        add_cross(&mut ledger.moment_of_nodes, &node.position, &f);
     }
-    books
+    ledger
 }
 
 fn add_cross(sum: &mut Vector, x: &Vector, f: &Vector) {
@@ -151,12 +151,12 @@ proptest! {
     #[test]
     fn forces_do_the_same_work_on_vertices_and_on_nodes(place in places(), weighting in weightings()) {
         for dimension in [Dimension::Two, Dimension::Three] {
-            for follow in [Follow::Velocity, Follow::Spin, Follow::Gradient, Follow::Material] {
+            for follow in [FollowMode::Velocity, FollowMode::Spin, FollowMode::Gradient, FollowMode::Material] {
                 let scene = pressed(dimension, weighting, follow, place);
                 for id in [1, 2] {
-                    let books = first_step(&scene, id);
-                    prop_assert!(books.on_vertices > 0.0, "{follow:?} {}", books.on_vertices);
-                    let off = (books.on_nodes / books.on_vertices - 1.0).abs();
+                    let ledger = first_step(&scene, id);
+                    prop_assert!(ledger.on_vertices > 0.0, "{follow:?} {}", ledger.on_vertices);
+                    let off = (ledger.on_nodes / ledger.on_vertices - 1.0).abs();
                     // Ways are differences of positions 1e5 times as large.
                     prop_assert!(off < 1e-8, "{dimension:?} {follow:?} body {id}: {off}");
                 }
@@ -171,12 +171,12 @@ proptest! {
         for dimension in [Dimension::Two, Dimension::Three] {
             let couple = |follow| {
                 let scene = pressed(dimension, weighting, follow, (angle, shift, false));
-                let Books { moment_of_vertices: v, moment_of_nodes: n, .. } = first_step(&scene, 1);
+                let EnergyLedger { moment_of_vertices: v, moment_of_nodes: n, .. } = first_step(&scene, 1);
                 let size = v.iter().fold(0.0_f64, |most, m| most.max(m.abs()));
                 let off = (0..3).map(|axis| (v[axis] - n[axis]).abs()).fold(0.0, f64::max);
                 off / size
             };
-            for follow in [Follow::Spin, Follow::Gradient, Follow::Material] {
+            for follow in [FollowMode::Spin, FollowMode::Gradient, FollowMode::Material] {
                 let off = couple(follow);
                 prop_assert!(off < 1e-10, "{dimension:?} {follow:?}: {off}");
             }

@@ -23,7 +23,12 @@ impl Interaction for Looks {
         BodyList::new()
     }
 
-    fn on_slabs<'a>(&'a mut self, grid: &Grid, _: Visit, give: &mut dyn FnMut(SlabPart<'a>)) {
+    fn on_slabs<'a>(
+        &'a mut self,
+        grid: &Grid,
+        _: VelocityMapping,
+        give: &mut dyn FnMut(SlabPart<'a>),
+    ) {
         self.0.lock().expect("no panic").clone_from(&grid.slabs);
         for _ in &grid.slabs {
             give(SlabPart::own(Nothing));
@@ -33,8 +38,8 @@ impl Interaction for Looks {
 
 struct Nothing;
 
-impl OnSlab for Nothing {
-    fn correct(&mut self, _: &mut Slab<'_>, _: &Now<'_>, _: &mut [PlaneSums]) {}
+impl SlabInteraction for Nothing {
+    fn correct(&mut self, _: &mut Slab<'_>, _: &StepContext<'_>, _: &mut [PlaneSums]) {}
 }
 
 /// The slabs of a block of so many cells per axis, its particles two per cell and axis, and how many particles begin in each.

@@ -83,8 +83,8 @@ proptest! {
             let lanes = Selected::new(lanes).expect("lanes");
             let mut sorter = Sorter::default();
             let mut sets = given.to_vec();
-            for again in [false, true] {
-                if again {
+            for remap in [false, true] {
+                if remap {
                     for set in &mut sets {
                         for p in 0..set.len() {
                             for axis in 0..shape.axes {

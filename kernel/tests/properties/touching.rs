@@ -2,7 +2,7 @@
 //! multiples of 2^-9 m.
 
 use crate::common::{APIC, FLIP, NEVER, TPIC, body, cuboid, elastic, empty, material, run_towards};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, MortarContact,
@@ -104,7 +104,7 @@ fn pairs(dimension: Dimension, scheme: StressScheme) -> Scene {
             scene.mortar.boundaries.push(BodyBoundary {
                 body: id,
                 vertices: Vertices::Spacing(if flat { 0.0625 } else { 0.125 }),
-                follow: Follow::Spin,
+                follow: FollowMode::Spin,
             });
         }
         scene.mortar.contacts.push(MortarContact {

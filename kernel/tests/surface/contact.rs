@@ -2,7 +2,7 @@
 
 use crate::slide::{raise, start};
 use crate::slope::{GRAVITY, H, Slope, dot};
-use proctor_kernel::plan::{Demands, Plan};
+use proctor_kernel::plan::{Plan, PlanOptions};
 use proctor_kernel::scene::{Damping, History, StressScheme, Transfer, TransferKind};
 use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, StepErrorKind};
 
@@ -365,7 +365,7 @@ fn the_plan_keeps_it_or_says_why_not() {
     };
     let with = entry(&proctor_kernel::simulation::plan(
         &scene,
-        Demands::default(),
+        PlanOptions::default(),
     ));
     assert!(
         with.kept && with.because.contains("2 triangles, 4 open edges"),
@@ -374,7 +374,7 @@ fn the_plan_keeps_it_or_says_why_not() {
     scene.surfaces.clear();
     let without = entry(&proctor_kernel::simulation::plan(
         &scene,
-        Demands::default(),
+        PlanOptions::default(),
     ));
     assert!(!without.kept);
 }

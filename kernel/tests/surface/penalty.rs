@@ -4,7 +4,7 @@ use crate::slide::{raise, start};
 use crate::slope::{H, Slope, dot};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::scene::{Scene, StressScheme};
-use proctor_kernel::stage::touch::{Touch, TouchedNode, Touches};
+use proctor_kernel::stage::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
 
 /// A body at rest that was pressed into a slope without friction, and how deep \[m\].
 fn pressed_in(stiffness: f64) -> (Slope, Scene, f64) {
@@ -43,7 +43,7 @@ fn a_penalty_force_pushes_out() {
 #[test]
 fn a_penalty_force_adds_nothing_where_contact_presses_more() {
     for (speed, penalty, expected) in [(1.0, 0.3, 1.0), (1.0, 0.0, 1.0), (-0.5, 0.3, 0.3)] {
-        let mut touches = Touches::default();
+        let mut touches = SurfaceTouches::default();
         touches.nodes.push(TouchedNode {
             node: 0,
             field: 0,
@@ -52,7 +52,7 @@ fn a_penalty_force_adds_nothing_where_contact_presses_more() {
             change: [0.0; 4],
         });
         touches.weights.push((0, [1.0, 1.0, 1.0, 0.0]));
-        touches.list.push(Touch {
+        touches.list.push(SurfaceTouch {
             weights: 0..1,
             normal: [0.0, 0.0, 1.0],
             relative: [0.0, 0.0, -speed],

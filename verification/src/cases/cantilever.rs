@@ -21,7 +21,7 @@ mod hanging;
 
 use std::sync::OnceLock;
 
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::scene::{BodyBoundary, Dimension, HeldBox, Scene, Vertices, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
 
@@ -339,10 +339,10 @@ impl Study for Cantilever {
         if rung.variant != BARE {
             scene.mortar.boundaries = vec![BodyBoundary {
                 follow: match rung.variant {
-                    GRADIENT => Follow::Gradient,
-                    NO_SPIN => Follow::Velocity,
-                    NO_AUGMENTATION => Follow::Unaugmented,
-                    _ => Follow::Spin,
+                    GRADIENT => FollowMode::Gradient,
+                    NO_SPIN => FollowMode::Velocity,
+                    NO_AUGMENTATION => FollowMode::Unaugmented,
+                    _ => FollowMode::Spin,
                 },
                 ..boundary(1, Vertices::Spacing(0.5 * h))
             }];

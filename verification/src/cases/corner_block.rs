@@ -11,7 +11,7 @@
 //! Source: Liang et al. 2024, eq. 41 and 50. `proctor verify corner-block`.
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{
     Damping, Dimension, Mortar, MortarContact, Scene, TransferKind, Vector, Vertices,
 };
@@ -186,7 +186,7 @@ impl Study for CornerBlock {
             points: (0..=20)
                 .map(|k| Point::new(to - 0.2 - (to - from - 0.4) * f64::from(k) / 20.0, 0.0))
                 .collect(),
-            side: Side::Open,
+            side: BoundarySide::Open,
         };
         let ends = if rung.variant == VARIANTS[0] {
             [2, 1]

@@ -9,7 +9,7 @@
 mod returns;
 
 use proctor_kernel::laws::{
-    AnyLaw, Bingham, DruckerPrager, Match, MohrCoulomb, Point, Tresca, VonMises,
+    AnyLaw, Bingham, ConeMatch, DruckerPrager, MohrCoulomb, Point, Tresca, VonMises,
 };
 use proctor_kernel::scene::{Dimension, Mesh, Scene};
 use proctor_kernel::simulation::Options;
@@ -124,7 +124,7 @@ fn of_soil() -> TwoSlopes {
 }
 
 fn cone_of_soil() -> DruckerPrager {
-    DruckerPrager::new(YOUNG, POISSON_OF_SOIL, SOIL, Match::PlaneStrain)
+    DruckerPrager::new(YOUNG, POISSON_OF_SOIL, SOIL, ConeMatch::PlaneStrain)
 }
 
 fn of_cone() -> TwoSlopes {

@@ -29,7 +29,7 @@ pub use shapes::outlines;
 use std::fmt::Display;
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{
     Body, Damping, Dimension, History, Mesh, MortarContact, OnImbalance, PlaneCondition, RigidLine,
     Scene, Shape, Vertices,
@@ -92,7 +92,7 @@ fn line(id: i64, name: &str, ends: [[f64; 2]; 2], motion: Option<History>) -> Ri
         points: (0..=count)
             .map(|k| a + (b - a) * (k as f64 / count as f64))
             .collect(),
-        side: Side::Open,
+        side: BoundarySide::Open,
     };
     rigid_line(name, id, chain, motion)
 }
@@ -168,7 +168,7 @@ impl Case for Grains {
             });
             let chain = Chain {
                 points: outline.into_iter().map(Point::from).collect(),
-                side: Side::Outer,
+                side: BoundarySide::Outer,
             };
             let vertices = Vertices::Given(vec![chain]);
             scene.mortar.boundaries.push(boundary(id, vertices));

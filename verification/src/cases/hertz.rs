@@ -13,7 +13,7 @@
 //! Expected with h = 0.1 m: force 0.4 %, peak 0.2 %, half-width 0.7 %, pressure 3 % in L2. `proctor verify hertz`.
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{
     BoxLoad, Damping, Dimension, Mortar, Scene, Shape, TransferKind, Vertices,
 };
@@ -98,7 +98,7 @@ fn boundary(h: f64) -> Chain {
             .chain(right)
             .map(|s| Point::from(on_circle(s)))
             .collect(),
-        side: Side::Outer,
+        side: BoundarySide::Outer,
     }
 }
 
@@ -230,7 +230,7 @@ impl Study for Hertz {
         let points = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
         let plane = Chain {
             points: points.collect(),
-            side: Side::Open,
+            side: BoundarySide::Open,
         };
         let mut scene = Scene {
             name: rung.label.clone(),

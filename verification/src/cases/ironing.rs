@@ -27,7 +27,7 @@ mod pressed;
 
 use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{
     Damping, Dimension, History, MortarContact, PlaneCondition, Scene, Vertices,
 };
@@ -176,7 +176,7 @@ fn indenter() -> Chain {
     }));
     Chain {
         points,
-        side: Side::Outer,
+        side: BoundarySide::Outer,
     }
 }
 

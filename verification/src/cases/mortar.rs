@@ -2,7 +2,7 @@
 //! of Liang et al. 2024.
 
 use proctor_kernel::mortar::boundary::Chain;
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, DomainUpdate, Enforcement, History, MortarContact, RigidLine, Scene,
@@ -42,7 +42,7 @@ pub fn boundary(body: i64, vertices: Vertices) -> BodyBoundary {
     BodyBoundary {
         body,
         vertices,
-        follow: Follow::Spin,
+        follow: FollowMode::Spin,
     }
 }
 

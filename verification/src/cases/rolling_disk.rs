@@ -19,7 +19,7 @@
 mod turn;
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{
     Damping, Dimension, Mortar, MortarContact, Results, Scene, Shape, TransferKind, Vertices,
 };
@@ -110,7 +110,7 @@ fn plane(h: f64, from: f64, to: f64) -> Chain {
         points: (0..=count)
             .map(|k| Point::new(to - (to - from) * k as f64 / count as f64, 0.0))
             .collect(),
-        side: Side::Open,
+        side: BoundarySide::Open,
     }
 }
 

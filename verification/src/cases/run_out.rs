@@ -63,7 +63,7 @@ pub fn run(
 ) -> Result<RunOut, Failure> {
     let end = simulation.scene().time;
     let (mass, (_, start, _)) = (simulation.mass(), simulation.center(0));
-    let mut books = Books::default();
+    let mut ledger = EnergyLedger::default();
     let mut run = RunOut {
         places: vec![place(simulation)],
         drawing: Drawing {
@@ -86,7 +86,7 @@ pub fn run(
                 carried[axis] += info.dt * momentum[axis];
             }
         }
-        books.look(simulation, work);
+        ledger.look(simulation, work);
         run.places.push(place(simulation));
         if PICTURED.contains(&sample) {
             draw(simulation, &mut run.drawing, &mut times);
@@ -98,7 +98,7 @@ pub fn run(
     let off: [f64; 2] =
         std::array::from_fn(|axis| centre[axis] - start[axis] - carried[axis] / mass);
     let fell = (start[1] - centre[1]).abs();
-    run.quantities = books.quantities(simulation);
+    run.quantities = ledger.quantities(simulation);
     run.quantities.push(Quantity::balance(
         ASTRAY,
         libm::hypot(off[0], off[1]) / fell,
@@ -116,7 +116,7 @@ pub fn run(
 
 /// Energies of the samples so far.
 #[derive(Default)]
-struct Books {
+struct EnergyLedger {
     /// Most energy from nowhere of any sample \[J\].
     gained: f64,
     /// Most plastic work that was lost between two samples \[J\].
@@ -127,7 +127,7 @@ struct Books {
     unbooked: f64,
 }
 
-impl Books {
+impl EnergyLedger {
     fn look(&mut self, simulation: &mut Simulation, work: f64) {
         let energy = simulation.energy();
         let unbooked = energy.remainder - (1.0 - work) * energy.external_work;

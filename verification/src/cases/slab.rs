@@ -4,7 +4,7 @@
 //! particles and triangles are the same on both sides of its middle. What a slab gives, divided by its thickness, is to be
 //! what the plane gives; what is left is that the two project boundaries differently.
 
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::mortar::space::refine::fill;
 use proctor_kernel::scene::{
@@ -221,8 +221,8 @@ fn surface(chains: &[Chain], thickness: f64) -> Result<Surface, NoSlab> {
     for chain in chains {
         let points = &chain.points;
         let joined = match chain.side {
-            Side::Open => points.len() - 1,
-            Side::Outer | Side::Hole => points.len(),
+            BoundarySide::Open => points.len() - 1,
+            BoundarySide::Outer | BoundarySide::Hole => points.len(),
         };
         for k in 0..joined {
             let (a, b) = (points[k], points[(k + 1) % points.len()]);
@@ -235,7 +235,7 @@ fn surface(chains: &[Chain], thickness: f64) -> Result<Surface, NoSlab> {
             let middle = [0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * thickness];
             corners.extend((0..4).map(|i| [ring[i], ring[(i + 1) % 4], middle]));
         }
-        if chain.side == Side::Outer {
+        if chain.side == BoundarySide::Outer {
             let (points, triangles) = fill(points, f64::INFINITY);
             for [a, b, c] in triangles {
                 let at = |v: usize, z: f64| [points[v].x, points[v].y, z];

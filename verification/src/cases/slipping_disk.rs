@@ -11,7 +11,7 @@
 //! the middle of the contact. `proctor verify slipping-disk`.
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{
     Damping, Dimension, Mortar, MortarContact, Scene, Shape, TransferKind, Vertices,
 };
@@ -165,7 +165,7 @@ impl Study for SlippingDisk {
                     Point::new(to - 0.2 - (to - from - 0.4) * share, 0.0)
                 })
                 .collect(),
-            side: Side::Open,
+            side: BoundarySide::Open,
         };
         let mut scene = Scene {
             name: rung.label.clone(),

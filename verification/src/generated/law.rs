@@ -1,8 +1,8 @@
 //! Laws of a given stiffness, and the same in other units.
 
 use proctor_kernel::laws::{
-    self, AnyLaw, Bingham, DruckerPrager, LinearElastic, Match, MohrCoulomb, NeoHookean, Newtonian,
-    Tresca, VonMises,
+    self, AnyLaw, Bingham, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, NeoHookean,
+    Newtonian, Tresca, VonMises,
 };
 
 use super::dice::Dice;
@@ -21,7 +21,7 @@ pub fn any(dice: &mut Dice, young: f64, density: f64, cell: f64) -> AnyLaw {
         1 => Tresca::new(young, poisson, strength).into(),
         2 => MohrCoulomb::new(young, poisson, angles).into(),
         3 => {
-            let matched = dice.pick(&[Match::PlaneStrain, Match::Outer, Match::Inner]);
+            let matched = dice.pick(&[ConeMatch::PlaneStrain, ConeMatch::Outer, ConeMatch::Inner]);
             DruckerPrager::new(young, poisson, angles, matched).into()
         }
         4 => Newtonian::new(young, viscosity).into(),

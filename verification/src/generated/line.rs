@@ -1,9 +1,9 @@
 //! A block on a rigid line, by mortar contact in the plane.
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::law::NormalLaw;
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Damping, Dimension, Enforcement, MortarContact, RigidLine, StressScheme, Vertices,
@@ -36,7 +36,7 @@ const FIRST: f64 = 0.1;
 const FELT: f64 = 2.5;
 
 /// Vertices that go by nodes. A plan warns of the other ways, whose rows at the line are off.
-const FOLLOWS: [Follow; 3] = [Follow::Spin, Follow::Velocity, Follow::Gradient];
+const FOLLOWS: [FollowMode; 3] = [FollowMode::Spin, FollowMode::Velocity, FollowMode::Gradient];
 
 fn line(dice: &mut Dice) -> Trial {
     let layer = Layer {
@@ -72,7 +72,7 @@ fn line(dice: &mut Dice) -> Trial {
         id: 9,
         chains: vec![Chain {
             points: vec![Point::new(right, level), Point::new(left, level)],
-            side: Side::Open,
+            side: BoundarySide::Open,
         }],
         motion: None,
     });

@@ -25,7 +25,7 @@ mod units;
 pub use dice::Dice;
 pub use seen::{Particle, Seen};
 
-use proctor_kernel::plan::Demands;
+use proctor_kernel::plan::PlanOptions;
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::{Options, plan};
 
@@ -191,7 +191,7 @@ pub fn answer(seed: u64, number: u64) -> Answer {
     let found = results(&trial.runs).map(|seen| (trial.judge)(&seen));
     let scene = trial.runs.swap_remove(0).scene;
     let foreseen = !question.foreseen.is_empty() && {
-        let plan = plan(&scene, Demands::default());
+        let plan = plan(&scene, PlanOptions::default());
         let named = |warning: &String| {
             question
                 .foreseen

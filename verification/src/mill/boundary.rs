@@ -69,7 +69,7 @@ impl Condition for Frame {
         self.prescribe(field, field.time() - 0.5 * self.dt);
     }
 
-    fn again(&self, field: &mut FieldNodes<'_, '_>) {
+    fn remap(&self, field: &mut FieldNodes<'_, '_>) {
         let sign = if self.at_new_positions { 0.5 } else { -0.5 };
         self.prescribe(field, field.time() + sign * self.dt);
     }

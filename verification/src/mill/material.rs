@@ -4,7 +4,7 @@
 //! a memory are integrated along the exact motion by their own update ([`path`](super::path)).
 
 use proctor_kernel::laws::{
-    AnyLaw, DruckerPrager, Hencky, Isotropic, LinearElastic, Match, NeoHookean, VonMises,
+    AnyLaw, ConeMatch, DruckerPrager, Hencky, Isotropic, LinearElastic, NeoHookean, VonMises,
 };
 
 use super::motion::{Matrix, matrix};
@@ -102,7 +102,7 @@ impl Material {
     #[must_use]
     pub fn drucker_prager(&self) -> DruckerPrager {
         let angles = [FRICTION, self.strength, DILATION];
-        DruckerPrager::new(self.young, self.poisson, angles, Match::PlaneStrain)
+        DruckerPrager::new(self.young, self.poisson, angles, ConeMatch::PlaneStrain)
     }
 
     /// sqrt(J_2) \[Pa\] on the cone of Drucker and Prager at a mean stress \[Pa\], matched in plane strain: xi c - eta p with

@@ -6,7 +6,7 @@ use proctor_files::output::Summary;
 use proctor_files::output::checkpoint::CHECKPOINT;
 use proctor_files::output::history::HISTORY;
 use proctor_files::output::pvd::LIST;
-use proctor_files::output::summary::{Energy, OVERLAP, SUMMARY, Status, VOLUME_RATIO};
+use proctor_files::output::summary::{OVERLAP, SUMMARY, Status, SummaryEnergy, VOLUME_RATIO};
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -184,7 +184,7 @@ impl Report<'_> {
 }
 
 /// What is missing, and where it went: the channels that took something, and what none of them accounts for.
-fn dissipated(e: &Energy) -> Option<String> {
+fn dissipated(e: &SummaryEnergy) -> Option<String> {
     let mut text = format!("{} J", number(e.dissipated?));
     let channels = [
         ("damping", e.damping),

@@ -10,7 +10,7 @@ use super::keys::RawScene;
 
 /// Objects of the same kind in a scene file, such as all bodies, and the keys that they may have.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Block {
+pub struct KeyBlock {
     /// Where they are: `mesh.boundary_conditions`; empty for the top of a scene.
     pub path: String,
     /// What they are, in sentences.
@@ -35,7 +35,7 @@ pub struct Key {
     /// The values that it may have, or those of its list, where there are only these.
     pub words: Vec<Value>,
     /// What holds where the key is missing.
-    pub default: Otherwise,
+    pub default: KeyDefault,
     /// What else must be in the scene for the key to mean something.
     pub needs: Option<String>,
     /// The key of which this is another spelling.
@@ -48,7 +48,7 @@ pub struct Key {
 
 /// What holds where a key is missing.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Otherwise {
+pub enum KeyDefault {
     /// The key must be there.
     Needed,
     /// As if the key had this value.
@@ -115,7 +115,7 @@ impl fmt::Display for Range {
     }
 }
 
-impl fmt::Display for Otherwise {
+impl fmt::Display for KeyDefault {
     /// `needed`, or what holds.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -144,10 +144,10 @@ impl Key {
             },
             words: [list("enum"), list("x-words")].concat(),
             default: match (property.get("default"), text("x-default"), text("x-also")) {
-                (Some(value), ..) => Otherwise::Value(value.clone()),
-                (None, Some(words), _) => Otherwise::Words(words),
-                (None, None, Some(_)) => Otherwise::OfOther,
-                (None, None, None) => Otherwise::Needed,
+                (Some(value), ..) => KeyDefault::Value(value.clone()),
+                (None, Some(words), _) => KeyDefault::Words(words),
+                (None, None, Some(_)) => KeyDefault::OfOther,
+                (None, None, None) => KeyDefault::Needed,
             },
             needs: text("x-needs"),
             also: text("x-also"),
@@ -167,8 +167,8 @@ impl Key {
             let _ = write!(more, " Only with {needs}.");
         }
         match &self.default {
-            Otherwise::Needed => more.push_str(" Needed."),
-            Otherwise::OfOther => {}
+            KeyDefault::Needed => more.push_str(" Needed."),
+            KeyDefault::OfOther => {}
             default => {
                 let _ = write!(more, " Default: {default}.");
             }
@@ -179,14 +179,14 @@ impl Key {
 
 /// The blocks of a scene file, the top first; what is another spelling of a block is no block of its own.
 #[must_use]
-pub fn blocks() -> Vec<Block> {
+pub fn blocks() -> Vec<KeyBlock> {
     let root = schema_for!(RawScene).to_value();
     let mut blocks = vec![];
     collect("", &root, &root, &mut blocks);
     blocks
 }
 
-fn collect(path: &str, object: &Value, root: &Value, blocks: &mut Vec<Block>) {
+fn collect(path: &str, object: &Value, root: &Value, blocks: &mut Vec<KeyBlock>) {
     let nothing = Map::new();
     let properties = object["properties"].as_object().unwrap_or(&nothing);
     let keys: Vec<Key> = properties
@@ -201,7 +201,7 @@ fn collect(path: &str, object: &Value, root: &Value, blocks: &mut Vec<Block>) {
             Some((super::build::join(path, &key.name), inner))
         })
         .collect();
-    blocks.push(Block {
+    blocks.push(KeyBlock {
         path: path.to_owned(),
         meaning: object["description"]
             .as_str()

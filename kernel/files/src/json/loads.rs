@@ -1,4 +1,4 @@
-//! What acts from outside, from its keys.
+//! Loads and prescribed motions, built from their keys.
 
 use super::build::Build;
 use super::keys::{RawEarthquake, RawScene};

@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use proctor_kernel::laws::{ALL, Accepted, Choice, Constant, Curve, Given, Kind, Rows};
+use proctor_kernel::laws::{
+    ALL, Accepted, Choice, Constant, ConstantDefault, Curve, LawType, Rows,
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
@@ -61,7 +63,7 @@ pub(super) fn curves() -> Vec<&'static Curve> {
 }
 
 fn each_once<T>(
-    of: impl Fn(&Kind) -> &'static [T],
+    of: impl Fn(&LawType) -> &'static [T],
     key: impl Fn(&T) -> &'static str,
 ) -> Vec<&'static T> {
     let mut all: Vec<&T> = vec![];
@@ -74,9 +76,9 @@ fn each_once<T>(
 }
 
 /// A key that a material may have. One that it may not is refused while it is read, so that the error has its place.
-struct Key(String);
+struct MaterialKey(String);
 
-impl<'de> Deserialize<'de> for Key {
+impl<'de> Deserialize<'de> for MaterialKey {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let key = String::deserialize(deserializer)?;
         let of_all = ["type", "id", "density"].into_iter();
@@ -102,8 +104,8 @@ struct Word(String);
 
 impl<'de> Deserialize<'de> for Word {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct OfWord;
-        impl Visitor<'_> for OfWord {
+        struct WordSeed;
+        impl Visitor<'_> for WordSeed {
             type Value = Word;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -116,7 +118,7 @@ impl<'de> Deserialize<'de> for Word {
                 Ok(Word(word.to_string()))
             }
         }
-        deserializer.deserialize_any(OfWord)
+        deserializer.deserialize_any(WordSeed)
     }
 }
 
@@ -133,7 +135,7 @@ impl<'de> Visitor<'de> for Keys {
         let (constants, choices, curves) = (constants(), choices(), curves());
         let mut material = RawMaterial::default();
         let mut seen: Vec<String> = vec![];
-        while let Some(Key(key)) = map.next_key()? {
+        while let Some(MaterialKey(key)) = map.next_key()? {
             // The words of serde's own errors for keys of a struct, so that all are reported alike.
             if seen.contains(&key) {
                 return Err(A::Error::custom(format!("duplicate field `{key}`")));
@@ -235,7 +237,7 @@ impl JsonSchema for RawMaterial {
 
 /// The schema of a number that some laws need.
 fn of_constant(constant: &Constant) -> Value {
-    let own = |law: &'static Kind| law.constants.iter().find(|own| own.key == constant.key);
+    let own = |law: &'static LawType| law.constants.iter().find(|own| own.key == constant.key);
     let mut property = json!({
         "description": said_by_laws(|law| Some(own(law)?.meaning.to_owned())) + ".",
         "type": ["number", "null"],
@@ -248,16 +250,16 @@ fn of_constant(constant: &Constant) -> Value {
         given if all().any(|other| other.given != given) => {
             let otherwise = said_by_laws(|law| {
                 Some(match own(law)?.given {
-                    Given::Needed => "none".to_owned(),
-                    Given::Or(value) => value.to_string(),
-                    Given::As(key) => format!("`{key}`"),
+                    ConstantDefault::Needed => "none".to_owned(),
+                    ConstantDefault::Or(value) => value.to_string(),
+                    ConstantDefault::As(key) => format!("`{key}`"),
                 })
             });
             property["x-default"] = otherwise.into();
         }
-        Given::Needed => property["x-needed"] = true.into(),
-        Given::Or(value) => property["default"] = value.into(),
-        Given::As(key) => property["x-default"] = format!("`{key}`").into(),
+        ConstantDefault::Needed => property["x-needed"] = true.into(),
+        ConstantDefault::Or(value) => property["default"] = value.into(),
+        ConstantDefault::As(key) => property["x-default"] = format!("`{key}`").into(),
     }
     match constant.accepted {
         Accepted::Positive => property["exclusiveMinimum"] = 0.into(),
@@ -306,7 +308,7 @@ fn of_choice(choice: &Choice) -> Value {
 
 /// The schema of a curve that some laws may be given.
 fn of_curve(curve: &Curve) -> Value {
-    let own = |law: &'static Kind| law.curves.iter().find(|own| own.key == curve.key);
+    let own = |law: &'static LawType| law.curves.iter().find(|own| own.key == curve.key);
     let units = curve
         .units
         .map(|unit| if unit.is_empty() { "1" } else { unit });
@@ -330,7 +332,7 @@ fn of_curve(curve: &Curve) -> Value {
 }
 
 /// Description of a key by its laws: one text where they agree, else one for each type.
-fn said_by_laws(of: impl Fn(&'static Kind) -> Option<String>) -> String {
+fn said_by_laws(of: impl Fn(&'static LawType) -> Option<String>) -> String {
     let mut all: Vec<(String, Vec<&str>)> = vec![];
     for law in ALL {
         let Some(said) = of(law) else { continue };
@@ -350,7 +352,7 @@ fn said_by_laws(of: impl Fn(&'static Kind) -> Option<String>) -> String {
 }
 
 /// Says of a key which laws have it, unless all do.
-fn needs(property: &mut Value, has: impl Fn(&Kind) -> bool) {
+fn needs(property: &mut Value, has: impl Fn(&LawType) -> bool) {
     let having = ALL.iter().filter(|law| has(law));
     let words: Vec<String> = having.map(|law| format!("{:?}", law.name)).collect();
     if words.len() < ALL.len() {

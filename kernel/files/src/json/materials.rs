@@ -4,7 +4,7 @@ use super::build::Build;
 use super::keys::RawScene;
 use super::material_keys::RawMaterial;
 use super::words::listed;
-use proctor_kernel::laws::{ALL, Given, Kind, Rows};
+use proctor_kernel::laws::{ALL, ConstantDefault, LawType, Rows};
 use proctor_kernel::number::Number;
 use proctor_kernel::scene::Material;
 
@@ -32,7 +32,7 @@ impl Build<'_> {
     }
 
     fn material(&mut self, path: &str, name: String, i: usize, raw: &RawMaterial) -> Material {
-        let words: Vec<(&str, &Kind)> = ALL.iter().map(|kind| (kind.name, kind)).collect();
+        let words: Vec<(&str, &LawType)> = ALL.iter().map(|kind| (kind.name, kind)).collect();
         let kind = if let Some(word) = &raw.r#type {
             // Other solvers write `mohr-coulomb`.
             self.word(&format!("{path}.type"), &word.replace('-', "_"), &words)
@@ -60,9 +60,9 @@ impl Build<'_> {
         for constant in kind_or_first.constants {
             let before = kind_or_first.constants.iter().zip(&values);
             let given = raw.number(constant).or(match constant.given {
-                Given::Needed => None,
-                Given::Or(value) => Some(value),
-                Given::As(key) => before
+                ConstantDefault::Needed => None,
+                ConstantDefault::Or(value) => Some(value),
+                ConstantDefault::As(key) => before
                     .into_iter()
                     .find(|(earlier, _)| earlier.key == key)
                     .map(|(_, value)| *value),
@@ -101,25 +101,25 @@ impl Build<'_> {
     }
 
     /// A number that only another law has.
-    fn refuse_constants_of_others(&mut self, path: &str, kind: &Kind, raw: &RawMaterial) {
+    fn refuse_constants_of_others(&mut self, path: &str, kind: &LawType, raw: &RawMaterial) {
         for constant in super::material_keys::constants() {
             let own = kind.constants.iter().any(|own| own.key == constant.key);
             if own || raw.number(constant).is_none() {
                 continue;
             }
-            let having = |other: &&Kind| other.constants.iter().any(|c| c.key == constant.key);
+            let having = |other: &&LawType| other.constants.iter().any(|c| c.key == constant.key);
             self.refuse_key_of_others(path, constant.key, kind, ALL.iter().filter(having));
         }
     }
 
     /// A curve that only another law may be given.
-    fn refuse_curves_of_others(&mut self, path: &str, kind: &Kind, raw: &RawMaterial) {
+    fn refuse_curves_of_others(&mut self, path: &str, kind: &LawType, raw: &RawMaterial) {
         for curve in super::material_keys::curves() {
             let own = kind.curves.iter().any(|own| own.key == curve.key);
             if own || raw.curve(curve).is_none() {
                 continue;
             }
-            let having = |other: &&Kind| other.curves.iter().any(|c| c.key == curve.key);
+            let having = |other: &&LawType| other.curves.iter().any(|c| c.key == curve.key);
             self.refuse_key_of_others(path, curve.key, kind, ALL.iter().filter(having));
         }
     }
@@ -128,8 +128,8 @@ impl Build<'_> {
         &mut self,
         path: &str,
         key: &str,
-        kind: &Kind,
-        having: impl Iterator<Item = &'a Kind>,
+        kind: &LawType,
+        having: impl Iterator<Item = &'a LawType>,
     ) {
         self.add(
             format!("{path}.{key}"),
@@ -139,13 +139,13 @@ impl Build<'_> {
     }
 
     /// A word that only another law may be given.
-    fn refuse_choices_of_others(&mut self, path: &str, kind: &Kind, raw: &RawMaterial) {
+    fn refuse_choices_of_others(&mut self, path: &str, kind: &LawType, raw: &RawMaterial) {
         for choice in super::material_keys::choices() {
             let own = kind.choices.iter().any(|own| own.key == choice.key);
             if own || raw.word(choice).is_none() {
                 continue;
             }
-            let having = |other: &&Kind| other.choices.iter().any(|c| c.key == choice.key);
+            let having = |other: &&LawType| other.choices.iter().any(|c| c.key == choice.key);
             self.add(
                 format!("{path}.{}", choice.key),
                 choice.elsewhere.replace("{law}", kind.name),
@@ -164,7 +164,7 @@ impl Build<'_> {
 }
 
 /// What is accepted in the place of a key that only other laws have.
-fn not_given_or<'a>(key: &str, laws: impl Iterator<Item = &'a Kind>) -> String {
+fn not_given_or<'a>(key: &str, laws: impl Iterator<Item = &'a LawType>) -> String {
     let names: Vec<String> = laws.map(|law| format!("{:?}", law.name)).collect();
     format!("no `{key}`, or `type` {}", names.join(" or "))
 }

@@ -29,23 +29,23 @@ use std::path::Path;
 
 use self::build::Build;
 use self::keys::RawScene;
-use self::parse::Unread;
+use self::parse::ParseFailure;
 use proctor_kernel::scene::{Problem, Scene, SceneError};
 
-pub use self::elsewhere::{Elsewhere, all_elsewhere, elsewhere};
-pub use self::glossary::{Block, Key, Otherwise, Range, blocks, schema};
+pub use self::elsewhere::{ForeignWord, all_elsewhere, elsewhere};
+pub use self::glossary::{Key, KeyBlock, KeyDefault, Range, blocks, schema};
 pub use self::own::write_own;
 pub use self::parse::parse;
-pub use self::source::{Places, Source, unreadable};
+pub use self::source::{SceneSource, SourceMap, unreadable};
 pub use self::words::{listed, nearest, words_of};
-pub use self::write::{NotWritten, Written, write};
+pub use self::write::{NotWritten, SceneWriter, write};
 
 /// Reads a scene from a JSON file; files that it names are looked for in its folder.
 ///
 /// # Errors
 /// A file that cannot be read, and everything that [`from_json`] reports.
 pub fn read(path: &Path) -> Result<Scene, SceneError> {
-    Ok(Source::file(path)?.scene()?.0)
+    Ok(SceneSource::file(path)?.scene()?.0)
 }
 
 /// Reads a scene from JSON text. `source_name` stands for the text in messages, and its stem becomes the name of
@@ -67,7 +67,7 @@ fn placed(
     let mut build = Build::new(folder);
     let raw: RawScene = match parse::all(text, source_name) {
         Ok(raw) => raw,
-        Err(Unread { mut problems, rest }) => {
+        Err(ParseFailure { mut problems, rest }) => {
             if let Some(rest) = rest {
                 build.scene(&rest);
                 problems.extend(build.of_words());

@@ -5,8 +5,8 @@ use super::keys::{RawBody, RawContact, RawScene};
 use super::materials::entry_path;
 use super::words::{DETECTIONS, ENFORCEMENTS, FOLLOWS};
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Enforcement, MortarContact, RigidFacets, RigidLine, Scene, Vertices,
@@ -34,9 +34,9 @@ impl Build<'_> {
             self.spelt(format!("rigid_line[{i}]"), path.clone());
             let points = join(&path, "points");
             let side = if line.closed == Some(true) {
-                Side::Outer
+                BoundarySide::Outer
             } else {
-                Side::Open
+                BoundarySide::Open
             };
             let chain = if let Some(given) = &line.points {
                 self.chain(&points, given, side)
@@ -116,9 +116,9 @@ impl Build<'_> {
             (_, Some(points), _) => {
                 let path = join(path, "boundary");
                 let side = if raw.boundary_closed == Some(false) {
-                    Side::Open
+                    BoundarySide::Open
                 } else {
-                    Side::Outer
+                    BoundarySide::Outer
                 };
                 Vertices::Given(vec![self.chain(&path, points, side)?])
             }
@@ -140,7 +140,7 @@ impl Build<'_> {
             &join(path, "boundary_follows"),
             raw.boundary_follows.as_ref(),
             FOLLOWS,
-            Follow::Spin,
+            FollowMode::Spin,
         );
         Some(BodyBoundary {
             body: id,
@@ -149,7 +149,7 @@ impl Build<'_> {
         })
     }
 
-    fn chain(&mut self, path: &str, given: &[Vec<f64>], side: Side) -> Option<Chain> {
+    fn chain(&mut self, path: &str, given: &[Vec<f64>], side: BoundarySide) -> Option<Chain> {
         let axes = self.dimension.axes();
         let mut points = vec![];
         for (i, point) in given.iter().enumerate() {

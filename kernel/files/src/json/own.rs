@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use super::words::{DETECTIONS, ENFORCEMENTS, FOLLOWS};
-use super::write::{NotWritten, Written, refuse, word, write};
-use proctor_kernel::mortar::boundary::{Chain, Side};
+use super::write::{NotWritten, SceneWriter, refuse, word, write};
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{BodyBoundary, Mortar, MortarContact, RigidLine, Scene, Vertices};
 
 /// The scene as a scene file of this program has it: as [`write`], and rigid lines, boundaries and mortar contact in the plane.
@@ -12,7 +12,7 @@ use proctor_kernel::scene::{BodyBoundary, Mortar, MortarContact, RigidLine, Scen
 /// # Errors
 /// [`NotWritten`]: as [`write`] but for these; rigid surfaces of mortar contact, boundaries of triangles or of several
 /// polylines, and lines that move.
-pub fn write_own(scene: &Scene) -> Result<Written, NotWritten> {
+pub fn write_own(scene: &Scene) -> Result<SceneWriter, NotWritten> {
     let mut plain = scene.clone();
     let mortar = std::mem::take(&mut plain.mortar);
     let mut written = write(&plain)?;
@@ -50,7 +50,7 @@ fn boundaries(scene: &Scene, mortar: &Mortar, keys: &mut Value) -> Result<(), No
                 Vertices::Given(chains) => {
                     let one = one(chains, "a boundary")?;
                     keys["boundary"] = points(one);
-                    keys["boundary_closed"] = (one.side != Side::Open).into();
+                    keys["boundary_closed"] = (one.side != BoundarySide::Open).into();
                 }
                 Vertices::Surface(_) => refuse(true, "a boundary of triangles")?,
             }
@@ -63,13 +63,13 @@ fn boundaries(scene: &Scene, mortar: &Mortar, keys: &mut Value) -> Result<(), No
 fn line(line: &RigidLine) -> Result<Value, NotWritten> {
     refuse(line.motion.is_some(), "the motion of a rigid line")?;
     let one = one(&line.chains, "a rigid line")?;
-    Ok(json!({ "id": line.id, "points": points(one), "closed": one.side != Side::Open }))
+    Ok(json!({ "id": line.id, "points": points(one), "closed": one.side != BoundarySide::Open }))
 }
 
 /// The one polyline of something.
 fn one<'a>(chains: &'a [Chain], of: &str) -> Result<&'a Chain, NotWritten> {
     match chains {
-        [one] if one.side != Side::Hole => Ok(one),
+        [one] if one.side != BoundarySide::Hole => Ok(one),
         _ => Err(NotWritten {
             what: format!("{of} of several polylines"),
         }),

@@ -18,14 +18,14 @@ const MOST_OF_LONG: usize = 10;
 const LONGEST_AGAIN: usize = 100;
 
 /// A text that is not raw keys.
-pub(super) struct Unread<T> {
+pub(super) struct ParseFailure<T> {
     /// All that is wrong with it; in each the place.
     pub problems: Vec<Problem>,
     /// The text without that fault.
     pub rest: Option<T>,
 }
 
-impl<T> From<Problem> for Unread<T> {
+impl<T> From<Problem> for ParseFailure<T> {
     fn from(problem: Problem) -> Self {
         Self {
             problems: vec![problem],
@@ -41,7 +41,8 @@ impl<T> From<Problem> for Unread<T> {
 /// # Errors
 /// The first place where the text is not JSON; otherwise all unknown keys, keys given twice and values of another type.
 pub fn parse<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<T, SceneError> {
-    all(text, source_name).map_err(|Unread { problems, .. }| told(problems, text, source_name))
+    all(text, source_name)
+        .map_err(|ParseFailure { problems, .. }| told(problems, text, source_name))
 }
 
 /// Problems in the order of the text, as an error.
@@ -63,7 +64,10 @@ pub(super) fn told(mut problems: Vec<Problem>, text: &str, source_name: &str) ->
 }
 
 /// Raw keys, or all that is wrong with the text and what is left of it.
-pub(super) fn all<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<T, Unread<T>> {
+pub(super) fn all<T: DeserializeOwned>(
+    text: &str,
+    source_name: &str,
+) -> Result<T, ParseFailure<T>> {
     // A byte order mark is no JSON, but some editors write it.
     let text = text.trim_start_matches('\u{feff}');
     match whole(text, source_name) {
@@ -72,20 +76,20 @@ pub(super) fn all<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<
         Err(fault) => return Err(fault.0.into()),
     }
     let tree: Result<Tree, _> = whole(text, source_name);
-    let mut tree = tree.map_err(|fault| Unread::from(fault.0))?;
+    let mut tree = tree.map_err(|fault| ParseFailure::from(fault.0))?;
     let most = if text.len() > LONG {
         MOST_OF_LONG
     } else {
         MOST_PROBLEMS
     };
     let mut problems = vec![];
-    let mut replaced = Replaced::default();
+    let mut replaced = PlaceholderReader::default();
     while problems.len() < most {
         match tree::read(&tree) {
             Ok(raw) if problems.is_empty() => return Ok(raw),
             Ok(raw) => {
                 let rest = Some(raw);
-                return Err(Unread { problems, rest });
+                return Err(ParseFailure { problems, rest });
             }
             Err(error) => {
                 let path: Vec<Segment> = error.path().iter().cloned().collect();
@@ -99,7 +103,7 @@ pub(super) fn all<T: DeserializeOwned>(text: &str, source_name: &str) -> Result<
             }
         }
     }
-    Err(Unread {
+    Err(ParseFailure {
         problems,
         rest: None,
     })
@@ -126,12 +130,12 @@ fn whole<T: DeserializeOwned>(
 
 /// Stand-ins for values that cannot be read, so that the reader goes on behind them.
 #[derive(Default)]
-struct Replaced {
+struct PlaceholderReader {
     /// Number of stand-ins at each path.
     tries: BTreeMap<String, usize>,
 }
 
-impl Replaced {
+impl PlaceholderReader {
     /// Values of every type; an entry of a list may need one that is no null.
     const STAND_INS: [Tree; 5] = [
         Tree::Null,

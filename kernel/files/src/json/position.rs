@@ -1,4 +1,4 @@
-//! Where a path stands in a JSON text.
+//! Source spans: the places of paths in a JSON text.
 //!
 //! A range error is found long after parsing, when only the path is known. Instead of carrying positions through
 //! every raw type, the text is walked again along the path; this costs nothing where nothing is wrong.
@@ -7,7 +7,7 @@ use proctor_kernel::scene::Location;
 
 /// Place of a path in the text, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct SourceSpan {
     /// Start of the key; of the value for entries of a list and for the whole.
     pub key: usize,
     /// Start of the value.
@@ -20,7 +20,7 @@ pub(super) struct Place {
 
 /// Finds `path`, written as in messages (`body.column.point_p1[2]`), in a text that is JSON at least up to there.
 /// Of equal keys the last is found. `None` if the text does not start as JSON.
-pub(super) fn find(text: &str, path: &str) -> Option<Place> {
+pub(super) fn find(text: &str, path: &str) -> Option<SourceSpan> {
     let mut walk = Walk {
         text,
         at: 0,
@@ -31,7 +31,7 @@ pub(super) fn find(text: &str, path: &str) -> Option<Place> {
     walk.blank();
     let start = walk.at;
     let end = walk.value(&mut String::new(), true);
-    let whole = Place {
+    let whole = SourceSpan {
         key: start,
         value: start,
         end: end.unwrap_or(text.len()),
@@ -83,7 +83,7 @@ struct Walk<'a> {
     depth: usize,
     target: &'a str,
     /// Length of the longest matching path so far, and its place.
-    best: Option<(usize, Place)>,
+    best: Option<(usize, SourceSpan)>,
 }
 
 impl Walk<'_> {
@@ -168,8 +168,9 @@ impl Walk<'_> {
         }
         let depth = path.len();
         let exact = rest.is_some_and(str::is_empty);
-        let is_better = |best: &Option<(usize, Place)>| best.is_none_or(|(len, _)| len <= depth);
-        let place = Place {
+        let is_better =
+            |best: &Option<(usize, SourceSpan)>| best.is_none_or(|(len, _)| len <= depth);
+        let place = SourceSpan {
             key,
             value,
             end: self.text.len(),

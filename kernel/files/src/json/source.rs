@@ -15,13 +15,13 @@ const ACCEPTED: &str = "a scene in JSON that can be read";
 
 /// The text of a scene.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub struct SceneSource {
     name: String,
     text: String,
     folder: PathBuf,
 }
 
-impl Source {
+impl SceneSource {
     /// Reads a file; files that it names are looked for in its folder.
     ///
     /// # Errors
@@ -49,10 +49,10 @@ impl Source {
     ///
     /// # Errors
     /// As [`from_json`](super::from_json).
-    pub fn scene(self) -> Result<(Scene, Places), SceneError> {
+    pub fn scene(self) -> Result<(Scene, SourceMap), SceneError> {
         let (mut scene, spellings) = placed(&self.text, &self.name, &self.folder)?;
         scene.name = scene.name.trim_matches(['<', '>']).to_owned();
-        let places = Places {
+        let places = SourceMap {
             source: self,
             spellings,
             bodies: (scene.bodies.iter())
@@ -72,8 +72,8 @@ impl Source {
 
 /// Where the values of a scene stand in its text.
 #[derive(Clone, Debug)]
-pub struct Places {
-    source: Source,
+pub struct SourceMap {
+    source: SceneSource,
     /// How paths of the checked scene are spelt in the text.
     spellings: Vec<(String, String)>,
     /// Names and identifiers.
@@ -82,7 +82,7 @@ pub struct Places {
     contacts: Vec<([i64; 2], String)>,
 }
 
-impl Places {
+impl SourceMap {
     /// Name of the text in messages.
     #[must_use]
     pub fn name(&self) -> &str {

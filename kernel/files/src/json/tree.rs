@@ -64,9 +64,9 @@ impl Tree {
     }
 }
 
-struct OfTree;
+struct TreeSeed;
 
-impl<'de> Visitor<'de> for OfTree {
+impl<'de> Visitor<'de> for TreeSeed {
     type Value = Tree;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -116,7 +116,7 @@ impl<'de> Visitor<'de> for OfTree {
 
 impl<'de> Deserialize<'de> for Tree {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(OfTree)
+        deserializer.deserialize_any(TreeSeed)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Words of the scene language, and the nearest known one to a word that is not.
 
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     ContactNormal, Dimension, Enforcement, Field, NodalField, OnImbalance, Outside, PlaneCondition,
@@ -203,12 +203,12 @@ pub(super) const DETECTIONS: Words<Detection> = &[
     ("node_to_segment", Detection::NodeToSegment),
 ];
 
-pub(super) const FOLLOWS: Words<Follow> = &[
-    ("unaugmented", Follow::Unaugmented),
-    ("velocity", Follow::Velocity),
-    ("spin", Follow::Spin),
-    ("gradient", Follow::Gradient),
-    ("material", Follow::Material),
+pub(super) const FOLLOWS: Words<FollowMode> = &[
+    ("unaugmented", FollowMode::Unaugmented),
+    ("velocity", FollowMode::Velocity),
+    ("spin", FollowMode::Spin),
+    ("gradient", FollowMode::Gradient),
+    ("material", FollowMode::Material),
 ];
 
 /// What a word means; upper and lower case are the same.

@@ -11,7 +11,7 @@ use super::words::{
     CONTACT_NORMALS, FIELDS, NODAL_FIELDS, PLANE_CONDITIONS, PLANES, SCHEMES, Words,
 };
 use crate::records;
-use proctor_kernel::laws::{self, AnyLaw, Kind};
+use proctor_kernel::laws::{self, AnyLaw, LawType};
 use proctor_kernel::scene::{
     BaseMotion, Body, Damping, Dimension, History, InitialStress, Mesh, Motion, OnImbalance,
     Outside, Scene, Shape, TimeStep, Transfer, Vector, VolumetricStrain,
@@ -19,7 +19,7 @@ use proctor_kernel::scene::{
 
 /// A scene in the language of scene files.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Written {
+pub struct SceneWriter {
     /// The keys. Every plane is named, and no choice of the method is left to a default.
     pub scene: Value,
     /// Files that the scene names, which belong into its folder: name and text.
@@ -49,7 +49,7 @@ const RECORD: &str = "base.csv";
 /// # Errors
 /// [`NotWritten`]: surfaces, mortar contact, shapes other than cuboids, laws and transfers that no word stands for,
 /// probes.
-pub fn write(scene: &Scene) -> Result<Written, NotWritten> {
+pub fn write(scene: &Scene) -> Result<SceneWriter, NotWritten> {
     refuse(!scene.surfaces.is_empty(), "a rigid surface")?;
     let mortar = &scene.mortar;
     refuse(
@@ -140,7 +140,7 @@ pub fn write(scene: &Scene) -> Result<Written, NotWritten> {
         keys["earthquake"] = entry;
         files.push((RECORD.to_owned(), text));
     }
-    Ok(Written { scene: keys, files })
+    Ok(SceneWriter { scene: keys, files })
 }
 
 pub(super) fn refuse(is: bool, what: &str) -> Result<(), NotWritten> {
@@ -368,7 +368,7 @@ fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
 }
 
 /// All combinations of the words that a law may be given, those of its first words first.
-fn choices_of(kind: &Kind) -> Vec<Vec<usize>> {
+fn choices_of(kind: &LawType) -> Vec<Vec<usize>> {
     let mut all = vec![vec![]];
     for choice in kind.choices {
         all = (all.iter())

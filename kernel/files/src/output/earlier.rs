@@ -1,4 +1,4 @@
-//! What an earlier run left in the folder of a new one.
+//! Output of an earlier run in the folder of a new one.
 //!
 //! A viewer that opens `particles_*.vtu` shows every frame that lies there, whatever the list says. So a new run takes away
 //! what the lists of an earlier run name, and nothing else: frames that no list names may be somebody's, and are refused.
@@ -48,7 +48,7 @@ pub fn clear(folder: &OutputFolder) -> Result<(), OutputError> {
 pub(super) fn drop_frames(
     folder: &OutputFolder,
     stem: &str,
-    entries: &[pvd::Entry],
+    entries: &[pvd::FrameEntry],
 ) -> Result<(), OutputError> {
     for entry in entries {
         // The list may name anything; what is not called as we call frames is not ours.
@@ -60,7 +60,7 @@ pub(super) fn drop_frames(
 }
 
 /// Names of the frames of a list, and of the one behind them, which a run that was killed has written and not yet listed.
-fn frames_of(stem: &str, entries: &[pvd::Entry]) -> BTreeSet<String> {
+fn frames_of(stem: &str, entries: &[pvd::FrameEntry]) -> BTreeSet<String> {
     let numbers = entries
         .iter()
         .filter_map(|entry| pvd::frame_number(stem, &entry.file));

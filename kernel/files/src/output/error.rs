@@ -1,4 +1,4 @@
-//! What can go wrong while output is written or an earlier run's output is taken up again.
+//! Errors of writing output, and of taking up the output of an earlier run.
 
 use std::fmt;
 use std::io;

@@ -31,7 +31,7 @@ pub struct HistoryWriter {
 
 /// What was found when a history was continued.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Resumed {
+pub struct ContinuedHistory {
     /// Rows kept.
     pub kept: usize,
     /// Rows taken off because they are later than the restart.
@@ -64,12 +64,12 @@ impl HistoryWriter {
         folder: &OutputFolder,
         columns: &[String],
         restart_time: f64,
-    ) -> Result<(Self, Resumed), OutputError> {
+    ) -> Result<(Self, ContinuedHistory), OutputError> {
         let path = folder.file(HISTORY);
         let text = match crate::reading::read_to_string(&path) {
             Ok(text) => text,
             Err(error) if error.kind() == ErrorKind::NotFound => {
-                return Ok((Self::create(folder, columns)?, Resumed::default()));
+                return Ok((Self::create(folder, columns)?, ContinuedHistory::default()));
             }
             Err(error) => return Err(OutputError::read(&path, error)),
         };
@@ -192,11 +192,11 @@ fn row(time: f64, step: u64, values: &[f64]) -> String {
 }
 
 /// The part of an earlier history that stays.
-struct Kept {
+struct KeptRows {
     /// In bytes from the start.
     length: usize,
     last_time: Option<f64>,
-    resumed: Resumed,
+    resumed: ContinuedHistory,
 }
 
 fn kept_rows(
@@ -204,7 +204,7 @@ fn kept_rows(
     text: &str,
     expected: Vec<String>,
     restart_time: f64,
-) -> Result<Kept, OutputError> {
+) -> Result<KeptRows, OutputError> {
     let mut lines = text.split_inclusive('\n').enumerate();
     let first = lines.next().map_or("", |(_, line)| line);
     let found = csv_fields(first);
@@ -215,10 +215,10 @@ fn kept_rows(
             found,
         });
     }
-    let mut kept = Kept {
+    let mut kept = KeptRows {
         length: first.len(),
         last_time: None,
-        resumed: Resumed::default(),
+        resumed: ContinuedHistory::default(),
     };
     let mut previous: Option<f64> = None;
     for (index, line) in lines {

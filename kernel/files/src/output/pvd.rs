@@ -21,7 +21,7 @@ pub const LIST: &str = "particles.pvd";
 
 /// One frame in the list.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
+pub struct FrameEntry {
     /// File name, relative to the list.
     pub file: String,
     /// Time of the frame \[s\].
@@ -34,7 +34,7 @@ pub struct Series {
     folder: OutputFolder,
     stem: &'static str,
     compression: Compression,
-    entries: Vec<Entry>,
+    entries: Vec<FrameEntry>,
 }
 
 impl Series {
@@ -93,7 +93,7 @@ impl Series {
     ) -> Result<Self, OutputError> {
         let (entries, later) = read_list(&folder.file(&list_name(stem)))?
             .into_iter()
-            .partition(|entry: &Entry| entry.time <= restart_time);
+            .partition(|entry: &FrameEntry| entry.time <= restart_time);
         let series = Self {
             folder,
             stem,
@@ -124,7 +124,7 @@ impl Series {
         let file = name_of(self.stem, self.next_number(), frame.extension());
         let path = self.folder.file(&file);
         vtu::write(&path, frame, self.compression)?;
-        self.entries.push(Entry {
+        self.entries.push(FrameEntry {
             file,
             time: frame.time,
         });
@@ -138,7 +138,7 @@ impl Series {
 
     /// The frames in the list.
     #[must_use]
-    pub fn entries(&self) -> &[Entry] {
+    pub fn entries(&self) -> &[FrameEntry] {
         &self.entries
     }
 
@@ -167,7 +167,7 @@ impl Series {
              <VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
              <Collection>\n",
         );
-        for Entry { file, time } in &self.entries {
+        for FrameEntry { file, time } in &self.entries {
             // Writing to a string does not fail.
             let _ = writeln!(
                 text,
@@ -203,7 +203,7 @@ pub(super) fn frame_number(stem: &str, file: &str) -> Option<u64> {
 }
 
 /// Reads the list as [`Series`] writes it, one frame a line; empty where there is none.
-pub(super) fn read_list(path: &Path) -> Result<Vec<Entry>, OutputError> {
+pub(super) fn read_list(path: &Path) -> Result<Vec<FrameEntry>, OutputError> {
     let text = match crate::reading::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
@@ -216,7 +216,7 @@ pub(super) fn read_list(path: &Path) -> Result<Vec<Entry>, OutputError> {
             "this is no list of frames (VTK collection)",
         ));
     }
-    let mut entries: Vec<Entry> = Vec::new();
+    let mut entries: Vec<FrameEntry> = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let Some(attributes) = line.trim_start().strip_prefix("<DataSet ") else {
             continue;
@@ -230,7 +230,7 @@ pub(super) fn read_list(path: &Path) -> Result<Vec<Entry>, OutputError> {
         if entries.last().is_some_and(|last| time <= last.time) {
             return Err(malformed("the times do not increase"));
         }
-        entries.push(Entry {
+        entries.push(FrameEntry {
             file: unescape(file),
             time,
         });

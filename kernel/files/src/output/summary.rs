@@ -66,14 +66,14 @@ pub struct Summary {
     pub momentum: Vec<f64>,
     /// Energy at the end.
     #[serde(default)]
-    pub energy: Energy,
+    pub energy: SummaryEnergy,
     /// Bodies of laws with a yield surface.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub yielding: Vec<YieldingBody>,
     /// The vertex of mortar contact that is farthest off its body at the end; left out where no body that moves freely has a
     /// boundary.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub boundary_drift: Option<BoundaryDrift>,
+    pub boundary_drift: Option<SummaryDrift>,
     /// Since when the run is not to be trusted, and why; nothing where all balances hold.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub not_to_be_trusted: Option<String>,
@@ -82,7 +82,7 @@ pub struct Summary {
     pub warnings: Vec<Warning>,
     /// What happened on the way, in the order of time.
     #[serde(default)]
-    pub events: Vec<Event>,
+    pub events: Vec<SummaryEvent>,
     /// Hash of the final particle state in particle-id order, 16 hexadecimal digits in the file.
     #[serde(with = "hexadecimal")]
     pub state_hash: u64,
@@ -96,7 +96,7 @@ pub struct Summary {
 /// Energy at the end of the run \[J\], all of it at the time of the positions. What was there at the start and was brought in
 /// is what is there now and what is missing: start + external work = kinetic + strain + contact + dissipated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Energy {
+pub struct SummaryEnergy {
     /// Of motion.
     #[serde(default, skip_serializing_if = "no_number")]
     pub kinetic: Option<f64>,
@@ -155,7 +155,7 @@ pub struct YieldingBody {
 /// How far a vertex of mortar contact is off its body: its distance from where the particles that were around it at the
 /// start say that it is, which is none in rigid motions and uniform strains of vertices that go with their body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct BoundaryDrift {
+pub struct SummaryDrift {
     /// Identifier of the body.
     pub body: i64,
     /// Number of the vertex in its boundary, from 0.
@@ -179,7 +179,7 @@ pub struct Warning {
 
 /// Something that the reader of the results has to know, such as a particle that left the mesh.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Event {
+pub struct SummaryEvent {
     /// Which kind of event, a fixed word such as `particle_left`.
     pub kind: String,
     /// What happened, for people.

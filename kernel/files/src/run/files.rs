@@ -7,7 +7,7 @@ use crate::output::pvd::{BOUNDARIES, GRID};
 use crate::output::{Array, ArrayData, Compression, Frame, HistoryWriter, OutputFolder, Series};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::Field;
-use proctor_kernel::simulation::{Caution, Simulation};
+use proctor_kernel::simulation::{ResultWarning, Simulation};
 
 /// The growing files of a run.
 pub(super) struct Files {
@@ -20,7 +20,7 @@ pub(super) struct Files {
     history: Option<HistoryWriter>,
     probes: Vec<ProbedParticle>,
     /// Reasons for caution at the outputs so far, of each kind the one that says most.
-    cautions: Vec<Caution>,
+    cautions: Vec<ResultWarning>,
 }
 
 /// A probe and the particle that it follows.
@@ -82,7 +82,7 @@ impl Files {
     }
 
     /// Reasons for caution at the outputs so far.
-    pub(super) fn cautions(&self) -> &[Caution] {
+    pub(super) fn cautions(&self) -> &[ResultWarning] {
         &self.cautions
     }
 
@@ -230,7 +230,7 @@ impl Files {
 }
 
 /// Adds reasons for caution to others, of each kind the one that says most.
-pub(super) fn worst(all: &mut Vec<Caution>, more: Vec<Caution>) {
+pub(super) fn worst(all: &mut Vec<ResultWarning>, more: Vec<ResultWarning>) {
     for caution in more {
         match all.iter_mut().find(|other| other.is_like(&caution)) {
             Some(other) if other.size() >= caution.size() => {}

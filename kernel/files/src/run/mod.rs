@@ -20,23 +20,21 @@ mod state;
 pub use error::RunError;
 
 use crate::output::summary::{
-    BoundaryDrift, Energy, Event as SummaryEvent, OVERLAP, Status, VOLUME_RATIO, Warning,
-    YieldingBody,
+    OVERLAP, Status, SummaryDrift, SummaryEnergy, SummaryEvent, VOLUME_RATIO, Warning, YieldingBody,
 };
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::scene::{Scene, TimeStep};
 use proctor_kernel::simulation::{
-    BodyEnergy, Caution, Energy as Balance, Event, EventKind, Options, Simulation, StepError,
-    StepInfo,
+    BodyEnergy, Energy, Event, EventKind, Options, ResultWarning, Simulation, StepError, StepInfo,
 };
 use serde_json::{Value, json};
 use std::path::Path;
 
 /// Whether a run goes on after a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Go {
+pub enum RunControl {
     /// Next step.
     On,
     /// Stop here; the run can be summarised as interrupted.
@@ -127,7 +125,7 @@ impl Run {
     pub fn advance(
         &mut self,
         stop: f64,
-        mut observe: impl FnMut(&StepInfo) -> Go + Send,
+        mut observe: impl FnMut(&StepInfo) -> RunControl + Send,
     ) -> Result<(), StepError> {
         let slack = match self.simulation.scene().time_step {
             TimeStep::Fixed { dt, .. } => 0.5 * dt,
@@ -138,7 +136,7 @@ impl Run {
             while self.simulation.time() + slack < stop {
                 match self.simulation.step(stop) {
                     Ok(info) => {
-                        if observe(&info) == Go::Stop {
+                        if observe(&info) == RunControl::Stop {
                             self.interrupted = true;
                             return Ok(());
                         }
@@ -167,7 +165,7 @@ impl Run {
 
     /// The energy balance.
     #[must_use]
-    pub fn energy(&mut self) -> Balance {
+    pub fn energy(&mut self) -> Energy {
         self.simulation.energy()
     }
 
@@ -180,7 +178,7 @@ impl Run {
         let mut cautions = earlier.unwrap_or_default().to_vec();
         cautions.retain(|caution| simulation.still_matters(caution, &energy));
         files::worst(&mut cautions, simulation.cautions(&energy));
-        let warning = |caution: &Caution| Warning {
+        let warning = |caution: &ResultWarning| Warning {
             kind: caution.word().to_owned(),
             message: caution.to_string(),
         };
@@ -208,7 +206,7 @@ impl Run {
             lanes: simulation.lanes().name().into(),
             mass: Some(simulation.mass()),
             momentum: simulation.momentum()[..axes].to_vec(),
-            energy: Energy {
+            energy: SummaryEnergy {
                 kinetic: Some(energy.kinetic),
                 strain: Some(energy.strain),
                 contact: Some(energy.contact),
@@ -223,13 +221,16 @@ impl Run {
                 algorithmic: (!yielding.is_empty()).then_some(energy.algorithmic),
             },
             yielding,
-            boundary_drift: simulation.boundary_drift().map(|drift| BoundaryDrift {
+            boundary_drift: simulation.boundary_drift().map(|drift| SummaryDrift {
                 body: drift.body,
                 vertex: drift.vertex as u64,
                 distance: Some(drift.distance),
                 in_cells: Some(drift.in_cells),
             }),
-            not_to_be_trusted: simulation.trust().doubt.map(|doubt| doubt.to_string()),
+            not_to_be_trusted: simulation
+                .invariants()
+                .violation
+                .map(|violation| violation.to_string()),
             warnings: cautions.iter().map(warning).collect(),
             events: simulation.events().iter().map(event).collect(),
             state_hash: simulation.state_hash(),

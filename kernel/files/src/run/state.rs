@@ -4,10 +4,10 @@ use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::scene::{Results, Scene};
 use proctor_kernel::simulation::{
-    Books, Clock, Doubt, Event, EventKind, Extremes, Groups, ParticleAt, Reason, RestoreError,
-    Saved, Simulation, State, Trust,
+    Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant, InvariantMonitor,
+    ParticleAt, RestoreError, Saved, Simulation, State, Violation,
 };
-use proctor_kernel::stage::g2p::Found;
+use proctor_kernel::stage::g2p::ParticleMaxima;
 
 /// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
 /// change.
@@ -66,7 +66,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         }
     }
     save_events(&state.events, &mut checkpoint);
-    save_trust(&state.trust, &mut checkpoint);
+    save_trust(&state.invariants, &mut checkpoint);
     let extremes = vec![
         state.extremes.volume_change,
         state.extremes.stretch_ratio,
@@ -118,7 +118,7 @@ fn counters(state: &State) -> [u64; 4] {
 }
 
 fn numbers(state: &State) -> [f64; 18] {
-    let (clock, books) = (&state.clock, &state.books);
+    let (clock, ledger) = (&state.clock, &state.ledger);
     let [x, y, z] = state.mesh_shift;
     [
         clock.time,
@@ -129,16 +129,16 @@ fn numbers(state: &State) -> [f64; 18] {
         state.travel,
         state.kinetic[0],
         state.kinetic[1],
-        books.external_work,
-        books.dead_load_origin,
-        books.initial_energy,
+        ledger.external_work,
+        ledger.dead_load_origin,
+        ledger.initial_energy,
         x,
         y,
         z,
-        books.damping,
-        books.friction,
-        books.impact,
-        books.removed,
+        ledger.damping,
+        ledger.friction,
+        ledger.impact,
+        ledger.removed,
     ]
 }
 
@@ -162,7 +162,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
         },
         travel: numbers[5],
         kinetic: [numbers[6], numbers[7]],
-        books: Books {
+        ledger: EnergyLedger {
             external_work: numbers[8],
             dead_load_origin: numbers[9],
             initial_energy: numbers[10],
@@ -185,7 +185,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
         }
         set.id = id.to_vec();
         set.layers = layers.iter().map(|&l| l as usize).collect();
-        *found = Found {
+        *found = ParticleMaxima {
             speed_squared: was[0],
             wave_speed_squared: was[1],
             travel: was[2],
@@ -195,7 +195,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
         };
     }
     state.events = read_events(checkpoint)?;
-    state.trust = read_trust(checkpoint)?;
+    state.invariants = read_trust(checkpoint)?;
     let extremes = checkpoint.array::<f64>("extremes/numbers", 3)?;
     state.extremes = Extremes {
         volume_change: extremes[0],
@@ -216,45 +216,51 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
 }
 
 /// What was watched; a doubt as step, time, place of its reason and value.
-fn save_trust(trust: &Trust, checkpoint: &mut Checkpoint) {
+fn save_trust(invariants: &InvariantMonitor, checkpoint: &mut Checkpoint) {
     let numbers = vec![
-        trust.given,
-        trust.gain,
-        trust.increment,
-        trust.lost_momentum,
-        trust.volume_left,
+        invariants.given,
+        invariants.gain,
+        invariants.increment,
+        invariants.lost_momentum,
+        invariants.volume_left,
     ];
     checkpoint.push::<f64>("trust/numbers", numbers);
-    let place = |doubt: &Doubt| Reason::ALL.iter().position(|r| *r == doubt.reason);
+    let place = |violation: &Violation| Invariant::ALL.iter().position(|r| *r == violation.reason);
     let (mut whole, mut real) = (vec![], vec![]);
-    if let Some((doubt, place)) = trust.doubt.as_ref().and_then(|d| Some((d, place(d)?))) {
-        whole.extend([doubt.step, place as u64]);
-        real.extend([doubt.time, doubt.value]);
+    if let Some((violation, place)) = invariants
+        .violation
+        .as_ref()
+        .and_then(|d| Some((d, place(d)?)))
+    {
+        whole.extend([violation.step, place as u64]);
+        real.extend([violation.time, violation.value]);
     }
     checkpoint.push::<u64>("trust/doubt/whole", whole);
     checkpoint.push::<f64>("trust/doubt/real", real);
 }
 
-fn read_trust(checkpoint: &Checkpoint) -> Result<Trust, CheckpointError> {
+fn read_trust(checkpoint: &Checkpoint) -> Result<InvariantMonitor, CheckpointError> {
     let numbers = checkpoint.array::<f64>("trust/numbers", 5)?;
     let whole = checkpoint.values::<u64>("trust/doubt/whole")?;
     let real = checkpoint.array::<f64>("trust/doubt/real", whole.len())?;
-    let doubt = match (whole, real) {
-        (&[step, place], &[time, value]) => Some(Doubt {
+    let violation = match (whole, real) {
+        (&[step, place], &[time, value]) => Some(Violation {
             step,
             time,
-            reason: *Reason::ALL.get(place as usize).unwrap_or(&Reason::Energy),
+            reason: *Invariant::ALL
+                .get(place as usize)
+                .unwrap_or(&Invariant::Energy),
             value,
         }),
         _ => None,
     };
-    Ok(Trust {
+    Ok(InvariantMonitor {
         given: numbers[0],
         gain: numbers[1],
         increment: numbers[2],
         lost_momentum: numbers[3],
         volume_left: numbers[4],
-        doubt,
+        violation,
     })
 }
 

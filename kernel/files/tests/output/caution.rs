@@ -4,7 +4,7 @@ use std::path::Path;
 
 use proctor_files::json::from_json;
 use proctor_files::output::Summary;
-use proctor_files::run::{Go, Run};
+use proctor_files::run::{Run, RunControl};
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::Options;
 
@@ -24,7 +24,8 @@ fn thrown(time: f64) -> Scene {
 fn ran(time: f64, folder: &Path, restart: Option<&Path>) -> Summary {
     let mut run = Run::start(&thrown(time), &Options::default(), Some(folder), restart).unwrap();
     while let Some(stop) = run.next_stop() {
-        run.advance(stop, |_| Go::On).expect("the steps are sound");
+        run.advance(stop, |_| RunControl::On)
+            .expect("the steps are sound");
         run.write().expect("the files are written");
     }
     run.summary()

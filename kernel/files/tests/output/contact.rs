@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use proctor_files::json::read;
-use proctor_files::run::{Go, Run};
+use proctor_files::run::{Run, RunControl};
 use proctor_kernel::scene::{Scene, StressScheme};
 use proctor_kernel::simulation::Options;
 
@@ -29,7 +29,8 @@ fn options(threads: usize) -> Options {
 fn go(run: &mut Run, stops: usize) {
     for _ in 0..stops {
         let Some(stop) = run.next_stop() else { return };
-        run.advance(stop, |_| Go::On).expect("the steps are sound");
+        run.advance(stop, |_| RunControl::On)
+            .expect("the steps are sound");
         run.write().expect("the files are written");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use proctor_files::output::history::{HISTORY, Resumed};
+use proctor_files::output::history::{ContinuedHistory, HISTORY};
 use proctor_files::output::{HistoryWriter, OutputError, OutputFolder};
 
 use super::names;
@@ -62,7 +62,7 @@ fn a_restart_takes_off_later_rows_and_half_a_row() {
         let (mut history, resumed) = HistoryWriter::resume(&folder, &columns(), 1.0).unwrap();
         assert_eq!(
             resumed,
-            Resumed {
+            ContinuedHistory {
                 kept: 2,
                 dropped: 1,
                 half_row: true
@@ -84,7 +84,7 @@ fn a_restart_at_the_end_changes_nothing() {
     let (_, resumed) = HistoryWriter::resume(&folder, &columns(), 2.0).unwrap();
     assert_eq!(
         resumed,
-        Resumed {
+        ContinuedHistory {
             kept: 3,
             dropped: 0,
             half_row: false
@@ -100,7 +100,7 @@ fn a_restart_into_an_empty_folder_makes_a_history() {
     let (_, resumed) = HistoryWriter::resume(&folder, &columns(), 2.0).unwrap();
     assert_eq!(
         (resumed, text(&folder).as_str()),
-        (Resumed::default(), HEADER)
+        (ContinuedHistory::default(), HEADER)
     );
 }
 

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use proctor_files::json::read;
-use proctor_files::run::{Go, Run};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_files::run::{Run, RunControl};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::simulation::Options;
 
 #[test]
@@ -13,12 +13,12 @@ fn a_restart_keeps_vertices_and_slip() {
     restart(
         "../../fixtures/scenes/rolling_disc_2d.json",
         1,
-        Follow::Spin,
+        FollowMode::Spin,
     );
     restart(
         "../../fixtures/scenes/rolling_disc_2d.json",
         1,
-        Follow::Material,
+        FollowMode::Material,
     );
 }
 
@@ -27,17 +27,17 @@ fn a_restart_keeps_triangles_and_slip() {
     restart(
         "../../fixtures/scenes/rolling_ball_3d.json",
         2,
-        Follow::Spin,
+        FollowMode::Spin,
     );
     restart(
         "../../fixtures/scenes/rolling_ball_3d.json",
         2,
-        Follow::Material,
+        FollowMode::Material,
     );
 }
 
 /// Runs a fixture at once and in two parts; `up` is the axis along which a body is carried.
-fn restart(file: &str, up: usize, follow: Follow) {
+fn restart(file: &str, up: usize, follow: FollowMode) {
     let mut scene = read(Path::new(file)).unwrap_or_else(|error| panic!("{error}"));
     scene.time = 0.12;
     scene.results.print = 3;
@@ -53,7 +53,8 @@ fn restart(file: &str, up: usize, follow: Follow) {
     let go = |run: &mut Run, stops: usize| {
         for _ in 0..stops {
             let Some(stop) = run.next_stop() else { return };
-            run.advance(stop, |_| Go::On).expect("the steps are sound");
+            run.advance(stop, |_| RunControl::On)
+                .expect("the steps are sound");
             run.write().expect("the files are written");
         }
     };
@@ -110,7 +111,7 @@ fn restart(file: &str, up: usize, follow: Follow) {
     );
     assert_eq!(
         cells < 1e-12,
-        follow == Follow::Material,
+        follow == FollowMode::Material,
         "{follow:?} {cells}"
     );
 }
@@ -125,7 +126,8 @@ fn frames_of_boundaries_hold_contact() {
     let folder = tempfile::tempdir().unwrap();
     let mut run = Run::start(&scene, &Options::default(), Some(folder.path()), None).unwrap();
     while let Some(stop) = run.next_stop() {
-        run.advance(stop, |_| Go::On).expect("the steps are sound");
+        run.advance(stop, |_| RunControl::On)
+            .expect("the steps are sound");
         run.write().expect("the files are written");
     }
     let file = fs::read(folder.path().join("boundaries_000001.vtp")).unwrap();

@@ -3,7 +3,7 @@
 use std::fs;
 
 use proctor_files::output::summary::{
-    BoundaryDrift, Energy, Event, Status, Summary, Warning, YieldingBody, finite,
+    Status, Summary, SummaryDrift, SummaryEnergy, SummaryEvent, Warning, YieldingBody, finite,
 };
 use proctor_files::output::{OutputError, atomic};
 use serde_json::{Value, json};
@@ -26,7 +26,7 @@ fn complete() -> Summary {
         lanes: "avx512".to_owned(),
         mass: Some(2000.0),
         momentum: vec![0.0, 0.0, -1.0],
-        energy: Energy {
+        energy: SummaryEnergy {
             kinetic: Some(1.0),
             strain: Some(2.0),
             contact: Some(0.5),
@@ -46,7 +46,7 @@ fn complete() -> Summary {
             plastic: Some(1.5),
             algorithmic: Some(-0.03125),
         }],
-        boundary_drift: Some(BoundaryDrift {
+        boundary_drift: Some(SummaryDrift {
             body: 1,
             vertex: 7,
             distance: Some(1.0e-3),
@@ -57,7 +57,7 @@ fn complete() -> Summary {
             kind: "energy".to_owned(),
             message: "3 J came from nowhere".to_owned(),
         }],
-        events: vec![Event {
+        events: vec![SummaryEvent {
             kind: "particle_left".to_owned(),
             message: "particle 3 left the mesh".to_owned(),
             time: Some(0.25),
@@ -154,7 +154,7 @@ fn what_is_not_finite_is_left_out() {
         summary.ns_per_particle_step = bad;
         summary.mass = bad;
         summary.momentum = vec![0.0, bad.unwrap_or(f64::NAN)];
-        summary.energy = Energy {
+        summary.energy = SummaryEnergy {
             kinetic: bad,
             strain: bad,
             contact: bad,
@@ -168,11 +168,11 @@ fn what_is_not_finite_is_left_out() {
             remainder: bad,
             algorithmic: bad,
         };
-        summary.events[0] = Event {
+        summary.events[0] = SummaryEvent {
             time: bad,
             mass: bad,
             position: vec![f64::NAN],
-            ..Event::default()
+            ..SummaryEvent::default()
         };
         summary.plan = json!({"left_out": null, "list": [1, null, {"inner": null}]});
         let (text, read) = round_trip(&summary);

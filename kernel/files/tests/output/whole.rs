@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use proctor_files::json::read;
-use proctor_files::run::{Go, Run};
+use proctor_files::run::{Run, RunControl};
 use proctor_kernel::scene::{
     BaseMotion, Damping, DomainUpdate, Field, History, Motion, Probe, Scene, TimeStep, Transfer,
     TransferKind, Weighting,
@@ -49,7 +49,7 @@ fn go(run: &mut Run, stops: usize, mut see: impl FnMut(f64, f64) + Send) {
         let Some(stop) = run.next_stop() else { return };
         run.advance(stop, |info| {
             see(info.dt, info.dt_critical);
-            Go::On
+            RunControl::On
         })
         .expect("the steps are sound");
         run.write().expect("the files are written");
@@ -67,14 +67,14 @@ fn a_restart_has_the_whole_state() {
         let saved = run.simulation().save();
         let state = &saved.state;
         // Numbers that are the same could stand for each other.
-        let (clock, books) = (&state.clock, &state.books);
+        let (clock, ledger) = (&state.clock, &state.ledger);
         assert!(
             clock.dt_before != clock.dt_min && clock.dt_min != clock.dt_max,
             "{} {clock:?}",
             scene.name
         );
         assert!(state.found[0].wave_speed_squared != state.found[0].speed_squared);
-        assert!(books.dead_load_origin != books.external_work);
+        assert!(ledger.dead_load_origin != ledger.external_work);
         let [x, y, z] = state.mesh_shift;
         assert_eq!((x, y != 0.0, z), (0.0, moves, 0.0));
         assert!(moves || state.kinetic[0] != state.kinetic[1]);

@@ -6,7 +6,7 @@ use std::path::Path;
 use proctor_files::json::from_json;
 use proctor_files::output::Summary;
 use proctor_files::output::summary::YieldingBody;
-use proctor_files::run::{Go, Run};
+use proctor_files::run::{Run, RunControl};
 use proctor_kernel::simulation::Options;
 
 /// A soft block that hits a plane and a hard one behind it; columns of the history, its last row and the summary.
@@ -25,7 +25,8 @@ fn ran(first: &str) -> (Vec<String>, Vec<f64>, Summary) {
     let folder = tempfile::tempdir().unwrap();
     let mut run = Run::start(&scene, &Options::default(), Some(folder.path()), None).unwrap();
     while let Some(stop) = run.next_stop() {
-        run.advance(stop, |_| Go::On).expect("the steps are sound");
+        run.advance(stop, |_| RunControl::On)
+            .expect("the steps are sound");
         run.write().expect("the files are written");
     }
     let history = fs::read_to_string(folder.path().join("history.csv")).unwrap();

@@ -3,7 +3,7 @@
 use std::ops::Bound;
 use std::path::Path;
 
-use proctor_files::json::{Block, Key, Otherwise, blocks, from_json, schema};
+use proctor_files::json::{Key, KeyBlock, KeyDefault, blocks, from_json, schema};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -242,7 +242,7 @@ fn read(scene: &Value, folder: &TempDir) -> Result<String, String> {
 
 /// The scenes that have the block, with a value at the key, and whether it was there before.
 fn put<'a>(
-    block: &'a Block,
+    block: &'a KeyBlock,
     key: &'a Key,
     value: &'a Value,
 ) -> impl Iterator<Item = (Value, Value, bool)> + 'a {
@@ -255,7 +255,7 @@ fn put<'a>(
     })
 }
 
-fn all(check: impl Fn(&Block, &Key, &str)) {
+fn all(check: impl Fn(&KeyBlock, &Key, &str)) {
     let blocks = blocks();
     for block in &blocks {
         for key in &block.keys {
@@ -320,7 +320,7 @@ fn the_glossary_has_every_key_of_the_schema() {
 fn defaults_are_those_of_the_reader() {
     let folder = folder();
     all(|block, key, path| {
-        let Otherwise::Value(default) = &key.default else {
+        let KeyDefault::Value(default) = &key.default else {
             return;
         };
         let mut compared = 0;

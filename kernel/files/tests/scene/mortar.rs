@@ -1,10 +1,10 @@
 //! Mortar contact in a scene file: its keys, and bad input by name.
 
 use proctor_files::json::from_json;
-use proctor_kernel::mortar::boundary::Side;
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::BoundarySide;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::plan::Demands;
+use proctor_kernel::plan::PlanOptions;
 use proctor_kernel::scene::{Contact, ContactNormal, Enforcement, Scene, SceneError, Vertices};
 use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::surface::Surface;
@@ -32,7 +32,7 @@ fn every_key_is_understood() {
     .unwrap_or_else(|e| panic!("{e}"));
     let boundary = &scene.mortar.boundaries[0];
     assert!(matches!(&boundary.vertices, Vertices::Given(chains) if chains[0].points.len() == 4));
-    assert_eq!((boundary.body, boundary.follow), (1, Follow::Gradient));
+    assert_eq!((boundary.body, boundary.follow), (1, FollowMode::Gradient));
     let scene = changed(
         r#""friction": 0.3"#,
         r#""friction": 0, "enforcement": "penalty", "detection": "node_to_segment""#,
@@ -55,7 +55,7 @@ fn a_boundary_may_be_open() {
     let Vertices::Given(chains) = &scene.mortar.boundaries[0].vertices else {
         panic!("{:?}", scene.mortar.boundaries);
     };
-    assert_eq!(chains[0].side, Side::Open);
+    assert_eq!(chains[0].side, BoundarySide::Open);
     // It runs: what has no vertices touches nothing.
     let mut simulation = Simulation::new(&scene, &Options::default()).expect("sound");
     simulation.step(1.0).expect("runs");
@@ -72,7 +72,7 @@ fn the_tangential_spring_is_stiff_enough_by_default() {
     let usual = std::f64::consts::PI / 6.0 * 0.3 * 2.5e5 / 0.5 / 5e-3;
     assert!((contact.tangential_stiffness / usual - 1.0).abs() < 1e-14);
     let warnings = |scene: &Scene| -> Vec<String> {
-        let all = proctor_kernel::simulation::plan(scene, Demands::default()).warnings;
+        let all = proctor_kernel::simulation::plan(scene, PlanOptions::default()).warnings;
         all.into_iter()
             .filter(|w| w.contains("lag behind"))
             .collect()
@@ -338,7 +338,7 @@ fn coarse_and_stiff_contacts_are_warned_about() {
         let mut scene = changed(from, to).unwrap_or_else(|e| panic!("{e}"));
         // Stiff enough to be no reason of its own.
         scene.mortar.contacts[0].tangential_stiffness = 1.6e7;
-        proctor_kernel::simulation::plan(&scene, Demands::default()).warnings
+        proctor_kernel::simulation::plan(&scene, PlanOptions::default()).warnings
     };
     assert!(warnings("0.3", "0.3").is_empty());
     let wide = warnings(r#""critical_gap": 0.04"#, r#""critical_gap": 0.11"#);

@@ -3,10 +3,10 @@
 use crate::written::back;
 use proctor_files::json::from_json;
 use proctor_kernel::laws::{
-    AnyLaw, DruckerPrager, LinearElastic, Match, MohrCoulomb, ObjectiveRate, Residual, Softening,
-    Tresca, VonMises,
+    AnyLaw, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, ObjectiveRate, Residual,
+    Softening, Tresca, VonMises,
 };
-use proctor_kernel::plan::Demands;
+use proctor_kernel::plan::PlanOptions;
 use proctor_kernel::scene::{Scene, SceneError};
 use proctor_kernel::simulation::plan;
 use std::path::Path;
@@ -89,7 +89,7 @@ fn cases() -> Vec<(&'static str, AnyLaw)> {
         ),
         (
             r#""type": "drucker_prager", "friction": 30, "cohesion": 2000, "dilation": 5, "match": "outer""#,
-            DruckerPrager::new(YOUNG, POISSON, [30.0, 2e3, 5.0], Match::Outer).into(),
+            DruckerPrager::new(YOUNG, POISSON, [30.0, 2e3, 5.0], ConeMatch::Outer).into(),
         ),
         (
             r#""type": "elastic", "objective_rate": "jaumann""#,
@@ -250,7 +250,7 @@ fn what_is_doubtful_is_warned_of() {
         ),
     ] {
         let scene = read(keys).unwrap_or_else(|error| panic!("{keys}: {error}"));
-        let warnings = plan(&scene, Demands::default()).warnings;
+        let warnings = plan(&scene, PlanOptions::default()).warnings;
         assert!(
             warnings.iter().any(|warning| warning.contains(words)),
             "{keys}: {warnings:?}"

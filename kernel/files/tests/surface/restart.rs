@@ -1,7 +1,7 @@
 //! A run that is interrupted and goes on has the bits of one that is not.
 
 use crate::slope::Slope;
-use proctor_files::run::{Go, Run};
+use proctor_files::run::{Run, RunControl};
 use proctor_kernel::scene::{Results, Scene, StressScheme};
 use proctor_kernel::simulation::Options;
 use std::path::Path;
@@ -14,7 +14,7 @@ fn run(scene: &Scene, folder: &Path, restart: Option<&Path>) -> (u64, [f64; 3]) 
     };
     let mut run = Run::start(scene, &options, Some(folder), restart).expect("a start");
     while let Some(stop) = run.next_stop() {
-        run.advance(stop, |_| Go::On).expect("steps");
+        run.advance(stop, |_| RunControl::On).expect("steps");
         run.write().expect("files");
     }
     let simulation = run.simulation();

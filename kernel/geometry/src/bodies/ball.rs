@@ -1,6 +1,6 @@
 //! Spheres, discs and rings.
 
-use super::Filled;
+use super::FilledBody;
 use super::error::FillError;
 use super::lattice::Lattice;
 use crate::shape::Vector;
@@ -18,7 +18,7 @@ pub(super) fn fill(
     center: Vector,
     inner: f64,
     outer: f64,
-) -> Result<Filled, FillError> {
+) -> Result<FilledBody, FillError> {
     FillError::require_positive("outer radius", None, outer)?;
     FillError::require_finite("inner radius", None, inner)?;
     if inner < 0.0 {

@@ -1,6 +1,6 @@
 //! Axis-aligned boxes and rectangles: a lattice of their own, which fits them exactly.
 
-use super::Filled;
+use super::FilledBody;
 use super::error::FillError;
 use super::lattice::Lattice;
 use crate::shape::Vector;
@@ -86,7 +86,7 @@ fn snap(lattice: &Lattice, axis: usize, x: f64) -> Option<i64> {
 /// # Errors
 ///
 /// As [`super::fill`].
-pub(super) fn fill(lattice: &Lattice, p1: Vector, p2: Vector) -> Result<Filled, FillError> {
+pub(super) fn fill(lattice: &Lattice, p1: Vector, p2: Vector) -> Result<FilledBody, FillError> {
     let (p1, p2) = (lattice.relative(p1), lattice.relative(p2));
     let axes = lattice.axes;
     let mut divisions = Vec::with_capacity(axes);

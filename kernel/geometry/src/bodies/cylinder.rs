@@ -1,6 +1,6 @@
 //! Circular cylinders of any direction.
 
-use super::Filled;
+use super::FilledBody;
 use super::ball::runs_where;
 use super::error::FillError;
 use super::lattice::Lattice;
@@ -64,7 +64,7 @@ pub(super) fn fill(
     p1: Vector,
     p2: Vector,
     radius: f64,
-) -> Result<Filled, FillError> {
+) -> Result<FilledBody, FillError> {
     FillError::require_positive("radius", None, radius)?;
     let (p1, p2) = (lattice.relative(p1), lattice.relative(p2));
     let axis_vector = add(p2, -1.0, p1);

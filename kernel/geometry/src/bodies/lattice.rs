@@ -1,7 +1,7 @@
 //! The lattice of sub-cells of the mesh, and the particles that a shape takes from it.
 
 use super::error::{FillError, mesh_range};
-use super::{Filled, HalfLength, Room};
+use super::{FilledBody, HalfLength, MemoryRoom};
 use crate::mesh::Mesh;
 use crate::shape::{Dimension, Vector};
 use std::iter::repeat_n;
@@ -23,7 +23,7 @@ pub(super) struct Lattice {
     range: [[f64; 2]; 3],
     /// Number of sub-cells per axis.
     sub_cells: [i64; 3],
-    room: Room,
+    room: MemoryRoom,
 }
 
 /// Sub-cells along the last axis, in a row given by the indices of the other axes.
@@ -40,7 +40,7 @@ impl Lattice {
         mesh: &Mesh,
         ppc: [usize; 3],
         dimension: Dimension,
-        room: Room,
+        room: MemoryRoom,
     ) -> Result<Self, FillError> {
         let range = mesh_range(mesh);
         let axes = dimension.axes();
@@ -202,7 +202,7 @@ impl Lattice {
         bounds: &[[f64; 2]; 3],
         volume: f64,
         mut rows: impl FnMut([i64; 2], &mut Vec<Range<i64>>),
-    ) -> Result<Filled, FillError> {
+    ) -> Result<FilledBody, FillError> {
         FillError::require_positive("volume of the body", None, volume)?;
         let reach = self.reach(bounds)?;
         let middle = if self.axes == 3 {
@@ -291,7 +291,12 @@ impl Lattice {
     /// # Errors
     ///
     /// [`FillError::TooMany`].
-    pub fn allocate(&self, count: f64, volume: f64, spacing: Vector) -> Result<Filled, FillError> {
+    pub fn allocate(
+        &self,
+        count: f64,
+        volume: f64,
+        spacing: Vector,
+    ) -> Result<FilledBody, FillError> {
         let too_many = || FillError::TooMany { particles: count };
         // Above 2^53 a float is no exact count, and no memory holds it.
         if count > 9e15 {
@@ -317,7 +322,7 @@ impl Lattice {
                 0.5
             }
         };
-        Ok(Filled {
+        Ok(FilledBody {
             x,
             volume: volumes,
             half_length: HalfLength::Uniform([half(0), half(1), half(2)]),

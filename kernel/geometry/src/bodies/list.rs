@@ -1,7 +1,7 @@
 //! Particles given one by one.
 
 use super::error::{FillError, mesh_range};
-use super::{Filled, HalfLength};
+use super::{FilledBody, HalfLength};
 use crate::mesh::Mesh;
 use crate::shape::{Dimension, ParticleSeed};
 
@@ -15,7 +15,7 @@ pub(super) fn fill(
     seeds: &[ParticleSeed],
     mesh: &Mesh,
     dimension: Dimension,
-) -> Result<Filled, FillError> {
+) -> Result<FilledBody, FillError> {
     if seeds.is_empty() {
         return Err(FillError::EmptyList);
     }
@@ -55,7 +55,7 @@ pub(super) fn fill(
     }
     let exact_volume = sum(&volume);
     FillError::require_finite("volume of the body", None, exact_volume)?;
-    Ok(Filled {
+    Ok(FilledBody {
         x,
         volume,
         half_length: HalfLength::PerParticle(l_p),

@@ -33,7 +33,7 @@ use lattice::Lattice;
 
 /// The particles of one body.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Filled {
+pub struct FilledBody {
     /// Positions relative to [`Mesh::origin`] \[m\], one vector of coordinates per axis; the third is all
     /// zero in two dimensions. Relative, because at an origin of 1e6 m an absolute coordinate is good to
     /// 1e-10 m only.
@@ -46,7 +46,7 @@ pub struct Filled {
     pub exact_volume: f64,
 }
 
-impl Filled {
+impl FilledBody {
     /// Number of particles.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -82,12 +82,12 @@ impl HalfLength {
     }
 }
 
-/// Bytes of a particle in [`Filled`]: position, volume and half-lengths.
+/// Bytes of a particle in [`FilledBody`]: position, volume and half-lengths.
 pub const FILLED: f64 = 56.0;
 
 /// What a body may need.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Room {
+pub struct MemoryRoom {
     /// Memory that is free.
     pub memory: Memory,
     /// Bytes for each particle.
@@ -128,8 +128,8 @@ pub fn fill(
     particles_per_cell: [usize; 3],
     mesh: &Mesh,
     dimension: Dimension,
-) -> Result<Filled, FillError> {
-    let room = Room {
+) -> Result<FilledBody, FillError> {
+    let room = MemoryRoom {
         memory: Memory::of_machine(),
         per_particle: FILLED,
     };
@@ -145,8 +145,8 @@ pub fn fill_within(
     particles_per_cell: [usize; 3],
     mesh: &Mesh,
     dimension: Dimension,
-    room: &Room,
-) -> Result<Filled, FillError> {
+    room: &MemoryRoom,
+) -> Result<FilledBody, FillError> {
     // A particle list needs no lattice.
     let lattice = || Lattice::new(mesh, particles_per_cell, dimension, *room);
     let refuse = |shape| Err(FillError::Dimension { shape, dimension });

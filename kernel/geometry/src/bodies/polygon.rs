@@ -1,6 +1,6 @@
 //! Simple polygons, convex or not, and polygons extruded along an axis.
 
-use super::Filled;
+use super::FilledBody;
 use super::error::FillError;
 use super::lattice::Lattice;
 use crate::shape::Vector;
@@ -155,7 +155,7 @@ impl Cuts {
 /// # Errors
 ///
 /// As [`super::fill`].
-pub(super) fn fill(lattice: &Lattice, points: &[Vector]) -> Result<Filled, FillError> {
+pub(super) fn fill(lattice: &Lattice, points: &[Vector]) -> Result<FilledBody, FillError> {
     let points: Vec<Point> = points
         .iter()
         .map(|&point| lattice.relative(point))
@@ -181,7 +181,7 @@ pub(super) fn fill_extruded(
     points: &[Point],
     axis: usize,
     range: [f64; 2],
-) -> Result<Filled, FillError> {
+) -> Result<FilledBody, FillError> {
     let plane = match axis {
         0 => [1, 2],
         1 => [0, 2],

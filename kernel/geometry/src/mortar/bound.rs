@@ -113,7 +113,7 @@ pub fn allowed_approach(gap: f64, critical_gap: f64) -> f64 {
 
 /// How fast a pair closes, where that is nearest to what a step allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Closing {
+pub struct ClosingRate {
     /// Vertex of the slave; none for the two boundaries as a whole.
     pub vertex: Option<usize>,
     /// Speed at which the gap closes \[m/s\].
@@ -122,7 +122,7 @@ pub struct Closing {
     pub allowed: f64,
 }
 
-impl Closing {
+impl ClosingRate {
     /// A pair that does not close.
     pub const NONE: Self = Self {
         vertex: None,

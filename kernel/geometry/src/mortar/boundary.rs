@@ -7,7 +7,7 @@ use std::fmt;
 /// What a chain of vertices bounds. The material lies on the left of the direction of the vertices, so outward is on
 /// the right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum BoundarySide {
     /// Outer boundary of a body, closed, counter-clockwise.
     Outer,
     /// Boundary of a hole, closed, clockwise.
@@ -22,7 +22,7 @@ pub struct Chain {
     /// Vertices \[m\].
     pub points: Vec<Point>,
     /// What it bounds.
-    pub side: Side,
+    pub side: BoundarySide,
 }
 
 /// What is wrong with a boundary. Chains, vertices and segments are counted from 0; segment k begins at vertex k of
@@ -55,7 +55,7 @@ pub enum BoundaryError {
         /// Which chain.
         chain: usize,
         /// What it bounds.
-        side: Side,
+        side: BoundarySide,
         /// Enclosed area, positive when counter-clockwise \[m²\].
         area: f64,
     },
@@ -84,7 +84,7 @@ impl fmt::Display for BoundaryError {
             ),
             Self::Orientation { chain, side, area } => {
                 let wanted = match side {
-                    Side::Hole => "clockwise, as a hole does",
+                    BoundarySide::Hole => "clockwise, as a hole does",
                     _ => "counter-clockwise, as an outer boundary does",
                 };
                 write!(
@@ -111,7 +111,7 @@ pub struct Boundary {
     /// Positions of the vertices \[m\], chain after chain.
     pub points: Vec<Point>,
     segments: Vec<[usize; 2]>,
-    sides: Vec<Side>,
+    sides: Vec<BoundarySide>,
     around: Vec<[Option<usize>; 2]>,
     sites: Sites<2>,
 }
@@ -130,7 +130,7 @@ impl Boundary {
             check_chain(index, chain)?;
             let (first, count) = (points.len(), chain.points.len());
             points.extend_from_slice(&chain.points);
-            let joined = if chain.side == Side::Open {
+            let joined = if chain.side == BoundarySide::Open {
                 count - 1
             } else {
                 count
@@ -191,7 +191,7 @@ impl Boundary {
 
     /// What the chain of a segment bounds.
     #[must_use]
-    pub fn side(&self, segment: usize) -> Side {
+    pub fn side(&self, segment: usize) -> BoundarySide {
         self.sides[segment]
     }
 
@@ -278,7 +278,7 @@ fn right_of(v: &Point) -> Point {
 }
 
 fn check_chain(chain: usize, c: &Chain) -> Result<(), BoundaryError> {
-    let closed = c.side != Side::Open;
+    let closed = c.side != BoundarySide::Open;
     let found = c.points.len();
     if found < if closed { 3 } else { 2 } {
         return Err(BoundaryError::TooFew { chain, found });
@@ -301,7 +301,7 @@ fn check_chain(chain: usize, c: &Chain) -> Result<(), BoundaryError> {
                 .map(|k| cross(&(c.points[k] - origin), &(c.points[k + 1] - origin)))
                 .sum::<f64>();
         let right = match c.side {
-            Side::Hole => area < 0.0,
+            BoundarySide::Hole => area < 0.0,
             _ => area > 0.0,
         };
         if !right {

@@ -42,7 +42,7 @@ impl<const D: usize> Bounds<D> {
 
 /// Pairs of elements that are close enough to be looked at. Kept from step to step for its memory alone.
 #[derive(Clone, Debug, Default)]
-pub struct Near<const D: usize> {
+pub struct NearElements<const D: usize> {
     /// Element of the slave and element of the master, ascending.
     pub pairs: Vec<[usize; 2]>,
     /// Elements of the slave near the master, ascending, and those of the master near them, along an axis.
@@ -56,7 +56,7 @@ pub struct Near<const D: usize> {
 /// An element in its box.
 pub type Boxed<const D: usize> = (usize, Bounds<D>);
 
-impl<const D: usize> Near<D> {
+impl<const D: usize> NearElements<D> {
     /// Finds the elements of the slave and those of the master that come within `reach` \[m\] of their box.
     pub fn find<B: Elements<D, T>, const T: usize>(&mut self, slave: &B, master: &B, reach: f64) {
         self.look(slave, master, reach);
@@ -104,7 +104,7 @@ impl<const D: usize> Near<D> {
         (self.axis, self.widest) = (axis, extents.fold(0.0, f64::max));
     }
 
-    /// The elements of the slave that [`Near::look`] found.
+    /// The elements of the slave that [`NearElements::look`] found.
     #[must_use]
     pub fn slaves(&self) -> &[Boxed<D>] {
         &self.slaves

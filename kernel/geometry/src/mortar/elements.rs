@@ -1,8 +1,8 @@
-//! What a boundary is to contact, whatever its dimension.
+//! Elements: the interface of a boundary to contact, in either dimension.
 
 use super::PointIn;
-use super::broad::Near;
-use super::points::{Cuts, MortarPoint, Search};
+use super::broad::NearElements;
+use super::points::{Cuts, MasterSearch, MortarPoint};
 use super::sites::Sites;
 
 /// A boundary made of straight elements with D vertices each in D dimensions, and T = D - 1 tangents: segments in the
@@ -37,7 +37,7 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
         normals: &[PointIn<D>],
         master: &Self,
         pairs: &[[usize; 2]],
-        search: Search,
+        search: MasterSearch,
         cuts: &mut Cuts,
         points: &mut Vec<MortarPoint<D>>,
     );
@@ -47,8 +47,8 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
         &self,
         normals: &[PointIn<D>],
         master: &Self,
-        near: &Near<D>,
-        search: Search,
+        near: &NearElements<D>,
+        search: MasterSearch,
         points: &mut Vec<MortarPoint<D>>,
     );
 

@@ -1,4 +1,5 @@
-//! How vertices follow the body: by velocities of the nodes (eq. 28-30), or on its particles.
+//! Motion of vertices with their body: by velocities of the nodes (eq. 28-30), or on its particles.
+//! 28-30), or on its particles.
 
 use super::PointIn;
 use super::weights::VertexWeights;
@@ -6,7 +7,7 @@ use nalgebra::SMatrix;
 
 /// What of the motion around a node is carried to a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Follow {
+pub enum FollowMode {
     /// Velocities of the nodes through the weights of a particle, which are not augmented: for comparison. Empty nodes
     /// take their share of velocities and of contact forces, so vertices drift off and momentum is lost.
     Unaugmented,
@@ -21,7 +22,7 @@ pub enum Follow {
     Material,
 }
 
-impl Follow {
+impl FollowMode {
     /// The part of the velocity gradient of a node \[1/s\] that the vertices use.
     #[must_use]
     pub fn part<const D: usize>(self, gradient: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
@@ -43,7 +44,7 @@ pub fn vertex_velocity<const D: usize, const N: usize>(
     weights: &VertexWeights<D, N>,
     velocity: impl Fn(usize) -> PointIn<D>,
     gradient: impl Fn(usize) -> SMatrix<f64, D, D>,
-    follow: Follow,
+    follow: FollowMode,
     cell: &PointIn<D>,
 ) -> PointIn<D> {
     let mut v = PointIn::zeros();

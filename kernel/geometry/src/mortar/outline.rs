@@ -1,6 +1,6 @@
 //! Polylines along the boundaries of shapes.
 
-use super::boundary::{Chain, Side};
+use super::boundary::{BoundarySide, Chain};
 use super::{Point, cross};
 use crate::shape::{Shape, Vector};
 use std::f64::consts::TAU;
@@ -43,7 +43,7 @@ pub fn outline(shape: &Shape, segment: f64) -> Result<Vec<Chain>, OutlineError> 
     }
     let outer = |points| Chain {
         points,
-        side: Side::Outer,
+        side: BoundarySide::Outer,
     };
     match shape {
         Shape::Cuboid { p1, p2 } => Ok(vec![outer(along(&rectangle(p1, p2), segment))]),
@@ -59,7 +59,7 @@ pub fn outline(shape: &Shape, segment: f64) -> Result<Vec<Chain>, OutlineError> 
                 outer(circle(center, *radius, segment)),
                 Chain {
                     points: hole,
-                    side: Side::Hole,
+                    side: BoundarySide::Hole,
                 },
             ])
         }

@@ -1,13 +1,13 @@
 //! Boundaries that lie in each other at the start.
 
-use super::boundary::{Boundary, Side};
-use super::broad::Near;
+use super::boundary::{Boundary, BoundarySide};
+use super::broad::NearElements;
 use super::{Point, cross};
 use std::fmt;
 
 /// How two boundaries lie in each other. Segments are counted from 0 through all polylines of a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Overlap {
+pub enum BoundaryOverlap {
     /// A segment of the slave crosses one of the master.
     Crossing {
         /// Segment of the slave.
@@ -21,7 +21,7 @@ pub enum Overlap {
     MasterInside(usize),
 }
 
-impl fmt::Display for Overlap {
+impl fmt::Display for BoundaryOverlap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Crossing { slave, master } => write!(
@@ -36,8 +36,8 @@ impl fmt::Display for Overlap {
 
 /// Finds how two boundaries lie in each other; nothing where they are apart or touch.
 #[must_use]
-pub fn overlap(slave: &Boundary, master: &Boundary) -> Option<Overlap> {
-    let mut near = Near::default();
+pub fn overlap(slave: &Boundary, master: &Boundary) -> Option<BoundaryOverlap> {
+    let mut near = NearElements::default();
     near.find(slave, master, 0.0);
     let crossing = near.pairs.iter().find(|[s, m]| {
         let [a, b] = slave.segments()[*s].map(|k| &slave.points[k]);
@@ -46,7 +46,7 @@ pub fn overlap(slave: &Boundary, master: &Boundary) -> Option<Overlap> {
         side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
     });
     if let Some([s, m]) = crossing {
-        return Some(Overlap::Crossing {
+        return Some(BoundaryOverlap::Crossing {
             slave: *s,
             master: *m,
         });
@@ -58,8 +58,8 @@ pub fn overlap(slave: &Boundary, master: &Boundary) -> Option<Overlap> {
             .position(|x| inside(x, outer) && !touches(x, outer))
     };
     within(slave, master)
-        .map(Overlap::SlaveInside)
-        .or_else(|| within(master, slave).map(Overlap::MasterInside))
+        .map(BoundaryOverlap::SlaveInside)
+        .or_else(|| within(master, slave).map(BoundaryOverlap::MasterInside))
 }
 
 /// Whether a point lies on a boundary but for round-off.
@@ -80,7 +80,7 @@ fn inside(x: &Point, boundary: &Boundary) -> bool {
     let mut crossings = 0;
     for (s, ends) in boundary.segments().iter().enumerate() {
         let [a, b] = ends.map(|k| &boundary.points[k]);
-        if boundary.side(s) == Side::Open || (a.y > x.y) == (b.y > x.y) {
+        if boundary.side(s) == BoundarySide::Open || (a.y > x.y) == (b.y > x.y) {
             continue;
         }
         let share = (x.y - a.y) / (b.y - a.y);

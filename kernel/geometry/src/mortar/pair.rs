@@ -2,7 +2,7 @@
 
 use super::elements::Elements;
 use super::law::{Friction, NormalLaw};
-use super::points::{Detection, MortarPoints, Search};
+use super::points::{Detection, MasterSearch, MortarPoints};
 use super::{Point, PointIn, cross};
 use crate::team::Team;
 use std::array;
@@ -17,7 +17,7 @@ pub struct PairLaw {
     /// How contact is found.
     pub detection: Detection,
     /// Where the master is looked for.
-    pub search: Search,
+    pub search: MasterSearch,
 }
 
 /// Elastic slip of each site of the slave along its T tangents \[m\], kept from step to step.
@@ -92,7 +92,7 @@ impl<const D: usize, const T: usize> PairForces<D, T> {
 
 /// The two boundaries, how their vertices moved in the last step \[m\] and move now \[m/s\].
 #[derive(Debug)]
-pub struct Surfaces<'a, B, const D: usize> {
+pub struct PairSurfaces<'a, B, const D: usize> {
     /// Slave: normals, gaps and pressures are its own.
     pub slave: &'a B,
     /// Master.
@@ -106,13 +106,13 @@ pub struct Surfaces<'a, B, const D: usize> {
     /// Velocity of the master's vertices.
     pub master_velocity: &'a [PointIn<D>],
     /// What may come until forces act again; `None` to look at what is there alone.
-    pub ahead: Option<Ahead<'a, D>>,
+    pub ahead: Option<StepAhead<'a, D>>,
 }
 
 /// The longest next step. Where a gap would close in it, its stiffness counts already: a long free step would leave
 /// surfaces deep in each other that no force has stopped, and one kick over half of it would throw them apart.
 #[derive(Clone, Copy, Debug)]
-pub struct Ahead<'a, const D: usize> {
+pub struct StepAhead<'a, const D: usize> {
     /// How long it is \[s\].
     pub time: f64,
     /// By how much the velocity of the slave's vertices changes at its beginning where nothing touches them \[m/s\].
@@ -122,17 +122,17 @@ pub struct Ahead<'a, const D: usize> {
 }
 
 // By hand, since a boundary need not be.
-impl<B, const D: usize> Clone for Surfaces<'_, B, D> {
+impl<B, const D: usize> Clone for PairSurfaces<'_, B, D> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B, const D: usize> Copy for Surfaces<'_, B, D> {}
+impl<B, const D: usize> Copy for PairSurfaces<'_, B, D> {}
 
 /// Sums over the points of one site of the slave.
 #[derive(Clone, Copy, Debug)]
-struct Row<const D: usize> {
+struct SiteSums<const D: usize> {
     /// Row sum of D \[m, in space m²\].
     measure: f64,
     /// Differences that the rows of D and M give: place, displacement, velocity and its change in the longest next step.
@@ -145,7 +145,7 @@ struct Row<const D: usize> {
     slope: f64,
 }
 
-impl<const D: usize> Row<D> {
+impl<const D: usize> SiteSums<D> {
     fn empty() -> Self {
         let zero = PointIn::zeros();
         Self {
@@ -165,13 +165,13 @@ impl<const D: usize> Row<D> {
 pub struct Workspace<const D: usize> {
     found: MortarPoints<D>,
     normals: Vec<PointIn<D>>,
-    rows: Vec<Row<D>>,
+    rows: Vec<SiteSums<D>>,
 }
 
 /// [`contact_forces_to`] with memory of its own.
 #[must_use]
 pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
-    surfaces: Surfaces<'_, B, D>,
+    surfaces: PairSurfaces<'_, B, D>,
     law: &PairLaw,
     slip: &mut Slip<T>,
 ) -> PairForces<D, T> {
@@ -194,13 +194,13 @@ pub fn contact_forces<const D: usize, const T: usize, B: Elements<D, T>>(
 /// points. The slip of a site is forgotten where there is no pressure.
 pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     forces: &mut PairForces<D, T>,
-    surfaces: Surfaces<'_, B, D>,
+    surfaces: PairSurfaces<'_, B, D>,
     law: &PairLaw,
     slip: &mut Slip<T>,
     work: &mut Workspace<D>,
     team: &Team,
 ) {
-    let Surfaces { slave, master, .. } = surfaces;
+    let PairSurfaces { slave, master, .. } = surfaces;
     let vertices = slave.sites().vertices();
     let count = vertices.len();
     slip.0.resize(count, [0.0; T]);
@@ -223,7 +223,7 @@ pub fn contact_forces_to<const D: usize, const T: usize, B: Elements<D, T>>(
     });
 
     rows.clear();
-    rows.resize(count, Row::empty());
+    rows.resize(count, SiteSums::empty());
     for (point, [apart, moved, speed, kick]) in found.compared() {
         for (k, (_, share)) in point.sites.into_iter().zip(point.slave) {
             let (row, w) = (&mut rows[k], share * point.weight);

@@ -4,9 +4,9 @@
 //! of an element is covered.
 
 use super::PointIn;
-use super::broad::{Near, by_slave};
+use super::broad::{NearElements, by_slave};
 use super::elements::Elements;
-use super::space::projection::Part;
+use super::space::projection::CoveredPart;
 use crate::team::Team;
 
 /// How contact is found along the slave.
@@ -21,14 +21,14 @@ pub enum Detection {
 
 /// Where the master is looked for along the slave's normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Search {
+pub struct MasterSearch {
     /// Largest gap \[m\].
     pub reach: f64,
     /// Deepest penetration \[m\].
     pub depth: f64,
 }
 
-impl Search {
+impl MasterSearch {
     /// Whether a gap lies within the search.
     #[must_use]
     pub fn contains(&self, gap: f64) -> bool {
@@ -84,22 +84,22 @@ fn interpolate<const D: usize>(on: &[(usize, f64); D], values: &[PointIn<D>]) ->
 /// The points of a pair of boundaries. Kept from step to step for its memory alone.
 #[derive(Clone, Debug, Default)]
 pub struct MortarPoints<const D: usize> {
-    near: Near<D>,
+    near: NearElements<D>,
     /// What threads found, each at a time, along the slave.
-    shares: Vec<Share<D>>,
+    shares: Vec<SlaveShare<D>>,
 }
 
 /// Points of some elements of the slave.
 #[derive(Clone, Debug, Default)]
-struct Share<const D: usize> {
+struct SlaveShare<const D: usize> {
     pairs: Vec<[usize; 2]>,
     cuts: Cuts,
     points: Vec<MortarPoint<D>>,
-    apart: Vec<Apart<D>>,
+    apart: Vec<PointDifferences<D>>,
 }
 
 /// How far master and slave are apart at a point, and similar differences.
-pub type Apart<const D: usize> = [PointIn<D>; 4];
+pub type PointDifferences<const D: usize> = [PointIn<D>; 4];
 
 /// What one element is cut into, while its points are found: memory alone.
 #[derive(Clone, Debug, Default)]
@@ -107,7 +107,7 @@ pub struct Cuts {
     /// Places along a segment.
     pub(super) along: Vec<f64>,
     /// Parts of a triangle.
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<CoveredPart>,
 }
 
 impl<const D: usize> MortarPoints<D> {
@@ -120,7 +120,7 @@ impl<const D: usize> MortarPoints<D> {
         normals: &[PointIn<D>],
         master: &B,
         detection: Detection,
-        search: Search,
+        search: MasterSearch,
     ) {
         let Self { near, shares } = self;
         for share in &mut *shares {
@@ -128,7 +128,7 @@ impl<const D: usize> MortarPoints<D> {
         }
         if detection == Detection::NodeToSegment {
             near.find(slave, master, search.margin());
-            shares.resize_with(shares.len().max(1), Share::default);
+            shares.resize_with(shares.len().max(1), SlaveShare::default);
             return slave.points_of_vertices(normals, master, near, search, &mut shares[0].points);
         }
         near.look(slave, master, search.margin());
@@ -139,9 +139,9 @@ impl<const D: usize> MortarPoints<D> {
             threads => slaves.len().div_ceil(4 * threads).max(SHORTEST_SHARE),
         };
         let count = slaves.len().div_ceil(share);
-        shares.resize_with(shares.len().max(count), Share::default);
+        shares.resize_with(shares.len().max(count), SlaveShare::default);
         team.each(slaves.chunks(share).zip(shares), |(slaves, share)| {
-            let Share {
+            let SlaveShare {
                 pairs,
                 cuts,
                 points,
@@ -164,7 +164,7 @@ impl<const D: usize> MortarPoints<D> {
     pub fn compare(
         &mut self,
         team: &Team,
-        differences: impl Fn(&MortarPoint<D>) -> Apart<D> + Send + Sync,
+        differences: impl Fn(&MortarPoint<D>) -> PointDifferences<D> + Send + Sync,
     ) {
         team.each(self.shares.iter_mut(), |share| {
             share.apart.clear();
@@ -173,7 +173,7 @@ impl<const D: usize> MortarPoints<D> {
     }
 
     /// The points with what was found at each.
-    pub fn compared(&self) -> impl Iterator<Item = (&MortarPoint<D>, &Apart<D>)> {
+    pub fn compared(&self) -> impl Iterator<Item = (&MortarPoint<D>, &PointDifferences<D>)> {
         let shares = self.shares.iter();
         shares.flat_map(|share| share.points.iter().zip(&share.apart))
     }

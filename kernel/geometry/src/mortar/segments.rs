@@ -5,10 +5,10 @@
 //! Gauss points lie on it (algorithm 1).
 
 use super::boundary::Boundary;
-use super::broad::Near;
+use super::broad::NearElements;
 use super::elements::Elements;
 use super::overlap::overlap;
-use super::points::{Cuts, FACING, MortarPoint, Search};
+use super::points::{Cuts, FACING, MasterSearch, MortarPoint};
 use super::sites::Sites;
 use super::{Point, cross};
 
@@ -56,7 +56,7 @@ impl Elements<2, 1> for Boundary {
         normals: &[Point],
         master: &Self,
         pairs: &[[usize; 2]],
-        search: Search,
+        search: MasterSearch,
         cuts: &mut Cuts,
         points: &mut Vec<MortarPoint<2>>,
     ) {
@@ -67,8 +67,8 @@ impl Elements<2, 1> for Boundary {
         &self,
         normals: &[Point],
         master: &Self,
-        near: &Near<2>,
-        search: Search,
+        near: &NearElements<2>,
+        search: MasterSearch,
         points: &mut Vec<MortarPoint<2>>,
     ) {
         points_of_vertices(self, normals, master, near, search, points);
@@ -132,7 +132,7 @@ fn points_of_segment(
     normals: &[Point],
     master: &Boundary,
     pairs: &[[usize; 2]],
-    search: Search,
+    search: MasterSearch,
     Cuts { along: cuts, .. }: &mut Cuts,
     points: &mut Vec<MortarPoint<2>>,
 ) {
@@ -189,7 +189,7 @@ fn nearest(
     n: &Point,
     master: &Boundary,
     pairs: &[[usize; 2]],
-    search: Search,
+    search: MasterSearch,
 ) -> Option<usize> {
     pairs
         .iter()
@@ -206,8 +206,8 @@ fn points_of_vertices(
     slave: &Boundary,
     normals: &[Point],
     master: &Boundary,
-    near: &Near<2>,
-    search: Search,
+    near: &NearElements<2>,
+    search: MasterSearch,
     points: &mut Vec<MortarPoint<2>>,
 ) {
     let lengths = slave.tributary_lengths();

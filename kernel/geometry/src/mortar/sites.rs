@@ -1,4 +1,4 @@
-//! Where a slave has normals, gaps and pressures: at each vertex, and at a sharp corner once for each of its sides.
+//! Sites of normals, gaps and pressures on a slave: one at each vertex, one for each side of a sharp corner.
 //!
 //! The mean normal of a sharp corner (eq. 41) belongs to neither of its sides: the leading corner of a sliding block would
 //! press and rub along a slanted plane, beyond Coulomb's cone of the plane that it slides on.

@@ -1,4 +1,4 @@
-//! Where the material says that a point is: weights that tie it to particles around it.
+//! Affine weights that tie a point to the particles around it.
 
 use super::PointIn;
 use nalgebra::SMatrix;

@@ -57,7 +57,7 @@ impl<const D: usize> Places<D> {
 
 /// A vertex that no node with mass is near: nothing can move it or take its force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Lost;
+pub struct LostVertex;
 
 impl<const D: usize, const N: usize> VertexWeights<D, N> {
     /// Of no vertex: all zero.
@@ -108,12 +108,12 @@ impl<const D: usize, const N: usize> VertexWeights<D, N> {
     /// image where a plane mirrors the body.
     ///
     /// # Errors
-    /// [`Lost`] where none of the nodes with a weight has mass.
-    pub fn augmented(&self, masses: &[f64; N]) -> Result<Self, Lost> {
+    /// [`LostVertex`] where none of the nodes with a weight has mass.
+    pub fn augmented(&self, masses: &[f64; N]) -> Result<Self, LostVertex> {
         let weighted: [f64; N] = array::from_fn(|k| self.weights[k] * masses[k]);
         let sum: f64 = weighted.iter().sum();
         if sum.is_nan() || sum <= 0.0 {
-            return Err(Lost);
+            return Err(LostVertex);
         }
         Ok(Self {
             weights: weighted.map(|w| w / sum),

@@ -1,4 +1,4 @@
-//! What can be wrong with a triangulated surface.
+//! Errors of a triangulated surface.
 
 use super::Point;
 use std::fmt;
@@ -78,9 +78,9 @@ impl SurfaceErrorKind {
 }
 
 /// A point as `(x, y, z)`.
-struct At<'a>(&'a Point);
+struct PointText<'a>(&'a Point);
 
-impl fmt::Display for At<'_> {
+impl fmt::Display for PointText<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [x, y, z] = self.0;
         write!(f, "({x}, {y}, {z})")
@@ -88,7 +88,7 @@ impl fmt::Display for At<'_> {
 }
 
 fn edge_words(f: &mut fmt::Formatter<'_>, [a, b]: &[Point; 2]) -> fmt::Result {
-    write!(f, "from {} to {} m", At(a), At(b))
+    write!(f, "from {} to {} m", PointText(a), PointText(b))
 }
 
 impl fmt::Display for SurfaceErrorKind {
@@ -102,9 +102,9 @@ impl fmt::Display for SurfaceErrorKind {
             } => write!(
                 f,
                 "triangle {triangle} with corners {}, {}, {}",
-                At(a),
-                At(b),
-                At(c)
+                PointText(a),
+                PointText(b),
+                PointText(c)
             ),
             Self::Degenerate {
                 triangle,
@@ -112,9 +112,9 @@ impl fmt::Display for SurfaceErrorKind {
             } => write!(
                 f,
                 "triangle {triangle} without area, corners {}, {}, {} m",
-                At(a),
-                At(b),
-                At(c)
+                PointText(a),
+                PointText(b),
+                PointText(c)
             ),
             Self::Orientation {
                 triangles: [i, j],

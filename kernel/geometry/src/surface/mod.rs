@@ -12,7 +12,7 @@ mod topology;
 mod tree;
 
 pub use error::{SurfaceError, SurfaceErrorKind};
-pub use nearest::{Feature, Nearest};
+pub use nearest::{Feature, NearestPoint};
 pub use topology::OpenEdges;
 
 use std::fmt;
@@ -136,24 +136,24 @@ impl Surface {
     /// The point of the surface nearest to `x`, if one is closer than `within` \[m\]. Of triangles at the same
     /// distance the first of the file counts.
     #[must_use]
-    pub fn nearest(&self, x: &Point, within: f64) -> Option<Nearest> {
+    pub fn nearest(&self, x: &Point, within: f64) -> Option<NearestPoint> {
         self.tree.nearest(self, x, within, None)
     }
 
     /// The same, sooner where the triangle of the nearest point is known but for a little: `guess` as in
-    /// [`Nearest::triangle`]. Whatever is guessed, what is found has the same bits.
+    /// [`NearestPoint::triangle`]. Whatever is guessed, what is found has the same bits.
     ///
     /// # Panics
     /// If the surface has no such triangle.
     #[must_use]
-    pub fn nearest_from(&self, guess: usize, x: &Point, within: f64) -> Option<Nearest> {
+    pub fn nearest_from(&self, guess: usize, x: &Point, within: f64) -> Option<NearestPoint> {
         self.tree.nearest(self, x, within, Some(guess))
     }
 
     /// The same by looking at every triangle, for tests of the tree.
     #[must_use]
-    pub fn nearest_of_all(&self, x: &Point, within: f64) -> Option<Nearest> {
-        let mut best = nearest::Best::new(within);
+    pub fn nearest_of_all(&self, x: &Point, within: f64) -> Option<NearestPoint> {
+        let mut best = nearest::NearestTriangle::new(within);
         for triangle in 0..self.triangles.len() {
             best.look_at(self, triangle, x);
         }

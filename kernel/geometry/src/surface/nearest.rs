@@ -15,7 +15,7 @@ pub enum Feature {
 
 /// The point of a surface nearest to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest {
+pub struct NearestPoint {
     /// Triangle, counted from 0.
     pub triangle: usize,
     /// Where on the triangle.
@@ -33,13 +33,13 @@ pub struct Nearest {
 }
 
 /// The best triangle so far.
-pub(super) struct Best {
+pub(super) struct NearestTriangle {
     /// Squared distance, triangle, feature, point.
     found: Option<(f64, usize, Feature, Point)>,
     limit: f64,
 }
 
-impl Best {
+impl NearestTriangle {
     pub fn new(within: f64) -> Self {
         Self {
             found: None,
@@ -66,7 +66,7 @@ impl Best {
         }
     }
 
-    pub fn finish(self, surface: &Surface, x: &Point) -> Option<Nearest> {
+    pub fn finish(self, surface: &Surface, x: &Point) -> Option<NearestPoint> {
         let (square, triangle, feature, point) = self.found?;
         let (pseudo, on_rim) = match feature {
             Feature::Face => (surface.normals[triangle], false),
@@ -96,7 +96,7 @@ impl Best {
         } else {
             sign * distance
         };
-        Some(Nearest {
+        Some(NearestPoint {
             triangle,
             feature,
             point,

@@ -34,7 +34,7 @@ pub(super) struct Topology {
 
 /// A triangle at an edge: the triangle, which of its edges, and whether it runs from the lower vertex number to the
 /// higher.
-type Use = (usize, usize, bool);
+type EdgeUse = (usize, usize, bool);
 
 impl Topology {
     pub fn new(corners: &[[Point; 3]]) -> Result<Self, SurfaceErrorKind> {
@@ -88,7 +88,7 @@ impl Topology {
     }
 
     /// Pseudo-normals of the edges, the mean of the normals beside them, and which are open.
-    fn take_edges(&mut self, edges: &BTreeMap<(u32, u32), Vec<Use>>) {
+    fn take_edges(&mut self, edges: &BTreeMap<(u32, u32), Vec<EdgeUse>>) {
         let mut open: Vec<(usize, usize)> = vec![];
         for uses in edges.values() {
             let mut sum = [0.0; 3];
@@ -181,8 +181,8 @@ fn weld(corners: &[[Point; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
 fn edges(
     vertices: &[Point],
     triangles: &[[u32; 3]],
-) -> Result<BTreeMap<(u32, u32), Vec<Use>>, SurfaceErrorKind> {
-    let mut edges: BTreeMap<(u32, u32), Vec<Use>> = BTreeMap::new();
+) -> Result<BTreeMap<(u32, u32), Vec<EdgeUse>>, SurfaceErrorKind> {
+    let mut edges: BTreeMap<(u32, u32), Vec<EdgeUse>> = BTreeMap::new();
     for (t, triangle) in triangles.iter().enumerate() {
         for edge in 0..3 {
             let (a, b) = (triangle[edge], triangle[(edge + 1) % 3]);
@@ -193,7 +193,7 @@ fn edges(
         }
     }
     let ends = |&(a, b): &(u32, u32)| [a, b].map(|v| vertices[v as usize]);
-    let numbers = |uses: &[Use]| -> Vec<usize> { uses.iter().map(|u| u.0 + 1).collect() };
+    let numbers = |uses: &[EdgeUse]| -> Vec<usize> { uses.iter().map(|u| u.0 + 1).collect() };
     let crowded = edges.iter().filter(|(_, uses)| uses.len() > 2);
     if let Some((edge, uses)) = crowded.min_by_key(|(_, uses)| numbers(uses)) {
         return Err(SurfaceErrorKind::NonManifold {
@@ -203,7 +203,7 @@ fn edges(
     }
     let pairs = edges.iter().filter(|(_, uses)| uses.len() == 2);
     // Of two neighbours that share all three vertices one is the other again, or its back.
-    let same = |uses: &[Use]| {
+    let same = |uses: &[EdgeUse]| {
         let sorted = |t: usize| {
             let mut v = triangles[t];
             v.sort_unstable();

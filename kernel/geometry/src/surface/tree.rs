@@ -1,6 +1,6 @@
 //! A tree of bounding boxes over the triangles of a surface.
 
-use super::nearest::{Best, Nearest};
+use super::nearest::{NearestPoint, NearestTriangle};
 use super::{Point, Surface};
 
 /// Triangles of a leaf.
@@ -96,8 +96,8 @@ impl Tree {
         x: &Point,
         within: f64,
         guess: Option<usize>,
-    ) -> Option<Nearest> {
-        let mut best = Best::new(within);
+    ) -> Option<NearestPoint> {
+        let mut best = NearestTriangle::new(within);
         if let Some(triangle) = guess {
             best.look_at(surface, triangle, x);
         }

@@ -5,14 +5,17 @@ mod softening;
 
 pub use softening::{Residual, Softening};
 
-use super::gap::{GAP, Tip};
+use super::gap::{GAP, TensionApex};
 use super::plastic::{
-    ALGORITHMIC, RELAXATION, Returned, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator,
+    ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator,
     second_invariant,
 };
 use super::principal::{components, spectrum};
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
-use super::{Accepted, Band, Choice, Constant, Given, LinearElastic, Readable, Unfit, band};
+use super::{
+    Accepted, Band, Choice, Constant, ConstantDefault, InvalidConstant, LinearElastic, Readable,
+    band,
+};
 use crate::lanes::{Lanes, functions};
 use crate::layout::Variable;
 use region::Strength;
@@ -111,7 +114,7 @@ impl MohrCoulomb {
     /// Cohesion and tension that fall faster than the elasticity of a point lets its stress fall. On the plane of shear the
     /// multiplier is F/(A + 2 c' cos phi dk), A = 4 G (1 + s d) + 4 lambda s d with the sines of friction and dilation and
     /// dk = 2/sqrt(3) sqrt(1 + d²/3) the plastic strain per multiplier; at the tension it is (s_1 - t)/(lambda + 2 G + 2/3 t').
-    fn too_steep(&self) -> Vec<Unfit> {
+    fn too_steep(&self) -> Vec<InvalidConstant> {
         let slope = |i: usize, left: Option<f64>| {
             let way = self.peak[i] - left.unwrap_or(self.peak[i]);
             self.softening.steepest() * way
@@ -216,7 +219,7 @@ impl Yielding for MohrCoulomb {
             meaning: "Plastic volume strain at which dilation ends; 0 for no end",
             unit: "",
             accepted: Accepted::NotNegative,
-            given: Given::Or(0.0),
+            given: ConstantDefault::Or(0.0),
         },
         RELAXATION,
         softening::CONSTANTS[0],
@@ -254,7 +257,7 @@ impl Yielding for MohrCoulomb {
         values
     }
 
-    fn problems(&self) -> Vec<Unfit> {
+    fn problems(&self) -> Vec<InvalidConstant> {
         let [friction, cohesion, dilation, tensile] = self.peak;
         let mut found = strength::problems(friction, dilation, cohesion, tensile);
         found.extend(softening::problems(
@@ -292,7 +295,7 @@ impl Yielding for MohrCoulomb {
         &self,
         trial: &[L; 6],
         variables: &[L],
-    ) -> Option<Returned<L>> {
+    ) -> Option<ReturnedStress<L>> {
         let dilated = variables[3] - variables[4];
         let mut strength = self.strength(variables[0], dilated);
         if L::bits(may_yield::<L, D>(&strength, trial)) == 0 {
@@ -321,7 +324,7 @@ impl Yielding for MohrCoulomb {
         for slot in 0..components(D) {
             out[slot] = trial[slot] + change[slot];
         }
-        Some(Returned {
+        Some(ReturnedStress {
             stress: out,
             yields,
             opened,
@@ -330,8 +333,8 @@ impl Yielding for MohrCoulomb {
 
     /// All three principal stresses are at the tension there.
     #[inline(always)]
-    fn tip<L: Lanes>(&self, variables: &[L]) -> Tip<L> {
-        Tip {
+    fn tip<L: Lanes>(&self, variables: &[L]) -> TensionApex<L> {
+        TensionApex {
             tension: self.strength(variables[0], variables[3]).tension,
             radius: L::splat(0.0),
         }

@@ -1,7 +1,7 @@
 //! Strength that falls with plastic strain, and how scene files say it.
 
 use crate::lanes::{Lanes, functions};
-use crate::laws::{Accepted, Choice, Constant, Given, Unfit};
+use crate::laws::{Accepted, Choice, Constant, ConstantDefault, InvalidConstant};
 
 /// How strength falls from its peak to what is left of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,49 +98,49 @@ pub(super) const CONSTANTS: [Constant; 7] = [
         meaning: "Rate of exponential softening: the share exp(-eta k) of the way is left at a plastic strain k",
         unit: "",
         accepted: Accepted::NotNegative,
-        given: Given::Or(0.0),
+        given: ConstantDefault::Or(0.0),
     },
     Constant {
         key: "softening.linear.from",
         meaning: "Plastic strain at which linear softening begins",
         unit: "",
         accepted: Accepted::NotNegative,
-        given: Given::Or(0.0),
+        given: ConstantDefault::Or(0.0),
     },
     Constant {
         key: "softening.linear.to",
         meaning: "Plastic strain at which linear softening ends",
         unit: "",
         accepted: Accepted::NotNegative,
-        given: Given::Or(0.0),
+        given: ConstantDefault::Or(0.0),
     },
     Constant {
         key: "softening.friction.residual",
         meaning: "Angle of friction that is left",
         unit: "°",
         accepted: Accepted::From(0.0, 90.0),
-        given: Given::As("friction"),
+        given: ConstantDefault::As("friction"),
     },
     Constant {
         key: "softening.cohesion.residual",
         meaning: "Cohesion that is left",
         unit: "Pa",
         accepted: Accepted::NotNegative,
-        given: Given::As("cohesion"),
+        given: ConstantDefault::As("cohesion"),
     },
     Constant {
         key: "softening.dilation.residual",
         meaning: "Angle of dilation that is left",
         unit: "°",
         accepted: Accepted::Between(-90.0, 90.0),
-        given: Given::As("dilation"),
+        given: ConstantDefault::As("dilation"),
     },
     Constant {
         key: "softening.tensile.residual",
         meaning: "Tensile strength that is left",
         unit: "Pa",
         accepted: Accepted::NotNegative,
-        given: Given::As("tensile"),
+        given: ConstantDefault::As("tensile"),
     },
 ];
 
@@ -185,10 +185,14 @@ pub(super) fn values(softening: Softening, residual: &Residual, peak: [f64; 4]) 
 }
 
 /// What does not go together, for the peak strength of friction, cohesion, dilation and tensile strength.
-pub(super) fn problems(softening: Softening, residual: &Residual, peak: [f64; 4]) -> Vec<Unfit> {
+pub(super) fn problems(
+    softening: Softening,
+    residual: &Residual,
+    peak: [f64; 4],
+) -> Vec<InvalidConstant> {
     let mut found = vec![];
     let mut add = |key, is: String, accepted: String| {
-        found.push(Unfit {
+        found.push(InvalidConstant {
             key,
             found: is,
             accepted,

@@ -1,7 +1,7 @@
 //! Ways of mortar contact by which the rows of particles at a face do not carry the pressure.
 
 use super::places::name;
-use crate::mortar::motion::Follow;
+use crate::mortar::motion::FollowMode;
 use crate::scene::{Body, Scene, Weighting};
 
 /// Bodies in mortar contact whose faces press on nodes with other weights than the stress behind them has.
@@ -28,17 +28,17 @@ pub(super) fn layers_off(scene: &Scene) -> Vec<String> {
                 "from 0.83 to 2.74 of it; two rows inside it is right within 3 %. With \"GIMP\", \"cpGIMP\" or \
                  \"quadratic_bspline\", and vertices that follow the spin, as they do by default,",
             ),
-            Follow::Material => (
+            FollowMode::Material => (
                 "\"boundary_follows\": \"material\"",
                 "0.86 and 1.00 of it where the face is at 0.36 of a cell, 0.13 and 1.86 at 0.9; three rows inside it is right within \
                  5 %. With \"spin\", the default, \"velocity\" or \"gradient\"",
             ),
-            Follow::Unaugmented => (
+            FollowMode::Unaugmented => (
                 "\"boundary_follows\": \"unaugmented\"",
                 "1.22 and 0.78 of it where the face is at 0.9 of a cell; three rows inside it is right within 5 %. With \"spin\", the \
                  default, \"velocity\" or \"gradient\"",
             ),
-            Follow::Velocity | Follow::Spin | Follow::Gradient => return None,
+            FollowMode::Velocity | FollowMode::Spin | FollowMode::Gradient => return None,
         };
         Some(format!(
             "{}: with {way} the first two rows of particles at a face in mortar contact do not carry its pressure, which is \

@@ -11,7 +11,7 @@ mod surface;
 
 use self::collector::Collector;
 use super::{Damping, Dimension, PlaneCondition, Results, Scene, SceneError, TimeStep};
-use crate::laws::{Accepted, Given};
+use crate::laws::{Accepted, ConstantDefault};
 use crate::layout::Variable;
 use crate::number::Number;
 
@@ -140,7 +140,7 @@ impl Scene {
             let taken_from = |key: &str| constants.iter().find(|(other, _)| other.key == key);
             for (constant, value) in &constants {
                 // What is no more than a copy of another constant is told once, for that one.
-                if let Given::As(key) = constant.given
+                if let ConstantDefault::As(key) = constant.given
                     && taken_from(key).is_some_and(|(_, other)| other.to_bits() == value.to_bits())
                 {
                     continue;

@@ -1,6 +1,6 @@
 //! A base that moves one plane of the mesh, and the mesh with it along the normal of that plane.
 
-use super::{Acting, Condition, Kind, Made};
+use super::{Condition, ConditionResult, ConditionType, NodalConditions};
 use crate::grid::GridShape;
 use crate::scene::{PlaneCondition, Scene, Vector};
 use crate::simulation::Simulation;
@@ -16,8 +16,8 @@ struct MovingBase {
 }
 
 /// A moving base.
-pub(super) const MOVING_BASE: Kind = Kind {
-    words: |scene, list| {
+pub(super) const MOVING_BASE: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = scene.base_motion.is_some();
         list.choose(
             "stage",
@@ -31,7 +31,7 @@ pub(super) const MOVING_BASE: Kind = Kind {
     planes: true,
 };
 
-fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
     let base = scene.base_motion.as_ref()?;
     Some(Ok(Arc::new(MovingBase {
         axis: base.axis,
@@ -41,10 +41,12 @@ fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
 
 impl Condition for MovingBase {
     /// The plane is fixed to the base; the others move with the mesh.
-    fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
-        let Some(base) = &simulation.decided.base else { return };
-        let [before, after] = acting.half_steps.map(|time| base.at(time));
-        for wall in &mut acting.walls {
+    fn prescribe(&self, simulation: &Simulation, nodal: &mut NodalConditions) {
+        let Some(base) = &simulation.model.base else {
+            return;
+        };
+        let [before, after] = nodal.half_steps.map(|time| base.at(time));
+        for wall in &mut nodal.walls {
             wall.before = simulation.mesh_part(before);
             wall.after = simulation.mesh_part(after);
         }
@@ -56,9 +58,9 @@ impl Condition for MovingBase {
             after,
         };
         let place = |wall: &Wall| (wall.axis, wall.side);
-        match acting.walls.binary_search_by_key(&place(&own), place) {
-            Ok(at) => acting.walls[at] = own,
-            Err(at) => acting.walls.insert(at, own),
+        match nodal.walls.binary_search_by_key(&place(&own), place) {
+            Ok(at) => nodal.walls[at] = own,
+            Err(at) => nodal.walls.insert(at, own),
         }
     }
 }
@@ -67,20 +69,20 @@ impl Simulation {
     /// The part of a velocity of the base that the mesh takes part in: that along the normal of the base, so that
     /// the base stays on its plane of nodes however far it moves, and the plane opposite moves with it.
     fn mesh_part(&self, v: Vector) -> Vector {
-        let normal = self.decided.scene.base_motion.as_ref().map(|base| base.axis);
+        let normal = self.model.scene.base_motion.as_ref().map(|base| base.axis);
         std::array::from_fn(|axis| if Some(axis) == normal { v[axis] } else { 0.0 })
     }
 
     /// Velocity of the mesh in the middle of the step \[m/s\].
     pub(in crate::simulation) fn mesh_velocity(&self, info: &StepInfo) -> Vector {
         let middle = self.state.clock.time + 0.5 * info.dt;
-        let base = self.decided.base.as_ref();
+        let base = self.model.base.as_ref();
         base.map_or([0.0; 3], |base| self.mesh_part(base.at(middle)))
     }
 
     /// Notes the end of a record of the base, if it lies in this step.
     pub(in crate::simulation) fn note_end_of_record(&mut self, info: &StepInfo) {
-        if let Some(base) = &self.decided.base
+        if let Some(base) = &self.model.base
             && self.state.clock.time < base.end()
             && info.time >= base.end()
         {

@@ -1,7 +1,7 @@
 //! Damping. Local damping is a number of the acceleration; viscous damping acts while forces are mapped (`stage/p2g`), and
 //! only what it takes is summed here; of kinetic damping only the plan speaks.
 
-use super::{Acting, Condition, FieldNodes, Kind, Made};
+use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
 use crate::grid::GridShape;
 use crate::scene::{Damping, Scene};
 use crate::simulation::Simulation;
@@ -15,8 +15,8 @@ const NOT_ZERO: &str = "its factor is not zero";
 const ZERO: &str = "not asked for, or its factor is zero";
 
 /// Kinetic damping, which acts on all particles at once (`relaxation.rs`).
-pub(super) const KINETIC_DAMPING: Kind = Kind {
-    words: |scene, list| {
+pub(super) const KINETIC_DAMPING: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = scene.damping == Damping::Kinetic;
         let why = "asked for: velocities are set to zero at each peak of kinetic energy";
         list.choose("stage", "kinetic damping", acts, why, "not asked for");
@@ -26,8 +26,8 @@ pub(super) const KINETIC_DAMPING: Kind = Kind {
 };
 
 /// Viscous damping, which acts while forces are mapped (`stage/p2g`).
-pub(super) const VISCOUS_DAMPING: Kind = Kind {
-    words: |scene, list| {
+pub(super) const VISCOUS_DAMPING: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = matches!(scene.damping, Damping::Viscous { alpha } if alpha != 0.0);
         list.choose("stage", "viscous damping", acts, NOT_ZERO, ZERO);
     },
@@ -39,8 +39,8 @@ pub(super) const VISCOUS_DAMPING: Kind = Kind {
 };
 
 /// Local damping.
-pub(super) const LOCAL_DAMPING: Kind = Kind {
-    words: |scene, list| {
+pub(super) const LOCAL_DAMPING: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = matches!(scene.damping, Damping::Local { alpha } if alpha != 0.0);
         list.choose("stage", "local damping", acts, NOT_ZERO, ZERO);
     },
@@ -48,7 +48,7 @@ pub(super) const LOCAL_DAMPING: Kind = Kind {
     planes: false,
 };
 
-fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
     match scene.damping {
         Damping::Local { alpha } if alpha != 0.0 => Some(Ok(Arc::new(LocalDamping(alpha)))),
         _ => None,
@@ -57,15 +57,15 @@ fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
 
 impl Condition for ViscousDamping {
     fn settled(&self, field: &mut FieldNodes<'_, '_>) {
-        if let Some(rate) = field.now.mapping.viscous_rate(field.owner()) {
-            let (planes, now, sums) = field.parts();
-            planes.add_viscous(rate, now.acting.kick, &now.walls, sums);
+        if let Some(rate) = field.context.mapping.viscous_rate(field.owner()) {
+            let (planes, context, sums) = field.parts();
+            planes.add_viscous(rate, context.nodal.kick, &context.walls, sums);
         }
     }
 }
 
 impl Condition for LocalDamping {
-    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
-        acting.local_damping = Some(self.0);
+    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+        nodal.local_damping = Some(self.0);
     }
 }

@@ -3,7 +3,7 @@
 //! In the common field they take all nodes along that their particles reach. One with a velocity field of its own has no
 //! equation of motion there: its nodes move as it does.
 
-use super::{Acting, Condition, FieldNodes, Kind, Made};
+use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
 use crate::grid::GridShape;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -21,8 +21,8 @@ use std::sync::Arc;
 struct DrivenBodies;
 
 /// Driven bodies.
-pub(super) const DRIVEN_BODIES: Kind = Kind {
-    words: |scene, list| {
+pub(super) const DRIVEN_BODIES: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = scene.bodies.iter().any(|body| body.motion.is_some());
         list.choose(
             "stage",
@@ -36,7 +36,7 @@ pub(super) const DRIVEN_BODIES: Kind = Kind {
     planes: false,
 };
 
-fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
     let any = scene.bodies.iter().any(|body| body.motion.is_some());
     any.then(|| Ok(Arc::new(DrivenBodies) as _))
 }
@@ -44,16 +44,16 @@ fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
 impl Condition for DrivenBodies {
     /// Where two driven bodies share a node the later body decides, whatever the order of particles, and a held node
     /// stands still.
-    fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
+    fn prescribe(&self, simulation: &Simulation, nodal: &mut NodalConditions) {
         let (mut driven, mut nodes) = (
-            std::mem::take(&mut acting.driven),
-            std::mem::take(&mut acting.nodes),
+            std::mem::take(&mut nodal.driven),
+            std::mem::take(&mut nodal.nodes),
         );
         let mut bodies = 0;
         let (sets, own_field) = (&simulation.state.sets, &simulation.work.own_field);
-        for (index, body) in simulation.decided.bodies.iter().enumerate() {
+        for (index, body) in simulation.model.bodies.iter().enumerate() {
             if let (Some(motion), false) = (&body.motion, own_field[index]) {
-                let [before, after] = acting.half_steps.map(|t| history_value(motion, t));
+                let [before, after] = nodal.half_steps.map(|t| history_value(motion, t));
                 nodes_of(
                     &sets[index],
                     body,
@@ -75,21 +75,21 @@ impl Condition for DrivenBodies {
         if bodies > 1 {
             driven.sort_unstable_by_key(|d| d.node);
         }
-        if !acting.held.is_empty() {
-            let is_held = |d: &DrivenNode| acting.held.binary_search_by_key(&d.node, |h| h.node);
+        if !nodal.held.is_empty() {
+            let is_held = |d: &DrivenNode| nodal.held.binary_search_by_key(&d.node, |h| h.node);
             driven.retain(|d| is_held(d).is_err());
         }
-        (acting.driven, acting.nodes) = (driven, nodes);
+        (nodal.driven, nodal.nodes) = (driven, nodes);
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
-        self.again(field);
+        self.remap(field);
     }
 
-    fn again(&self, field: &mut FieldNodes<'_, '_>) {
+    fn remap(&self, field: &mut FieldNodes<'_, '_>) {
         if field.owner() == Owner::Phase {
-            let now = field.now;
-            field.drive(&now.acting.driven);
+            let context = field.context;
+            field.drive(&context.nodal.driven);
         }
     }
 }
@@ -103,14 +103,14 @@ impl Simulation {
         mesh_shift: &[f64; 3],
     ) -> Result<(), StepError> {
         let half = self.state.clock.time + 0.5 * info.dt;
-        let (mesh, gravity) = (&self.decided.scene.mesh, &self.decided.scene.gravity);
+        let (mesh, gravity) = (&self.model.scene.mesh, &self.model.scene.gravity);
         let (mut travel, mut work) = (0.0_f64, 0.0);
         let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
         for (index, (set, body)) in self
             .state
             .sets
             .iter_mut()
-            .zip(&self.decided.bodies)
+            .zip(&self.model.bodies)
             .enumerate()
         {
             let Some(motion) = &body.motion else { continue };
@@ -132,7 +132,7 @@ impl Simulation {
             }
             work += kinetic_energy(set) - before;
         }
-        self.state.books.external_work += work;
+        self.state.ledger.external_work += work;
         self.state.travel += travel;
         self.judge(&faults)
     }

@@ -1,6 +1,6 @@
 //! Gravity: a number of the acceleration.
 
-use super::{Acting, Condition, Kind, Made};
+use super::{Condition, ConditionResult, ConditionType, NodalConditions};
 use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
 use crate::simulation::Simulation;
@@ -9,8 +9,8 @@ use std::sync::Arc;
 struct Gravity(Vector);
 
 /// Gravity.
-pub(super) const GRAVITY: Kind = Kind {
-    words: |scene, list| {
+pub(super) const GRAVITY: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = scene.gravity != [0.0; 3];
         list.choose("stage", "gravity", acts, "it is not zero", "it is zero");
     },
@@ -18,13 +18,13 @@ pub(super) const GRAVITY: Kind = Kind {
     planes: false,
 };
 
-fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
+fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
     let acts = scene.gravity != [0.0; 3];
     acts.then(|| Ok(Arc::new(Gravity(scene.gravity)) as _))
 }
 
 impl Condition for Gravity {
-    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
-        acting.gravity = self.0;
+    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+        nodal.gravity = self.0;
     }
 }

@@ -1,6 +1,6 @@
 //! Nodes in boxes that stand still.
 
-use super::{Acting, Condition, FieldNodes, Kind, Made};
+use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
 use crate::grid::GridShape;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
@@ -10,8 +10,8 @@ use std::sync::Arc;
 struct HeldNodes(Arc<[DrivenNode]>);
 
 /// Held nodes.
-pub(super) const HELD_NODES: Kind = Kind {
-    words: |scene, list| {
+pub(super) const HELD_NODES: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = !scene.held_boxes.is_empty();
         list.choose(
             "stage",
@@ -25,21 +25,21 @@ pub(super) const HELD_NODES: Kind = Kind {
     planes: false,
 };
 
-fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
     let nodes = nodes(scene, shape);
     (!nodes.is_empty()).then(|| Ok(Arc::new(HeldNodes(nodes.into())) as _))
 }
 
 impl Condition for HeldNodes {
-    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
-        acting.held = Arc::clone(&self.0);
+    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+        nodal.held = Arc::clone(&self.0);
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
         field.drive(&self.0);
     }
 
-    fn again(&self, field: &mut FieldNodes<'_, '_>) {
+    fn remap(&self, field: &mut FieldNodes<'_, '_>) {
         field.drive(&self.0);
     }
 }

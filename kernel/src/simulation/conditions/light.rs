@@ -32,7 +32,7 @@ impl<'a> Masses<'a> {
     /// Mass of all fields of a node that move freely \[kg\].
     pub(super) fn at(&self, node: usize) -> f64 {
         let [plane, row, k] = self.shape.indices(node);
-        let bodies = &self.simulation.decided.bodies;
+        let bodies = &self.simulation.model.bodies;
         let fields = self.simulation.work.grid.fields.iter();
         let free = fields.filter(|field| {
             let moved = field
@@ -48,7 +48,7 @@ impl<'a> Masses<'a> {
     /// is another.
     fn around(&self, node: usize, mut act: impl FnMut(usize, f64, i32)) {
         let (shape, at) = (self.shape, self.shape.indices(node));
-        let scene = &self.simulation.decided.scene;
+        let scene = &self.simulation.model.scene;
         // Along each direction of the storage: mirror images beyond a plane with a condition are left out.
         let mut ranges = [(0, 0); 3];
         for axis in 0..shape.axes {

@@ -1,7 +1,7 @@
 //! Point loads and tractions, as forces on nodes.
 
 use super::light::Masses;
-use super::{Acting, Condition, FieldNodes, Kind, Made};
+use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
 use crate::grid::GridShape;
 use crate::scene::{History, Scene, Traction, Vector};
 use crate::simulation::Simulation;
@@ -16,13 +16,13 @@ struct NodalLoads {
     /// Those that stay what they are, one for each node, increasing; zero at a node that only others act on.
     steady: Vec<NodeForce>,
     /// Tractions that change in time.
-    changing: Vec<Changing>,
+    changing: Vec<VaryingTraction>,
     /// Nodes that only tractions act on, increasing: a traction acts where the body is.
     of_tractions: Vec<usize>,
 }
 
 /// A traction that changes in time.
-struct Changing {
+struct VaryingTraction {
     /// Traction \[Pa\].
     traction: History,
     /// Numbers of nodes in the steady loads, and the area of each \[m²\].
@@ -30,8 +30,8 @@ struct Changing {
 }
 
 /// Nodal loads.
-pub(super) const NODAL_LOADS: Kind = Kind {
-    words: |scene, list| {
+pub(super) const NODAL_LOADS: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         let acts = !(scene.point_loads.is_empty() && scene.tractions.is_empty());
         list.choose(
             "stage",
@@ -45,7 +45,7 @@ pub(super) const NODAL_LOADS: Kind = Kind {
     planes: false,
 };
 
-fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
     match nodal(scene, shape) {
         Ok(loads) if loads.steady.is_empty() => None,
         loads => Some(loads.map(|loads| Arc::new(loads) as _)),
@@ -60,7 +60,7 @@ impl Condition for NodalLoads {
     }
 
     /// Those that change, at the middle of the kick; those on nodes that are nearly empty, as the nodes around bear them.
-    fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
+    fn prescribe(&self, simulation: &Simulation, nodal: &mut NodalConditions) {
         if !self.finds() {
             return;
         }
@@ -69,30 +69,28 @@ impl Condition for NodalLoads {
         if self.changing.is_empty() && !left && masses.bear(&self.steady) {
             return;
         }
-        let [before, after] = acting.half_steps;
-        acting.loads.extend_from_slice(&self.steady);
+        let [before, after] = nodal.half_steps;
+        nodal.loads.extend_from_slice(&self.steady);
         for one in &self.changing {
             let traction = value(&one.traction, 0.5 * (before + after));
             for &(place, area) in &one.areas {
                 for axis in 0..3 {
-                    acting.loads[place].force[axis] += traction[axis] * area;
+                    nodal.loads[place].force[axis] += traction[axis] * area;
                 }
             }
         }
         if left {
-            acting
-                .loads
-                .retain(|load| !self.is_left(load.node, &masses));
+            nodal.loads.retain(|load| !self.is_left(load.node, &masses));
         }
-        if !masses.bear(&acting.loads) {
-            masses.spread(&mut acting.loads);
+        if !masses.bear(&nodal.loads) {
+            masses.spread(&mut nodal.loads);
         }
-        acting.spread = true;
+        nodal.spread = true;
     }
 
     fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
         if field.slab.fields.len() == 1 {
-            let all = self.now(field.now.acting);
+            let all = self.now(field.context.nodal);
             return field.parts().0.load(all);
         }
         self.for_share(field, |planes, own, _| planes.load(&[own]))
@@ -101,7 +99,7 @@ impl Condition for NodalLoads {
     fn settled(&self, field: &mut FieldNodes<'_, '_>) {
         if field.slab.fields.len() == 1 {
             let (planes, now, sums) = field.parts();
-            return planes.add_power_of_loads(self.now(now.acting), sums);
+            return planes.add_power_of_loads(self.now(now.nodal), sums);
         }
         let found = self.for_share(field, |planes, own, sums| {
             planes.add_power_of_loads(&[own], sums);
@@ -117,9 +115,9 @@ impl Condition for NodalLoads {
 
 impl NodalLoads {
     /// All of them in a step.
-    fn now<'a>(&'a self, acting: &'a Acting) -> &'a [NodeForce] {
-        if acting.spread {
-            &acting.loads
+    fn now<'a>(&'a self, nodal: &'a NodalConditions) -> &'a [NodeForce] {
+        if nodal.spread {
+            &nodal.loads
         } else {
             &self.steady
         }
@@ -142,10 +140,10 @@ impl NodalLoads {
         field: &mut FieldNodes<'_, '_>,
         mut act: impl FnMut(&mut Planes<'_>, NodeForce, &mut [PlaneSums]) -> Result<(), EmptyNode>,
     ) -> Result<(), EmptyNode> {
-        let (shape, now) = (field.slab.shape(), field.now);
+        let (shape, now) = (field.slab.shape(), field.context);
         let first = field.slab.range().start * shape.plane_nodes();
         let last = field.slab.range().end * shape.plane_nodes();
-        let all = self.now(now.acting).iter();
+        let all = self.now(now.nodal).iter();
         for load in all.filter(|load| (first..last).contains(&load.node)) {
             let [plane, row, k] = shape.indices(load.node);
             let mass = |field: &SlabField<'_>| {
@@ -179,7 +177,7 @@ impl Simulation {
         if self.state.clock.step == 0 || self.nodes_with_mass() == 0 {
             return all;
         }
-        let (scene, masses) = (&self.decided.scene, Masses::of(self));
+        let (scene, masses) = (&self.model.scene, Masses::of(self));
         for (i, load) in scene.tractions.iter().enumerate() {
             let Ok(areas) = areas(scene, &self.work.grid.shape, i, load) else {
                 continue;
@@ -239,12 +237,14 @@ fn nodal(scene: &Scene, shape: &GridShape) -> Result<NodalLoads, SetupError> {
         }
     }
     let place = |node: usize| merged.partition_point(|load| load.node < node);
-    let changing = changing.into_iter().map(|(traction, areas)| Changing {
-        traction,
-        areas: (areas.into_iter())
-            .map(|(node, area)| (place(node), area))
-            .collect(),
-    });
+    let changing = changing
+        .into_iter()
+        .map(|(traction, areas)| VaryingTraction {
+            traction,
+            areas: (areas.into_iter())
+                .map(|(node, area)| (place(node), area))
+                .collect(),
+        });
     let nodes = merged.iter().map(|load| load.node);
     Ok(NodalLoads {
         changing: changing.collect(),

@@ -4,7 +4,7 @@
 //! list, and nothing in the cycle asks for it. What a library user adds ([`Options::conditions`](super::Options)) comes
 //! after those of the scene, by the same trait.
 //!
-//! Gravity and local damping are numbers in [`Acting`], since they lie in the loop of the acceleration, where a sweep of
+//! Gravity and local damping are numbers in [`NodalConditions`], since they lie in the loop of the acceleration, where a sweep of
 //! their own over the nodes would cost more than they do. Viscous damping acts while forces are mapped (`stage/p2g`),
 //! kinetic damping on all particles at once (`relaxation.rs`), box loads and body forces on particles: none of these is a
 //! condition on nodes.
@@ -18,7 +18,7 @@ pub use nodes::{FieldNodes, Node};
 use super::error::SetupError;
 use super::{Simulation, history_value};
 use crate::grid::GridShape;
-use crate::plan::Words;
+use crate::plan::PlanEntries;
 use crate::scene::{Scene, Vector};
 use crate::stage::solve::{DrivenNode, EmptyNode, NodeForce, Wall};
 use smallvec::SmallVec;
@@ -28,7 +28,7 @@ use std::sync::Arc;
 ///
 /// A step asks it in this order: [`Condition::prescribe`] once its length is known; then for each field, on each slab of
 /// planes that a thread owns, [`Condition::before`] and [`Condition::after`] the acceleration, [`Condition::settled`] when
-/// contact has acted, and [`Condition::again`] on velocities that are mapped a second time. Slabs and fields are visited at
+/// contact has acted, and [`Condition::remap`] on velocities that are mapped a second time. Slabs and fields are visited at
 /// once by several threads, and their number must not change a result: what is done at a node may depend on that node
 /// alone. A body whose motion is prescribed has no equation of motion, and no condition is asked about its field.
 pub trait Condition: Send + Sync {
@@ -39,7 +39,7 @@ pub trait Condition: Send + Sync {
     }
 
     /// Adds what it prescribes in a step to what others do.
-    fn prescribe(&self, _simulation: &Simulation, _acting: &mut Acting) {}
+    fn prescribe(&self, _simulation: &Simulation, _acting: &mut NodalConditions) {}
 
     /// Adds forces at the nodes; mass, velocity and force of the particles are there.
     ///
@@ -57,12 +57,12 @@ pub trait Condition: Send + Sync {
 
     /// Changes velocities that were mapped a second time, from which strain is taken (MUSL, USF). What was done to the
     /// velocities before is in the particles, and so in these; what must hold exactly is prescribed once more.
-    fn again(&self, _field: &mut FieldNodes<'_, '_>) {}
+    fn remap(&self, _field: &mut FieldNodes<'_, '_>) {}
 }
 
-/// What acts at the nodes in one step, as its conditions prescribe it.
+/// The nodal conditions of one step: walls, prescribed velocities, loads, gravity and times.
 #[derive(Clone, Debug, Default)]
-pub struct Acting {
+pub struct NodalConditions {
     /// Boundary planes with a condition, by axis and side, with their velocities.
     pub walls: Walls,
     /// Velocities half a step before and after of each body whose motion is prescribed \[m/s\], by its place in the scene.
@@ -89,7 +89,7 @@ pub struct Acting {
     pub drift: f64,
 }
 
-impl Acting {
+impl NodalConditions {
     /// Nothing acts yet in a step of these times.
     fn begin(&mut self, kick: f64, half_steps: [f64; 2], drift: f64) {
         let Self {
@@ -119,17 +119,17 @@ impl Acting {
 pub type Walls = SmallVec<[Wall; 6]>;
 
 /// A condition, or why there cannot be one.
-type Made = Result<Arc<dyn Condition>, SetupError>;
+type ConditionResult = Result<Arc<dyn Condition>, SetupError>;
 
-/// Makes the condition of a kind, where a scene has any.
-type Make = fn(&Scene, &GridShape) -> Option<Made>;
+/// Builds the condition of a type, where a scene has any.
+type ConditionBuilder = fn(&Scene, &GridShape) -> Option<ConditionResult>;
 
-/// A kind of condition.
-struct Kind {
+/// A type of condition, as it stands in a list.
+struct ConditionType {
     /// What the plan says of it.
-    words: fn(&Scene, &mut Words),
+    plan_entries: fn(&Scene, &mut PlanEntries),
     /// How it is made, if it is one on nodes.
-    make: Option<Make>,
+    make: Option<ConditionBuilder>,
     /// Whether it is one of the boundary planes, which have the last word at a node.
     planes: bool,
 }
@@ -140,7 +140,7 @@ macro_rules! list {
     ($($file:ident: [$($kind:ident),*],)*) => {
         $(mod $file;)*
 
-        const ALL: &[Kind] = &[$($($file::$kind),*),*];
+        const ALL: &[ConditionType] = &[$($($file::$kind),*),*];
     };
 }
 
@@ -155,9 +155,9 @@ list! {
 }
 
 /// What the plan says of conditions.
-pub(crate) fn describe(scene: &Scene, list: &mut Words) {
+pub(crate) fn describe(scene: &Scene, list: &mut PlanEntries) {
     for kind in ALL {
-        (kind.words)(scene, list);
+        (kind.plan_entries)(scene, list);
     }
 }
 
@@ -181,38 +181,38 @@ pub(super) fn of(
 impl Simulation {
     /// Makes the conditions of the scene anew, after it has changed.
     pub(super) fn set_conditions(&mut self) -> Result<(), SetupError> {
-        self.decided.conditions = of(
-            &self.decided.scene,
+        self.model.conditions = of(
+            &self.model.scene,
             &self.work.grid.shape,
-            &self.decided.own_conditions,
+            &self.model.own_conditions,
         )?;
         Ok(())
     }
 
-    /// What acts in a step of length `dt` \[s\], in the lists of [`Work::acting`](super::Work), to which they may be given back.
-    pub(super) fn nodal_conditions(&mut self, dt: f64) -> Acting {
+    /// The nodal conditions of a step of length `dt` \[s\], in the lists of [`WorkState::nodal`](super::WorkState), to which they may be given back.
+    pub(super) fn nodal_conditions(&mut self, dt: f64) -> NodalConditions {
         let kick = 0.5 * (self.state.clock.dt_before + dt);
         let half_steps = [self.velocity_time(), self.state.clock.time + 0.5 * dt];
         self.nodal_conditions_over(kick, half_steps, dt)
     }
 
-    /// What acts over `kick` \[s\], between these times of the velocities \[s\], where positions move over `drift` \[s\].
+    /// The nodal conditions over `kick` \[s\], between these times of the velocities \[s\], where positions move over `drift` \[s\].
     pub(super) fn nodal_conditions_over(
         &mut self,
         kick: f64,
         half_steps: [f64; 2],
         drift: f64,
-    ) -> Acting {
-        let mut acting = std::mem::take(&mut self.work.acting);
-        acting.begin(kick, half_steps, drift);
-        let bodies = self.decided.bodies.iter();
-        acting.prescribed.extend(bodies.map(|body| {
+    ) -> NodalConditions {
+        let mut nodal = std::mem::take(&mut self.work.nodal);
+        nodal.begin(kick, half_steps, drift);
+        let bodies = self.model.bodies.iter();
+        nodal.prescribed.extend(bodies.map(|body| {
             let motion = body.motion.as_ref()?;
             Some(half_steps.map(|time| history_value(motion, time)))
         }));
-        for condition in &self.decided.conditions {
-            condition.prescribe(self, &mut acting);
+        for condition in &self.model.conditions {
+            condition.prescribe(self, &mut nodal);
         }
-        acting
+        nodal
     }
 }

@@ -3,7 +3,7 @@
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::simulation::fields::{Owner, Slab, SlabField};
-use crate::simulation::interactions::{Again, Now};
+use crate::simulation::interactions::{Remap, StepContext};
 use crate::stage::solve::{DrivenNode, PlaneSums, Planes, is_ghost};
 
 /// One velocity field in the planes of nodes that one thread owns.
@@ -11,7 +11,7 @@ pub struct FieldNodes<'s, 'a> {
     pub(in crate::simulation) slab: &'s mut Slab<'a>,
     /// Which of its fields.
     pub(in crate::simulation) number: usize,
-    pub(in crate::simulation) now: &'s Now<'s>,
+    pub(in crate::simulation) context: &'s StepContext<'s>,
     /// Of each plane; none in a second mapping.
     pub(in crate::simulation) sums: &'s mut [PlaneSums],
 }
@@ -26,20 +26,20 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
     /// Time over which velocities change \[s\].
     #[must_use]
     pub fn kick(&self) -> f64 {
-        self.now.acting.kick
+        self.context.nodal.kick
     }
 
     /// Time of the velocities after the acceleration \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.now.acting.half_steps[1]
+        self.context.nodal.half_steps[1]
     }
 
     /// Calls `act` for every node with mass, in order. What lies beyond a boundary plane with a condition mirrors what
     /// lies inside, and is left out.
     pub fn for_each(&mut self, mut act: impl FnMut(&mut Node<'_>)) {
-        let (planes, now, sums) = self.parts();
-        let (lane, shape) = (now.lane(), planes.shape);
+        let (planes, context, sums) = self.parts();
+        let (lane, shape) = (context.lane(), planes.shape);
         let first = planes.range.start * shape.plane_nodes();
         for (number, plane) in planes.range.clone().enumerate() {
             let mut power = 0.0;
@@ -48,10 +48,12 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
                     let at = [plane, row, k];
                     let index = shape.index(at);
                     let line = &mut planes.nodes[index - first];
-                    if line[0] > 0.0 && !is_ghost(shape, &now.walls, at) {
+                    if line[0] > 0.0 && !is_ghost(shape, &context.walls, at) {
                         let local = shape.position(index);
                         let mut node = Node {
-                            position: std::array::from_fn(|axis| local[axis] + now.origin[axis]),
+                            position: std::array::from_fn(|axis| {
+                                local[axis] + context.origin[axis]
+                            }),
                             line,
                             lane,
                             free: true,
@@ -66,9 +68,9 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
                 sums.power += power;
             }
         }
-        if now.again == Some(Again::OldPositions) {
+        if context.remap == Some(Remap::OldPositions) {
             // The planes have the last word, and what lies beyond them follows.
-            planes.constrain_remapped(&now.walls);
+            planes.constrain_remapped(&context.walls);
         }
     }
 
@@ -79,21 +81,21 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
     /// Nodes, what is known of the step, and sums.
     pub(in crate::simulation) fn parts(
         &mut self,
-    ) -> (&mut Planes<'a>, &'s Now<'s>, &mut [PlaneSums]) {
+    ) -> (&mut Planes<'a>, &'s StepContext<'s>, &mut [PlaneSums]) {
         let planes = &mut self.slab.fields[self.number].planes;
-        (planes, self.now, self.sums)
+        (planes, self.context, self.sums)
     }
 
     /// Moves nodes as prescribed, and adds the power that it takes.
     pub(in crate::simulation) fn drive(&mut self, nodes: &[DrivenNode]) {
-        let (planes, now, sums) = self.parts();
-        match now.again {
+        let (planes, context, sums) = self.parts();
+        match context.remap {
             None => {
-                planes.add_power_of_driven(nodes, now.acting.kick, sums);
+                planes.add_power_of_driven(nodes, context.nodal.kick, sums);
                 planes.drive(nodes, true);
             }
-            Some(Again::OldPositions) => planes.drive_remapped(nodes),
-            Some(Again::NewPositions) => planes.drive(nodes, false),
+            Some(Remap::OldPositions) => planes.drive_remapped(nodes),
+            Some(Remap::NewPositions) => planes.drive(nodes, false),
         }
     }
 }
@@ -104,7 +106,7 @@ impl Slab<'_> {
     pub fn for_each_shared(
         &mut self,
         bodies: [usize; 2],
-        now: &Now<'_>,
+        context: &StepContext<'_>,
         mut act: impl FnMut(&mut [Node<'_>; 2]),
     ) {
         let [Some(a), Some(b)] = bodies.map(|body| self.number_of(body)) else {
@@ -127,16 +129,16 @@ impl Slab<'_> {
                     |field: &&mut SlabField<'_>| field.planes.nodes[index - first][0] <= 0.0;
                 if !other.contains(&k)
                     || fields.iter().any(massless)
-                    || is_ghost(shape, &now.walls, at)
+                    || is_ghost(shape, &context.walls, at)
                 {
                     continue;
                 }
                 let local = shape.position(index);
                 let mut nodes = fields.each_mut().map(|field| Node {
-                    position: std::array::from_fn(|axis| local[axis] + now.origin[axis]),
+                    position: std::array::from_fn(|axis| local[axis] + context.origin[axis]),
                     line: &mut field.planes.nodes[index - first],
-                    lane: now.lane(),
-                    free: now.prescribed(field.owner).is_none(),
+                    lane: context.lane(),
+                    free: context.prescribed(field.owner).is_none(),
                     power: 0.0,
                 });
                 act(&mut nodes);

@@ -2,11 +2,11 @@
 //!
 //! What lies beyond them is known to the mapping too, which folds it back ([`Planes::fold`](crate::stage::solve::Planes)).
 
-use super::{Acting, Condition, FieldNodes, Kind, Made};
+use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
 use crate::grid::GridShape;
 use crate::scene::{PlaneCondition, Scene};
 use crate::simulation::Simulation;
-use crate::simulation::interactions::Again;
+use crate::simulation::interactions::Remap;
 use crate::stage::solve::Wall;
 use std::sync::Arc;
 
@@ -14,8 +14,8 @@ use std::sync::Arc;
 struct Walls(Vec<Wall>);
 
 /// Boundary planes.
-pub(super) const PLANES: Kind = Kind {
-    words: |scene, list| {
+pub(super) const PLANES: ConditionType = ConditionType {
+    plan_entries: |scene, list| {
         for (axis, letter) in ["X", "Y", "Z"]
             .iter()
             .enumerate()
@@ -39,7 +39,7 @@ pub(super) const PLANES: Kind = Kind {
     planes: true,
 };
 
-fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
+fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
     let mut walls = vec![];
     for axis in 0..shape.axes {
         for side in 0..2 {
@@ -60,21 +60,21 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<Made> {
 }
 
 impl Condition for Walls {
-    fn prescribe(&self, _: &Simulation, acting: &mut Acting) {
-        acting.walls.extend(self.0.iter().copied());
+    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+        nodal.walls.extend(self.0.iter().copied());
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
-        let (planes, now, sums) = field.parts();
-        planes.add_power_of_walls(&now.walls, now.acting.kick, sums);
-        planes.constrain(&now.walls, true);
+        let (planes, context, sums) = field.parts();
+        planes.add_power_of_walls(&context.walls, context.nodal.kick, sums);
+        planes.constrain(&context.walls, true);
     }
 
-    fn again(&self, field: &mut FieldNodes<'_, '_>) {
-        let (planes, now, _) = field.parts();
-        match now.again {
-            Some(Again::OldPositions) => planes.constrain_remapped(&now.walls),
-            _ => planes.constrain(&now.walls, false),
+    fn remap(&self, field: &mut FieldNodes<'_, '_>) {
+        let (planes, context, _) = field.parts();
+        match context.remap {
+            Some(Remap::OldPositions) => planes.constrain_remapped(&context.walls),
+            _ => planes.constrain(&context.walls, false),
         }
     }
 }

@@ -1,16 +1,16 @@
-//! What acts between velocity fields, or between them and what is no material.
+//! Interactions between velocity fields, or between them and rigid obstacles.
 //!
 //! Contact on the grid, mortar contact and rigid surfaces are made by one list, each in a folder of its own; what
 //! a library user adds ([`Options::interactions`](super::Options)) comes after them, by the same trait. A scene that has
 //! none of a kind has no element of it, and nothing in the cycle asks for it.
 
 use crate::memory::Memory;
-use crate::plan::Words;
+use crate::plan::PlanEntries;
 use crate::scene::{Scene, Vector};
-use crate::simulation::conditions::{Acting, Condition, Walls};
+use crate::simulation::conditions::{Condition, NodalConditions, Walls};
 use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::{Grid, Slab};
-use crate::simulation::mapping::BodiesOnto;
+use crate::simulation::mapping::ParticleToGrid;
 use crate::simulation::phase::Phase;
 use crate::simulation::{BodyRun, Drift, Simulation};
 use crate::stage::solve::PlaneSums;
@@ -19,13 +19,13 @@ use std::any::Any;
 use std::convert::Infallible;
 use std::sync::Arc;
 
-/// What acts between velocity fields.
+/// An interaction between velocity fields, or between them and rigid obstacles.
 ///
 /// A step calls it in this order: [`Interaction::sorted`], [`Interaction::owners`] and [`Interaction::fields_given`] after a
 /// sort; [`Interaction::find`] between the mapping and the choice of the time step; [`Interaction::load`] before the
-/// equation of motion; slab by slab [`OnSlab`] within it; [`Interaction::settle`] when all slabs are done;
-/// [`Interaction::advance`] once it is known how far positions move; [`OnSlab::correct_again`] and
-/// [`Interaction::settle_again`] where velocities are mapped a second time. The simulation that it is given is one without
+/// equation of motion; slab by slab [`SlabInteraction`] within it; [`Interaction::settle`] when all slabs are done;
+/// [`Interaction::advance`] once it is known how far positions move; [`SlabInteraction::correct_remapped`] and
+/// [`Interaction::settle_remapped`] where velocities are mapped a second time. The simulation that it is given is one without
 /// itself.
 ///
 /// Slabs are visited at once by several threads, and their number must not change a result: sums go to the planes of a
@@ -104,7 +104,7 @@ pub trait Interaction: Any + Send + Sync {
     fn on_slabs<'a>(
         &'a mut self,
         _grid: &Grid,
-        _visit: Visit,
+        _visit: VelocityMapping,
         _give: &mut dyn FnMut(SlabPart<'a>),
     ) {
     }
@@ -114,14 +114,14 @@ pub trait Interaction: Any + Send + Sync {
         false
     }
 
-    /// What is done with the velocities of all slabs together; the number of nodes or vertices where a force acts.
+    /// Acts on the velocities of all slabs together; the number of nodes or vertices where a force acts.
     ///
     /// # Errors
     /// Where the step cannot go on.
     fn settle(
         &mut self,
         _simulation: &mut Simulation,
-        _acting: &Acting,
+        _acting: &NodalConditions,
     ) -> Result<usize, StepError> {
         Ok(0)
     }
@@ -130,30 +130,30 @@ pub trait Interaction: Any + Send + Sync {
     ///
     /// # Errors
     /// Where the step cannot go on.
-    fn settle_again(
+    fn settle_remapped(
         &mut self,
         _simulation: &mut Simulation,
-        _acting: &Acting,
-        _again: Again,
+        _acting: &NodalConditions,
+        _again: Remap,
     ) -> Result<(), StepError> {
         Ok(())
     }
 
     /// Positions move; called where [`Interaction::finds`].
-    fn advance(&mut self, _simulation: &Simulation, _acting: &Acting, _drift: &Drift) {}
+    fn advance(&mut self, _simulation: &Simulation, _acting: &NodalConditions, _drift: &Drift) {}
 
     /// Energy that is stored between the fields \[J\].
     fn energy(&self) -> f64 {
         0.0
     }
 
-    /// What it remembers from step to step: lists of numbers with their names, of lengths that the scene decides.
-    fn save(&self) -> Remembered {
+    /// Its state from step to step as arrays with names, of lengths that the scene decides.
+    fn save(&self) -> SavedArrays {
         vec![]
     }
 
     /// Takes up what was saved; names and lengths are those that [`Interaction::save`] gives.
-    fn restore(&mut self, _saved: &Remembered) {}
+    fn restore(&mut self, _saved: &SavedArrays) {}
 }
 
 /// Bodies by their places in the scene; few take no memory.
@@ -162,37 +162,37 @@ pub type BodyList = SmallVec<[usize; 8]>;
 /// Pairs of them.
 pub type PairList = SmallVec<[[usize; 2]; 8]>;
 
-/// Lists of numbers with their names.
-pub type Remembered = Vec<(String, Vec<f64>)>;
+/// Saved arrays: lists of numbers with their names.
+pub type SavedArrays = Vec<(String, Vec<f64>)>;
 
-/// What an interaction does to the fields of one slab.
-pub trait OnSlab: Send {
+/// The action of an interaction on the fields of one slab.
+pub trait SlabInteraction: Send {
     /// The masses of all fields are there.
-    fn mapped(&mut self, _slab: &mut Slab<'_>, _now: &Now<'_>) {}
+    fn mapped(&mut self, _slab: &mut Slab<'_>, _now: &StepContext<'_>) {}
 
     /// Corrects the trial velocities and their increments; adds power \[W\] to the sums of the planes.
-    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]);
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut [PlaneSums]);
 
     /// Corrects velocities that were mapped again, from which strain is taken.
-    fn correct_again(&mut self, _slab: &mut Slab<'_>, _now: &Now<'_>) {}
+    fn correct_remapped(&mut self, _slab: &mut Slab<'_>, _now: &StepContext<'_>) {}
 }
 
-/// What one interaction does to the fields of one slab in a visit.
+/// One interaction on one slab in a visit.
 pub struct SlabPart<'a>(OfSlab<'a>);
 
 enum OfSlab<'a> {
     Grid(grid::SlabContact<'a>),
-    Own(Box<dyn OnSlab + 'a>),
+    Own(Box<dyn SlabInteraction + 'a>),
 }
 
 impl<'a> SlabPart<'a> {
     /// Of an interaction of the user.
     #[must_use]
-    pub fn own(part: impl OnSlab + 'a) -> Self {
+    pub fn own(part: impl SlabInteraction + 'a) -> Self {
         Self(OfSlab::Own(Box::new(part)))
     }
 
-    pub(super) fn on_slab(&mut self) -> &mut (dyn OnSlab + 'a) {
+    pub(super) fn on_slab(&mut self) -> &mut (dyn SlabInteraction + 'a) {
         match &mut self.0 {
             OfSlab::Grid(part) => part,
             OfSlab::Own(part) => &mut **part,
@@ -200,10 +200,10 @@ impl<'a> SlabPart<'a> {
     }
 }
 
-/// What a visit of all slabs knows beside the fields.
-pub struct Now<'a> {
-    pub(super) mapping: BodiesOnto<'a>,
-    pub(super) acting: &'a Acting,
+/// The context of a visit of all slabs, beside the fields.
+pub struct StepContext<'a> {
+    pub(super) mapping: ParticleToGrid<'a>,
+    pub(super) nodal: &'a NodalConditions,
     pub(super) conditions: &'a [Arc<dyn Condition>],
     /// Lower corner of the mesh in the coordinates of the scene \[m\].
     pub(super) origin: Vector,
@@ -212,45 +212,45 @@ pub struct Now<'a> {
     /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
     pub(super) prescribed: &'a [Option<[Vector; 2]>],
     /// The second mapping that the velocities are of, if they are of one.
-    pub(super) again: Option<Again>,
+    pub(super) remap: Option<Remap>,
     /// Whether kinetic energy and residual are measured.
     pub(super) measure: bool,
     /// Whether velocities still change when all slabs are done, and sums are taken after that.
     pub(super) settles: bool,
 }
 
-impl<'a> Now<'a> {
-    /// What acts at the nodes in this step.
+impl<'a> StepContext<'a> {
+    /// The nodal conditions of this step.
     #[must_use]
-    pub fn acting(&self) -> &'a Acting {
-        self.acting
+    pub fn nodal(&self) -> &'a NodalConditions {
+        self.nodal
     }
 
-    /// The lane of a node where its velocity begins.
+    /// Offset of the velocity in the node record.
     pub(super) fn lane(&self) -> usize {
-        self.again.map_or(1, Again::lane)
+        self.remap.map_or(1, Remap::lane)
     }
 }
 
-/// Which velocities a visit is about.
+/// The mapping whose velocities a visit changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Visit {
+pub enum VelocityMapping {
     /// Those of the equation of motion.
     Trial,
     /// Those that were mapped a second time.
-    Again(Again),
+    Remap(Remap),
 }
 
-/// From where velocities are mapped a second time.
+/// The second mapping of velocities (remap), by the positions that it maps from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Again {
+pub enum Remap {
     /// From the positions of the first mapping, to the upper lanes of the nodes (MUSL).
     OldPositions,
     /// From the positions at the end of the step, to the lower lanes (USF).
     NewPositions,
 }
 
-impl Again {
+impl Remap {
     /// The lane of a node where its velocity begins.
     pub(super) fn lane(self) -> usize {
         match self {
@@ -264,17 +264,17 @@ impl Again {
 pub(crate) type Interactions = Vec<Option<Box<dyn Interaction>>>;
 
 /// An interaction, or why there cannot be one.
-pub(super) type Made = Result<Box<dyn Interaction>, SetupError>;
+pub(super) type InteractionResult = Result<Box<dyn Interaction>, SetupError>;
 
-/// Makes the interaction of a kind, where a scene has any.
-type Make = fn(&Scene, &[BodyRun], &mut Memory) -> Option<Made>;
+/// Builds the interaction of a type, where a scene has any.
+type InteractionBuilder = fn(&Scene, &[BodyRun], &mut Memory) -> Option<InteractionResult>;
 
-/// A kind of interaction.
-struct Kind {
+/// A type of interaction, as it stands in a list.
+struct InteractionType {
     /// What the plan says of it.
-    words: fn(&Scene, &mut Words),
+    plan_entries: fn(&Scene, &mut PlanEntries),
     /// How it is made.
-    make: Make,
+    make: InteractionBuilder,
 }
 
 /// Kinds of interactions, each in the folder of that name, in the order in which they act.
@@ -282,7 +282,7 @@ macro_rules! list {
     ($($folder:ident: $kind:ident,)*) => {
         $(pub(super) mod $folder;)*
 
-        const ALL: &[Kind] = &[$($folder::$kind),*];
+        const ALL: &[InteractionType] = &[$($folder::$kind),*];
     };
 }
 
@@ -293,9 +293,9 @@ list! {
 }
 
 /// What the plan says of interactions.
-pub(crate) fn describe(scene: &Scene, list: &mut Words) {
+pub(crate) fn describe(scene: &Scene, list: &mut PlanEntries) {
     for kind in ALL {
-        (kind.words)(scene, list);
+        (kind.plan_entries)(scene, list);
     }
 }
 
@@ -329,7 +329,7 @@ pub(super) type SlabParts<'a> = SmallVec<[SmallVec<[SlabPart<'a>; 1]>; 8]>;
 pub(super) fn on_slabs<'a>(
     interactions: &'a mut Interactions,
     grid: &Grid,
-    visit: Visit,
+    visit: VelocityMapping,
     parts: &mut SlabParts<'a>,
 ) {
     for one in interactions.iter_mut().flatten() {
@@ -397,7 +397,7 @@ impl Simulation {
     /// Gives each body that needs one its velocity field.
     pub(crate) fn set_fields(&mut self) {
         let mut owners: BodyList = self.interactions().flat_map(Interaction::owners).collect();
-        owners.sort_by_key(|&i| self.decided.bodies[i].id);
+        owners.sort_by_key(|&i| self.model.bodies[i].id);
         owners.dedup();
         for (index, own) in self.work.own_field.iter_mut().enumerate() {
             *own = owners.contains(&index);
@@ -458,25 +458,29 @@ impl Simulation {
     }
 
     /// What is done with the velocities of all slabs together; the number of nodes or vertices where a contact force acts.
-    pub(super) fn settle(&mut self, acting: &Acting) -> Result<usize, StepError> {
+    pub(super) fn settle(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
         let mut touching = 0;
         self.each(|one, simulation| {
-            touching += one.settle(simulation, acting)?;
+            touching += one.settle(simulation, nodal)?;
             Ok(())
         })?;
         Ok(touching)
     }
 
     /// The same for velocities that were mapped a second time.
-    pub(super) fn settle_again(&mut self, acting: &Acting, again: Again) -> Result<(), StepError> {
-        self.each(|one, simulation| one.settle_again(simulation, acting, again))
+    pub(super) fn settle_remapped(
+        &mut self,
+        nodal: &NodalConditions,
+        remap: Remap,
+    ) -> Result<(), StepError> {
+        self.each(|one, simulation| one.settle_remapped(simulation, nodal, remap))
     }
 
     /// Moves the boundaries of interactions with the velocities after the equation of motion.
-    pub(super) fn move_boundaries(&mut self, acting: &Acting, drift: &Drift) {
+    pub(super) fn move_boundaries(&mut self, nodal: &NodalConditions, drift: &Drift) {
         if self.finds() {
             let Ok(()) = self.each::<Infallible>(|one, simulation| {
-                one.advance(simulation, acting, drift);
+                one.advance(simulation, nodal, drift);
                 Ok(())
             });
             self.work.phase_timer.end(Phase::Contact);

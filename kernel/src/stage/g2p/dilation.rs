@@ -4,7 +4,7 @@
 //! the other factors of S_I replaced by their means over the cells in which the particle domain lies: selective reduced
 //! integration for particles (Hughes 1980; Nagtegaal, Parks and Rice 1974).
 
-use super::reach::{Bases, MOST, Reach};
+use super::reach::{Bases, BlockReach, MOST};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::laws::{Gradients, MOST_LANES};
@@ -27,10 +27,10 @@ pub fn excess(
 ) {
     let source = if upper { 4 } else { 1 };
     match (layout.axes, stencil) {
-        (2, 3) => lanes.run(Find::<2, 3>(columns, mapping, nodes, source, found)),
-        (2, _) => lanes.run(Find::<2, 4>(columns, mapping, nodes, source, found)),
-        (_, 3) => lanes.run(Find::<3, 3>(columns, mapping, nodes, source, found)),
-        (_, _) => lanes.run(Find::<3, 4>(columns, mapping, nodes, source, found)),
+        (2, 3) => lanes.run(ExcessKernel::<2, 3>(columns, mapping, nodes, source, found)),
+        (2, _) => lanes.run(ExcessKernel::<2, 4>(columns, mapping, nodes, source, found)),
+        (_, 3) => lanes.run(ExcessKernel::<3, 3>(columns, mapping, nodes, source, found)),
+        (_, _) => lanes.run(ExcessKernel::<3, 4>(columns, mapping, nodes, source, found)),
     }
 }
 
@@ -45,7 +45,7 @@ pub(super) fn take(excess: &[f64], axes: usize, gradients: &mut Gradients) {
 }
 
 /// Finds it in lanes: columns, mapping, nodes, first lane of the velocity, and where it goes to.
-struct Find<'a, 'b, const D: usize, const N: usize>(
+struct ExcessKernel<'a, 'b, const D: usize, const N: usize>(
     &'a [&'b mut [f64]],
     &'a Mapping,
     &'a [Line],
@@ -53,13 +53,13 @@ struct Find<'a, 'b, const D: usize, const N: usize>(
     &'a mut Vec<f64>,
 );
 
-impl<const D: usize, const N: usize> Kernel for Find<'_, '_, D, N> {
+impl<const D: usize, const N: usize> Kernel for ExcessKernel<'_, '_, D, N> {
     type Output = ();
 
     #[inline(always)]
     fn run<B: Backend>(self) {
         let Self(columns, mapping, nodes, source, excess) = self;
-        let sums = Sums::<D, N> { mapping, source };
+        let sums = NodeTotals::<D, N> { mapping, source };
         let count = columns[0].len();
         // A whole block may be written behind the last particle.
         excess.resize(count + MOST_LANES, 0.0);
@@ -83,18 +83,18 @@ impl<const D: usize, const N: usize> Kernel for Find<'_, '_, D, N> {
 
 /// Sums over the nodes of a block.
 #[derive(Clone, Copy)]
-struct Sums<'a, const D: usize, const N: usize> {
+struct NodeTotals<'a, const D: usize, const N: usize> {
     mapping: &'a Mapping,
     /// First lane of the velocity.
     source: usize,
 }
 
-impl<const D: usize, const N: usize> Sums<'_, D, N> {
+impl<const D: usize, const N: usize> NodeTotals<'_, D, N> {
     /// By how much tr L exceeds its mean over cells.
     #[inline(always)]
     fn of<L: Lanes, const R: usize>(
         &self,
-        reach: &Reach<'_, L, R>,
+        reach: &BlockReach<'_, L, R>,
         w: &[[L; N]; 3],
         g: &[[L; N]; 3],
     ) -> L {
@@ -115,7 +115,7 @@ impl<const D: usize, const N: usize> Sums<'_, D, N> {
     fn along<L: Lanes, const R: usize>(
         &self,
         axis: usize,
-        reach: &Reach<'_, L, R>,
+        reach: &BlockReach<'_, L, R>,
         w: &[[L; N]; 3],
         mean: &[[L; N]; 3],
         g: &[[L; N]; 3],

@@ -27,21 +27,21 @@ pub(super) fn follow(
     ) else {
         return 0.0;
     };
-    let first = First {
+    let first = DomainColumns {
         deformation,
         half_length,
         initial,
         stress: parts.then(|| Layout::stress(layout.axes)),
     };
     if layout.axes == 2 {
-        lanes.run(Follow::<2>(update, columns, first, range))
+        lanes.run(DomainFollow::<2>(update, columns, first, range))
     } else {
-        lanes.run(Follow::<3>(update, columns, first, range))
+        lanes.run(DomainFollow::<3>(update, columns, first, range))
     }
 }
 
 /// First columns.
-struct First {
+struct DomainColumns {
     deformation: usize,
     half_length: usize,
     initial: usize,
@@ -49,9 +49,14 @@ struct First {
     stress: Option<usize>,
 }
 
-struct Follow<'a, 'b, const D: usize>(DomainUpdate, &'a mut [&'b mut [f64]], First, Range<usize>);
+struct DomainFollow<'a, 'b, const D: usize>(
+    DomainUpdate,
+    &'a mut [&'b mut [f64]],
+    DomainColumns,
+    Range<usize>,
+);
 
-impl<const D: usize> Kernel for Follow<'_, '_, D> {
+impl<const D: usize> Kernel for DomainFollow<'_, '_, D> {
     type Output = f64;
 
     #[inline(always)]

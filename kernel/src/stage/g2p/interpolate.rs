@@ -1,13 +1,13 @@
 //! Sums over the nodes that a block of particles reaches, lanes = particles.
 
-use super::reach::{Reach, Rows};
+use super::reach::{BlockReach, Rows};
 use crate::lanes::Lanes;
 use crate::laws::tensor::Matrix;
 use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::Family;
 
 /// Interpolated values of one block.
-pub(super) struct Sums<L> {
+pub(super) struct InterpolatedValues<L> {
     /// sum S v.
     pub velocity: [L; 3],
     /// sum S dv.
@@ -18,7 +18,7 @@ pub(super) struct Sums<L> {
     pub affine: Matrix<L>,
 }
 
-impl<L: Lanes> Sums<L> {
+impl<L: Lanes> InterpolatedValues<L> {
     #[inline(always)]
     pub(super) fn zero() -> Self {
         let zero = L::splat(0.0);
@@ -47,10 +47,10 @@ pub(super) fn interpolate<
 >(
     columns: &[&mut [f64]],
     mapping: &Mapping,
-    reach: &Reach<'_, L, R>,
+    reach: &BlockReach<'_, L, R>,
     block: &Block<L>,
     at: usize,
-    sums: &mut Sums<L>,
+    sums: &mut InterpolatedValues<L>,
 ) {
     let zero = L::splat(0.0);
     let (w, mut g) = weights_of::<L, _, D, N, ON_NODES>(columns, mapping, block, at);
@@ -108,7 +108,7 @@ struct Stencil<'a, L: Lanes, const D: usize, const N: usize, const R: usize> {
     wg: [[L; N]; N],
     /// The nodes of each row.
     rows: [[Rows<'a, N, R>; N]; N],
-    reach: &'a Reach<'a, L, R>,
+    reach: &'a BlockReach<'a, L, R>,
 }
 
 /// The same for the factors of APIC: along the row, and over slow and middle axis with that of one of them.
@@ -144,7 +144,7 @@ impl<'a, L: Lanes, const D: usize, const N: usize, const R: usize> Stencil<'a, L
     #[inline(always)]
     fn new(
         mapping: &Mapping,
-        reach: &'a Reach<'a, L, R>,
+        reach: &'a BlockReach<'a, L, R>,
         w: &[[L; N]; 3],
         g: &[[L; N]; 3],
     ) -> Self {

@@ -16,7 +16,7 @@ use crate::laws::tensor::Configuration;
 use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::layout::Layout;
 use crate::scene::DomainUpdate;
-use interpolate::{Sums, interpolate};
+use interpolate::{InterpolatedValues, interpolate};
 use reach::{Bases, MOST};
 use std::ops::Range;
 use update::{Maxima, fault, update};
@@ -77,9 +77,9 @@ pub struct G2p<'a, 'b> {
     pub task: Task,
 }
 
-/// What a pass found.
+/// Maxima over the particles of a G2P pass, from which the next time step is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Found {
+pub struct ParticleMaxima {
     /// Largest |v|² \[m²/s²\].
     pub speed_squared: f64,
     /// Largest square of a wave speed \[m²/s²\].
@@ -105,7 +105,7 @@ pub enum FaultKind {
     Outside,
 }
 
-impl Found {
+impl ParticleMaxima {
     /// The larger of two findings; the fault of `self` comes first.
     #[must_use]
     pub fn and(self, later: Self) -> Self {
@@ -127,7 +127,7 @@ impl Found {
 }
 
 /// An interpolation stage, compiled for one dimension, stencil and set of sums.
-pub type G2pFn = fn(Selected, G2p<'_, '_>) -> Found;
+pub type G2pFn = fn(Selected, G2p<'_, '_>) -> ParticleMaxima;
 
 /// Chooses the instance for a task, by the nodes per axis of [`Family::stage_nodes`](crate::weights::Family::stage_nodes).
 #[must_use]
@@ -168,7 +168,7 @@ fn entry<
 >(
     lanes: Selected,
     call: G2p<'_, '_>,
-) -> Found {
+) -> ParticleMaxima {
     lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
         call,
     ))
@@ -197,15 +197,15 @@ impl<
     const MOVE: bool,
 > Kernel for Instance<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>
 {
-    type Output = Found;
+    type Output = ParticleMaxima;
 
     #[inline(always)]
-    fn run<B: Backend>(self) -> Found {
+    fn run<B: Backend>(self) -> ParticleMaxima {
         let mut call = self.0;
         let end = call.columns[0].len();
         let mut maxima = Maxima::<B::Native>::new();
-        let mut of_strain = Found::default();
-        let mut sums = Sums::<B::Native>::zero();
+        let mut of_strain = ParticleMaxima::default();
+        let mut sums = InterpolatedValues::<B::Native>::zero();
         let mut gradients = Gradients::zero();
         let mut at = 0;
         while at < end {
@@ -259,7 +259,7 @@ fn gather<
     call: &G2p<'_, '_>,
     at: usize,
     end: usize,
-    sums: &mut Sums<L>,
+    sums: &mut InterpolatedValues<L>,
 ) -> usize {
     let (columns, mapping, nodes) = (&*call.columns, call.mapping, call.nodes);
     let block = block_at::<L, _, D, N>(columns, mapping, at, end);
@@ -302,7 +302,7 @@ fn strain(
     call: &mut G2p<'_, '_>,
     gradients: &Gradients,
     range: Range<usize>,
-    found: &mut Found,
+    found: &mut ParticleMaxima,
 ) -> Option<usize> {
     let (dt, configuration) = call.task.strain?;
     let strained = call.law.strain(

@@ -81,8 +81,8 @@ impl<L: Lanes> Bases<L> {
 
     /// The nodes of the first `R` of them.
     #[inline(always)]
-    pub(super) fn reach<'a, const R: usize>(&self, nodes: &'a [Line]) -> Reach<'a, L, R> {
-        Reach {
+    pub(super) fn reach<'a, const R: usize>(&self, nodes: &'a [Line]) -> BlockReach<'a, L, R> {
+        BlockReach {
             nodes,
             first: std::array::from_fn(|r| self.first[r]),
             of: std::array::from_fn(|r| self.of[r]),
@@ -91,7 +91,7 @@ impl<L: Lanes> Bases<L> {
 }
 
 /// The nodes that the particles of a block with at most `R` base nodes reach.
-pub(super) struct Reach<'a, L: Lanes, const R: usize> {
+pub(super) struct BlockReach<'a, L: Lanes, const R: usize> {
     nodes: &'a [Line],
     first: [usize; R],
     of: [L::Mask; R],
@@ -100,7 +100,7 @@ pub(super) struct Reach<'a, L: Lanes, const R: usize> {
 /// `N` nodes of each of these stencils, side by side along the fast axis.
 pub(super) type Rows<'a, const N: usize, const R: usize> = [&'a [Line; N]; R];
 
-impl<'a, L: Lanes, const R: usize> Reach<'a, L, R> {
+impl<'a, L: Lanes, const R: usize> BlockReach<'a, L, R> {
     /// The rows that begin `offset` nodes behind the base nodes.
     #[inline(always)]
     pub(super) fn rows<const N: usize>(&self, offset: usize) -> Rows<'a, N, R> {

@@ -1,7 +1,7 @@
 //! The new velocities and positions of a block of particles from its sums, and what was found on the way.
 
-use super::interpolate::Sums;
-use super::{Affine, FaultKind, Found, G2p};
+use super::interpolate::InterpolatedValues;
+use super::{Affine, FaultKind, G2p, ParticleMaxima};
 use crate::lanes::{Lanes, load, store};
 use crate::layout::Layout;
 use std::ops::Range;
@@ -10,7 +10,7 @@ use std::ops::Range;
 #[inline(always)]
 pub(super) fn update<L: Lanes, const D: usize>(
     call: &mut G2p<'_, '_>,
-    sums: &Sums<L>,
+    sums: &InterpolatedValues<L>,
     maxima: &mut Maxima<L>,
     at: usize,
     count: usize,
@@ -84,8 +84,8 @@ impl<L: Lanes> Maxima<L> {
 
     /// What these add to what was found of strains.
     #[inline(always)]
-    pub(super) fn found(&self, of_strain: Found) -> Found {
-        Found {
+    pub(super) fn found(&self, of_strain: ParticleMaxima) -> ParticleMaxima {
+        ParticleMaxima {
             speed_squared: self.speed_squared.largest(),
             travel: self.travel.largest(),
             ..of_strain

@@ -11,7 +11,7 @@ use crate::lanes::{Backend, Lanes};
 use std::ops::Range;
 
 /// Rows of nodes that a run reaches: those of one plane, in two dimensions those of all planes that are owned.
-pub(super) struct Below {
+pub(super) struct RunRows {
     /// The particles, as numbered in the block.
     pub run: Range<usize>,
     /// Which plane of the stencil, in space.
@@ -40,7 +40,7 @@ pub(super) fn add_run<
 >(
     scratch: &Scratch<N>,
     carry: Carry,
-    below: &Below,
+    below: &RunRows,
     nodes: &mut [Line],
 ) {
     if B::WHOLE_LINE {
@@ -65,7 +65,7 @@ fn add_part<
     const PART: u8,
 >(
     scratch: &Scratch<N>,
-    below: &Below,
+    below: &RunRows,
     nodes: &mut [Line],
 ) {
     let mut j = below.rows.start;
@@ -95,7 +95,7 @@ fn add_rows<
     const ROWS: usize,
 >(
     scratch: &Scratch<N>,
-    below: &Below,
+    below: &RunRows,
     nodes: &mut [Line],
     j: usize,
 ) {

@@ -14,9 +14,9 @@ use super::{Block, Mapping, block_at};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Selected};
 use crate::layout::Layout;
-use add::{Below, add_run};
-use runs::{Counted, Runs};
-use scratch::{Scratch, Source};
+use add::{RunRows, add_run};
+use runs::{GroupCount, Runs};
+use scratch::{P2gSource, Scratch};
 use std::ops::Range;
 
 /// What is carried to the nodes.
@@ -151,21 +151,21 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
     #[inline(always)]
     fn run<B: Backend>(self) -> usize {
         let Self(call) = self;
-        let from = Source {
+        let from = P2gSource {
             columns: call.columns,
             layout: call.layout,
             mapping: call.mapping,
             carry: call.carry,
             viscous_rate: call.viscous_rate,
         };
-        let mut onto = Onto {
+        let mut onto = OwnedNodes {
             planes: call.planes,
             nodes: call.nodes,
         };
         let mut scratch = Scratch::<N>::new();
         let mut groups = 0;
         for (layer, own_layer) in call.layers {
-            let mut counted = Counted::default();
+            let mut counted = GroupCount::default();
             let mut at = layer.start;
             while at < layer.end {
                 let block = block_at::<B::Line, _, D, N>(from.columns, from.mapping, at, layer.end);
@@ -218,12 +218,12 @@ pub fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
 }
 
 /// The nodes that the caller owns.
-struct Onto<'a> {
+struct OwnedNodes<'a> {
     planes: Range<usize>,
     nodes: &'a mut [Line],
 }
 
-impl Onto<'_> {
+impl OwnedNodes<'_> {
     /// Adds a block that begins at particle `at`; with `ON_NODES` the first node of the stencil is that before the base node.
     #[inline(always)]
     fn add<
@@ -236,7 +236,7 @@ impl Onto<'_> {
         const ON_NODES: bool,
     >(
         &mut self,
-        from: &Source<'_>,
+        from: &P2gSource<'_>,
         block: &Block<B::Line>,
         runs: &Runs,
         at: usize,
@@ -263,7 +263,7 @@ impl Onto<'_> {
             }
             let row_length = mapping.nodes[2];
             if D == 2 {
-                let below = Below {
+                let below = RunRows {
                     run,
                     plane: 0,
                     first: (own.start - planes.start) * row_length + along,
@@ -274,7 +274,7 @@ impl Onto<'_> {
             } else {
                 for plane in own {
                     let row = (plane - planes.start) * mapping.nodes[1] + row;
-                    let below = Below {
+                    let below = RunRows {
                         run: run.clone(),
                         plane: plane - first_plane,
                         first: row * row_length + along,

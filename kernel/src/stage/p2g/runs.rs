@@ -68,14 +68,14 @@ impl Runs {
 /// How many groups of at most eight particles the runs of a layer would be. The number depends on the particles alone, not on
 /// where blocks begin.
 #[derive(Default)]
-pub(super) struct Counted {
+pub(super) struct GroupCount {
     groups: usize,
     /// The last run: its base node and how long it is.
     index: f64,
     length: usize,
 }
 
-impl Counted {
+impl GroupCount {
     /// Adds the runs of a block, which are no longer than a group: only the first may go on with the run before it, and
     /// only the last may go on behind the block.
     #[inline(always)]

@@ -7,7 +7,7 @@ use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::cell_mean_weights;
 
 /// Where the quantities come from, and which are wanted.
-pub(super) struct Source<'a> {
+pub(super) struct P2gSource<'a> {
     /// Columns of the set.
     pub columns: &'a [Vec<f64>],
     /// Where the columns are.
@@ -57,7 +57,7 @@ impl<const N: usize> Scratch<N> {
         const ON_NODES: bool,
     >(
         &mut self,
-        from: &Source<'_>,
+        from: &P2gSource<'_>,
         block: &Block<L>,
         at: usize,
     ) {
@@ -107,7 +107,7 @@ impl<const N: usize> Scratch<N> {
         const EXTRA: u8,
     >(
         &mut self,
-        from: &Source<'_>,
+        from: &P2gSource<'_>,
         at: usize,
         count: usize,
     ) {
@@ -145,7 +145,7 @@ impl<const N: usize> Scratch<N> {
 /// Lower and upper half of each line, row by row, of `count <= 4` particles.
 #[inline(always)]
 fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
-    from: &Source<'_>,
+    from: &P2gSource<'_>,
     at: usize,
     count: usize,
 ) -> ([[Q; 4]; 4], [[Q; 4]; 4]) {

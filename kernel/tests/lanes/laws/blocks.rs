@@ -3,7 +3,7 @@
 use proctor_kernel::lanes::{LaneChoice, Lanes, Selected};
 use proctor_kernel::laws::tensor::Configuration;
 use proctor_kernel::laws::{
-    Block, DruckerPrager, GAP, Gradients, Hencky, Increment, Law, LinearElastic, Match,
+    Block, ConeMatch, DruckerPrager, GAP, Gradients, Hencky, Increment, Law, LinearElastic,
     MohrCoulomb, NeoHookean, Particle, Residual, Softening, Strained, Tresca, VonMises,
 };
 use proctor_kernel::layout::{Layout, Optional, Variable};
@@ -155,13 +155,13 @@ fn blocks_have_the_same_bits_for_all_lanes() {
         1.0e3,
         0.3,
         [25.0, 0.5, 10.0],
-        Match::PlaneStrain,
+        ConeMatch::PlaneStrain,
     ));
     check(&DruckerPrager::new(
         1.0e3,
         0.3,
         [25.0, 0.0, 10.0],
-        Match::Outer,
+        ConeMatch::Outer,
     ));
     check(&MohrCoulomb::new(1.0e3, 0.3, [30.0, 0.0, 0.0]));
     let residual = Residual {

@@ -1,17 +1,17 @@
 //! Overlaps of triangles and quadrature on them, against formulas.
 
 use crate::common::cases;
-use proctor_kernel::mortar::space::clip::{Flat, GAUSS, area, overlap, shares};
+use proctor_kernel::mortar::space::clip::{GAUSS, PlanePoint, area, overlap, shares};
 use proptest::prelude::*;
 
-fn flat(x: f64, y: f64) -> Flat {
-    Flat::new(x, y)
+fn flat(x: f64, y: f64) -> PlanePoint {
+    PlanePoint::new(x, y)
 }
 
 const UNIT: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-fn unit() -> [Flat; 3] {
-    UNIT.map(Flat::from)
+fn unit() -> [PlanePoint; 3] {
+    UNIT.map(PlanePoint::from)
 }
 
 /// Two triangles that make a star: the hexagon in the middle has two thirds of either area.
@@ -74,10 +74,10 @@ fn quadrature_is_exact_for_squares() {
     assert!((integral(3, 0) - 0.05).abs() > 1e-4);
 }
 
-fn triangle() -> impl Strategy<Value = [Flat; 3]> {
+fn triangle() -> impl Strategy<Value = [PlanePoint; 3]> {
     (prop::array::uniform3(prop::array::uniform2(-1.0..1.0_f64)))
         .prop_map(|t| {
-            let t = t.map(Flat::from);
+            let t = t.map(PlanePoint::from);
             if area(&t) < 0.0 {
                 [t[0], t[2], t[1]]
             } else {

@@ -4,9 +4,9 @@ use super::support::point;
 use crate::common::cases;
 use nalgebra::Matrix3;
 use proctor_kernel::mortar::bound::NodalStiffness;
-use proctor_kernel::mortar::motion::{Follow, NodalGradient, vertex_velocity};
+use proctor_kernel::mortar::motion::{FollowMode, NodalGradient, vertex_velocity};
 use proctor_kernel::mortar::space::Point;
-use proctor_kernel::mortar::weights::{Lost, VertexWeights, in_patch};
+use proctor_kernel::mortar::weights::{LostVertex, VertexWeights, in_patch};
 use proctor_kernel::weights::Family;
 use proctor_kernel::weights::vertex_weights;
 use proptest::prelude::*;
@@ -48,12 +48,12 @@ proptest! {
         let raw = vertex_weights(Family::Gimp, &x, 0.25);
         let reachable = (0..27).any(|k| raw.weights[k] * masses[k] > 0.0);
         let w = match raw.augmented(&masses) {
-            Err(Lost) => { prop_assert!(!reachable); return Ok(()); }
+            Err(LostVertex) => { prop_assert!(!reachable); return Ok(()); }
             Ok(w) => w,
         };
         let gradient = Matrix3::from_row_slice(&g);
         let spin = 0.5 * (gradient - gradient.transpose());
-        for (field, follow) in [(gradient, Follow::Gradient), (spin, Follow::Spin)] {
+        for (field, follow) in [(gradient, FollowMode::Gradient), (spin, FollowMode::Spin)] {
             let velocity = |x: Point| point(0.3, -0.7, 0.2) + field * x.component_mul(&cell);
             let found = vertex_velocity(&w, |k| velocity(node(&w, k)), |_| field, follow, &cell);
             prop_assert!((found - velocity(x)).norm() < 1e-13);

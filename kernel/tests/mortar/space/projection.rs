@@ -3,12 +3,12 @@
 use super::support::{ball, ceiling, floor, moved, point};
 use crate::common::cases;
 use nalgebra::Rotation3;
-use proctor_kernel::mortar::points::{Detection, MortarPoint, MortarPoints, Search};
+use proctor_kernel::mortar::points::{Detection, MasterSearch, MortarPoint, MortarPoints};
 use proctor_kernel::mortar::space::facets::Facets;
 use proctor_kernel::team::Team;
 use proptest::prelude::*;
 
-const SEARCH: Search = Search {
+const SEARCH: MasterSearch = MasterSearch {
     reach: 0.5,
     depth: 0.5,
 };

@@ -3,9 +3,9 @@
 use nalgebra::Vector2;
 use proctor_kernel::mortar::space::refine::fill;
 
-type Flat = Vector2<f64>;
+type PlanePoint = Vector2<f64>;
 
-fn area(points: &[Flat], triangles: &[[usize; 3]]) -> f64 {
+fn area(points: &[PlanePoint], triangles: &[[usize; 3]]) -> f64 {
     triangles
         .iter()
         .map(|t| {
@@ -25,11 +25,11 @@ fn a_square_with_vertices_on_its_edges() {
     let side = |from: [f64; 2], to: [f64; 2]| {
         (0..n).map(move |k| {
             let s = f64::from(k) / f64::from(n);
-            Flat::from(from) * (1.0 - s) + Flat::from(to) * s
+            PlanePoint::from(from) * (1.0 - s) + PlanePoint::from(to) * s
         })
     };
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let outline: Vec<Flat> = (0..4)
+    let outline: Vec<PlanePoint> = (0..4)
         .flat_map(|k| side(corners[k], corners[(k + 1) % 4]))
         .collect();
     let (points, triangles) = fill(&outline, 0.125);
@@ -48,16 +48,16 @@ fn a_square_with_vertices_on_its_edges() {
 
 #[test]
 fn a_star_is_filled() {
-    let star: Vec<Flat> = (0..14)
+    let star: Vec<PlanePoint> = (0..14)
         .map(|k| {
             let r = if k % 2 == 0 { 1.0 } else { 0.3 };
             let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 14.0).sin_cos();
-            Flat::new(r * cos, r * sin)
+            PlanePoint::new(r * cos, r * sin)
         })
         .collect();
     let exact = 7.0 * 0.3 * (std::f64::consts::PI / 7.0).sin();
     for parts in [1, 6] {
-        let fine: Vec<Flat> = (0..14 * parts)
+        let fine: Vec<PlanePoint> = (0..14 * parts)
             .map(|k| {
                 let share = (k % parts) as f64 / parts as f64;
                 star[k / parts] * (1.0 - share) + star[(k / parts + 1) % 14] * share

@@ -2,10 +2,10 @@
 
 use super::support::{GC, KAPPA, law};
 use crate::support::{ceiling, floor, point};
-use proctor_kernel::mortar::Point as Flat;
+use proctor_kernel::mortar::Point as PlanePoint;
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::outline::outline;
-use proctor_kernel::mortar::pair::{PairForces, PairLaw, Slip, Surfaces, contact_forces};
+use proctor_kernel::mortar::pair::{PairForces, PairLaw, PairSurfaces, Slip, contact_forces};
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::space::facets::Facets;
@@ -53,7 +53,7 @@ struct Both {
 }
 
 /// Forces after several steps in which the slave was dragged along, in the plane and as slabs.
-fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: Flat) -> Both {
+fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: PlanePoint) -> Both {
     let (slave_slab, of_slave) = slab(slave);
     let (master_slab, of_master) = slab(master);
     let (mut slip, mut slip_slab) = (Slip::default(), Slip::default());
@@ -63,7 +63,7 @@ fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: Flat) -> Both {
     let slab_at_rest = vec![Point::zeros(); master_slab.points.len()];
     let mut step = || {
         let plane = contact_forces(
-            Surfaces {
+            PairSurfaces {
                 slave,
                 master,
                 slave_moved: &moved,
@@ -76,7 +76,7 @@ fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: Flat) -> Both {
             &mut slip,
         );
         let space = contact_forces(
-            Surfaces {
+            PairSurfaces {
                 slave: &slave_slab,
                 master: &master_slab,
                 slave_moved: &moved_slab,
@@ -103,7 +103,7 @@ fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: Flat) -> Both {
 
 /// By how much the forces of the vertices of a line differ, per metre of thickness, from those of both vertices of the
 /// slab; across the slab there are none.
-fn difference(plane: &[Flat], space: &[Point], pairs: &[[usize; 2]]) -> Vec<f64> {
+fn difference(plane: &[PlanePoint], space: &[Point], pairs: &[[usize; 2]]) -> Vec<f64> {
     plane
         .iter()
         .zip(pairs)
@@ -199,7 +199,7 @@ fn a_disc() {
             &law(Detection::Mortar, 0.0),
             point(0.0, 0.0),
         );
-        let total = |f: &[Flat]| f.iter().map(|f| f.y).sum::<f64>();
+        let total = |f: &[PlanePoint]| f.iter().map(|f| f.y).sum::<f64>();
         let slab: f64 = found.space.slave.iter().map(|f| f.y).sum::<f64>() / THICKNESS;
         let across: f64 = found.space.slave.iter().map(|f| f.z).sum();
         assert!(across.abs() < 1e-12 * slab);

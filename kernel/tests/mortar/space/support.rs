@@ -3,8 +3,8 @@
 use nalgebra::Rotation3;
 use proctor_kernel::mortar::elements::Elements;
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
-use proctor_kernel::mortar::pair::{PairForces, PairLaw, Slip, Surfaces, contact_forces};
-use proctor_kernel::mortar::points::{Detection, Search};
+use proctor_kernel::mortar::pair::{PairForces, PairLaw, PairSurfaces, Slip, contact_forces};
+use proctor_kernel::mortar::points::{Detection, MasterSearch};
 use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::space::facets::Facets;
 use proctor_kernel::mortar::space::skin::skin;
@@ -66,7 +66,7 @@ pub fn law(detection: Detection, mu: f64) -> PairLaw {
             stiffness: 1.0e6,
         }),
         detection,
-        search: Search {
+        search: MasterSearch {
             reach: 0.3,
             depth: 0.2,
         },
@@ -84,7 +84,7 @@ pub fn dragged(
     let moved = vec![*by; slave.points().len()];
     let at_rest = vec![Point::zeros(); master.points().len()];
     contact_forces(
-        Surfaces {
+        PairSurfaces {
             slave,
             master,
             slave_moved: &moved,

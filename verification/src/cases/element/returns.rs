@@ -2,7 +2,9 @@
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::laws::{AnyLaw, DruckerPrager, Match, MohrCoulomb, Point, Tresca, VonMises};
+use proctor_kernel::laws::{
+    AnyLaw, ConeMatch, DruckerPrager, MohrCoulomb, Point, Tresca, VonMises,
+};
 
 use super::super::judging::error_at_most;
 use super::{DENSITY, POISSON, YOUNG};
@@ -94,12 +96,14 @@ const SOLIDS: [Solid; 8] = [
         law: || {
             let [friction, dilation] = ANGLES;
             let soil = [friction, STRENGTH, dilation];
-            DruckerPrager::new(YOUNG, POISSON, soil, Match::Outer).into()
+            DruckerPrager::new(YOUNG, POISSON, soil, ConeMatch::Outer).into()
         },
         beyond: |strength, s| cone(-1.0, ANGLES[0], strength, s),
     },
     Solid {
-        law: || DruckerPrager::new(YOUNG, POISSON, [ANGLES[0], STRENGTH, 0.0], Match::Inner).into(),
+        law: || {
+            DruckerPrager::new(YOUNG, POISSON, [ANGLES[0], STRENGTH, 0.0], ConeMatch::Inner).into()
+        },
         beyond: |strength, s| cone(1.0, ANGLES[0], strength, s),
     },
 ];

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Enforcement, MortarContact, RigidLine, RigidSurface, Scene, Shape, StressScheme,
@@ -192,14 +192,14 @@ fn onto_own_corner(scheme: StressScheme) -> Result<Fall, Unexpected> {
         id: 9,
         chains: vec![Chain {
             points: vec![Point::new(11.0, 4.0), Point::new(1.0, 4.0)],
-            side: Side::Open,
+            side: BoundarySide::Open,
         }],
         motion: None,
     }];
     scene.mortar.boundaries = vec![BodyBoundary {
         body: id,
         vertices: Vertices::Spacing(0.5),
-        follow: Follow::Spin,
+        follow: FollowMode::Spin,
     }];
     scene.mortar.contacts = vec![MortarContact {
         name: String::from("contact"),

@@ -180,7 +180,7 @@ fn fast_piston() -> Result<Finding, Unexpected> {
                         off = worst(off, (set.stress(p)[0] / exact - 1.0).abs());
                     }
                 }
-                allowed = allowed.max(simulation.trust().increment);
+                allowed = allowed.max(simulation.invariants().increment);
             }
         }
     }

@@ -32,7 +32,7 @@ pub const ROWS: &[Extreme] = &[
 struct Left {
     energy: f64,
     momentum: f64,
-    doubt: Option<String>,
+    violation: Option<String>,
 }
 
 fn leave_alone(
@@ -57,10 +57,10 @@ fn leave_alone(
     Ok(Left {
         energy: highest / begin,
         momentum: largest(lost) / scale,
-        doubt: simulation
-            .trust()
-            .doubt
-            .map(|doubt| format!("{what}: {doubt}")),
+        violation: simulation
+            .invariants()
+            .violation
+            .map(|violation| format!("{what}: {violation}")),
     })
 }
 
@@ -105,11 +105,11 @@ fn nodes_of_no_mass() -> Result<Finding, Unexpected> {
             )?;
             energy = energy.max(left.energy);
             momentum = momentum.max(left.momentum);
-            doubts.extend(left.doubt);
+            doubts.extend(left.violation);
         }
     }
-    if let Some(doubt) = doubts.first() {
-        return Err(unexpected("a sound run is doubted", doubt));
+    if let Some(violation) = doubts.first() {
+        return Err(unexpected("a sound run is doubted", violation));
     }
     Ok(Finding {
         gates: vec![
@@ -169,7 +169,7 @@ fn slivers() -> Result<Finding, Unexpected> {
             )?;
             energy = energy.max(left.energy);
             momentum = momentum.max(left.momentum);
-            doubts.extend(left.doubt);
+            doubts.extend(left.violation);
         }
         let alone = with(
             &block([12, 12], [4.0, 8.0], [4.0 + SLIVER, 10.0], soft()),
@@ -191,8 +191,8 @@ fn slivers() -> Result<Finding, Unexpected> {
             );
         }
     }
-    if let Some(doubt) = doubts.first() {
-        return Err(unexpected("a sound run is doubted", doubt));
+    if let Some(violation) = doubts.first() {
+        return Err(unexpected("a sound run is doubted", violation));
     }
     Ok(Finding {
         gates: vec![

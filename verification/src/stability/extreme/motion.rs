@@ -181,13 +181,13 @@ fn speeds() -> Result<Finding, Unexpected> {
                     worst.max(seen)
                 };
             }
-            if let Some(doubt) = simulation.trust().doubt {
-                doubted.push(format!("{what}: {doubt}"));
+            if let Some(violation) = simulation.invariants().violation {
+                doubted.push(format!("{what}: {violation}"));
             }
         }
     }
-    if let Some(doubt) = doubted.first() {
-        return Err(super::runs::unexpected("a sound run is doubted", doubt));
+    if let Some(violation) = doubted.first() {
+        return Err(super::runs::unexpected("a sound run is doubted", violation));
     }
     let [momentum, center, energy] = worst;
     Ok(Finding {

@@ -162,10 +162,12 @@ fn step_too_long() -> Result<Finding, Unexpected> {
                     let mut simulation = start(&what, &scene, &initial(noise))?;
                     let (step, error) = until_told(&mut simulation);
                     latest = latest.max(step);
-                    let reason = match (error.map(|error| error.kind), simulation.trust().doubt) {
-                        (Some(StepErrorKind::NotTrusted(doubt)), _) | (None, Some(doubt)) => {
-                            doubt.reason
-                        }
+                    let reason = match (
+                        error.map(|error| error.kind),
+                        simulation.invariants().violation,
+                    ) {
+                        (Some(StepErrorKind::NotTrusted(violation)), _)
+                        | (None, Some(violation)) => violation.reason,
                         (Some(kind), _) if is_blow_up(&kind) => continue,
                         (found, _) => {
                             return Err(Unexpected(format!(
@@ -190,11 +192,14 @@ fn step_too_long() -> Result<Finding, Unexpected> {
             let initial = rough(Dimension::Two, [0.0; 3], NOISES[1], NOISES[1]);
             let mut simulation = start(&what, &scene, &from(initial))?;
             let (_, error) = until_told(&mut simulation);
-            match (error.map(|error| error.kind), simulation.trust().doubt) {
+            match (
+                error.map(|error| error.kind),
+                simulation.invariants().violation,
+            ) {
                 (Some(kind), _) if !is_blow_up(&kind) => {
                     return Err(Unexpected(format!("{what}: a blow-up is called {kind:?}")));
                 }
-                (None, Some(doubt)) => told[doubt.reason as usize] += 1,
+                (None, Some(violation)) => told[violation.reason as usize] += 1,
                 _ => {}
             }
         }
@@ -232,8 +237,8 @@ fn until_told(simulation: &mut Simulation) -> (u64, Option<StepError>) {
         if let Err(error) = simulation.step(NEVER) {
             return (error.step, Some(error));
         }
-        if let Some(doubt) = simulation.trust().doubt {
-            return (doubt.step, None);
+        if let Some(violation) = simulation.invariants().violation {
+            return (violation.step, None);
         }
     }
     (u64::MAX, None)

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Enforcement, MortarContact, RigidSurface, Scene, Shape, StressScheme, TimeStep,
@@ -85,7 +85,7 @@ fn mortar(enforcement: Enforcement, ratio: f64, friction: f64) -> Scene {
         scene.mortar.boundaries.push(BodyBoundary {
             body: id,
             vertices: Vertices::Spacing(0.5),
-            follow: Follow::Spin,
+            follow: FollowMode::Spin,
         });
     }
     scene.mortar.contacts = vec![MortarContact {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use proctor_kernel::scene::{
     DomainUpdate, Scene, Shape, StressScheme, Transfer, TransferKind, Weighting,
 };
-use proctor_kernel::simulation::{Caution, InitialField, InitialState, Simulation};
+use proctor_kernel::simulation::{InitialField, InitialState, ResultWarning, Simulation};
 
 use super::trial::{
     Kept, elastic, kept, of_case, off_by_a_quarter_turn, open, run_to, start, worst,
@@ -154,8 +154,8 @@ fn ten_turns_flip() -> Result<Finding, Unexpected> {
         let cautions = simulation.cautions(&energy);
         let said = cautions
             .iter()
-            .any(|caution| matches!(caution, Caution::Spin { .. }));
-        if simulation.trust().doubt.is_none() && !said {
+            .any(|caution| matches!(caution, ResultWarning::Spin { .. }));
+        if simulation.invariants().violation.is_none() && !said {
             let lost = (angular_momentum(&simulation) / before - 1.0).abs();
             unsaid = worst(unsaid, lost);
         }

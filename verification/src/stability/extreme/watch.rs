@@ -6,7 +6,7 @@ use std::sync::Arc;
 use proctor_kernel::scene::{
     OnImbalance, PlaneCondition, Scene, Shape, StressScheme, TimeStep, Weighting,
 };
-use proctor_kernel::simulation::{Doubt, InitialField, InitialState, Reason, StepErrorKind};
+use proctor_kernel::simulation::{InitialField, InitialState, Invariant, StepErrorKind, Violation};
 
 use super::trial::{elastic, method, noise, open, start};
 use super::{Extreme, Finding, Unexpected};
@@ -40,7 +40,7 @@ fn watched(
     scene: &Scene,
     initial: Option<InitialField>,
     most: u64,
-) -> Result<Option<Doubt>, Unexpected> {
+) -> Result<Option<Violation>, Unexpected> {
     let mut scene = scene.clone();
     scene.on_imbalance = OnImbalance::Stop;
     let mut simulation = start(&scene, initial)?;
@@ -48,7 +48,7 @@ fn watched(
         match simulation.step(f64::INFINITY) {
             Ok(_) => {}
             Err(error) => match error.kind {
-                StepErrorKind::NotTrusted(doubt) => return Ok(Some(doubt)),
+                StepErrorKind::NotTrusted(violation) => return Ok(Some(violation)),
                 _ => return Err(Unexpected(format!("{}: {error}", method(&scene)))),
             },
         }
@@ -61,16 +61,18 @@ fn must_stop(
     finding: &mut Finding,
     scene: &Scene,
     initial: Option<InitialField>,
-    reasons: &[Reason],
+    reasons: &[Invariant],
     most: u64,
 ) -> Result<(), Unexpected> {
     let name = method(scene);
     match watched(scene, initial, most)? {
-        Some(doubt) if reasons.contains(&doubt.reason) => {
-            finding.refusals.push(format!("{name}: {doubt}"));
+        Some(violation) if reasons.contains(&violation.reason) => {
+            finding.refusals.push(format!("{name}: {violation}"));
             Ok(())
         }
-        Some(doubt) => Err(Unexpected(format!("{name}: for another reason: {doubt}"))),
+        Some(violation) => Err(Unexpected(format!(
+            "{name}: for another reason: {violation}"
+        ))),
         None => Err(Unexpected(format!(
             "{name}: nobody noticed in {most} steps"
         ))),
@@ -140,11 +142,11 @@ fn steps() -> Result<Finding, Unexpected> {
             2.4
         };
         let (scene, rough) = noisy_disc(scheme, unstable);
-        let reasons = [Reason::Energy, Reason::Increment];
+        let reasons = [Invariant::Energy, Invariant::Increment];
         must_stop(&mut finding, &scene, rough, &reasons, MOST)?;
         stable.push(noisy_disc(scheme, 0.5 * unstable));
         let (scene, initial) = squeezed(scheme, 0.6);
-        must_stop(&mut finding, &scene, initial, &[Reason::Increment], 1)?;
+        must_stop(&mut finding, &scene, initial, &[Invariant::Increment], 1)?;
         gentle.push(squeezed(scheme, 0.06));
     }
     finding.gates = vec![
@@ -180,7 +182,13 @@ fn crossing() -> Result<Finding, Unexpected> {
         multiplier: 0.56,
         allow_unstable: true,
     };
-    must_stop(&mut finding, &scene, swings, &[Reason::Energy], 20 * MOST)?;
+    must_stop(
+        &mut finding,
+        &scene,
+        swings,
+        &[Invariant::Energy],
+        20 * MOST,
+    )?;
     let sound = SCHEMES.map(|scheme| swinging(Weighting::UniformGimp, scheme));
     finding.gates = vec![no_alarm("GIMP", alarms(&sound, MOST)?)];
     Ok(finding)

@@ -6,8 +6,8 @@ use proctor_kernel::laws::{
     AnyLaw, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, ObjectiveRate, VonMises,
 };
 use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Chain, Side};
-use proctor_kernel::mortar::motion::Follow;
+use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BaseMotion, BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, Mesh,
@@ -174,7 +174,7 @@ fn boundary(body: i64) -> BodyBoundary {
     BodyBoundary {
         body,
         vertices: Vertices::Spacing(VERTICES),
-        follow: Follow::Spin,
+        follow: FollowMode::Spin,
     }
 }
 
@@ -209,7 +209,7 @@ pub fn mortar_line() -> Set {
         id: 9,
         chains: vec![Chain {
             points: points.iter().map(|p| Point::from(*p)).collect(),
-            side: Side::Open,
+            side: BoundarySide::Open,
         }],
         motion: None,
     }];

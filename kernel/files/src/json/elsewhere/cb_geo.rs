@@ -1,9 +1,9 @@
 //! Keys of CB-Geo mpm and of programs like it that a user would bring.
 
-use super::{Elsewhere, entry};
+use super::{ForeignWord, entry};
 
 /// Its entries.
-pub(super) const ALL: &[Elsewhere] = &[
+pub(super) const ALL: &[ForeignWord] = &[
     entry(
         "",
         &["analysis"],

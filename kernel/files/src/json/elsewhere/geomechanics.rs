@@ -1,9 +1,9 @@
 //! Keys of the examples and of the reader of MPM-Geomechanics that are not in the manuals.
 
-use super::{Elsewhere, entry};
+use super::{ForeignWord, entry};
 
 /// Its entries.
-pub(super) const ALL: &[Elsewhere] = &[
+pub(super) const ALL: &[ForeignWord] = &[
     entry(
         "",
         &["load_state"],

@@ -8,7 +8,7 @@ mod words;
 
 /// A key or a word of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Elsewhere {
+pub struct ForeignWord {
     /// The block of the scene in which it is meant so; empty for any.
     pub within: &'static str,
     /// How it is written; upper and lower case, `_` and `-` make no difference.
@@ -20,35 +20,35 @@ pub struct Elsewhere {
 }
 
 /// Keys, by where they come from.
-const KEYS: [&[Elsewhere]; 4] = [usual::ALL, geomechanics::ALL, cb_geo::ALL, soil::ALL];
+const KEYS: [&[ForeignWord]; 4] = [usual::ALL, geomechanics::ALL, cb_geo::ALL, soil::ALL];
 
 /// Everything that is known of other programs and books.
-pub fn all_elsewhere() -> impl Iterator<Item = &'static Elsewhere> {
+pub fn all_elsewhere() -> impl Iterator<Item = &'static ForeignWord> {
     KEYS.into_iter().flatten().chain(words::ALL)
 }
 
 /// Entries of a word of another program.
 #[must_use]
-pub fn elsewhere(word: &str) -> Vec<&'static Elsewhere> {
+pub fn elsewhere(word: &str) -> Vec<&'static ForeignWord> {
     all_elsewhere().filter(|other| other.is(word)).collect()
 }
 
 /// The entry of a key that the object at a path does not have; the path ends with the key.
-pub(super) fn of_key(path: &str, key: &str) -> Option<&'static Elsewhere> {
+pub(super) fn of_key(path: &str, key: &str) -> Option<&'static ForeignWord> {
     at(&KEYS.into_iter().flatten(), path, key)
 }
 
 /// The entry of a word that the key at a path does not accept.
-pub(super) fn of_word(path: &str, word: &str) -> Option<&'static Elsewhere> {
+pub(super) fn of_word(path: &str, word: &str) -> Option<&'static ForeignWord> {
     at(&words::ALL.iter(), path, word)
 }
 
 /// The entry that is meant at a path: one of its block, or of any.
 fn at(
-    all: &(impl Iterator<Item = &'static Elsewhere> + Clone),
+    all: &(impl Iterator<Item = &'static ForeignWord> + Clone),
     path: &str,
     word: &str,
-) -> Option<&'static Elsewhere> {
+) -> Option<&'static ForeignWord> {
     let block = match path.split(['.', '[']).next().unwrap_or("") {
         "bodies" => "body",
         "materials" => "material",
@@ -64,7 +64,7 @@ fn at(
         })
 }
 
-impl Elsewhere {
+impl ForeignWord {
     fn is(&self, word: &str) -> bool {
         let plain = |word: &str| word.replace(['_', '-', ' '], "").to_lowercase();
         let word = plain(word);
@@ -77,8 +77,8 @@ const fn entry(
     words: &'static [&'static str],
     keys: &'static [&'static str],
     answer: &'static str,
-) -> Elsewhere {
-    Elsewhere {
+) -> ForeignWord {
+    ForeignWord {
         within,
         words,
         keys,

@@ -1,9 +1,9 @@
 //! Words of soil mechanics and of the site.
 
-use super::{Elsewhere, entry};
+use super::{ForeignWord, entry};
 
 /// Its entries.
-pub(super) const ALL: &[Elsewhere] = &[
+pub(super) const ALL: &[ForeignWord] = &[
     entry(
         "",
         &["k0"],

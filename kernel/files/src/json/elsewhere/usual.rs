@@ -1,9 +1,9 @@
 //! Usual names and symbols.
 
-use super::{Elsewhere, entry};
+use super::{ForeignWord, entry};
 
 /// Its entries.
-pub(super) const ALL: &[Elsewhere] = &[
+pub(super) const ALL: &[ForeignWord] = &[
     entry(
         "",
         &[

@@ -1,9 +1,9 @@
 //! Words that keys do not accept: types of bodies, materials and damping.
 
-use super::{Elsewhere, entry};
+use super::{ForeignWord, entry};
 
 /// Its entries.
-pub(super) const ALL: &[Elsewhere] = &[
+pub(super) const ALL: &[ForeignWord] = &[
     entry(
         "body",
         &["polygon_2d", "polygon2d"],

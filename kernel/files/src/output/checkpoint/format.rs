@@ -37,7 +37,7 @@ const CHECKSUM: usize = 4;
 
 /// Writes the bytes of `checkpoint`.
 pub(super) fn write(checkpoint: &Checkpoint, file: &mut dyn Write) -> io::Result<()> {
-    let mut file = Summed {
+    let mut file = ChecksumWriter {
         file,
         crc: Crc::new(),
     };
@@ -212,12 +212,12 @@ fn length_u32(length: usize) -> io::Result<u32> {
 }
 
 /// Sums up what passes through.
-struct Summed<'a> {
+struct ChecksumWriter<'a> {
     file: &'a mut dyn Write,
     crc: Crc,
 }
 
-impl Write for Summed<'_> {
+impl Write for ChecksumWriter<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.file.write(bytes)?;
         self.crc.update(&bytes[..written]);

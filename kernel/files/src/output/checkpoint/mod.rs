@@ -10,7 +10,7 @@ mod format;
 mod section;
 
 pub use error::CheckpointError;
-pub use section::{Number, Section, SectionData};
+pub use section::{Section, SectionData, SectionNumber};
 
 use super::atomic;
 
@@ -40,7 +40,7 @@ impl Checkpoint {
     }
 
     /// Adds a section.
-    pub fn push<T: Number>(&mut self, name: impl Into<String>, values: Vec<T>) {
+    pub fn push<T: SectionNumber>(&mut self, name: impl Into<String>, values: Vec<T>) {
         self.sections.push(Section {
             name: name.into(),
             data: T::wrap(values),
@@ -51,7 +51,7 @@ impl Checkpoint {
     ///
     /// # Errors
     /// [`CheckpointError::MissingSection`], [`CheckpointError::WrongType`].
-    pub fn values<T: Number>(&self, name: &str) -> Result<&[T], CheckpointError> {
+    pub fn values<T: SectionNumber>(&self, name: &str) -> Result<&[T], CheckpointError> {
         let section = self.sections.iter().find(|section| section.name == name);
         let data = match section {
             Some(section) => &section.data,
@@ -72,7 +72,11 @@ impl Checkpoint {
     ///
     /// # Errors
     /// As [`Checkpoint::values`], and [`CheckpointError::WrongLength`].
-    pub fn array<T: Number>(&self, name: &str, count: usize) -> Result<&[T], CheckpointError> {
+    pub fn array<T: SectionNumber>(
+        &self,
+        name: &str,
+        count: usize,
+    ) -> Result<&[T], CheckpointError> {
         let values = self.values::<T>(name)?;
         if values.len() == count {
             Ok(values)
@@ -89,7 +93,7 @@ impl Checkpoint {
     ///
     /// # Errors
     /// As [`Checkpoint::array`].
-    pub fn number<T: Number>(&self, name: &str) -> Result<T, CheckpointError> {
+    pub fn number<T: SectionNumber>(&self, name: &str) -> Result<T, CheckpointError> {
         Ok(self.array::<T>(name, 1)?[0])
     }
 

@@ -26,7 +26,7 @@ pub enum SectionData {
 
 /// A number that a section may hold: `f64`, `u64`, `i64` or `u8`.
 #[allow(private_bounds)] // Sealed: the format has these four types.
-pub trait Number: LittleEndian {
+pub trait SectionNumber: LittleEndian {
     /// Name of the type in messages.
     const NAME: &'static str;
     /// `values` as the data of a section.
@@ -37,7 +37,7 @@ pub trait Number: LittleEndian {
 
 macro_rules! number {
     ($($number:ty => $variant:ident),*) => {
-        $(impl Number for $number {
+        $(impl SectionNumber for $number {
             const NAME: &'static str = stringify!($number);
             fn wrap(values: Vec<Self>) -> SectionData {
                 SectionData::$variant(values)
@@ -55,7 +55,7 @@ macro_rules! number {
             #[must_use]
             pub fn type_name(&self) -> &'static str {
                 match self {
-                    $(Self::$variant(_) => <$number as Number>::NAME,)*
+                    $(Self::$variant(_) => <$number as SectionNumber>::NAME,)*
                 }
             }
 

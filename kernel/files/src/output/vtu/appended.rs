@@ -17,7 +17,7 @@ const VTK_VERTEX: u8 = 1;
 /// The arrays that follow the XML, in the order in which they were declared.
 pub(super) struct Appended<'a> {
     compression: Compression,
-    blocks: Vec<Block<'a>>,
+    blocks: Vec<AppendedArray<'a>>,
     /// Bytes from the underscore that opens the section to where the next array starts.
     offset: usize,
 }
@@ -49,8 +49,8 @@ impl<'a> Appended<'a> {
         // Offsets stand before the data, so compressed arrays have to be held; raw ones have a known size and
         // are converted while they are written.
         let block = match self.compression {
-            Compression::None => Block::Raw(values),
-            Compression::Zlib(level) => Block::Encoded(compress(&values, level)?),
+            Compression::None => AppendedArray::Raw(values),
+            Compression::Zlib(level) => AppendedArray::Encoded(compress(&values, level)?),
         };
         self.offset += block.bytes();
         self.blocks.push(block);
@@ -64,12 +64,12 @@ impl<'a> Appended<'a> {
 }
 
 /// One array of the appended section.
-enum Block<'a> {
+enum AppendedArray<'a> {
     Raw(Values<'a>),
     Encoded(Vec<u8>),
 }
 
-impl Block<'_> {
+impl AppendedArray<'_> {
     fn bytes(&self) -> usize {
         match self {
             Self::Raw(values) => size_of::<u64>() + values.bytes(),

@@ -2,9 +2,9 @@
 
 use super::bases::FOLDER;
 use proctor_files::json::from_json;
-use proctor_files::run::{Go, Run};
+use proctor_files::run::{Run, RunControl};
 use proctor_kernel::memory::Memory;
-use proctor_kernel::plan::Demands;
+use proctor_kernel::plan::PlanOptions;
 use proctor_kernel::simulation::Options;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -85,7 +85,7 @@ fn of(text: &str, folder: &Path, most: u64) -> Outcome {
         Ok(scene) => scene,
         Err(error) => return Outcome::Refused(error.to_string()),
     };
-    let plan = proctor_kernel::simulation::plan(&scene, Demands::default());
+    let plan = proctor_kernel::simulation::plan(&scene, PlanOptions::default());
     let _ = plan.to_string();
     let options = Options {
         threads: scene.threads.is_none().then_some(1),
@@ -107,7 +107,11 @@ fn of(text: &str, folder: &Path, most: u64) -> Outcome {
     while let Some(stop) = run.next_stop() {
         let advanced = run.advance(stop, |_| {
             steps += 1;
-            if steps < most { Go::On } else { Go::Stop }
+            if steps < most {
+                RunControl::On
+            } else {
+                RunControl::Stop
+            }
         });
         if let Err(error) = advanced {
             return Outcome::Failed(error.to_string());

@@ -4,7 +4,7 @@ use crate::mortar::cross;
 use nalgebra::Vector2;
 
 /// A point of an auxiliary plane \[m\].
-pub type Flat = Vector2<f64>;
+pub type PlanePoint = Vector2<f64>;
 
 /// Corners that two triangles can have in common at most.
 const MOST: usize = 6;
@@ -12,19 +12,19 @@ const MOST: usize = 6;
 /// A convex polygon, counter-clockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon {
-    corners: [Flat; MOST + 1],
+    corners: [PlanePoint; MOST + 1],
     count: usize,
 }
 
 impl Polygon {
     fn new() -> Self {
         Self {
-            corners: [Flat::zeros(); MOST + 1],
+            corners: [PlanePoint::zeros(); MOST + 1],
             count: 0,
         }
     }
 
-    fn push(&mut self, corner: Flat) {
+    fn push(&mut self, corner: PlanePoint) {
         // Round-off can give a corner twice, but never more than one too many.
         if self.count <= MOST {
             self.corners[self.count] = corner;
@@ -34,12 +34,12 @@ impl Polygon {
 
     /// The corners.
     #[must_use]
-    pub fn corners(&self) -> &[Flat] {
+    pub fn corners(&self) -> &[PlanePoint] {
         &self.corners[..self.count]
     }
 
     /// Triangles from the first corner to all others.
-    pub fn fan(&self) -> impl Iterator<Item = [Flat; 3]> {
+    pub fn fan(&self) -> impl Iterator<Item = [PlanePoint; 3]> {
         let corners = self.corners();
         corners
             .windows(2)
@@ -56,14 +56,14 @@ impl Polygon {
 
 /// Area of a triangle \[m²\], positive when counter-clockwise.
 #[must_use]
-pub fn area([a, b, c]: &[Flat; 3]) -> f64 {
+pub fn area([a, b, c]: &[PlanePoint; 3]) -> f64 {
     0.5 * cross(&(b - a), &(c - a))
 }
 
 /// What two counter-clockwise triangles have in common: the first cut along each edge of the second in turn
 /// (Sutherland and Hodgman 1974).
 #[must_use]
-pub fn overlap(subject: &[Flat; 3], clip: &[Flat; 3]) -> Polygon {
+pub fn overlap(subject: &[PlanePoint; 3], clip: &[PlanePoint; 3]) -> Polygon {
     let mut polygon = Polygon::new();
     for corner in subject {
         polygon.push(*corner);
@@ -71,7 +71,7 @@ pub fn overlap(subject: &[Flat; 3], clip: &[Flat; 3]) -> Polygon {
     for edge in 0..3 {
         let (from, to) = (clip[edge], clip[(edge + 1) % 3]);
         // Distance inside of the edge, times its length.
-        let inside = |p: &Flat| cross(&(to - from), &(p - from));
+        let inside = |p: &PlanePoint| cross(&(to - from), &(p - from));
         let mut cut = Polygon::new();
         let corners = polygon.corners();
         for (k, p) in corners.iter().enumerate() {
@@ -100,7 +100,7 @@ pub const GAUSS: [[f64; 3]; 3] = [
 
 /// Shares of the corners of a triangle at a point of its plane; their sum is 1, and all are positive inside.
 #[must_use]
-pub fn shares(p: &Flat, triangle @ [a, b, c]: &[Flat; 3]) -> [f64; 3] {
+pub fn shares(p: &PlanePoint, triangle @ [a, b, c]: &[PlanePoint; 3]) -> [f64; 3] {
     let twice = 2.0 * area(triangle);
     let of_b = cross(&(p - a), &(c - a)) / twice;
     let of_c = cross(&(b - a), &(p - a)) / twice;

@@ -3,9 +3,9 @@
 use super::Point;
 use super::projection::{points_of_triangle, points_of_vertices};
 use super::ridges::crossing;
-use crate::mortar::broad::Near;
+use crate::mortar::broad::NearElements;
 use crate::mortar::elements::Elements;
-use crate::mortar::points::{Cuts, MortarPoint, Search};
+use crate::mortar::points::{Cuts, MasterSearch, MortarPoint};
 use crate::mortar::sites::{SHARP, Sites};
 use crate::surface::{Surface, SurfaceError};
 use std::fmt;
@@ -347,7 +347,7 @@ impl Elements<3, 2> for Facets {
         _normals: &[Point],
         master: &Self,
         pairs: &[[usize; 2]],
-        search: Search,
+        search: MasterSearch,
         cuts: &mut Cuts,
         points: &mut Vec<MortarPoint<3>>,
     ) {
@@ -358,8 +358,8 @@ impl Elements<3, 2> for Facets {
         &self,
         normals: &[Point],
         master: &Self,
-        near: &Near<3>,
-        search: Search,
+        near: &NearElements<3>,
+        search: MasterSearch,
         points: &mut Vec<MortarPoint<3>>,
     ) {
         points_of_vertices(self, normals, master, near, search, points);

@@ -5,11 +5,11 @@
 //! that D and M are exact for flat surfaces however they are triangulated.
 
 use super::Point;
-use super::clip::{Flat, GAUSS, Polygon, area, overlap, shares};
+use super::clip::{GAUSS, PlanePoint, Polygon, area, overlap, shares};
 use super::facets::Facets;
-use crate::mortar::broad::Near;
+use crate::mortar::broad::NearElements;
 use crate::mortar::elements::Elements;
-use crate::mortar::points::{FACING, MortarPoint, Search};
+use crate::mortar::points::{FACING, MasterSearch, MortarPoint};
 use std::array;
 
 /// Parts of a triangle smaller than this share of its area are left out: they hold nothing but round-off.
@@ -40,9 +40,9 @@ impl Plane {
         }
     }
 
-    fn flat(&self, x: &Point) -> Flat {
+    fn flat(&self, x: &Point) -> PlanePoint {
         let d = x - self.origin;
-        Flat::new(self.axes[0].dot(&d), self.axes[1].dot(&d))
+        PlanePoint::new(self.axes[0].dot(&d), self.axes[1].dot(&d))
     }
 
     fn height(&self, x: &Point) -> f64 {
@@ -52,20 +52,20 @@ impl Plane {
 
 /// A master triangle in the plane of a slave triangle, turned around to be counter-clockwise there.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct ProjectedTriangle {
     vertices: [usize; 3],
-    corners: [Flat; 3],
+    corners: [PlanePoint; 3],
     heights: [f64; 3],
 }
 
 /// A part of a slave triangle that a master triangle covers.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::mortar) struct Part {
-    seen: Seen,
+pub(in crate::mortar) struct CoveredPart {
+    seen: ProjectedTriangle,
     both: Polygon,
 }
 
-impl Seen {
+impl ProjectedTriangle {
     /// Nothing where the triangle does not face the plane.
     fn new(plane: &Plane, master: &Facets, triangle: usize) -> Option<Self> {
         if plane.normal.dot(&master.triangle_normal(triangle)) >= FACING {
@@ -81,7 +81,7 @@ impl Seen {
     }
 
     /// Shape functions of the three vertices at a point of the plane, and the gap there.
-    fn at(&self, p: &Flat) -> ([f64; 3], f64) {
+    fn at(&self, p: &PlanePoint) -> ([f64; 3], f64) {
         let shares = shares(p, &self.corners);
         let gap = (0..3).map(|k| shares[k] * self.heights[k]).sum();
         (shares, gap)
@@ -92,7 +92,7 @@ impl Seen {
     }
 
     /// Whether the triangle is in front of a gap at a point of the plane.
-    fn hides(&self, p: &Flat, gap: f64, search: Search) -> bool {
+    fn hides(&self, p: &PlanePoint, gap: f64, search: MasterSearch) -> bool {
         let (shares, own) = self.at(p);
         shares.iter().all(|s| *s > 0.0) && search.contains(own) && own.abs() < gap.abs()
     }
@@ -103,8 +103,8 @@ pub(super) fn points_of_triangle(
     slave: &Facets,
     master: &Facets,
     pairs: &[[usize; 2]],
-    search: Search,
-    parts: &mut Vec<Part>,
+    search: MasterSearch,
+    parts: &mut Vec<CoveredPart>,
     points: &mut Vec<MortarPoint<3>>,
 ) {
     let triangle = pairs[0][0];
@@ -115,11 +115,11 @@ pub(super) fn points_of_triangle(
     let smallest = SMALLEST * area(&own);
     parts.clear();
     parts.extend(pairs.iter().filter_map(|[_, m]| {
-        let seen = Seen::new(&plane, master, *m)?;
+        let seen = ProjectedTriangle::new(&plane, master, *m)?;
         let both = overlap(&seen.corners, &own);
-        (both.area() > smallest).then_some(Part { seen, both })
+        (both.area() > smallest).then_some(CoveredPart { seen, both })
     }));
-    for (k, Part { seen, both }) in parts.iter().enumerate() {
+    for (k, CoveredPart { seen, both }) in parts.iter().enumerate() {
         for cell in both.fan() {
             let weight = area(&cell) / 3.0;
             if weight <= 0.0 {
@@ -152,8 +152,8 @@ pub(super) fn points_of_vertices(
     slave: &Facets,
     normals: &[Point],
     master: &Facets,
-    near: &Near<3>,
-    search: Search,
+    near: &NearElements<3>,
+    search: MasterSearch,
     points: &mut Vec<MortarPoint<3>>,
 ) {
     let areas = slave.tributary_areas();
@@ -174,8 +174,8 @@ pub(super) fn points_of_vertices(
         let found = masters
             .iter()
             .filter_map(|m| {
-                let seen = Seen::new(&plane, master, *m)?;
-                let (shares, gap) = seen.at(&Flat::zeros());
+                let seen = ProjectedTriangle::new(&plane, master, *m)?;
+                let (shares, gap) = seen.at(&PlanePoint::zeros());
                 let on = shares.iter().all(|s| *s >= -ON_EDGE);
                 (on && search.contains(gap)).then_some((seen.master(shares), gap.abs()))
             })

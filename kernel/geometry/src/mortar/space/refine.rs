@@ -6,14 +6,14 @@ use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap};
 
 /// A point of the plane of the polygon \[m\].
-type Flat = Vector2<f64>;
+type PlanePoint = Vector2<f64>;
 
 /// Triangles that fill a simple polygon, counter-clockwise, and their vertices: first those of the polygon, whose edges
 /// are kept as they are, then new ones inside, so that no edge inside is longer than `segment` \[m\] and the longest edge
 /// of the polygon. Without the latter there would be no end: of the sides of a triangle on an edge one is always longer
 /// than half of it.
 #[must_use]
-pub fn fill(polygon: &[Flat], segment: f64) -> (Vec<Flat>, Vec<[usize; 3]>) {
+pub fn fill(polygon: &[PlanePoint], segment: f64) -> (Vec<PlanePoint>, Vec<[usize; 3]>) {
     let mut points = polygon.to_vec();
     let edges = (0..polygon.len()).map(|k| polygon[(k + 1) % polygon.len()] - polygon[k]);
     let segment = edges.map(|edge| edge.norm()).fold(segment, f64::max);
@@ -22,14 +22,17 @@ pub fn fill(polygon: &[Flat], segment: f64) -> (Vec<Flat>, Vec<[usize; 3]>) {
 }
 
 /// Sine of the smallest angle of a triangle, negative when clockwise.
-fn shape([a, b, c]: [Flat; 3]) -> f64 {
+fn shape([a, b, c]: [PlanePoint; 3]) -> f64 {
     let sides = [b - a, c - b, a - c];
-    let longest = sides.iter().map(Flat::norm_squared).fold(0.0, f64::max);
+    let longest = sides
+        .iter()
+        .map(PlanePoint::norm_squared)
+        .fold(0.0, f64::max);
     cross(&sides[0], &sides[1]) / longest
 }
 
 /// Cuts off the best-shaped ear again and again. Vertices on a straight edge are no ears, so that none is lost.
-fn ears(polygon: &[Flat]) -> Vec<[usize; 3]> {
+fn ears(polygon: &[PlanePoint]) -> Vec<[usize; 3]> {
     let mut rest: Vec<usize> = (0..polygon.len()).collect();
     let mut triangles = vec![];
     while rest.len() > 3 {
@@ -37,7 +40,7 @@ fn ears(polygon: &[Flat]) -> Vec<[usize; 3]> {
         let corner = |k: usize| [(k + count - 1) % count, k, (k + 1) % count].map(|k| rest[k]);
         let free = |ear: [usize; 3]| {
             let [a, b, c] = ear.map(|v| polygon[v]);
-            let inside = |p: &Flat| {
+            let inside = |p: &PlanePoint| {
                 [(a, b), (b, c), (c, a)]
                     .iter()
                     .all(|(from, to)| cross(&(to - from), &(p - from)) >= 0.0)
@@ -81,7 +84,11 @@ impl PartialOrd for Long {
 }
 
 /// Halves the longest edge inside together with the triangles on both sides of it until none is longer than `segment`.
-fn halve(points: &mut Vec<Flat>, triangles: Vec<[usize; 3]>, segment: f64) -> Vec<[usize; 3]> {
+fn halve(
+    points: &mut Vec<PlanePoint>,
+    triangles: Vec<[usize; 3]>,
+    segment: f64,
+) -> Vec<[usize; 3]> {
     let mut triangles = triangles;
     // The triangle on the left of an edge in its direction.
     let mut left: HashMap<[usize; 2], usize> = HashMap::new();
@@ -90,7 +97,7 @@ fn halve(points: &mut Vec<Flat>, triangles: Vec<[usize; 3]>, segment: f64) -> Ve
             left.insert([v[k], v[(k + 1) % 3]], t);
         }
     }
-    let long = |points: &[Flat], [a, b]: [usize; 2]| {
+    let long = |points: &[PlanePoint], [a, b]: [usize; 2]| {
         let length = (points[b] - points[a]).norm();
         (length > segment * (1.0 + 1.0e-9)).then_some(Long(length, [a.min(b), a.max(b)]))
     };

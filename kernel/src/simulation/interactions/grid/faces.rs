@@ -1,4 +1,4 @@
-//! What contact on the grid knows of the surface of each body that is near a partner, beside its velocity field.
+//! Surfaces of the bodies near a contact partner, at the nodes beside their velocity fields.
 //!
 //! A second line per node holds the mass gradient, and the interface the particles that can share a node with a partner.
 //! Both are there for exactly the bodies that have a field because of this contact.

@@ -4,38 +4,40 @@
 //! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
 
 mod bonds;
+pub(crate) mod contact_nodes;
 pub(crate) mod faces;
-pub(crate) mod meeting;
-mod on_slab;
-mod words;
+mod plan_entries;
+mod slab_contact;
 
-pub(super) use on_slab::SlabContact;
+pub(super) use slab_contact::SlabContact;
 
-use super::Kind;
+use super::InteractionType;
 use crate::contact::overlap::overlap;
 use crate::contact::{Pair, broad};
 use crate::memory::Memory;
 use crate::scene::{Contact, Scene, Shape, StressScheme, Vector};
-use crate::simulation::conditions::Acting;
-use crate::simulation::error::{Overlapping, SetupError, StepError, StepErrorKind};
+use crate::simulation::conditions::NodalConditions;
+use crate::simulation::error::{InitialOverlap, SetupError, StepError, StepErrorKind};
 use crate::simulation::event::{Event, EventKind};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{
-    BodyList, Interaction, Made, PairList, Remembered, SlabPart, Visit,
+    BodyList, Interaction, InteractionResult, PairList, SavedArrays, SlabPart, VelocityMapping,
 };
 use crate::simulation::{BodyRun, Simulation};
+use contact_nodes::{
+    ContactNodes, ContactResult, ContactStatuses, DEEP, NodeLists, Overlapped, Tunnelling,
+};
 use faces::Faces;
-use meeting::{DEEP, Done, Lists, Meetings, Overlapped, States, Tunnelling};
 
 /// Contact on the grid.
-pub(super) const GRID: Kind = Kind {
-    words: words::words,
-    make: State::of,
+pub(super) const GRID: InteractionType = InteractionType {
+    plan_entries: plan_entries::plan_entries,
+    make: GridContact::of,
 };
 
-/// What contact keeps from step to step.
+/// Contact on the grid: its pairs, and its state from step to step.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct State {
+pub(crate) struct GridContact {
     /// All pairs, in order of the identifiers of their bodies.
     pub pairs: Vec<Pair>,
     /// Which of them are near, as of the last sort.
@@ -43,32 +45,36 @@ pub(crate) struct State {
     /// Surfaces of the bodies of near pairs.
     pub faces: Faces,
     /// Where bodies met and what contact did there, per slab, as of the last equation of motion.
-    pub met: Vec<Met>,
+    pub met: Vec<SlabContactState>,
     /// What pairs did at the nodes of all slabs, where particles have moved since.
-    pub states: States,
+    pub states: ContactStatuses,
     /// Force on the slave of each pair in the last step \[N\].
     pub forces: Vec<Vector>,
     /// Depth of the last overlap of each pair that became an event \[m\].
     noted: Vec<f64>,
 }
 
-/// Contact in one slab: where bodies meet, and what was done there.
+/// Contact on one slab: the contact nodes, and the result there.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Met {
+pub(crate) struct SlabContactState {
     /// The nodes.
-    pub meetings: Meetings,
+    pub meetings: ContactNodes,
     /// Forces, power and warnings.
-    pub done: Done,
+    pub done: ContactResult,
     /// The nodes once particles have moved (USF).
-    moved: Meetings,
+    moved: ContactNodes,
     /// What is done to velocities that are mapped a second time feels no force.
-    unheeded: Done,
-    lists: Lists,
+    unheeded: ContactResult,
+    lists: NodeLists,
 }
 
-impl State {
+impl GridContact {
     /// Contact on the grid, where a scene has any.
-    pub(super) fn of(scene: &Scene, bodies: &[BodyRun], _: &mut Memory) -> Option<Made> {
+    pub(super) fn of(
+        scene: &Scene,
+        bodies: &[BodyRun],
+        _: &mut Memory,
+    ) -> Option<InteractionResult> {
         let any = !scene.contacts.is_empty() || bonds::all(scene, bodies).next().is_some();
         any.then(|| Ok(Box::new(Self::new(scene, bodies)) as _))
     }
@@ -113,8 +119,7 @@ impl State {
                 step: simulation.steps() + 1,
                 time: simulation.time(),
                 kind: EventKind::Overlap {
-                    bodies: [pair.master, pair.slave]
-                        .map(|body| simulation.decided.bodies[body].id),
+                    bodies: [pair.master, pair.slave].map(|body| simulation.model.bodies[body].id),
                     position: std::array::from_fn(|axis| local[axis] + origin[axis]),
                     depth: found.depth,
                 },
@@ -127,7 +132,7 @@ impl State {
         let shape = &simulation.work.grid.shape;
         let (local, origin) = (shape.position(shape.index(at.at)), simulation.origin());
         simulation.error(StepErrorKind::Tunnelling {
-            bodies: [pair.master, pair.slave].map(|body| simulation.decided.bodies[body].id),
+            bodies: [pair.master, pair.slave].map(|body| simulation.model.bodies[body].id),
             position: Some(std::array::from_fn(|axis| local[axis] + origin[axis])),
             approach: at.approach,
             distance: at.distance,
@@ -135,14 +140,14 @@ impl State {
     }
 }
 
-impl Interaction for State {
+impl Interaction for GridContact {
     fn boxed(&self) -> Box<dyn Interaction> {
         Box::new(self.clone())
     }
 
     /// Refuses bodies of a pair that overlap.
     fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
-        let bodies = simulation.decided.bodies.iter();
+        let bodies = simulation.model.bodies.iter();
         let half_lengths: Vec<Vector> = bodies.map(|b| b.particle_half_length).collect();
         let origin = simulation.origin();
         // What is bonded may overlap: no gap between them is a condition.
@@ -150,16 +155,16 @@ impl Interaction for State {
         let near = pairs.filter(|(pair, near)| **near && !pair.bonded);
         let overlapping = near.filter_map(|(pair, _)| {
             let found = overlap(pair, &simulation.state.sets, &half_lengths)?;
-            let mut contacts = simulation.decided.scene.contacts.iter();
+            let mut contacts = simulation.model.scene.contacts.iter();
             let name = contacts.find(|c| c.id == pair.id);
-            Some(Overlapping {
+            Some(InitialOverlap {
                 contact: name.map_or_else(String::new, |c| c.name.clone()),
-                bodies: [pair.master, pair.slave].map(|body| simulation.decided.bodies[body].id),
+                bodies: [pair.master, pair.slave].map(|body| simulation.model.bodies[body].id),
                 depth: found.depth,
                 position: std::array::from_fn(|axis| found.at[axis] + origin[axis]),
             })
         });
-        let all: Vec<Overlapping> = overlapping.collect();
+        let all: Vec<InitialOverlap> = overlapping.collect();
         if all.is_empty() {
             Ok(())
         } else {
@@ -193,7 +198,7 @@ impl Interaction for State {
     /// Has surfaces for the bodies of near pairs, in order of the identifier.
     fn fields_given(&mut self, simulation: &Simulation) {
         let mut bodies = self.owners();
-        bodies.sort_by_key(|&i| simulation.decided.bodies[i].id);
+        bodies.sort_by_key(|&i| simulation.model.bodies[i].id);
         bodies.dedup();
         self.faces.set(
             &bodies,
@@ -209,7 +214,7 @@ impl Interaction for State {
     /// not known.
     fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
         let before = std::mem::take(&mut self.pairs);
-        *self = Self::new(&simulation.decided.scene, &simulation.decided.bodies);
+        *self = Self::new(&simulation.model.scene, &simulation.model.bodies);
         for pair in &mut self.pairs {
             let same = |old: &&Pair| (old.master, old.slave) == (pair.master, pair.slave);
             pair.by_shape &= before.iter().find(same).is_some_and(|old| old.by_shape);
@@ -222,7 +227,7 @@ impl Interaction for State {
     /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
     /// other without sharing a node. Only a scene that allows unstable steps gets there.
     fn refuse_leaps(&self, simulation: &Simulation, dt: f64) -> Result<(), StepError> {
-        let h = simulation.decided.scene.mesh.cell[..simulation.decided.plan.axes]
+        let h = simulation.model.scene.mesh.cell[..simulation.model.plan.axes]
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
@@ -234,7 +239,7 @@ impl Interaction for State {
                 .sum::<f64>();
             if approach > h * (1.0 + 1e-9) {
                 return Err(simulation.error(StepErrorKind::Tunnelling {
-                    bodies: pair.map(|body| simulation.decided.bodies[body].id),
+                    bodies: pair.map(|body| simulation.model.bodies[body].id),
                     position: None,
                     approach,
                     distance: h,
@@ -244,12 +249,21 @@ impl Interaction for State {
         Ok(())
     }
 
-    fn on_slabs<'a>(&'a mut self, grid: &Grid, visit: Visit, give: &mut dyn FnMut(SlabPart<'a>)) {
+    fn on_slabs<'a>(
+        &'a mut self,
+        grid: &Grid,
+        visit: VelocityMapping,
+        give: &mut dyn FnMut(SlabPart<'a>),
+    ) {
         self.parts(grid, visit, give);
     }
 
     /// Adds up the forces of all slabs in order of their planes, and stops where bodies would pass through each other.
-    fn settle(&mut self, simulation: &mut Simulation, _: &Acting) -> Result<usize, StepError> {
+    fn settle(
+        &mut self,
+        simulation: &mut Simulation,
+        _: &NodalConditions,
+    ) -> Result<usize, StepError> {
         if self.faces.list.is_empty() {
             self.met.clear();
         }
@@ -275,7 +289,7 @@ impl Interaction for State {
         worst.map_or(Ok(nodes), |at| Err(self.tunnelling(at, simulation)))
     }
 
-    fn save(&self) -> Remembered {
+    fn save(&self) -> SavedArrays {
         let near = self.near.iter().map(|&near| f64::from(u8::from(near)));
         vec![
             ("near pairs".into(), near.collect()),
@@ -290,7 +304,7 @@ impl Interaction for State {
         ]
     }
 
-    fn restore(&mut self, saved: &Remembered) {
+    fn restore(&mut self, saved: &SavedArrays) {
         self.near = saved[0].1.iter().map(|&near| near != 0.0).collect();
         self.forces = saved[1].1.as_chunks().0.to_vec();
         self.noted.clone_from(&saved[2].1);
@@ -363,15 +377,15 @@ impl Simulation {
     #[must_use]
     pub fn contact_force(&self, set: usize) -> Vector {
         let mut sum = self
-            .mortar_force(self.decided.bodies[set].id)
+            .mortar_force(self.model.bodies[set].id)
             .unwrap_or_default();
         let of_shapes = self.shape_force_on(set);
         sum = std::array::from_fn(|axis| sum[axis] + of_shapes[axis]);
-        for surface in 0..self.decided.scene.surfaces.len() {
+        for surface in 0..self.model.scene.surfaces.len() {
             let force = self.surface_force_on(surface, set);
             sum = std::array::from_fn(|axis| sum[axis] + force[axis]);
         }
-        if let Some(State { pairs, forces, .. }) = self.interaction() {
+        if let Some(GridContact { pairs, forces, .. }) = self.interaction() {
             for (pair, force) in pairs.iter().zip(forces) {
                 for axis in 0..3 {
                     if pair.slave == set {
@@ -388,13 +402,13 @@ impl Simulation {
     /// Whether a body is in a pair that can touch, or there are rigid surfaces.
     #[must_use]
     pub fn has_contact(&self, set: usize) -> bool {
-        let in_pair = |state: &State| {
+        let in_pair = |state: &GridContact| {
             let mut pairs = state.pairs.iter();
             pairs.any(|p| p.master == set || p.slave == set)
         };
-        !self.decided.scene.surfaces.is_empty()
+        !self.model.scene.surfaces.is_empty()
             || self.interaction().is_some_and(in_pair)
-            || self.mortar_force(self.decided.bodies[set].id).is_some()
+            || self.mortar_force(self.model.bodies[set].id).is_some()
     }
 
     /// Number of velocity fields beside that of the phase: bodies with a boundary, or near a partner of contact.

@@ -1,32 +1,33 @@
 //! All boundaries and pairs of one dimension, and what a step does with them.
 
-use super::around::NodeSums;
 use super::mirrors::Mirrors;
+use super::neighbours::NodeSums;
 use super::pair::MortarPair;
 use super::surface::{
-    Carrier, Patch, Surface, force_at, from_vector, in_scene, velocity_at, velocity_of,
+    BoundaryCarrier, MovingBoundary, Patch, force_at, from_vector, in_scene, velocity_at,
+    velocity_of,
 };
-use super::tied::stays;
-use super::weigh::Weighing;
+use super::tied_particles::stays;
+use super::vertex_weights::VertexWeighting;
 use crate::mortar::PointIn;
-use crate::mortar::bound::{Closing, allowed_approach};
+use crate::mortar::bound::{ClosingRate, allowed_approach};
 use crate::mortar::broad::Bounds;
 use crate::mortar::elements::Elements;
-use crate::mortar::motion::Follow;
-use crate::mortar::pair::{Ahead, Surfaces, contact_forces_to};
+use crate::mortar::motion::FollowMode;
+use crate::mortar::pair::{PairSurfaces, StepAhead, contact_forces_to};
 use crate::scene::Vector;
 use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
 use crate::simulation::{Drift, Simulation};
-use crate::team::{OfItem, Team};
+use crate::team::{ItemCost, Team};
 use std::sync::atomic::{self, AtomicUsize};
 
 /// Boundaries of elements with D vertices whose patches have N nodes and whose vertices T tangents, and their pairs.
 #[derive(Clone, Debug)]
 pub(crate) struct Boundaries<B, const D: usize, const N: usize, const T: usize> {
-    pub(crate) surfaces: Vec<Surface<B, D, N>>,
+    pub(crate) surfaces: Vec<MovingBoundary<B, D, N>>,
     pub(crate) pairs: Vec<MortarPair<D, T>>,
-    /// Memory of [`Around::find_gradients`](super::around::Around::find_gradients).
+    /// Memory of [`NeighbourParticles::find_gradients`](super::around::NeighbourParticles::find_gradients).
     sums: NodeSums<D>,
 }
 
@@ -42,13 +43,19 @@ impl<B, const D: usize, const N: usize, const T: usize> Default for Boundaries<B
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Adds a boundary in the coordinates of the scene; `origin` is that of the mesh \[m\].
-    pub(super) fn add(&mut self, id: i64, mut boundary: B, carrier: Carrier, origin: &Vector) {
+    pub(super) fn add(
+        &mut self,
+        id: i64,
+        mut boundary: B,
+        carrier: BoundaryCarrier,
+        origin: &Vector,
+    ) {
         let shift = from_vector(origin);
         for p in boundary.points_mut() {
             *p -= shift;
         }
         let zeros = vec![PointIn::zeros(); boundary.points().len()];
-        self.surfaces.push(Surface {
+        self.surfaces.push(MovingBoundary {
             id,
             around: carrier.around(),
             carrier,
@@ -73,19 +80,20 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     pub(super) fn meet(&mut self, p: usize, ahead: Option<f64>, team: &Team) {
         let pair = &mut self.pairs[p];
         let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
-        let box_of = |s: &Surface<B, D, N>, margin| Bounds::around(s.boundary.points(), margin);
+        let box_of =
+            |s: &MovingBoundary<B, D, N>, margin| Bounds::around(s.boundary.points(), margin);
         let margin = pair.law.search.margin();
         if box_of(slave, margin).overlaps(&box_of(master, 0.0)) {
             contact_forces_to(
                 &mut pair.forces,
-                Surfaces {
+                PairSurfaces {
                     slave: &slave.boundary,
                     master: &master.boundary,
                     slave_moved: &slave.moved,
                     master_moved: &master.moved,
                     slave_velocity: &slave.velocity,
                     master_velocity: &master.velocity,
-                    ahead: ahead.map(|time| Ahead {
+                    ahead: ahead.map(|time| StepAhead {
                         time,
                         slave_kick: &slave.kick,
                         master_kick: &master.kick,
@@ -100,7 +108,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             pair.forces.clear(0, 0, 0);
             pair.slip.0.fill([0.0; T]);
         }
-        pair.closing = Closing::of(
+        pair.closing = ClosingRate::of(
             &pair.forces.sites,
             pair.critical_gap,
             pair.law.search.reach,
@@ -144,15 +152,15 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     /// # Errors
     /// The first vertex without a node with mass near it.
     pub(super) fn weigh(&mut self, hosts: &Simulation, ahead: f64) -> Result<(), StepErrorKind> {
-        let (time, mirrors) = (hosts.state.clock.time, Mirrors::of(&hosts.decided.scene));
+        let (time, mirrors) = (hosts.state.clock.time, Mirrors::of(&hosts.model.scene));
         let shape = &hosts.work.grid.shape;
         // Velocities live at half-steps.
         let kick = 0.5 * (hosts.state.clock.dt_before + ahead);
-        let gravity: PointIn<D> = from_vector(&hosts.decided.scene.gravity);
+        let gravity: PointIn<D> = from_vector(&hosts.model.scene.gravity);
         for surface in &mut self.surfaces {
             let (index, follow) = match &surface.carrier {
-                Carrier::Body { index, follow } => (*index, *follow),
-                Carrier::Prescribed(motion) => {
+                BoundaryCarrier::Body { index, follow } => (*index, *follow),
+                BoundaryCarrier::Prescribed(motion) => {
                     let v = velocity_of(motion.as_ref(), time);
                     let later: PointIn<D> = velocity_of(motion.as_ref(), time + ahead);
                     surface.velocity.fill(v);
@@ -160,11 +168,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     continue;
                 }
             };
-            if follow == Follow::Material {
+            if follow == FollowMode::Material {
                 surface.weigh_tied(index, hosts, kick)?;
                 continue;
             }
-            let Some(weighing) = Weighing::of(hosts, index) else {
+            let Some(weighing) = VertexWeighting::of(hosts, index) else {
                 continue;
             };
             let (points, lines) = (surface.boundary.points(), weighing.lines);
@@ -177,7 +185,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     if w > 0.0 {
                         let line = &lines[patch.nodes[k]];
                         v += w * velocity_at(line);
-                        if follow != Follow::Unaugmented {
+                        if follow != FollowMode::Unaugmented {
                             a += w / patch.masses[k] * force_at(line);
                         }
                     }
@@ -187,7 +195,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let team = &hosts.work.grid.team;
             surface.patches.resize(points.len(), Patch::NOWHERE);
             let lost = AtomicUsize::new(usize::MAX);
-            let share = team.share(points.len(), OfItem::Search);
+            let share = team.share(points.len(), ItemCost::Search);
             let parts = (surface.patches.chunks_mut(share))
                 .zip(surface.velocity.chunks_mut(share))
                 .zip(surface.kick.chunks_mut(share));
@@ -215,7 +223,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 });
             }
             if let Some(around) = &mut surface.around {
-                let own = (&hosts.state.sets[index], &hosts.decided.bodies[index]);
+                let own = (&hosts.state.sets[index], &hosts.model.bodies[index]);
                 let (stencil, team) = (hosts.state.stencil, &hosts.work.grid.team);
                 around.find(
                     &surface.patches,
@@ -223,7 +231,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     shape,
                     &mirrors,
                     stencil,
-                    (hosts.decided.lanes, team),
+                    (hosts.model.lanes, team),
                 );
             }
         }
@@ -287,7 +295,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     /// The first pair that would close too far in a step at the speed that it closes with now.
     pub(super) fn closing_too_fast(&self, dt: f64, origin: &Vector) -> Option<StepErrorKind> {
         self.pairs.iter().find_map(|pair| {
-            let Closing {
+            let ClosingRate {
                 vertex,
                 speed,
                 allowed,
@@ -323,7 +331,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     /// Adds the contact forces to the nodes (eq. 56), and what of them turns and stretches the bodies.
     pub(super) fn load_nodes(&mut self, grid: &mut Grid, mirrors: &Mirrors) {
         for surface in &mut self.surfaces {
-            let Carrier::Body { index, follow } = surface.carrier else {
+            let BoundaryCarrier::Body { index, follow } = surface.carrier else {
                 continue;
             };
             let number = grid.number_of(index);
@@ -368,7 +376,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     pub(super) fn power_of_prescribed(&self, half_step: f64) -> f64 {
         let mut power = 0.0;
         for surface in &self.surfaces {
-            if let Carrier::Prescribed(motion @ Some(_)) = &surface.carrier {
+            if let BoundaryCarrier::Prescribed(motion @ Some(_)) = &surface.carrier {
                 let v: PointIn<D> = velocity_of(motion.as_ref(), half_step);
                 let sum: PointIn<D> = surface.force.iter().sum();
                 power -= sum.dot(&v);
@@ -383,15 +391,15 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         // Positions are relative to the mesh, and what lies in one of its planes goes with it.
         let mesh: Option<PointIn<D>> =
             (drift.mesh_shift != [0.0; 3]).then(|| from_vector(&drift.mesh_shift));
-        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.decided.scene));
+        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.model.scene));
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {
             match &surface.carrier {
-                Carrier::Prescribed(motion) => {
+                BoundaryCarrier::Prescribed(motion) => {
                     let v: PointIn<D> = velocity_of(motion.as_ref(), half_step);
                     surface.moved.fill(v * time);
                 }
-                Carrier::Body { index, follow } => {
+                BoundaryCarrier::Body { index, follow } => {
                     let Some(field) = hosts.work.grid.own_field(*index) else {
                         continue;
                     };
@@ -427,7 +435,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     };
                     team.fill(
                         0..surface.patches.len(),
-                        OfItem::Search,
+                        ItemCost::Search,
                         moved,
                         &PointIn::zeros(),
                         &mut surface.moved,

@@ -3,7 +3,7 @@
 use super::MortarState;
 use super::boundaries::Boundaries;
 use super::pair::{friction, pair};
-use super::surface::Carrier;
+use super::surface::BoundaryCarrier;
 use crate::mortar::elements::Elements;
 use crate::scene::{MortarContact, Scene};
 use crate::simulation::BodyRun;
@@ -15,7 +15,7 @@ impl MortarState {
         let Some(given) = boundaries.iter().find(|given| given.body == body.id) else {
             return;
         };
-        let carrier = Carrier::of(body, index, given.follow);
+        let carrier = BoundaryCarrier::of(body, index, given.follow);
         self.plane.set_carrier(body.id, &carrier, scene);
         self.space.set_carrier(body.id, &carrier, scene);
     }
@@ -42,7 +42,7 @@ impl MortarState {
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Gives the surface of a body another carrier. Two rigid surfaces make no pair, so there may be other pairs then;
     /// those that stay keep what they remember.
-    fn set_carrier(&mut self, id: i64, carrier: &Carrier, scene: &Scene) {
+    fn set_carrier(&mut self, id: i64, carrier: &BoundaryCarrier, scene: &Scene) {
         for surface in self.surfaces.iter_mut().filter(|s| s.id == id) {
             surface.carrier = carrier.clone();
             surface.patches.clear();

@@ -4,12 +4,12 @@
 //! nodes have what the steps give them, and augmented weights, which go by the mass, are nearer to that.
 
 use super::boundaries::Boundaries;
-use super::surface::Surface;
-use super::weigh::Weighing;
+use super::surface::MovingBoundary;
+use super::vertex_weights::VertexWeighting;
 use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
-use crate::mortar::motion::Follow;
+use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
 use crate::simulation::{BodyRun, Simulation};
 
@@ -24,7 +24,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     pub(super) fn find_faces(&mut self, hosts: &Simulation) {
         for surface in self.surfaces.iter_mut().filter(|s| s.on_face.is_empty()) {
             // One that is moved as prescribed may be set free later.
-            let bodies = &hosts.decided.bodies;
+            let bodies = &hosts.model.bodies;
             if let Some(index) = bodies.iter().position(|body| body.id == surface.id) {
                 surface.find_faces(&hosts.state.sets[index], &bodies[index]);
             }
@@ -41,7 +41,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let (Some(index), true) = (surface.body(), on_nodes(follow)) else {
                 continue;
             };
-            let Some(weighing) = Weighing::of(hosts, index) else {
+            let Some(weighing) = VertexWeighting::of(hosts, index) else {
                 continue;
             };
             surface.find_flat();
@@ -57,11 +57,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 }
 
 /// True for vertices that go by augmented weights of nodes.
-fn on_nodes(follow: Follow) -> bool {
-    !matches!(follow, Follow::Unaugmented | Follow::Material)
+fn on_nodes(follow: FollowMode) -> bool {
+    !matches!(follow, FollowMode::Unaugmented | FollowMode::Material)
 }
 
-impl<B, const D: usize, const N: usize> Surface<B, D, N> {
+impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
     /// Finds the vertices all of whose elements lie across an axis where particles of the body end, at the start.
     pub(super) fn find_faces<const T: usize>(&mut self, set: &ParticleSet, body: &BodyRun)
     where

@@ -4,33 +4,33 @@
 //! Each body with a boundary has a velocity field to itself. A step goes: mapping to the nodes, places of the vertices on
 //! their particles or their augmented weights on the nodes, gaps and forces of the pairs, time step, forces to the nodes, equation of motion, vertices.
 
-mod around;
 mod boundaries;
 mod change;
-mod cycle;
 mod faces;
+mod interaction;
 mod mirrors;
+mod neighbours;
 mod pair;
-mod reach;
-mod remembered;
+mod plan_entries;
+mod saved_arrays;
 mod setup;
+mod stencil_reach;
 mod stiffness;
 mod surface;
-mod tied;
-mod ties;
+mod tied_particles;
+mod vertex_ties;
+mod vertex_weights;
 mod vertices;
-mod weigh;
-mod words;
 
 /// Mortar contact.
-pub(super) const MORTAR: Kind = Kind {
-    words: words::words,
+pub(super) const MORTAR: InteractionType = InteractionType {
+    plan_entries: plan_entries::plan_entries,
     make: MortarState::of,
 };
 
 pub use vertices::{BoundaryDrift, BoundaryVertex, VertexState};
 
-use super::Kind;
+use super::InteractionType;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;

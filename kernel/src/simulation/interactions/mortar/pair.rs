@@ -1,11 +1,11 @@
 //! A pair of boundaries in contact.
 
-use super::surface::{Carrier, Surface};
-use crate::mortar::bound::Closing;
+use super::surface::{BoundaryCarrier, MovingBoundary};
+use crate::mortar::bound::ClosingRate;
 use crate::mortar::elements::Elements;
 use crate::mortar::law::{FLOOR, Friction, NormalLaw};
 use crate::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
-use crate::mortar::points::Search;
+use crate::mortar::points::MasterSearch;
 use crate::scene::{Enforcement, MortarContact};
 
 /// A pair of surfaces.
@@ -19,18 +19,18 @@ pub(crate) struct MortarPair<const D: usize, const T: usize> {
     pub(crate) slip: Slip<T>,
     pub(super) forces: PairForces<D, T>,
     /// How fast the pair closes.
-    pub(super) closing: Closing,
+    pub(super) closing: ClosingRate,
     pub(super) work: Workspace<D>,
 }
 
 /// The pair of an entry; none where both ends are rigid.
 pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: usize>(
     contact: &MortarContact,
-    surfaces: &[Surface<B, D, N>],
+    surfaces: &[MovingBoundary<B, D, N>],
 ) -> Option<MortarPair<D, T>> {
     let index = |id: i64| surfaces.iter().position(|s| s.id == id);
     let (slave, master) = (index(contact.slave)?, index(contact.master)?);
-    let rigid = |s: usize| matches!(surfaces[s].carrier, Carrier::Prescribed(_));
+    let rigid = |s: usize| matches!(surfaces[s].carrier, BoundaryCarrier::Prescribed(_));
     if rigid(slave) && rigid(master) {
         return None;
     }
@@ -55,7 +55,7 @@ pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: u
             friction: friction(contact),
             detection: contact.detection,
             // Beyond the critical gap for the slip before contact, and as deep as a segment is long.
-            search: Search {
+            search: MasterSearch {
                 reach: contact.critical_gap + longest,
                 depth: contact.critical_gap.max(longest),
             },
@@ -63,7 +63,7 @@ pub(super) fn pair<B: Elements<D, T>, const D: usize, const N: usize, const T: u
         critical_gap: contact.critical_gap,
         slip: Slip(vec![[0.0; T]; boundary.sites().vertices().len()]),
         forces: PairForces::default(),
-        closing: Closing::NONE,
+        closing: ClosingRate::NONE,
         work: Workspace::default(),
     })
 }

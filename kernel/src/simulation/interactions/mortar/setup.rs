@@ -3,7 +3,7 @@
 use super::MortarState;
 use super::boundaries::Boundaries;
 use super::pair::pair;
-use super::surface::{Carrier, in_scene};
+use super::surface::{BoundaryCarrier, in_scene};
 use crate::memory::Memory;
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::elements::Elements;
@@ -13,8 +13,8 @@ use crate::mortar::space::skin::{skin, triangles};
 use crate::scene::{Body, BodyBoundary, Dimension, MortarContact, Scene, Vector, Vertices};
 use crate::simulation::BodyRun;
 use crate::simulation::error::SetupError;
-use crate::simulation::interactions::Made;
-use crate::simulation::needs;
+use crate::simulation::interactions::InteractionResult;
+use crate::simulation::memory_estimate;
 use crate::team::Team;
 use std::fmt::Display;
 
@@ -28,7 +28,7 @@ impl MortarState {
         scene: &Scene,
         bodies: &[BodyRun],
         memory: &mut Memory,
-    ) -> Option<Made> {
+    ) -> Option<InteractionResult> {
         match Self::new(scene, bodies, memory) {
             Ok(state) if state.plane.surfaces.is_empty() && state.space.surfaces.is_empty() => None,
             state => Some(state.map(|state| Box::new(state) as _)),
@@ -44,15 +44,15 @@ impl MortarState {
             ) else {
                 continue;
             };
-            let carrier = Carrier::of(&bodies[index], index, given.follow);
+            let carrier = BoundaryCarrier::of(&bodies[index], index, given.follow);
             let path = format!("bodies[{index}].boundary_segment");
             if let Vertices::Spacing(length) = given.vertices {
                 match scene.dimension {
                     Dimension::Two => {
-                        needs::vertices(vertices(&body.shape, length), &path, memory)?;
+                        memory_estimate::vertices(vertices(&body.shape, length), &path, memory)?;
                     }
                     Dimension::Three => {
-                        needs::triangles(triangles(&body.shape, length), &path, memory)?;
+                        memory_estimate::triangles(triangles(&body.shape, length), &path, memory)?;
                     }
                 }
             }
@@ -60,12 +60,12 @@ impl MortarState {
         }
         let origin = &scene.mesh.origin;
         for line in &scene.mortar.lines {
-            let carrier = Carrier::Prescribed(line.motion.clone());
+            let carrier = BoundaryCarrier::Prescribed(line.motion.clone());
             let boundary = Boundary::new(&line.chains).map_err(|e| refused(&line.name, &e))?;
             state.plane.add(line.id, boundary, carrier, origin);
         }
         for rigid in &scene.mortar.facets {
-            let carrier = Carrier::Prescribed(rigid.motion.clone());
+            let carrier = BoundaryCarrier::Prescribed(rigid.motion.clone());
             let boundary = Facets::new(&rigid.surface).map_err(|e| refused(&rigid.name, &e))?;
             state.space.add(rigid.id, boundary, carrier, origin);
         }
@@ -79,7 +79,7 @@ impl MortarState {
         scene: &Scene,
         given: &BodyBoundary,
         body: &Body,
-        carrier: Carrier,
+        carrier: BoundaryCarrier,
     ) -> Result<(), SetupError> {
         let path = format!("boundary of body {}", given.body);
         let origin = &scene.mesh.origin;

@@ -2,7 +2,7 @@
 
 use super::boundaries::Boundaries;
 use super::mirrors::Mirrors;
-use super::tied::stays;
+use super::tied_particles::stays;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::elements::Elements;
 use crate::simulation::Simulation;
@@ -11,7 +11,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     /// Time step that the stiffness of all contacts allows \[s\]; `nodes` is memory.
     pub(super) fn time_step(&mut self, nodes: &mut NodalStiffness, hosts: &Simulation) -> f64 {
         let mut most = f64::INFINITY;
-        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.decided.scene));
+        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.model.scene));
         for (s, surface) in self.surfaces.iter_mut().enumerate() {
             let field = surface
                 .body()

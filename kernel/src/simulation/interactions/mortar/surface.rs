@@ -1,31 +1,31 @@
 //! A boundary in motion, and the nodes that its vertices hang on.
 
-use super::around::Around;
-use super::tied::Tied;
+use super::neighbours::NeighbourParticles;
+use super::tied_particles::TiedParticles;
 use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
-use crate::mortar::motion::Follow;
+use crate::mortar::motion::FollowMode;
 use crate::mortar::weights::{NODES, VertexWeights, in_patch};
 use crate::scene::{History, Vector};
 use crate::simulation::{BodyRun, history_value};
 
 /// What moves the vertices of a surface.
 #[derive(Clone, Debug)]
-pub(super) enum Carrier {
+pub(super) enum BoundaryCarrier {
     /// The nodes of a body's layer.
     Body {
         /// Index of the body.
         index: usize,
-        follow: Follow,
+        follow: FollowMode,
     },
     /// A prescribed velocity.
     Prescribed(Option<History>),
 }
 
-impl Carrier {
+impl BoundaryCarrier {
     /// What moves the boundary of a body: its nodes, or what its motion is prescribed to be.
-    pub(super) fn of(body: &BodyRun, index: usize, follow: Follow) -> Self {
+    pub(super) fn of(body: &BodyRun, index: usize, follow: FollowMode) -> Self {
         match &body.motion {
             Some(motion) => Self::Prescribed(Some(motion.clone())),
             None => Self::Body { index, follow },
@@ -33,7 +33,7 @@ impl Carrier {
     }
 
     /// Way in which the vertices of a body follow it; nothing for a prescribed motion.
-    pub(super) fn follow(&self) -> Option<Follow> {
+    pub(super) fn follow(&self) -> Option<FollowMode> {
         match self {
             Self::Body { follow, .. } => Some(*follow),
             Self::Prescribed(_) => None,
@@ -41,12 +41,12 @@ impl Carrier {
     }
 
     /// Room for the particles around the boundary, where its vertices follow more than velocities.
-    pub(super) fn around<const D: usize>(&self) -> Option<Around<D>> {
+    pub(super) fn around<const D: usize>(&self) -> Option<NeighbourParticles<D>> {
         match self {
             Self::Body {
-                follow: Follow::Spin | Follow::Gradient,
+                follow: FollowMode::Spin | FollowMode::Gradient,
                 ..
-            } => Some(Around::default()),
+            } => Some(NeighbourParticles::default()),
             _ => None,
         }
     }
@@ -54,9 +54,9 @@ impl Carrier {
 
 /// A boundary in motion; positions relative to the origin of the mesh.
 #[derive(Clone, Debug)]
-pub(crate) struct Surface<B, const D: usize, const N: usize> {
+pub(crate) struct MovingBoundary<B, const D: usize, const N: usize> {
     pub(crate) id: i64,
-    pub(super) carrier: Carrier,
+    pub(super) carrier: BoundaryCarrier,
     pub(crate) boundary: B,
     /// Positions of the vertices at the start.
     pub(super) start: Vec<PointIn<D>>,
@@ -82,9 +82,9 @@ pub(crate) struct Surface<B, const D: usize, const N: usize> {
     pub(super) held: Vec<PointIn<D>>,
     pub(super) stiffness: Vec<f64>,
     /// The particles around them, where vertices follow more than velocities.
-    pub(super) around: Option<Around<D>>,
+    pub(super) around: Option<NeighbourParticles<D>>,
     /// What ties the vertices of a body to its particles.
-    pub(super) tied: Option<Tied<D>>,
+    pub(super) tied: Option<TiedParticles<D>>,
 }
 
 /// The nodes that a vertex hangs on.
@@ -144,12 +144,12 @@ impl<const D: usize, const N: usize> Patch<D, N> {
     }
 }
 
-impl<B, const D: usize, const N: usize> Surface<B, D, N> {
+impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
     /// Index of the body that carries the surface.
     pub(super) fn body(&self) -> Option<usize> {
         match self.carrier {
-            Carrier::Body { index, .. } => Some(index),
-            Carrier::Prescribed(_) => None,
+            BoundaryCarrier::Body { index, .. } => Some(index),
+            BoundaryCarrier::Prescribed(_) => None,
         }
     }
 

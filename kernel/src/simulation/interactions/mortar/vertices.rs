@@ -1,4 +1,4 @@
-//! What mortar contact tells of itself.
+//! Vertices of mortar contact, for output.
 
 use super::MortarState;
 use super::boundaries::Boundaries;

@@ -8,7 +8,7 @@
 use crate::grid::Line;
 use crate::simulation::fields::Grid;
 use crate::simulation::{BodyRun, Simulation};
-use crate::stage::touch::Touches;
+use crate::stage::touch::SurfaceTouches;
 
 /// All velocity fields, known by their numbers.
 pub(super) struct Fields<'a> {
@@ -68,13 +68,18 @@ impl Simulation {
     pub(super) fn all_fields(&self) -> Fields<'_> {
         Fields {
             grid: &self.work.grid,
-            bodies: &self.decided.bodies,
+            bodies: &self.model.bodies,
         }
     }
 
     /// Adds the changes of touched nodes to the velocities of all their fields, in the lanes from `lane` on, and where
     /// asked for to their increments.
-    pub(super) fn change_velocities(&mut self, touches: &Touches, lane: usize, increments: bool) {
+    pub(super) fn change_velocities(
+        &mut self,
+        touches: &SurfaceTouches,
+        lane: usize,
+        increments: bool,
+    ) {
         for (number, field) in self.work.grid.fields.iter_mut().enumerate() {
             touches.apply(number, field.nodes.lines_mut(), lane, increments);
         }

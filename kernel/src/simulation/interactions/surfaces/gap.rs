@@ -1,13 +1,13 @@
 //! Gaps between particles and surfaces, and the motion of surfaces.
 
-use super::near::Place;
-use super::rigid::Rigid;
+use super::near_particles::ParticlePlace;
+use super::obstacle::RigidObstacle;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{RigidSurface, Scene, Vector};
 use crate::simulation::error::SetupError;
 use crate::simulation::{BodyRun, Simulation};
-use crate::surface::{Nearest, Surface};
+use crate::surface::{NearestPoint, Surface};
 use std::sync::Arc;
 
 /// Share of the smallest cell edge by which a body may overlap a surface at the start.
@@ -25,23 +25,29 @@ impl Simulation {
         set: usize,
         p: usize,
         within: f64,
-    ) -> Option<(f64, Nearest)> {
+    ) -> Option<(f64, NearestPoint)> {
         let shift = self.surface_shift(surface, self.state.clock.time);
-        let place = Place { surface, set, p };
-        self.gap_to(&Rigid::Surface(surface), place, &shift, within, None)
+        let place = ParticlePlace { surface, set, p };
+        self.gap_to(
+            &RigidObstacle::Surface(surface),
+            place,
+            &shift,
+            within,
+            None,
+        )
     }
 
     /// The same for anything rigid that has moved by `shift`, where the nearest triangle of a surface may be known but for a
     /// little.
     pub(super) fn gap_to(
         &self,
-        rigid: &Rigid,
-        Place { set, p, .. }: Place,
+        rigid: &RigidObstacle,
+        ParticlePlace { set, p, .. }: ParticlePlace,
         shift: &Vector,
         within: f64,
         triangle: Option<usize>,
-    ) -> Option<(f64, Nearest)> {
-        let own = half_lengths(&self.state.sets[set], &self.decided.bodies[set], p);
+    ) -> Option<(f64, NearestPoint)> {
+        let own = half_lengths(&self.state.sets[set], &self.model.bodies[set], p);
         let half = rigid.half_lengths(own);
         let (x, within_centre) = (self.state.sets[set].position(p), within + length(&half));
         let mut nearest = rigid.nearest(self, &x, shift, within_centre, triangle)?;
@@ -49,7 +55,7 @@ impl Simulation {
             return None;
         }
         let gap = nearest.distance - reach(&half, &nearest.normal);
-        let origin = &self.decided.scene.mesh.origin;
+        let origin = &self.model.scene.mesh.origin;
         nearest.point = std::array::from_fn(|axis| nearest.point[axis] + origin[axis]);
         (gap < within).then_some((gap, nearest))
     }
@@ -62,11 +68,11 @@ impl Simulation {
     /// No body may overlap a surface at the start.
     pub(super) fn refuse_overlap_with_surfaces(&self) -> Result<(), SetupError> {
         let allowed = OVERLAP * self.smallest_cell();
-        for surface in 0..self.decided.scene.surfaces.len() {
+        for surface in 0..self.model.scene.surfaces.len() {
             let mut deepest: Option<(f64, usize, usize)> = None;
             for set in 0..self.state.sets.len() {
                 for p in 0..self.state.sets[set].len() {
-                    let threshold = self.decided.scene.surfaces[surface].distance_threshold;
+                    let threshold = self.model.scene.surfaces[surface].distance_threshold;
                     if let Some((gap, _)) = self.surface_gap(surface, set, p, threshold)
                         && gap < -allowed
                         && deepest.is_none_or(|d| gap < d.0)
@@ -78,11 +84,11 @@ impl Simulation {
             if let Some((gap, set, p)) = deepest {
                 let [x, y, z] = self.position(set, p);
                 return Err(SetupError::Body {
-                    body: self.decided.scene.bodies[set].name.clone(),
+                    body: self.model.scene.bodies[set].name.clone(),
                     reason: format!(
                         "it reaches {} m through the surface {:?} at the start, at ({x}, {y}, {z}) m; accepted: bodies \
                          on the side to which the normals of the surface point",
-                        -gap, self.decided.scene.surfaces[surface].name
+                        -gap, self.model.scene.surfaces[surface].name
                     ),
                 });
             }
@@ -112,7 +118,7 @@ fn reach(half: &Vector, normal: &Vector) -> f64 {
 /// Where the ellipsoid with these half-lengths touches a surface, from its centre \[m\]. Of a particle that is pressed together
 /// to less than half of it the point comes nearer to the centre, and ends there: so no strain brings a centre through a
 /// surface. For less strain it stays where a row of particles ends that a wall presses on.
-pub(super) fn touching_point(half: &Vector, nearest: &Nearest) -> Vector {
+pub(super) fn touching_point(half: &Vector, nearest: &NearestPoint) -> Vector {
     let normal = &nearest.normal;
     let reach = reach(half, normal);
     let pressed = (2.0 * nearest.distance / reach).clamp(0.0, 1.0);

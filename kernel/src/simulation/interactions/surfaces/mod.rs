@@ -2,53 +2,53 @@
 
 mod fields;
 mod gap;
-mod near;
+mod near_particles;
 mod nodes;
-mod reached;
-mod rigid;
-mod words;
+mod obstacle;
+mod plan_entries;
+mod reached_nodes;
 
-use super::Kind;
+use super::InteractionType;
 use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
-use crate::simulation::conditions::Acting;
+use crate::simulation::conditions::NodalConditions;
 use crate::simulation::error::{SetupError, StepError, StepErrorKind};
-use crate::simulation::interactions::{Again, Interaction, Made, Remembered};
+use crate::simulation::interactions::{Interaction, InteractionResult, Remap, SavedArrays};
 use crate::simulation::mapping::node_weights_touching;
 use crate::simulation::motion::at_half_step_after;
 use crate::simulation::{BodyRun, Simulation};
 use crate::stage::solve::Planes;
-use crate::stage::touch::{Touch, TouchedNode, Touches};
-use crate::surface::Nearest;
-use crate::team::OfItem;
+use crate::stage::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
+use crate::surface::NearestPoint;
+use crate::team::ItemCost;
 use fields::Fields;
 pub(in crate::simulation) use gap::local;
 use gap::{half_lengths, touching_point};
-use near::{Near, Place};
-use reached::{Known, Reached};
-use rigid::Rigid;
+use near_particles::{NearParticles, ParticlePlace};
+use obstacle::RigidObstacle;
+use reached_nodes::{NodeNumbers, ReachedNodes};
 
 /// Contact with rigid surfaces.
-pub(super) const SURFACES: Kind = Kind {
-    words: words::words,
-    make: Surfaces::of,
+pub(super) const SURFACES: InteractionType = InteractionType {
+    plan_entries: plan_entries::plan_entries,
+    make: SurfaceContact::of,
 };
 
 /// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
 const TOLERANCE: f64 = 1e-6;
-/// Most sweeps of a step. What is left then is made good in the next step: see [`Touch::bound`].
+/// Most sweeps of a step. What is left then is made good in the next step: see [`SurfaceTouch::bound`].
 const SWEEPS: usize = 50;
 
-/// What the cycle keeps of the surfaces. Nothing of it decides a result: the list of particles near a surface only
+/// Contact with rigid surfaces and driven shapes: its state in the cycle. Nothing of it decides a result: the list of particles near a surface only
 /// spares searches, and the impulses are records.
 #[derive(Clone, Debug)]
-pub(crate) struct Surfaces {
+pub(crate) struct SurfaceContact {
     /// What pushes.
-    rigid: Vec<Rigid>,
-    near: Near,
+    rigid: Vec<RigidObstacle>,
+    near: NearParticles,
     /// Touches of the last equation of motion, and those of a second mapping.
-    trial: Found,
-    mapped: Found,
+    trial: TouchingParticles,
+    mapped: TouchingParticles,
     /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier, in that
     /// order.
     pushed: Vec<((usize, usize, u64), bool)>,
@@ -61,27 +61,31 @@ pub(crate) struct Surfaces {
 
 /// Particles that touch, with where they belong.
 #[derive(Clone, Debug, Default)]
-struct Found {
-    touches: Touches,
-    places: Vec<Place>,
-    known: Known,
+struct TouchingParticles {
+    touches: SurfaceTouches,
+    places: Vec<ParticlePlace>,
+    known: NodeNumbers,
     /// Gap and nearest point of each particle near a surface.
-    gaps: Vec<Option<(f64, Nearest)>>,
+    gaps: Vec<Option<(f64, NearestPoint)>>,
 }
 
-impl Surfaces {
+impl SurfaceContact {
     /// Rigid surfaces, where a scene has any.
-    pub(super) fn of(scene: &Scene, bodies: &[BodyRun], _: &mut Memory) -> Option<Made> {
-        let rigid = rigid::all(scene, bodies);
+    pub(super) fn of(
+        scene: &Scene,
+        bodies: &[BodyRun],
+        _: &mut Memory,
+    ) -> Option<InteractionResult> {
+        let rigid = obstacle::all(scene, bodies);
         if rigid.is_empty() {
             return None;
         }
         let zero = vec![vec![[0.0; 3]; scene.bodies.len()]; rigid.len()];
         Some(Ok(Box::new(Self {
             rigid,
-            near: Near::default(),
-            trial: Found::default(),
-            mapped: Found::default(),
+            near: NearParticles::default(),
+            trial: TouchingParticles::default(),
+            mapped: TouchingParticles::default(),
             pushed: vec![],
             last: zero.clone(),
             last_kick: 0.0,
@@ -90,7 +94,7 @@ impl Surfaces {
     }
 }
 
-impl Interaction for Surfaces {
+impl Interaction for SurfaceContact {
     fn boxed(&self) -> Box<dyn Interaction> {
         Box::new(self.clone())
     }
@@ -102,7 +106,7 @@ impl Interaction for Surfaces {
     fn sorted(&mut self, simulation: &Simulation) {
         self.near.forget();
         for rigid in &mut self.rigid {
-            if let Rigid::Driven(driven) = rigid {
+            if let RigidObstacle::Driven(driven) = rigid {
                 driven.note_start(simulation);
             }
         }
@@ -110,7 +114,7 @@ impl Interaction for Surfaces {
 
     /// A body that is no longer driven, or moves in another way, may act on its partners at the nodes from now on.
     fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
-        let now = rigid::all(&simulation.decided.scene, &simulation.decided.bodies);
+        let now = obstacle::all(&simulation.model.scene, &simulation.model.bodies);
         let mut place = 0;
         self.rigid.retain(|rigid| {
             let keep = now.iter().any(|one| one.is_same(rigid));
@@ -123,7 +127,7 @@ impl Interaction for Surfaces {
             keep
         });
         self.near.forget();
-        self.trial = Found::default();
+        self.trial = TouchingParticles::default();
         self.pushed.clear();
     }
 
@@ -131,20 +135,24 @@ impl Interaction for Surfaces {
         true
     }
 
-    fn settle(&mut self, simulation: &mut Simulation, acting: &Acting) -> Result<usize, StepError> {
-        simulation.push(self, acting)
-    }
-
-    fn settle_again(
+    fn settle(
         &mut self,
         simulation: &mut Simulation,
-        acting: &Acting,
-        again: Again,
-    ) -> Result<(), StepError> {
-        simulation.hold(self, acting, again.lane())
+        nodal: &NodalConditions,
+    ) -> Result<usize, StepError> {
+        simulation.push(self, nodal)
     }
 
-    fn save(&self) -> Remembered {
+    fn settle_remapped(
+        &mut self,
+        simulation: &mut Simulation,
+        nodal: &NodalConditions,
+        remap: Remap,
+    ) -> Result<(), StepError> {
+        simulation.hold(self, nodal, remap.lane())
+    }
+
+    fn save(&self) -> SavedArrays {
         let flat =
             |impulses: &[Vec<Vector>]| impulses.iter().flatten().flatten().copied().collect();
         vec![
@@ -154,7 +162,7 @@ impl Interaction for Surfaces {
         ]
     }
 
-    fn restore(&mut self, saved: &Remembered) {
+    fn restore(&mut self, saved: &SavedArrays) {
         self.last_kick = saved[0].1[0];
         for (impulses, (_, values)) in [&mut self.last, &mut self.total]
             .into_iter()
@@ -171,25 +179,29 @@ impl Simulation {
     /// Displacement of a surface since the start \[m\].
     #[must_use]
     pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
-        let way = self.decided.surface_ways[surface].as_ref();
+        let way = self.model.surface_ways[surface].as_ref();
         way.map_or([0.0; 3], |way| way.at(time))
     }
 
     /// Corrects the nodal velocities after the solve so that no particle goes through a surface or into a driven body; the
     /// number of particles that driven bodies push.
-    fn push(&mut self, surfaces: &mut Surfaces, acting: &Acting) -> Result<usize, StepError> {
+    fn push(
+        &mut self,
+        surfaces: &mut SurfaceContact,
+        nodal: &NodalConditions,
+    ) -> Result<usize, StepError> {
         self.touches(
             &surfaces.rigid,
             &mut surfaces.near,
-            acting,
+            nodal,
             1,
             &mut surfaces.trial,
         )?;
-        let Found {
+        let TouchingParticles {
             touches, places, ..
         } = &mut surfaces.trial;
-        let lanes = self.decided.lanes;
-        let damping = match acting.local_damping {
+        let lanes = self.model.lanes;
+        let damping = match nodal.local_damping {
             None => {
                 touches.resolve(lanes, TOLERANCE, SWEEPS);
                 0.0
@@ -204,14 +216,17 @@ impl Simulation {
         for bodies in &mut surfaces.last {
             bodies.fill([0.0; 3]);
         }
-        surfaces.last_kick = acting.kick;
+        surfaces.last_kick = nodal.kick;
         surfaces.pushed.clear();
         let mut by_bodies = 0;
         for (touch, place) in touches.list.iter().zip(&*places) {
             if let (true, held) = touch.pushes_and_holds() {
                 let id = self.state.sets[place.set].id[place.p];
                 surfaces.pushed.push(((place.surface, place.set, id), held));
-                by_bodies += usize::from(matches!(surfaces.rigid[place.surface], Rigid::Driven(_)));
+                by_bodies += usize::from(matches!(
+                    surfaces.rigid[place.surface],
+                    RigidObstacle::Driven(_)
+                ));
             }
             let impulse = touch.impulse();
             for axis in 0..3 {
@@ -225,7 +240,7 @@ impl Simulation {
                 for axis in 0..3 {
                     let impulse = surfaces.last[surface][set][axis];
                     surfaces.total[surface][set][axis] += impulse;
-                    power += impulse * v[axis] / acting.kick;
+                    power += impulse * v[axis] / nodal.kick;
                 }
             }
         }
@@ -241,14 +256,14 @@ impl Simulation {
         self.work.sums.friction += friction;
         self.work.sums.impact += impact;
         self.change_velocities(touches, 1, true);
-        self.sum_after_contact(acting, power);
+        self.sum_after_contact(nodal, power);
         Ok(by_bodies)
     }
 
     /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
-    fn sum_after_contact(&mut self, acting: &Acting, power: f64) {
+    fn sum_after_contact(&mut self, nodal: &NodalConditions, power: f64) {
         self.work.sums.power += power;
-        self.add_sums_of_planes(acting);
+        self.add_sums_of_planes(nodal);
     }
 
     /// Gives the velocities of a second mapping, which strain the particles, to the surfaces as the boundary planes do:
@@ -259,18 +274,18 @@ impl Simulation {
     /// `lane` is where the nodes hold the velocities.
     fn hold(
         &mut self,
-        surfaces: &mut Surfaces,
-        acting: &Acting,
+        surfaces: &mut SurfaceContact,
+        nodal: &NodalConditions,
         lane: usize,
     ) -> Result<(), StepError> {
         self.touches(
             &surfaces.rigid,
             &mut surfaces.near,
-            acting,
+            nodal,
             lane,
             &mut surfaces.mapped,
         )?;
-        let Found {
+        let TouchingParticles {
             touches, places, ..
         } = &mut surfaces.mapped;
         let pushed = &surfaces.pushed;
@@ -288,9 +303,9 @@ impl Simulation {
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
-        touches.resolve(self.decided.lanes, TOLERANCE, SWEEPS);
+        touches.resolve(self.model.lanes, TOLERANCE, SWEEPS);
         self.change_velocities(touches, lane, false);
-        let still = at_half_step_after(&acting.walls);
+        let still = at_half_step_after(&nodal.walls);
         let keep = |planes: &mut Planes<'_>| {
             if lane == 4 {
                 planes.constrain_remapped(&still);
@@ -309,20 +324,20 @@ impl Simulation {
     /// which no one looks at.
     fn touches(
         &self,
-        rigid: &[Rigid],
-        near: &mut Near,
-        acting: &Acting,
+        rigid: &[RigidObstacle],
+        near: &mut NearParticles,
+        nodal: &NodalConditions,
         lane: usize,
-        found: &mut Found,
+        found: &mut TouchingParticles,
     ) -> Result<(), StepError> {
-        let Found {
+        let TouchingParticles {
             touches,
             places,
             known,
             gaps,
         } = found;
         places.clear();
-        self.find_near_surfaces(rigid, near, acting);
+        self.find_near_surfaces(rigid, near, nodal);
         let fields = self.all_fields();
         let mut reached = known.begin(touches);
         // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
@@ -333,7 +348,7 @@ impl Simulation {
             self.gap_to(rigid, place, shift, margin, Some(near.triangles[i]))
         };
         let team = &self.work.grid.team;
-        team.fill(0..near.particles.len(), OfItem::Search, gap, &None, gaps);
+        team.fill(0..near.particles.len(), ItemCost::Search, gap, &None, gaps);
         for (i, place) in near.particles.iter().enumerate() {
             let Some(gap) = gaps[i] else {
                 continue;
@@ -344,7 +359,7 @@ impl Simulation {
                 (rigid, *place),
                 gap,
                 v_s,
-                (acting, lane),
+                (nodal, lane),
                 &fields,
                 &mut reached,
             )?;
@@ -359,23 +374,23 @@ impl Simulation {
     /// The touch of one particle with this gap, if it is within the threshold; `v_s` is the velocity of the surface \[m/s\].
     fn touch(
         &self,
-        (rigid, place): (&Rigid, Place),
-        (gap, nearest): (f64, Nearest),
+        (rigid, place): (&RigidObstacle, ParticlePlace),
+        (gap, nearest): (f64, NearestPoint),
         v_s: &Vector,
-        (acting, lane): (&Acting, usize),
+        (nodal, lane): (&NodalConditions, usize),
         fields: &Fields<'_>,
-        reached: &mut Reached<'_>,
-    ) -> Result<Option<Touch>, StepError> {
-        let Place { set, p, .. } = place;
-        if let (Rigid::Surface(surface), true) = (rigid, nearest.distance < 0.0) {
+        reached: &mut ReachedNodes<'_>,
+    ) -> Result<Option<SurfaceTouch>, StepError> {
+        let ParticlePlace { set, p, .. } = place;
+        if let (RigidObstacle::Surface(surface), true) = (rigid, nearest.distance < 0.0) {
             return Err(self.error(StepErrorKind::ThroughSurface {
                 particle: self.particle_at(set, p),
-                surface: self.decided.scene.surfaces[*surface].name.clone(),
+                surface: self.model.scene.surfaces[*surface].name.clone(),
                 depth: -nearest.distance,
             }));
         }
         let shape = &self.work.grid.shape;
-        let (particles, body) = (&self.state.sets[set], &self.decided.bodies[set]);
+        let (particles, body) = (&self.state.sets[set], &self.model.bodies[set]);
         let normal = nearest.normal;
         let half = half_lengths(particles, body, p);
         let touching = [&touching_point(&half, &nearest), &half];
@@ -389,22 +404,22 @@ impl Simulation {
                 relative[axis] += w * lines[node][lane + axis];
             }
         }
-        let approach = -acting.drift
+        let approach = -nodal.drift
             * (0..3)
                 .map(|axis| normal[axis] * relative[axis])
                 .sum::<f64>();
         let threshold = rigid.threshold(self, &normal);
         if approach > gap.max(0.0) && approach > threshold && !rigid.is_bonded() {
             return Err(self.error(match rigid {
-                Rigid::Surface(surface) => StepErrorKind::TooFastForSurface {
+                RigidObstacle::Surface(surface) => StepErrorKind::TooFastForSurface {
                     particle: self.particle_at(set, p),
-                    surface: self.decided.scene.surfaces[*surface].name.clone(),
+                    surface: self.model.scene.surfaces[*surface].name.clone(),
                     approach,
                     threshold,
                 },
-                Rigid::Driven(driven) => StepErrorKind::Tunnelling {
+                RigidObstacle::Driven(driven) => StepErrorKind::Tunnelling {
                     bodies: [driven.pair.master, driven.pair.slave]
-                        .map(|b| self.decided.bodies[b].id),
+                        .map(|b| self.model.bodies[b].id),
                     position: Some(nearest.point),
                     approach,
                     distance: threshold,
@@ -414,19 +429,21 @@ impl Simulation {
         if !rigid.touches(self, gap, &normal) {
             return Ok(None);
         }
-        let weights = reached.reach(shape, acting, fields, field, &weights);
+        let weights = reached.reach(shape, nodal, fields, field, &weights);
         let (m_p, _) = self.mass_and_volume(set, p);
         let stiffness = match rigid {
-            Rigid::Surface(surface) => self.decided.scene.surfaces[*surface].penalty_stiffness,
-            Rigid::Driven(_) => None,
+            RigidObstacle::Surface(surface) => {
+                self.model.scene.surfaces[*surface].penalty_stiffness
+            }
+            RigidObstacle::Driven(_) => None,
         };
-        let penalty = penalty_impulse(stiffness.unwrap_or(0.0), m_p, -gap, acting);
-        Ok(Some(Touch {
+        let penalty = penalty_impulse(stiffness.unwrap_or(0.0), m_p, -gap, nodal);
+        Ok(Some(SurfaceTouch {
             weights,
             normal,
             relative,
             gap,
-            bound: rigid.bound(gap, nearest.distance, acting.drift),
+            bound: rigid.bound(gap, nearest.distance, nodal.drift),
             floor: if rigid.is_bonded() {
                 f64::NEG_INFINITY
             } else {
@@ -443,6 +460,6 @@ impl Simulation {
 /// Impulse of the penalty force on a particle of mass `m_p` \[kg\] that reaches through by `depth` \[m\] \[N s\]: k depth dt,
 /// but no more than what brings it out within the step, so that no stiffness makes a step unstable. Particles that share a
 /// node push it with the sum of both over the same weights.
-fn penalty_impulse(stiffness: f64, m_p: f64, depth: f64, acting: &Acting) -> f64 {
-    (stiffness * acting.kick).min(m_p / acting.drift) * depth.max(0.0)
+fn penalty_impulse(stiffness: f64, m_p: f64, depth: f64, nodal: &NodalConditions) -> f64 {
+    (stiffness * nodal.kick).min(m_p / nodal.drift) * depth.max(0.0)
 }

@@ -1,7 +1,7 @@
-//! Forces of rigid surfaces and driven bodies, in sum and at the nodes, for output.
+//! Contact forces of rigid surfaces and driven bodies, in sum and at the nodes, for output.
 
-use super::rigid::Rigid;
-use super::{Found, Surfaces};
+use super::obstacle::RigidObstacle;
+use super::{SurfaceContact, TouchingParticles};
 use crate::scene::Vector;
 use crate::simulation::Simulation;
 
@@ -22,7 +22,7 @@ impl Simulation {
         surface: usize,
         set: usize,
     ) -> Vector {
-        match self.interaction::<Surfaces>() {
+        match self.interaction::<SurfaceContact>() {
             Some(s) if s.last_kick > 0.0 => s.last[surface][set].map(|i| i / s.last_kick),
             _ => [0.0; 3],
         }
@@ -31,10 +31,10 @@ impl Simulation {
     /// Force on a body in the last step \[N\] of contact with the shapes of driven bodies; on a driven one the reaction.
     pub(in crate::simulation::interactions) fn shape_force_on(&self, set: usize) -> Vector {
         let mut sum = [0.0; 3];
-        let surfaces = self.interaction::<Surfaces>();
+        let surfaces = self.interaction::<SurfaceContact>();
         for s in surfaces.into_iter().filter(|s| s.last_kick > 0.0) {
             for (rigid, impulses) in s.rigid.iter().zip(&s.last) {
-                let Rigid::Driven(driven) = rigid else {
+                let RigidObstacle::Driven(driven) = rigid else {
                     continue;
                 };
                 let force = impulses[driven.partner].map(|i| i / s.last_kick);
@@ -53,7 +53,7 @@ impl Simulation {
     /// Impulse of a surface on a body since the start \[N s\].
     #[must_use]
     pub fn surface_impulse(&self, surface: usize, set: usize) -> Vector {
-        self.interaction::<Surfaces>()
+        self.interaction::<SurfaceContact>()
             .map_or([0.0; 3], |s| s.total[surface][set])
     }
 
@@ -63,10 +63,10 @@ impl Simulation {
     pub(in crate::simulation) fn surface_forces_at_nodes(
         &self,
     ) -> impl Iterator<Item = (usize, usize, Vector, f64)> {
-        let surfaces = self.interaction::<Surfaces>();
+        let surfaces = self.interaction::<SurfaceContact>();
         let mut all = vec![];
         for s in surfaces.into_iter().filter(|s| s.last_kick > 0.0) {
-            let Found {
+            let TouchingParticles {
                 touches, places, ..
             } = &s.trial;
             for (touch, place) in touches.list.iter().zip(places) {
@@ -77,7 +77,7 @@ impl Simulation {
                     let share = std::array::from_fn(|axis| w[axis] * force[axis]);
                     all.push((place.set, node, share, touch.gap));
                 }
-                let Rigid::Driven(driven) = &s.rigid[place.surface] else {
+                let RigidObstacle::Driven(driven) = &s.rigid[place.surface] else {
                     continue;
                 };
                 let Some(field) = self.work.grid.own_field(driven.body) else {

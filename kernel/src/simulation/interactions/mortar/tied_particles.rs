@@ -8,40 +8,42 @@
 
 use super::boundaries::Boundaries;
 use super::mirrors::Mirrors;
-use super::reach::{Reach, StencilNode, stencil_nodes};
-use super::surface::{Carrier, Surface, force_at, from_vector, in_scene, velocity_at};
-use super::ties::Ties;
+use super::stencil_reach::{StencilNode, StencilReach, stencil_nodes};
+use super::surface::{
+    BoundaryCarrier, MovingBoundary, force_at, from_vector, in_scene, velocity_at,
+};
+use super::vertex_ties::VertexTies;
 use crate::grid::{GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::elements::Elements;
-use crate::mortar::motion::Follow;
+use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
 use crate::simulation::error::{SetupError, StepErrorKind};
 use crate::simulation::{Drift, Simulation};
-use crate::team::{OfItem, Team};
+use crate::team::{ItemCost, Team};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// The ties of a boundary, and where what they tie is now.
 #[derive(Clone, Debug)]
-pub(super) struct Tied<const D: usize> {
-    ties: Arc<Ties<D>>,
+pub(super) struct TiedParticles<const D: usize> {
+    ties: Arc<VertexTies<D>>,
     /// Where the tied particles are in their set.
     places: Vec<Option<usize>>,
     /// What they reach, as of the last mapping; empty where vertices follow otherwise.
-    reached: Vec<Reach<D>>,
+    reached: Vec<StencilReach<D>>,
     /// Nodes of the stencil.
     stencil: Vec<StencilNode<D>>,
-    /// Memory of [`Tied::stiffen`]: the place of each node of the grid in its lists, plus one; zero between two calls.
+    /// Memory of [`TiedParticles::stiffen`]: the place of each node of the grid in its lists, plus one; zero between two calls.
     slots: Vec<u32>,
-    lists: Lists<D>,
+    lists: TieLists<D>,
 }
 
 /// Lists that are filled again in each step.
 #[derive(Clone, Debug, Default)]
-struct Lists<const D: usize> {
+struct TieLists<const D: usize> {
     /// Displacements, then velocities of the particles, and their accelerations.
     of_particles: [Vec<PointIn<D>>; 2],
     /// Both as they are found.
@@ -51,7 +53,7 @@ struct Lists<const D: usize> {
     stiffness: Stiffness<D>,
 }
 
-/// Those of [`Tied::stiffen`].
+/// Those of [`TiedParticles::stiffen`].
 #[derive(Clone, Debug, Default)]
 struct Stiffness<const D: usize> {
     /// The nodes that pressed vertices reach, and the weights of one vertex on them.
@@ -66,22 +68,22 @@ struct Stiffness<const D: usize> {
     twice: Vec<f64>,
 }
 
-impl<const D: usize> Tied<D> {
-    pub(super) fn new(ties: Ties<D>) -> Self {
+impl<const D: usize> TiedParticles<D> {
+    pub(super) fn new(ties: VertexTies<D>) -> Self {
         Self {
             ties: Arc::new(ties),
             places: vec![],
             reached: vec![],
             stencil: vec![],
             slots: vec![],
-            lists: Lists::default(),
+            lists: TieLists::default(),
         }
     }
 
     /// Finds what tied particles have of two nodal values, which are asked for the node inside the mesh.
     fn gather(
         &self,
-        lists: &mut Lists<D>,
+        lists: &mut TieLists<D>,
         shape: &GridShape,
         mirrors: &Mirrors,
         team: &Team,
@@ -103,14 +105,14 @@ impl<const D: usize> Tied<D> {
             }
             sums
         };
-        let Lists {
+        let TieLists {
             of_particles,
             found,
             ..
         } = lists;
         team.fill(
             0..self.reached.len(),
-            OfItem::Search,
+            ItemCost::Search,
             of,
             &[PointIn::zeros(); 2],
             found,
@@ -256,12 +258,16 @@ impl<const D: usize> Tied<D> {
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Ties the vertices of all bodies to their particles, once, at the start.
     pub(super) fn tie(&mut self, hosts: &Simulation) {
-        let mirrors = Mirrors::of(&hosts.decided.scene);
+        let mirrors = Mirrors::of(&hosts.model.scene);
         for surface in self.surfaces.iter_mut().filter(|s| s.tied.is_none()) {
-            let bodies = &hosts.decided.bodies;
+            let bodies = &hosts.model.bodies;
             if let Some(index) = bodies.iter().position(|body| body.id == surface.id) {
                 let own = (&hosts.state.sets[index], &bodies[index]);
-                surface.tied = Some(Tied::new(Ties::new(&surface.start, own, &mirrors)));
+                surface.tied = Some(TiedParticles::new(VertexTies::new(
+                    &surface.start,
+                    own,
+                    &mirrors,
+                )));
             }
         }
     }
@@ -310,16 +316,16 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 }
 
 /// Whether vertices carried so stay on the material.
-pub(super) fn stays(carrier: &Carrier) -> bool {
-    let Carrier::Body { follow, .. } = carrier else {
+pub(super) fn stays(carrier: &BoundaryCarrier) -> bool {
+    let BoundaryCarrier::Body { follow, .. } = carrier else {
         return false;
     };
-    *follow == Follow::Material
+    *follow == FollowMode::Material
 }
 
-impl<B, const D: usize, const N: usize> Surface<B, D, N> {
+impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
     /// The ties, where vertices stay on the material.
-    pub(super) fn anchor(&self) -> Option<&Tied<D>> {
+    pub(super) fn anchor(&self) -> Option<&TiedParticles<D>> {
         self.tied.as_ref().filter(|_| stays(&self.carrier))
     }
 
@@ -343,9 +349,9 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let Some(field) = hosts.work.grid.own_field(index) else {
             return Ok(());
         };
-        let (set, body) = (&hosts.state.sets[index], &hosts.decided.bodies[index]);
+        let (set, body) = (&hosts.state.sets[index], &hosts.model.bodies[index]);
         let (shape, team) = (&hosts.work.grid.shape, &hosts.work.grid.team);
-        let mirrors = Mirrors::of(&hosts.decided.scene);
+        let mirrors = Mirrors::of(&hosts.model.scene);
         tied.ties.find(set, &mut tied.places);
         let mut lists = std::mem::take(&mut tied.lists);
         let [displacements, _] = &mut lists.of_particles;
@@ -354,7 +360,7 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let of = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, displacements));
         team.fill(
             0..self.start.len(),
-            OfItem::Search,
+            ItemCost::Search,
             of,
             &PointIn::zeros(),
             &mut lists.ways,
@@ -381,19 +387,19 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let reach = |number: usize| {
             // Those that were removed are of no vertex that is left.
             let p = places[number].unwrap_or(0);
-            Reach::of((set, p), &body.mapping, shape, &mirrors, stencil)
+            StencilReach::of((set, p), &body.mapping, shape, &mirrors, stencil)
         };
         team.fill(
             0..places.len(),
-            OfItem::Search,
+            ItemCost::Search,
             reach,
-            &Reach::NOWHERE,
+            &StencilReach::NOWHERE,
             &mut tied.reached,
         );
-        let gravity: PointIn<D> = from_vector(&hosts.decided.scene.gravity);
+        let gravity: PointIn<D> = from_vector(&hosts.model.scene.gravity);
         let lines = field.nodes.lines();
         // A plane that is fixed to a moving base mirrors velocities relative to it.
-        let base = hosts.decided.base.as_ref();
+        let base = hosts.model.base.as_ref();
         let base: PointIn<D> = base.map_or_else(PointIn::zeros, |base| {
             from_vector(&base.at(hosts.state.clock.time))
         });
@@ -410,7 +416,7 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         };
         team.fill(
             0..self.start.len(),
-            OfItem::Search,
+            ItemCost::Search,
             of,
             &[PointIn::zeros(); 2],
             &mut lists.found,
@@ -448,7 +454,7 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let [ways, _] = &mut tied.lists.of_particles;
         team.fill(
             0..tied.reached.len(),
-            OfItem::Search,
+            ItemCost::Search,
             of,
             &PointIn::zeros(),
             ways,
@@ -457,7 +463,7 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         let moved = |vertex: usize| boundary.held(vertex, ties.sum(vertex, ways)) + mesh;
         team.fill(
             0..self.start.len(),
-            OfItem::Search,
+            ItemCost::Search,
             moved,
             &PointIn::zeros(),
             &mut self.moved,

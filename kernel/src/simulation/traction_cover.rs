@@ -31,7 +31,7 @@ impl Simulation {
     /// [`SetupError::Load`] by the path of a traction that lies over no body or only partly over one, or that acts on a node
     /// that no particle reaches.
     pub(super) fn require_carried(&self) -> Result<(), SetupError> {
-        let scene = &self.decided.scene;
+        let scene = &self.model.scene;
         for (i, traction) in scene.tractions.iter().enumerate() {
             let refused = |reason| {
                 Err(SetupError::Load {
@@ -55,7 +55,7 @@ impl Simulation {
 
     /// The part of a rectangle that lies over no body.
     fn gap(&self, traction: &Traction) -> Option<Gap> {
-        let scene = &self.decided.scene;
+        let scene = &self.model.scene;
         let axes = scene.dimension.axes();
         let cell = &scene.mesh.cell;
         let normal = (0..axes).find(|&axis| traction.p1[axis] == traction.p2[axis])?;
@@ -81,15 +81,15 @@ impl Simulation {
         if boxes.iter().any(covers) {
             return None;
         }
-        let cuts: Vec<Cuts> = (0..axes)
+        let cuts: Vec<RectangleCuts> = (0..axes)
             .filter(|axis| *axis != normal)
-            .map(|axis| Cuts::new(axis, traction, cell[axis], &boxes))
+            .map(|axis| RectangleCuts::new(axis, traction, cell[axis], &boxes))
             .collect();
-        let mut covered = Covered::new(&cuts);
+        let mut covered = CoveredPieces::new(&cuts);
         for [low, high] in &boxes {
             covered.add(&|axis| [low[axis], high[axis]]);
         }
-        let bodies = scene.bodies.iter().zip(&self.decided.bodies);
+        let bodies = scene.bodies.iter().zip(&self.model.bodies);
         for ((body, run), set) in bodies.zip(&self.state.sets) {
             if matches!(body.shape, Shape::Cuboid { .. }) {
                 continue;
@@ -112,7 +112,7 @@ impl Simulation {
         i: usize,
         traction: &Traction,
     ) -> Result<Option<Vector>, SetupError> {
-        let scene = &self.decided.scene;
+        let scene = &self.model.scene;
         let shape = &self.work.grid.shape;
         let mut nodes: Vec<(usize, bool)> = nodes_of_traction(scene, shape, i, traction)?
             .into_iter()
@@ -126,7 +126,7 @@ impl Simulation {
                 (traction.p1[axis] - far..=traction.p2[axis] + far).contains(&at)
             })
         };
-        for (set, run) in self.state.sets.iter().zip(&self.decided.bodies) {
+        for (set, run) in self.state.sets.iter().zip(&self.model.bodies) {
             let run: &BodyRun = run;
             for p in (0..set.len()).filter(|p| is_near(&set.position(*p))) {
                 for (node, _) in &*node_weights(set, run, shape, self.state.stencil, p) {
@@ -145,13 +145,13 @@ impl Simulation {
 }
 
 /// The pieces of a rectangle along one of its axes.
-struct Cuts {
+struct RectangleCuts {
     axis: usize,
     /// Lower and upper end of each piece \[m\].
     pieces: Vec<[f64; 2]>,
 }
 
-impl Cuts {
+impl RectangleCuts {
     fn new(axis: usize, traction: &Traction, cell: f64, boxes: &[[Vector; 2]]) -> Self {
         let (low, high) = (traction.p1[axis], traction.p2[axis]);
         let count = ((high - low) / cell * PIECES).ceil();
@@ -183,14 +183,14 @@ impl Cuts {
 }
 
 /// Which pieces of a rectangle lie over a body.
-struct Covered<'a> {
-    cuts: &'a [Cuts],
+struct CoveredPieces<'a> {
+    cuts: &'a [RectangleCuts],
     /// The pieces along the last axis lie one after the other.
     pieces: Vec<bool>,
 }
 
-impl<'a> Covered<'a> {
-    fn new(cuts: &'a [Cuts]) -> Self {
+impl<'a> CoveredPieces<'a> {
+    fn new(cuts: &'a [RectangleCuts]) -> Self {
         let count = cuts.iter().map(|cuts| cuts.pieces.len()).product();
         Self {
             cuts,
@@ -206,7 +206,7 @@ impl<'a> Covered<'a> {
     /// Adds a box, by its ends along an axis.
     fn add(&mut self, ends: &impl Fn(usize) -> [f64; 2]) {
         let row = self.row();
-        let within = |cuts: &Cuts| cuts.between(ends(cuts.axis));
+        let within = |cuts: &RectangleCuts| cuts.between(ends(cuts.axis));
         match self.cuts {
             [one] => self.pieces[within(one)].fill(true),
             [first, second] => {

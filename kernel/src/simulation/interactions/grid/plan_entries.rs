@@ -1,17 +1,17 @@
 //! Words of the plan for contact on the grid and for bonds.
 
-use crate::plan::Words;
+use crate::plan::PlanEntries;
 use crate::scene::{Body, ContactNormal, History, Scene, Shape, StressScheme};
 
 /// Entries for each pair, for contact as a whole, and for bonds.
-pub(super) fn words(scene: &Scene, list: &mut Words) {
+pub(super) fn plan_entries(scene: &Scene, list: &mut PlanEntries) {
     pair_words(scene, list);
     contact_words(scene, list);
     bond_words(scene, list);
 }
 
 /// An entry for each pair.
-fn pair_words(scene: &Scene, list: &mut Words) {
+fn pair_words(scene: &Scene, list: &mut PlanEntries) {
     let driven = |id: i64| {
         let mut bodies = scene.bodies.iter();
         bodies.find(|b| b.id == id && b.motion.is_some())
@@ -56,7 +56,7 @@ fn pair_words(scene: &Scene, list: &mut Words) {
 }
 
 /// Entries for contact as a whole.
-fn contact_words(scene: &Scene, list: &mut Words) {
+fn contact_words(scene: &Scene, list: &mut PlanEntries) {
     if scene.contacts.is_empty() && !scene.mortar.contacts.is_empty() {
         return;
     }
@@ -82,7 +82,7 @@ fn contact_words(scene: &Scene, list: &mut Words) {
 }
 
 /// An entry for each body that stands still and has no contact with one that moves.
-fn bond_words(scene: &Scene, list: &mut Words) {
+fn bond_words(scene: &Scene, list: &mut PlanEntries) {
     let stands = |body: &&Body| {
         let still = |motion: &History| motion.values.iter().all(|v| *v == [0.0; 3]);
         body.motion.as_ref().is_some_and(still) && !matches!(body.shape, Shape::Particles(_))

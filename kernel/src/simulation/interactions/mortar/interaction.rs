@@ -2,12 +2,12 @@
 
 use super::MortarState;
 use super::mirrors::Mirrors;
-use super::surface::Surface;
+use super::surface::MovingBoundary;
 use crate::scene::Scene;
-use crate::simulation::conditions::Acting;
+use crate::simulation::conditions::NodalConditions;
 use crate::simulation::error::{SetupError, StepError};
 use crate::simulation::fields::Grid;
-use crate::simulation::interactions::{BodyList, Interaction, Remembered};
+use crate::simulation::interactions::{BodyList, Interaction, SavedArrays};
 use crate::simulation::{Drift, Simulation};
 
 impl Interaction for MortarState {
@@ -17,8 +17,8 @@ impl Interaction for MortarState {
 
     /// Bodies whose boundary moves with a velocity field of their own.
     fn owners(&self) -> BodyList {
-        let plane = self.plane.surfaces.iter().filter_map(Surface::body);
-        let space = self.space.surfaces.iter().filter_map(Surface::body);
+        let plane = self.plane.surfaces.iter().filter_map(MovingBoundary::body);
+        let space = self.space.surfaces.iter().filter_map(MovingBoundary::body);
         plane.chain(space).collect()
     }
 
@@ -38,8 +38,8 @@ impl Interaction for MortarState {
 
     fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
         self.set_carrier(
-            &simulation.decided.scene,
-            &simulation.decided.bodies[body],
+            &simulation.model.scene,
+            &simulation.model.bodies[body],
             body,
         );
     }
@@ -77,16 +77,20 @@ impl Interaction for MortarState {
     }
 
     /// Adds the power of the contact forces that prescribed boundaries exert.
-    fn settle(&mut self, simulation: &mut Simulation, acting: &Acting) -> Result<usize, StepError> {
-        let [_, half_step] = acting.half_steps;
+    fn settle(
+        &mut self,
+        simulation: &mut Simulation,
+        nodal: &NodalConditions,
+    ) -> Result<usize, StepError> {
+        let [_, half_step] = nodal.half_steps;
         simulation.work.sums.power +=
             self.plane.power_of_prescribed(half_step) + self.space.power_of_prescribed(half_step);
         Ok(self.plane.under_pressure() + self.space.under_pressure())
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).
-    fn advance(&mut self, simulation: &Simulation, acting: &Acting, drift: &Drift) {
-        let [_, half_step] = acting.half_steps;
+    fn advance(&mut self, simulation: &Simulation, nodal: &NodalConditions, drift: &Drift) {
+        let [_, half_step] = nodal.half_steps;
         self.plane.advance(simulation, drift, half_step);
         self.space.advance(simulation, drift, half_step);
     }
@@ -96,13 +100,13 @@ impl Interaction for MortarState {
         self.plane.energy() + self.space.energy()
     }
 
-    fn save(&self) -> Remembered {
+    fn save(&self) -> SavedArrays {
         let mut saved = self.plane.save();
         saved.extend(self.space.save());
         saved
     }
 
-    fn restore(&mut self, saved: &Remembered) {
+    fn restore(&mut self, saved: &SavedArrays) {
         let mut lists = saved.iter();
         self.plane.restore(&mut lists);
         self.space.restore(&mut lists);

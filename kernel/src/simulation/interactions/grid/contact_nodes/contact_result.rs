@@ -1,14 +1,14 @@
-//! What contact did: forces, power and warnings of a slab, and what an impulse says of a pair.
+//! Result of contact on a slab: forces, power and warnings, and the status of a pair that follows from an impulse.
 
-use super::{Touched, Touching};
+use super::{ContactStatus, NodePair};
 use crate::contact::Pair;
 use crate::contact::coulomb::Member;
 use crate::scene::Vector;
 use crate::stage::solve::PlaneSums;
 
-/// What contact did in a slab.
+/// The result of contact on a slab.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Done {
+pub(crate) struct ContactResult {
     /// Force on the slave of each pair \[N\], plane by plane.
     pub forces: Vec<Vector>,
     /// Power of driven bodies, and what friction and contact along the normal took, plane by plane.
@@ -47,7 +47,7 @@ pub(crate) struct Tunnelling {
     pub distance: f64,
 }
 
-impl Done {
+impl ContactResult {
     /// Nothing is done yet in so many planes.
     pub(super) fn begin(&mut self, planes: usize, pairs: usize) {
         self.forces.clear();
@@ -63,7 +63,7 @@ impl Done {
     /// the step are means of those of particles; trial velocities of light nodes are not.
     pub(super) fn watch(
         &mut self,
-        touch: &Touching,
+        touch: &NodePair,
         pair: &Pair,
         [master, slave]: [&Member; 2],
         dt: f64,
@@ -87,9 +87,9 @@ impl Done {
     }
 }
 
-impl Done {
+impl ContactResult {
     /// Notes a pair that overlaps by more than [`DEEP`] of the cell along its normal.
-    pub(super) fn watch_overlap(&mut self, touch: &Touching, cell: &Vector, at: [usize; 3]) {
+    pub(super) fn watch_overlap(&mut self, touch: &NodePair, cell: &Vector, at: [usize; 3]) {
         let (depth, n) = (-touch.gap, &touch.normal);
         // Most nodes have no overlap at all. Where the gradients are not opposite one body goes around a corner of the other,
         // and what is behind it is no depth.
@@ -115,16 +115,16 @@ pub(super) fn taken(impulse: &Vector, normal: &Vector, [master, slave]: [&Member
 }
 
 /// What a pair does under an impulse.
-pub(super) fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> Touched {
+pub(super) fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> ContactStatus {
     let along: f64 = (0..3).map(|k| impulse[k] * normal[k]).sum();
     let aside: f64 = (0..3)
         .map(|k| (impulse[k] - along * normal[k]).powi(2))
         .sum();
     if along <= 0.0 {
-        Touched::Open
+        ContactStatus::Open
     } else if aside.sqrt() < friction * along * (1.0 - 1e-9) {
-        Touched::Sticks
+        ContactStatus::Sticks
     } else {
-        Touched::Slides
+        ContactStatus::Slides
     }
 }

@@ -1,36 +1,41 @@
 //! Contact on the grid in one slab.
 
-use super::{Met, State};
+use super::{GridContact, SlabContactState};
 use crate::contact::{Pair, surface};
 use crate::simulation::fields::{Grid, Slab};
+use crate::simulation::interactions::grid::contact_nodes::{
+    Bodies, ContactStatuses, ContactVelocities,
+};
 use crate::simulation::interactions::grid::faces::{SlabFace, SlabFields};
-use crate::simulation::interactions::grid::meeting::{Bodies, On, States};
-use crate::simulation::interactions::{Again, Now, OnSlab, Visit};
 use crate::simulation::interactions::{OfSlab, SlabPart};
+use crate::simulation::interactions::{Remap, SlabInteraction, StepContext, VelocityMapping};
 use crate::stage::solve::{PlaneSums, Planes};
 use smallvec::SmallVec;
 
-impl State {
+impl GridContact {
     /// Gives what acts on each slab of a visit.
     pub(super) fn parts<'a>(
         &'a mut self,
         grid: &Grid,
-        visit: Visit,
+        visit: VelocityMapping,
         give: &mut dyn FnMut(SlabPart<'a>),
     ) {
         if self.faces.list.is_empty() {
             return;
         }
         match visit {
-            Visit::Trial => self.met.resize_with(grid.slabs.len(), Met::default),
-            Visit::Again(Again::OldPositions) => {}
-            Visit::Again(Again::NewPositions) => {
+            VelocityMapping::Trial => self
+                .met
+                .resize_with(grid.slabs.len(), SlabContactState::default),
+            VelocityMapping::Remap(Remap::OldPositions) => {}
+            VelocityMapping::Remap(Remap::NewPositions) => {
                 self.states.clear();
                 for met in &self.met {
                     self.states.extend(met.meetings.states());
                 }
                 // Particles may have been sorted since.
-                self.met.resize_with(grid.slabs.len(), Met::default);
+                self.met
+                    .resize_with(grid.slabs.len(), SlabContactState::default);
             }
         }
         for (faces, met) in self.faces.in_slabs(grid).zip(&mut self.met) {
@@ -51,29 +56,29 @@ pub(in crate::simulation::interactions) struct SlabContact<'a> {
     near: &'a [bool],
     faces: SmallVec<[SlabFace<'a>; 4]>,
     /// Where bodies meet and what contact does there, which the equation of motion finds and leaves here.
-    met: &'a mut Met,
+    met: &'a mut SlabContactState,
     /// What pairs did at the nodes of all slabs, where particles have moved since.
-    states: &'a States,
+    states: &'a ContactStatuses,
 }
 
 impl SlabContact<'_> {
     /// What contact knows of the scene.
-    fn bodies<'b>(pairs: &'b [Pair], near: &'b [bool], now: &'b Now<'_>) -> Bodies<'b> {
+    fn bodies<'b>(pairs: &'b [Pair], near: &'b [bool], context: &'b StepContext<'_>) -> Bodies<'b> {
         Bodies {
             pairs,
             near,
-            sets: now.mapping.sets,
-            prescribed: now.prescribed,
-            walls: &now.walls,
-            stencil: now.mapping.stencil,
-            family: now.mapping.family,
+            sets: context.mapping.sets,
+            prescribed: context.prescribed,
+            walls: &context.walls,
+            stencil: context.mapping.stencil,
+            family: context.mapping.family,
         }
     }
 }
 
-impl OnSlab for SlabContact<'_> {
+impl SlabInteraction for SlabContact<'_> {
     /// Mass gradients of the surfaces, folded.
-    fn mapped(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
+    fn mapped(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>) {
         for face in &mut self.faces {
             let mut planes = Planes {
                 shape: slab.shape(),
@@ -82,33 +87,34 @@ impl OnSlab for SlabContact<'_> {
                 nodes: face.lines,
             };
             planes.clear();
-            now.mapping
+            context
+                .mapping
                 .map_gradient(face.body, face.interface, &mut planes);
-            surface::fold_gradient(&mut planes, &now.walls);
+            surface::fold_gradient(&mut planes, &context.walls);
         }
     }
 
-    fn correct(&mut self, slab: &mut Slab<'_>, now: &Now<'_>, sums: &mut [PlaneSums]) {
-        let bodies = Self::bodies(self.pairs, self.near, now);
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut [PlaneSums]) {
+        let bodies = Self::bodies(self.pairs, self.near, context);
         let mut fields = SlabFields::new(slab, &mut self.faces);
-        let Met {
+        let SlabContactState {
             meetings,
             done,
             lists,
             ..
         } = &mut *self.met;
         meetings.find(&mut fields, &bodies, lists);
-        let damping = now.acting.local_damping;
-        let on = On::Trial {
-            kick: now.acting.kick,
-            dt: now.acting.drift,
+        let damping = context.nodal.local_damping;
+        let on = ContactVelocities::Trial {
+            kick: context.nodal.kick,
+            dt: context.nodal.drift,
             damping,
         };
         meetings.act(&mut fields, &bodies, on, lists, done);
         if damping.is_some() {
             // Contact does not know what the planes hold, and damps it too.
             for planes in slab.planes() {
-                planes.constrain(&now.walls, true);
+                planes.constrain(&context.walls, true);
             }
         }
         for (sums, done) in sums.iter_mut().zip(&done.sums) {
@@ -116,25 +122,37 @@ impl OnSlab for SlabContact<'_> {
         }
     }
 
-    fn correct_again(&mut self, slab: &mut Slab<'_>, now: &Now<'_>) {
-        let bodies = Self::bodies(self.pairs, self.near, now);
+    fn correct_remapped(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>) {
+        let bodies = Self::bodies(self.pairs, self.near, context);
         let mut fields = SlabFields::new(slab, &mut self.faces);
-        let Met {
+        let SlabContactState {
             meetings,
             moved,
             unheeded,
             lists,
             ..
         } = &mut *self.met;
-        match now.again {
+        match context.remap {
             None => {}
-            Some(Again::OldPositions) => {
-                meetings.act(&mut fields, &bodies, On::Remapped, lists, unheeded);
+            Some(Remap::OldPositions) => {
+                meetings.act(
+                    &mut fields,
+                    &bodies,
+                    ContactVelocities::Remapped,
+                    lists,
+                    unheeded,
+                );
             }
-            Some(Again::NewPositions) => {
+            Some(Remap::NewPositions) => {
                 moved.find(&mut fields, &bodies, lists);
                 moved.recall(self.states);
-                moved.act(&mut fields, &bodies, On::Mapped, lists, unheeded);
+                moved.act(
+                    &mut fields,
+                    &bodies,
+                    ContactVelocities::Mapped,
+                    lists,
+                    unheeded,
+                );
             }
         }
     }

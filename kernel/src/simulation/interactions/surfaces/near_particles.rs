@@ -1,17 +1,17 @@
 //! The particles that may touch a surface until they have moved some way, so that not all are searched for in each step.
 
 use super::gap::{half_lengths, length};
-use super::rigid::Rigid;
+use super::obstacle::RigidObstacle;
 use crate::scene::Vector;
 use crate::simulation::Simulation;
-use crate::simulation::conditions::Acting;
-use crate::team::OfItem;
+use crate::simulation::conditions::NodalConditions;
+use crate::team::ItemCost;
 
 /// Particles that may touch a surface until they have moved by half the margin.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Near {
+pub(super) struct NearParticles {
     /// Surface, set and particle.
-    pub(super) particles: Vec<Place>,
+    pub(super) particles: Vec<ParticlePlace>,
     /// The triangle that was nearest to each when it was last looked for.
     pub(super) triangles: Vec<usize>,
     /// Distance beyond the threshold that is covered \[m\]; none where there is no list.
@@ -36,7 +36,7 @@ pub(super) struct RigidMotion {
     pub(super) velocity: Vector,
 }
 
-impl Near {
+impl NearParticles {
     /// Has the list made anew when it is next asked for.
     pub(super) fn forget(&mut self) {
         self.margin = None;
@@ -44,7 +44,7 @@ impl Near {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct ParticlePlace {
     pub(super) surface: usize,
     pub(super) set: usize,
     pub(super) p: usize,
@@ -52,8 +52,13 @@ pub(super) struct Place {
 
 impl Simulation {
     /// Makes the list of particles near a surface anew where it no longer covers what may touch in this step.
-    pub(super) fn find_near_surfaces(&self, rigid: &[Rigid], near: &mut Near, acting: &Acting) {
-        let cell = &self.decided.scene.mesh.cell;
+    pub(super) fn find_near_surfaces(
+        &self,
+        rigid: &[RigidObstacle],
+        near: &mut NearParticles,
+        nodal: &NodalConditions,
+    ) {
+        let cell = &self.model.scene.mesh.cell;
         let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
         let speed = self
             .state
@@ -65,12 +70,12 @@ impl Simulation {
         near.now.clear();
         near.now.extend(rigid.iter().map(|one| RigidMotion {
             shift: one.shift(self),
-            velocity: one.velocity(self, acting),
+            velocity: one.velocity(self, nodal),
         }));
         let speeds = near.now.iter().map(|now| length(&now.velocity));
         let fastest = speeds.fold(0.0, f64::max);
         // Twice the way at the present speed, since contact and forces may make particles faster within the step.
-        let step = 2.0 * acting.drift * (speed + fastest);
+        let step = 2.0 * nodal.drift * (speed + fastest);
         if let Some(margin) = near.margin {
             let ways = near.shifts.iter().zip(&near.now).map(|(then, now)| {
                 length(&std::array::from_fn(|axis| now.shift[axis] - then[axis]))
@@ -98,8 +103,14 @@ impl Simulation {
     }
 
     /// Adds the particles of a set near a surface, in the order of their identifiers.
-    fn add_near(&self, rigid: &Rigid, near: &mut Near, [surface, set]: [usize; 2], margin: f64) {
-        let (particles, body) = (&self.state.sets[set], &self.decided.bodies[set]);
+    fn add_near(
+        &self,
+        rigid: &RigidObstacle,
+        near: &mut NearParticles,
+        [surface, set]: [usize; 2],
+        margin: f64,
+    ) {
+        let (particles, body) = (&self.state.sets[set], &self.model.bodies[set]);
         let (shift, threshold) = (near.now[surface].shift, rigid.widest_threshold(self));
         let triangle = |p: usize| {
             let reach = length(&rigid.half_lengths(half_lengths(particles, body, p)));
@@ -110,7 +121,7 @@ impl Simulation {
         let team = &self.work.grid.team;
         team.fill(
             0..particles.len(),
-            OfItem::Search,
+            ItemCost::Search,
             triangle,
             &None,
             &mut near.nearest,
@@ -121,7 +132,7 @@ impl Simulation {
         near.by_id.sort_unstable();
         for &(_, p) in &near.by_id {
             if let Some(triangle) = near.nearest[p] {
-                near.particles.push(Place { surface, set, p });
+                near.particles.push(ParticlePlace { surface, set, p });
                 near.triangles.push(triangle);
             }
         }

@@ -17,12 +17,12 @@ pub const UNPRESSED: Variable = Variable {
 
 /// A fluid whose particles have a pressure at the start. Its one variable is the viscous work.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pressed<F>(pub F);
+pub struct PressurizedFluid<F>(pub F);
 
 /// Which variable is [`UNPRESSED`].
 const PLACE: usize = 1;
 
-impl<F: Law> Pressed<F> {
+impl<F: Law> PressurizedFluid<F> {
     /// The particle as the law of the fluid sees it: with the mass that would fill the volume without pressure at the density
     /// of the scene.
     fn unpressed<'a>(particle: &Particle<'a>) -> Particle<'a> {
@@ -33,7 +33,7 @@ impl<F: Law> Pressed<F> {
     }
 }
 
-impl<F: Law> Law for Pressed<F> {
+impl<F: Law> Law for PressurizedFluid<F> {
     const CONSTANTS: &'static [Constant] = F::CONSTANTS;
     const VARIABLES: &'static [Variable] = &[VISCOUS_WORK, UNPRESSED];
 

@@ -1,4 +1,4 @@
-//! What ties the vertices of a boundary to particles of its body, from the start to the end.
+//! Ties of the vertices of a boundary to particles of its body, from the start to the end.
 //!
 //! A vertex is where the particles that were around it at the start say, X_v + sum_p w_p (x_p - X_p), with weights that
 //! reproduce every affine motion ([`affine_weights`]). They belong to the places at the start, so that nothing is
@@ -31,21 +31,21 @@ const UNTIED: u32 = u32::MAX;
 
 /// The particles that each vertex of a boundary is tied to.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ties<const D: usize> {
+pub(super) struct VertexTies<const D: usize> {
     /// Identifier of the first particle of the body.
     first: u64,
     /// Number among the tied particles of each particle of the body, by its identifier.
     numbers: Vec<u32>,
     /// Where the tied particles were at the start, relative to the mesh \[m\].
     start: Vec<PointIn<D>>,
-    list: Vec<Tie<D>>,
+    list: Vec<VertexTie<D>>,
     /// The ties of each vertex; none where the particles around it do not span all directions.
     of_vertices: Vec<Range<usize>>,
 }
 
 /// What a vertex takes of a particle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tie<const D: usize> {
+pub(super) struct VertexTie<const D: usize> {
     /// Number among the tied particles.
     pub(super) particle: usize,
     /// Weight of its displacement along each axis: those of its images beyond planes have other signs.
@@ -60,7 +60,7 @@ struct Candidate<const D: usize> {
     signs: PointIn<D>,
 }
 
-impl<const D: usize> Ties<D> {
+impl<const D: usize> VertexTies<D> {
     /// Ties vertices to the particles of a body at the start.
     pub(super) fn new(
         vertices: &[PointIn<D>],
@@ -122,7 +122,7 @@ impl<const D: usize> Ties<D> {
             *number = self.start.len() as u32;
             self.start.push(position(set, candidate.p));
         }
-        self.list.push(Tie {
+        self.list.push(VertexTie {
             particle: *number as usize,
             weights: candidate.signs * weight,
         });
@@ -139,7 +139,7 @@ impl<const D: usize> Ties<D> {
     }
 
     /// What a vertex is tied to.
-    pub(super) fn of(&self, vertex: usize) -> &[Tie<D>] {
+    pub(super) fn of(&self, vertex: usize) -> &[VertexTie<D>] {
         &self.list[self.of_vertices[vertex].clone()]
     }
 
@@ -152,7 +152,7 @@ impl<const D: usize> Ties<D> {
         sum
     }
 
-    /// Adds what a vertex has to the tied particles: the transpose of [`Ties::sum`].
+    /// Adds what a vertex has to the tied particles: the transpose of [`VertexTies::sum`].
     pub(super) fn spread(&self, vertex: usize, value: &PointIn<D>, values: &mut [PointIn<D>]) {
         for tie in self.of(vertex) {
             values[tie.particle] += tie.weights.component_mul(value);

@@ -1,13 +1,13 @@
-//! What boundaries remember from step to step: their vertices with the last displacements, and the slip of each pair.
+//! Saved arrays of boundaries: their vertices with the last displacements, and the slip of each pair.
 
 use super::boundaries::Boundaries;
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
-use crate::simulation::interactions::Remembered;
+use crate::simulation::interactions::SavedArrays;
 use std::slice::Iter;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
-    pub(super) fn save(&self) -> Remembered {
+    pub(super) fn save(&self) -> SavedArrays {
         let flat = |points: &[PointIn<D>]| points.iter().flatten().copied().collect();
         let mut saved = vec![];
         for surface in &self.surfaces {

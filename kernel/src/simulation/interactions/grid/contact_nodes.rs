@@ -1,15 +1,15 @@
 //! The nodes of a slab where the fields of bodies meet, and contact there.
 
-mod done;
+mod contact_result;
 mod gaps;
 
-pub(crate) use done::{DEEP, Done, Overlapped, Tunnelling};
-use done::{taken, touched};
+pub(crate) use contact_result::{ContactResult, DEEP, Overlapped, Tunnelling};
+use contact_result::{taken, touched};
 
 use super::faces::SlabFields;
 use crate::contact::Pair;
-use crate::contact::coulomb::{Coulomb, Law, Member, Touch};
-use crate::contact::surface::{Side, normal};
+use crate::contact::coulomb::{Coulomb, FieldTouch, FrictionLaw, Member};
+use crate::contact::surface::{SurfaceSide, normal};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
@@ -24,29 +24,29 @@ const TOUCHING: f64 = 1e-9;
 
 /// The nodes of a slab where fields meet. A field is known by its number in the slab.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Meetings {
+pub(crate) struct ContactNodes {
     /// The nodes, increasing.
-    pub nodes: Vec<Meeting>,
+    pub nodes: Vec<ContactNode>,
     /// Numbers of the fields that meet, node by node.
     pub fields: Vec<usize>,
     /// Pairs that meet, node by node.
-    pub touches: Vec<Touching>,
+    pub touches: Vec<NodePair>,
 }
 
 /// A node where fields meet.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Meeting {
+pub(crate) struct ContactNode {
     /// Index of the node in the grid.
     pub node: usize,
-    /// Which of [`Meetings::fields`] meet here.
+    /// Which of [`ContactNodes::fields`] meet here.
     pub fields: Range<usize>,
-    /// Which of [`Meetings::touches`] meet here.
+    /// Which of [`ContactNodes::touches`] meet here.
     pub touches: Range<usize>,
 }
 
 /// A pair at a node.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Touching {
+pub(crate) struct NodePair {
     /// Index of the pair.
     pub pair: usize,
     /// Places of master and slave among the fields of the node.
@@ -60,12 +60,12 @@ pub(crate) struct Touching {
     /// Force on the slave in the last step \[N\].
     pub force: Vector,
     /// What it did in the last step.
-    pub state: Touched,
+    pub state: ContactStatus,
 }
 
-/// What a pair did at a node.
+/// Contact status of a pair at a node.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Touched {
+pub(crate) enum ContactStatus {
     /// No force acts.
     #[default]
     Open,
@@ -75,8 +75,8 @@ pub(crate) enum Touched {
     Slides,
 }
 
-/// What pairs did at nodes, in order of node and pair.
-pub(crate) type States = Vec<((usize, usize), Touched)>;
+/// Contact statuses of pairs at nodes, in order of node and pair.
+pub(crate) type ContactStatuses = Vec<((usize, usize), ContactStatus)>;
 
 /// What contact knows of the scene beside the fields.
 #[derive(Clone, Copy)]
@@ -108,9 +108,9 @@ impl Bodies<'_> {
     }
 }
 
-/// Which velocities contact acts on.
+/// The velocities that contact acts on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum On {
+pub(crate) enum ContactVelocities {
     /// Trial velocities in the lower lanes and their increments in the upper ones. Forces are those that act over the
     /// time `kick` \[s\]; `dt` is the step by which bodies move \[s\].
     Trial {
@@ -131,10 +131,10 @@ pub(crate) enum On {
 
 /// Lists that are filled at one node after the other, or for one pair after the other.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Lists {
+pub(crate) struct NodeLists {
     coulomb: Coulomb,
     members: Vec<Member>,
-    touches: Vec<Touch>,
+    touches: Vec<FieldTouch>,
     impulses: Vec<Vector>,
     /// Which of the touches of a slab act at a node.
     which: Vec<usize>,
@@ -142,10 +142,10 @@ pub(crate) struct Lists {
     sides: Vec<Option<[usize; 2]>>,
     /// Largest mass of each field at a node that counts as none.
     least: Vec<f64>,
-    gaps: gaps::Lists,
+    gaps: gaps::GapLists,
 }
 
-impl Meetings {
+impl ContactNodes {
     fn clear(&mut self) {
         self.nodes.clear();
         self.fields.clear();
@@ -158,7 +158,7 @@ impl Meetings {
         &mut self,
         fields: &mut SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
-        lists: &mut Lists,
+        lists: &mut NodeLists,
     ) {
         self.clear();
         let shape = fields.shape();
@@ -199,7 +199,7 @@ impl Meetings {
         &mut self,
         fields: &SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
-        Lists { sides, least, .. }: &Lists,
+        NodeLists { sides, least, .. }: &NodeLists,
         at: [usize; 3],
     ) {
         let shape = fields.shape();
@@ -224,7 +224,7 @@ impl Meetings {
                 continue;
             };
             let [Some(master), Some(slave)] = numbers.map(|number| {
-                Some(Side {
+                Some(SurfaceSide {
                     mass: mass(fields, number, at, node),
                     surface: &fields.faces[fields.place_of(number)?].lines[node],
                 })
@@ -233,18 +233,18 @@ impl Meetings {
             };
             let kind = bodies.pairs[index].normal;
             if let Some(found) = normal(kind, &master, &slave, &shape.cell) {
-                self.touches.push(Touching {
+                self.touches.push(NodePair {
                     pair: index,
                     sides: [m, s],
                     normal: found.normal,
                     opposite: found.opposite,
                     gap: f64::NAN,
                     force: [0.0; 3],
-                    state: Touched::Open,
+                    state: ContactStatus::Open,
                 });
             }
         }
-        self.nodes.push(Meeting {
+        self.nodes.push(ContactNode {
             node: shape.index(at),
             fields: first.0..self.fields.len(),
             touches: first.1..self.touches.len(),
@@ -252,22 +252,22 @@ impl Meetings {
     }
 
     /// Takes up what pairs did at the same nodes before.
-    pub(crate) fn recall(&mut self, states: &States) {
+    pub(crate) fn recall(&mut self, states: &ContactStatuses) {
         for meeting in &self.nodes {
             for touch in &mut self.touches[meeting.touches.clone()] {
                 let place = (meeting.node, touch.pair);
                 let before = states.binary_search_by_key(&place, |(place, _)| *place);
-                touch.state = before.map_or(Touched::Open, |at| states[at].1);
+                touch.state = before.map_or(ContactStatus::Open, |at| states[at].1);
             }
         }
     }
 
     /// What pairs did at the nodes where a force acted.
-    pub(crate) fn states(&self) -> impl Iterator<Item = ((usize, usize), Touched)> {
+    pub(crate) fn states(&self) -> impl Iterator<Item = ((usize, usize), ContactStatus)> {
         self.nodes.iter().flat_map(|meeting| {
             self.touches[meeting.touches.clone()]
                 .iter()
-                .filter(|touch| touch.state != Touched::Open)
+                .filter(|touch| touch.state != ContactStatus::Open)
                 .map(|touch| ((meeting.node, touch.pair), touch.state))
         })
     }
@@ -277,9 +277,9 @@ impl Meetings {
         &mut self,
         fields: &mut SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
-        on: On,
-        lists: &mut Lists,
-        done: &mut Done,
+        on: ContactVelocities,
+        lists: &mut NodeLists,
+        done: &mut ContactResult,
     ) {
         let shape = fields.shape();
         let (first_plane, per_plane) = (fields.range().start, shape.plane_nodes());
@@ -291,8 +291,12 @@ impl Meetings {
         };
         let all = fields.slab.fields.iter();
         let driven: SmallVec<[bool; 8]> = all.map(|field| is_driven(field.owner)).collect();
-        let lane = if on == On::Remapped { 4 } else { 1 };
-        let Lists {
+        let lane = if on == ContactVelocities::Remapped {
+            4
+        } else {
+            1
+        };
+        let NodeLists {
             coulomb,
             members,
             touches,
@@ -321,25 +325,25 @@ impl Meetings {
             for index in meeting.touches.clone() {
                 let touch = &mut self.touches[index];
                 let pair = &bodies.pairs[touch.pair];
-                let law = if let On::Trial { dt, .. } = on {
+                let law = if let ContactVelocities::Trial { dt, .. } = on {
                     let [a, b] = touch.sides.map(|side| &members[side]);
                     let at = shape.indices(meeting.node);
                     done.watch(touch, pair, [a, b], dt, at);
                     done.watch_overlap(touch, &shape.cell, at);
-                    (touch.force, touch.state) = ([0.0; 3], Touched::Open);
+                    (touch.force, touch.state) = ([0.0; 3], ContactStatus::Open);
                     let near = pair.distance_along(&touch.normal) * TOUCHING;
                     let touching = !pair.corrects_distance || touch.gap <= near;
-                    touching.then_some(Law::Coulomb(pair.friction))
+                    touching.then_some(FrictionLaw::Coulomb(pair.friction))
                 } else {
                     match touch.state {
-                        Touched::Open => None,
-                        Touched::Sticks => Some(Law::Stick),
-                        Touched::Slides => Some(Law::Slide),
+                        ContactStatus::Open => None,
+                        ContactStatus::Sticks => Some(FrictionLaw::Stick),
+                        ContactStatus::Slides => Some(FrictionLaw::Slide),
                     }
                 };
                 if let Some(law) = law {
                     which.push(index);
-                    touches.push(Touch {
+                    touches.push(FieldTouch {
                         master: touch.sides[0],
                         slave: touch.sides[1],
                         normal: touch.normal,
@@ -348,7 +352,7 @@ impl Meetings {
                 }
             }
             let is_joined = |i: usize, j: usize| joined[numbers[i] * count + numbers[j]];
-            if let On::Trial {
+            if let ContactVelocities::Trial {
                 damping: Some(alpha),
                 ..
             } = on
@@ -369,14 +373,14 @@ impl Meetings {
             }
             coulomb.resolve(members, is_joined, touches, impulses);
             let plane = node / per_plane;
-            if let On::Trial { kick, .. } = on {
+            if let ContactVelocities::Trial { kick, .. } = on {
                 let mut acts = false;
                 for (&index, impulse) in which.iter().zip(&*impulses) {
                     let touch = &mut self.touches[index];
                     let friction = bodies.pairs[touch.pair].friction;
                     touch.force = impulse.map(|c| c / kick);
                     touch.state = touched(impulse, &touch.normal, friction);
-                    acts |= touch.state != Touched::Open;
+                    acts |= touch.state != ContactStatus::Open;
                     let sum = &mut done.forces[plane * bodies.pairs.len() + touch.pair];
                     for axis in 0..3 {
                         sum[axis] += touch.force[axis];
@@ -406,7 +410,7 @@ impl Meetings {
                         line[lane + axis] = member.velocity[axis];
                     }
                     let change = member.increment[axis] - line[4 + axis];
-                    if let On::Trial { kick, .. } = on
+                    if let ContactVelocities::Trial { kick, .. } = on
                         && change != 0.0
                     {
                         line[4 + axis] = member.increment[axis];

@@ -1,4 +1,4 @@
-//! What is decided of a scene before its first step, and again only between two stages.
+//! The model of a scene: immutable in a step, changed only between two stages.
 
 use super::conditions::Condition;
 use super::{BaseVelocity, BodyForce, Displacement};
@@ -11,8 +11,8 @@ use crate::surface::Surface;
 use crate::weights::Family;
 use std::sync::Arc;
 
-/// What is decided of a scene: a step reads it and leaves it as it is.
-pub(crate) struct Decided {
+/// The model: a step reads it and leaves it as it is.
+pub(crate) struct Model {
     pub(crate) scene: Scene,
     pub(crate) plan: Plan,
     pub(crate) lanes: Selected,
@@ -34,14 +34,14 @@ pub(crate) struct Decided {
     pub(crate) surface_ways: Vec<Option<Displacement>>,
 }
 
-impl Decided {
+impl Model {
     /// Weighting functions of all bodies.
     pub(crate) fn family(&self) -> Family {
         self.scene.weighting.kind().family
     }
 }
 
-/// What the cycle knows of one body beyond its particles.
+/// A body in the cycle, beside its particles.
 #[derive(Clone, Debug)]
 pub(crate) struct BodyRun {
     pub(crate) id: i64,

@@ -20,8 +20,8 @@ use super::mirrors::Mirrors;
 use super::surface::{Patch, nodes_of_patch};
 use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
-use crate::mortar::motion::Follow;
-use crate::mortar::weights::Lost;
+use crate::mortar::motion::FollowMode;
+use crate::mortar::weights::LostVertex;
 use crate::simulation::Simulation;
 use crate::weights::{Family, face_weights, vertex_weights};
 use std::array;
@@ -30,7 +30,7 @@ use std::array;
 const BEARS: f64 = 4.0;
 
 /// Conditions on which the weights of the vertices of one body depend.
-pub(super) struct Weighing<'a, const D: usize> {
+pub(super) struct VertexWeighting<'a, const D: usize> {
     pub(super) shape: &'a GridShape,
     pub(super) mirrors: Mirrors,
     /// Nodes of the body's field.
@@ -48,11 +48,11 @@ pub(super) struct Weighing<'a, const D: usize> {
     full: [f64; D],
 }
 
-impl<'a, const D: usize> Weighing<'a, D> {
+impl<'a, const D: usize> VertexWeighting<'a, D> {
     /// That of a body; `None` where it has no field of its own.
     pub(super) fn of(hosts: &'a Simulation, index: usize) -> Option<Self> {
         let field = hosts.work.grid.own_field(index)?;
-        let body = &hosts.decided.bodies[index];
+        let body = &hosts.model.bodies[index];
         let (mapping, shape) = (&body.mapping, &hosts.work.grid.shape);
         let cell: f64 = mapping.cell[..D].iter().product();
         let parts = array::from_fn(|axis| {
@@ -64,7 +64,7 @@ impl<'a, const D: usize> Weighing<'a, D> {
         let full = body.density * cell;
         Some(Self {
             shape,
-            mirrors: Mirrors::of(&hosts.decided.scene),
+            mirrors: Mirrors::of(&hosts.model.scene),
             lines: field.nodes.lines(),
             rows: &field.rows,
             family: mapping.family,
@@ -83,20 +83,20 @@ impl<'a, const D: usize> Weighing<'a, D> {
     /// Finds the nodes of a vertex at a place, and its weights on them.
     ///
     /// # Errors
-    /// [`Lost`] where no node near it has mass.
+    /// [`LostVertex`] where no node near it has mass.
     #[inline]
     pub(super) fn weigh<const N: usize>(
         &self,
         x: &PointIn<D>,
-        follow: Follow,
+        follow: FollowMode,
         patch: &mut Patch<D, N>,
-    ) -> Result<(), Lost> {
+    ) -> Result<(), LostVertex> {
         let xi = self.in_cells(x);
         let raw = vertex_weights::<D, N>(self.family, &xi, self.half_length);
         let raw = self.mirrors.fold(raw);
         nodes_of_patch::<D, N>(raw.base, self.shape, self.rows, self.lines, patch);
         patch.off = None;
-        patch.weights = if follow == Follow::Unaugmented {
+        patch.weights = if follow == FollowMode::Unaugmented {
             raw.on_mass(&patch.masses)
         } else {
             let masses = self.mirrors.with_images(raw.base, patch.masses);

@@ -1,27 +1,27 @@
-//! What the plan says of mortar contact.
+//! Plan entries of mortar contact.
 
-use crate::mortar::motion::Follow;
+use crate::mortar::motion::FollowMode;
 use crate::mortar::points::Detection;
-use crate::plan::Words;
+use crate::plan::PlanEntries;
 use crate::scene::{Dimension, Enforcement, Scene};
 
 /// One entry for each boundary, and one for each pair.
-pub(in crate::simulation) fn words(scene: &Scene, list: &mut Words) {
+pub(in crate::simulation) fn plan_entries(scene: &Scene, list: &mut PlanEntries) {
     for boundary in &scene.mortar.boundaries {
         list.keep(
             "stage",
             &format!("boundary of body {}", boundary.body),
             match boundary.follow {
-                Follow::Unaugmented => {
+                FollowMode::Unaugmented => {
                     "its vertices follow the velocities of the nodes, those without mass too"
                 }
-                Follow::Velocity => "its vertices follow the velocities of the nodes",
-                Follow::Spin => "its vertices follow velocities and spins of the nodes, and forces on them turn these too",
-                Follow::Gradient => {
+                FollowMode::Velocity => "its vertices follow the velocities of the nodes",
+                FollowMode::Spin => "its vertices follow velocities and spins of the nodes, and forces on them turn these too",
+                FollowMode::Gradient => {
                     "its vertices follow velocities and velocity gradients of the nodes, and forces on them turn and \
                      stretch these too"
                 }
-                Follow::Material => "its vertices stay on the particles that are around them at the start, which take their forces",
+                FollowMode::Material => "its vertices stay on the particles that are around them at the start, which take their forces",
             },
         );
     }

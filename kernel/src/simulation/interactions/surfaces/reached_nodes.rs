@@ -2,30 +2,30 @@
 
 use super::fields::Fields;
 use crate::grid::GridShape;
-use crate::simulation::conditions::Acting;
+use crate::simulation::conditions::NodalConditions;
 use crate::simulation::mapping::NodeWeights;
 use crate::stage::solve::Wall;
-use crate::stage::touch::{TouchedNode, Touches, Weight};
+use crate::stage::touch::{SurfaceTouches, TouchedNode, Weight};
 use std::ops::Range;
 
 /// Where a node stands in the list of reached nodes, by field and node. Of an earlier list nothing is cleared: an entry holds
 /// the number of the list that it belongs to.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Known {
+pub(super) struct NodeNumbers {
     list: u32,
     places: Vec<Vec<(u32, u32)>>,
 }
 
-impl Known {
+impl NodeNumbers {
     /// Begins a list.
-    pub(super) fn begin<'a>(&'a mut self, touches: &'a mut Touches) -> Reached<'a> {
+    pub(super) fn begin<'a>(&'a mut self, touches: &'a mut SurfaceTouches) -> ReachedNodes<'a> {
         touches.clear();
         self.list = self.list.wrapping_add(1);
         if self.list == 0 {
             self.places.clear();
             self.list = 1;
         }
-        Reached {
+        ReachedNodes {
             touches,
             known: self,
         }
@@ -33,33 +33,33 @@ impl Known {
 }
 
 /// A list of reached nodes that grows.
-pub(super) struct Reached<'a> {
-    pub(super) touches: &'a mut Touches,
-    known: &'a mut Known,
+pub(super) struct ReachedNodes<'a> {
+    pub(super) touches: &'a mut SurfaceTouches,
+    known: &'a mut NodeNumbers,
 }
 
-impl Reached<'_> {
+impl ReachedNodes<'_> {
     /// Adds the nodes of a particle of a field to the lists, with weights for each component of the velocity, those of ghosts
     /// at the nodes inside the mesh whose velocity they have, increasing by node; where they stand.
     pub(super) fn reach(
         &mut self,
         shape: &GridShape,
-        acting: &Acting,
+        nodal: &NodalConditions,
         fields: &Fields<'_>,
         field: usize,
         weights: &NodeWeights,
     ) -> Range<usize> {
         let start = self.touches.weights.len();
-        if touches_a_wall(shape, &acting.walls, weights) {
+        if touches_a_wall(shape, &nodal.walls, weights) {
             let mut folded = [(0, [0.0; 4]); NodeWeights::MOST];
-            let count = fold(shape, &acting.walls, weights, &mut folded);
+            let count = fold(shape, &nodal.walls, weights, &mut folded);
             for &(node, w) in &folded[..count] {
-                let place = self.place(shape, acting, fields, [field, node]);
+                let place = self.place(shape, nodal, fields, [field, node]);
                 self.touches.weights.push((place, w));
             }
         } else {
             for &(node, w) in weights.iter() {
-                let place = self.place(shape, acting, fields, [field, node]);
+                let place = self.place(shape, nodal, fields, [field, node]);
                 self.touches.weights.push((place, [w, w, w, 0.0]));
             }
         }
@@ -70,11 +70,11 @@ impl Reached<'_> {
     fn place(
         &mut self,
         shape: &GridShape,
-        acting: &Acting,
+        nodal: &NodalConditions,
         fields: &Fields<'_>,
         [field, node]: [usize; 2],
     ) -> usize {
-        let Known { list, places } = &mut *self.known;
+        let NodeNumbers { list, places } = &mut *self.known;
         if places.len() <= field {
             places.resize(field + 1, vec![]);
         }
@@ -83,7 +83,7 @@ impl Reached<'_> {
         }
         let (known_in, place) = &mut places[field][node];
         if *known_in != *list {
-            let new = add(self.touches, shape, acting, fields, [field, node]);
+            let new = add(self.touches, shape, nodal, fields, [field, node]);
             (*known_in, *place) = (*list, new as u32);
         }
         *place as usize
@@ -92,13 +92,13 @@ impl Reached<'_> {
 
 /// The place of a node that its field did not reach before.
 fn add(
-    touches: &mut Touches,
+    touches: &mut SurfaceTouches,
     shape: &GridShape,
-    acting: &Acting,
+    nodal: &NodalConditions,
     fields: &Fields<'_>,
     [field, node]: [usize; 2],
 ) -> usize {
-    let Touches { nodes, others, .. } = touches;
+    let SurfaceTouches { nodes, others, .. } = touches;
     let start = others.len();
     let lowest = fields.sharing([field, node], others);
     if others.len() > start {
@@ -113,7 +113,7 @@ fn add(
     }
     nodes.push(TouchedNode {
         node,
-        mobility: mobility(shape, acting, node, fields, (lowest, &others[start..])),
+        mobility: mobility(shape, nodal, node, fields, (lowest, &others[start..])),
         change: [0.0; 4],
         field: lowest,
         others: start..others.len(),
@@ -188,7 +188,7 @@ fn inside(shape: &GridShape, walls: &[Wall], node: usize) -> (usize, [f64; 3]) {
 /// or a driven body prescribes the velocity.
 fn mobility(
     shape: &GridShape,
-    acting: &Acting,
+    nodal: &NodalConditions,
     node: usize,
     fields: &Fields<'_>,
     (lowest, others): (usize, &[usize]),
@@ -197,7 +197,7 @@ fn mobility(
     let mass: f64 = sharing().map(|f| fields.mass(f, node)).sum();
     let driven = |field: usize| match field {
         0 => {
-            let lists = [&acting.driven[..], &acting.held];
+            let lists = [&nodal.driven[..], &nodal.held];
             lists
                 .iter()
                 .any(|list| list.binary_search_by_key(&node, |d| d.node).is_ok())
@@ -210,7 +210,7 @@ fn mobility(
     let at = shape.indices(node);
     let free = 1.0 / mass;
     let mut mobility = [free, free, free, 0.0];
-    for wall in &acting.walls {
+    for wall in &nodal.walls {
         let (_, plane, _) = wall.layers(shape);
         if at[shape.direction(wall.axis)] == plane {
             for axis in 0..3 {

@@ -1,15 +1,15 @@
-//! What a scene needs of memory, said before any of it is taken.
+//! Memory estimate of a scene, made before anything is allocated.
 //!
 //! Estimates, on the high side: what an array holds, and a copy where a sort or a checkpoint makes one. What bodies with
 //! velocity fields of their own touch of the grid later, as they travel, is not foreseen.
 
 use super::error::{MESH, SetupError};
-use crate::bodies::{self, FILLED, FillError, Room};
+use crate::bodies::{self, FILLED, FillError, MemoryRoom};
 use crate::grid::{GridShape, Line};
 use crate::layout::Layout;
 use crate::memory::{Memory, OutOfMemory, in_one_piece};
 use crate::particles::ParticleSet;
-use crate::plan::{Demands, Plan};
+use crate::plan::{Plan, PlanOptions};
 use crate::scene::{Field, Scene};
 use crate::stage::solve::{DrivenNode, NodeForce};
 
@@ -66,9 +66,9 @@ fn handed_out(what: String, needed: f64) -> Result<(), OutOfMemory> {
     Ok(())
 }
 
-/// What a scene asks for, as it is seen before anything is made.
+/// The memory estimate of a scene, made before anything is allocated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Foreseen {
+pub struct MemoryEstimate {
     /// Particles of all bodies, from their volumes.
     pub particles: f64,
     /// Nodes, those around the mesh included.
@@ -79,11 +79,11 @@ pub struct Foreseen {
 
 /// Counts what a scene that was checked asks for.
 #[must_use]
-pub fn foresee(scene: &Scene) -> Foreseen {
-    let plan = super::start::plan(scene, Demands::default());
+pub fn estimate_memory(scene: &Scene) -> MemoryEstimate {
+    let plan = super::start::plan(scene, PlanOptions::default());
     let nodes = nodes(&GridShape::new(&scene.mesh, scene.dimension));
     let bodies = expected(scene, &plan);
-    Foreseen {
+    MemoryEstimate {
         particles: bodies.iter().map(|(count, _)| count).sum(),
         nodes,
         bytes: nodes * size_of::<Line>() as f64
@@ -242,7 +242,11 @@ pub(super) fn per_particle(scene: &Scene, layout: &Layout) -> f64 {
 ///
 /// # Errors
 /// [`FillError::Memory`].
-pub(super) fn particles(count: usize, room: &Room, memory: &mut Memory) -> Result<(), FillError> {
+pub(super) fn particles(
+    count: usize,
+    room: &MemoryRoom,
+    memory: &mut Memory,
+) -> Result<(), FillError> {
     memory
         .take(
             format!("{count} particles"),

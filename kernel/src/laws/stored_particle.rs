@@ -4,9 +4,9 @@ use super::{Particle, UNDEFORMED};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 
-/// One particle of a set, of which a law is asked.
+/// View of a stored particle, for evaluating its law.
 #[derive(Clone, Copy, Debug)]
-pub struct Stored<'a> {
+pub struct StoredParticle<'a> {
     /// The set.
     pub set: &'a ParticleSet,
     /// Initial density of its material \[kg/m³\].
@@ -15,7 +15,7 @@ pub struct Stored<'a> {
     pub p: usize,
 }
 
-impl Stored<'_> {
+impl StoredParticle<'_> {
     /// Asks of the particle: what is not asked for need not be read where the question is known to the compiler.
     #[inline(always)]
     pub fn ask<T>(&self, question: impl FnOnce(&Particle<'_>) -> T) -> T {

@@ -8,10 +8,10 @@
 use super::gap::length;
 use crate::contact::Pair;
 use crate::scene::{Scene, Shape, Vector};
-use crate::simulation::conditions::Acting;
+use crate::simulation::conditions::NodalConditions;
 use crate::simulation::interactions::grid::{acts_by_shape, pairs_of};
 use crate::simulation::{BodyRun, Simulation};
-use crate::surface::{Feature, Nearest};
+use crate::surface::{Feature, NearestPoint};
 
 /// Share of the distance of contact within which a bonded body holds particles: three quarters of the half of a particle where
 /// those of both bodies are alike, so that the second row is not held before a third of the strain of the first is lost.
@@ -22,7 +22,7 @@ const OUTWARD: f64 = 0.01;
 
 /// A rigid thing that pushes particles.
 #[derive(Clone, Debug)]
-pub(super) enum Rigid {
+pub(super) enum RigidObstacle {
     /// A surface of the scene, by its place there. It pushes all bodies.
     Surface(usize),
     /// A driven body.
@@ -48,8 +48,8 @@ pub(super) struct Driven {
 }
 
 /// All of a scene: its surfaces, then driven bodies pair by pair.
-pub(super) fn all(scene: &Scene, bodies: &[BodyRun]) -> Vec<Rigid> {
-    let surfaces = (0..scene.surfaces.len()).map(Rigid::Surface);
+pub(super) fn all(scene: &Scene, bodies: &[BodyRun]) -> Vec<RigidObstacle> {
+    let surfaces = (0..scene.surfaces.len()).map(RigidObstacle::Surface);
     let pairs = pairs_of(scene, bodies).into_iter();
     let driven = pairs.filter(|pair| pair.by_shape).map(|pair| {
         let [body, partner] = if acts_by_shape(scene, bodies, [pair.master, pair.slave]) {
@@ -60,7 +60,7 @@ pub(super) fn all(scene: &Scene, bodies: &[BodyRun]) -> Vec<Rigid> {
         let given = scene.contact_distance.is_some_and(|lambda| lambda > 0.0);
         let own = &bodies[body].particle_half_length;
         let half = std::array::from_fn(|axis| (pair.distance[axis] - own[axis]).max(0.0));
-        Rigid::Driven(Box::new(Driven {
+        RigidObstacle::Driven(Box::new(Driven {
             body,
             partner,
             shape: scene.bodies[body].shape.relative_to(&scene.mesh.origin),
@@ -93,7 +93,7 @@ impl Driven {
     }
 }
 
-impl Rigid {
+impl RigidObstacle {
     /// Displacement since the start \[m\]: of a surface in space, of a body relative to the mesh.
     pub(super) fn shift(&self, simulation: &Simulation) -> Vector {
         match self {
@@ -105,14 +105,14 @@ impl Rigid {
     }
 
     /// Velocity over the step that is being done \[m/s\].
-    pub(super) fn velocity(&self, simulation: &Simulation, acting: &Acting) -> Vector {
+    pub(super) fn velocity(&self, simulation: &Simulation, nodal: &NodalConditions) -> Vector {
         match self {
             Self::Surface(surface) => {
-                let way = simulation.decided.surface_ways[*surface].as_ref();
+                let way = simulation.model.surface_ways[*surface].as_ref();
                 let time = simulation.state.clock.time;
-                way.map_or([0.0; 3], |way| way.mean_velocity(time, acting.drift))
+                way.map_or([0.0; 3], |way| way.mean_velocity(time, nodal.drift))
             }
-            Self::Driven(driven) => acting.prescribed[driven.body].map_or([0.0; 3], |[_, v]| v),
+            Self::Driven(driven) => nodal.prescribed[driven.body].map_or([0.0; 3], |[_, v]| v),
         }
     }
 
@@ -130,14 +130,14 @@ impl Rigid {
     /// Whether it pushes a body.
     pub(super) fn pushes(&self, simulation: &Simulation, set: usize) -> bool {
         match self {
-            Self::Surface(_) => simulation.decided.bodies[set].motion.is_none(),
+            Self::Surface(_) => simulation.model.bodies[set].motion.is_none(),
             Self::Driven(driven) => driven.partner == set,
         }
     }
 
     /// Coefficient of friction.
     pub(super) fn friction(&self, simulation: &Simulation) -> f64 {
-        let scene = &simulation.decided.scene;
+        let scene = &simulation.model.scene;
         match self {
             Self::Surface(surface) => scene.surfaces[*surface].friction,
             Self::Driven(driven) => {
@@ -154,9 +154,7 @@ impl Rigid {
     /// Gap along a normal below which contact is looked for, and the longest way that a particle may approach in a step \[m\].
     pub(super) fn threshold(&self, simulation: &Simulation, normal: &Vector) -> f64 {
         match self {
-            Self::Surface(surface) => {
-                simulation.decided.scene.surfaces[*surface].distance_threshold
-            }
+            Self::Surface(surface) => simulation.model.scene.surfaces[*surface].distance_threshold,
             Self::Driven(driven) => driven.pair.distance_along(normal),
         }
     }
@@ -175,9 +173,7 @@ impl Rigid {
     /// The largest of them along any normal \[m\].
     pub(super) fn widest_threshold(&self, simulation: &Simulation) -> f64 {
         match self {
-            Self::Surface(surface) => {
-                simulation.decided.scene.surfaces[*surface].distance_threshold
-            }
+            Self::Surface(surface) => simulation.model.scene.surfaces[*surface].distance_threshold,
             Self::Driven(driven) => length(&driven.pair.distance),
         }
     }
@@ -208,11 +204,11 @@ impl Rigid {
         shift: &Vector,
         within: f64,
         guess: Option<usize>,
-    ) -> Option<Nearest> {
+    ) -> Option<NearestPoint> {
         match self {
             Self::Surface(surface) => {
                 let local = simulation.on_surface(x, shift);
-                let surface = &simulation.decided.local_surfaces[*surface];
+                let surface = &simulation.model.local_surfaces[*surface];
                 match guess {
                     None => surface.nearest(&local, within),
                     Some(triangle) => surface.nearest_from(triangle, &local, within),
@@ -222,8 +218,8 @@ impl Rigid {
                 let local: Vector = std::array::from_fn(|axis| x[axis] - shift[axis]);
                 let found = driven
                     .shape
-                    .nearest(simulation.decided.scene.dimension, &local)?;
-                (found.distance < within).then_some(Nearest {
+                    .nearest(simulation.model.scene.dimension, &local)?;
+                (found.distance < within).then_some(NearestPoint {
                     triangle: 0,
                     feature: Feature::Face,
                     point: found.point,

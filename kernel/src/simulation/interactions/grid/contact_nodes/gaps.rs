@@ -1,9 +1,9 @@
 //! Normals and gaps between the bodies of pairs at the nodes where they meet.
 
-use super::{Bodies, Meetings};
+use super::{Bodies, ContactNodes};
 use crate::contact::Pair;
 use crate::contact::separation::Cloud;
-use crate::contact::surface::{self, Probe, Search, Side};
+use crate::contact::surface::{self, Probe, ProbeSearch, SurfaceSide};
 use crate::grid::GridShape;
 use crate::scene::{ContactNormal, Vector};
 use crate::simulation::interactions::grid::faces::SlabFields;
@@ -22,7 +22,7 @@ const PLAUSIBLE: f64 = 0.25;
 
 /// A node where a pair meets.
 #[derive(Clone, Copy, Debug)]
-struct At {
+struct PairAtNode {
     /// Index of the node in the grid.
     node: usize,
     /// Index of the touch.
@@ -35,8 +35,8 @@ struct At {
 
 /// Lists that are filled for one pair after the other.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Lists {
-    nodes: Vec<At>,
+pub(super) struct GapLists {
+    nodes: Vec<PairAtNode>,
     probes: Vec<Probe>,
     distances: Vec<Distance>,
     /// The first of them belong to the nodes; the rest is memory.
@@ -56,14 +56,14 @@ struct Distance {
     bounds: Vector,
 }
 
-impl Meetings {
+impl ContactNodes {
     /// Measures the gaps of all pairs whose distance matters, and replaces normals that do not separate the bodies.
     pub(super) fn measure(
         &mut self,
         fields: &mut SlabFields<'_, '_, '_>,
         bodies: &Bodies<'_>,
         sides: &[Option<[usize; 2]>],
-        lists: &mut Lists,
+        lists: &mut GapLists,
     ) {
         let shape = fields.shape();
         let first = fields.range().start * shape.plane_nodes();
@@ -105,7 +105,7 @@ impl Meetings {
     }
 
     /// Lists the nodes where a pair meets and its normal or gap is looked for.
-    fn list(&self, index: usize, pair: &Pair, lists: &mut Lists) {
+    fn list(&self, index: usize, pair: &Pair, lists: &mut GapLists) {
         lists.nodes.clear();
         let mut clouds = 0;
         for meeting in &self.nodes {
@@ -114,7 +114,7 @@ impl Meetings {
                 if of.pair == index && (pair.corrects_distance || !of.opposite) {
                     let cloud = (!of.opposite).then_some(clouds);
                     clouds += usize::from(!of.opposite);
-                    lists.nodes.push(At {
+                    lists.nodes.push(PairAtNode {
                         node: meeting.node,
                         touch,
                         normal: of.normal,
@@ -151,7 +151,7 @@ impl Ends {
         own: &Vector,
     ) -> Option<Self> {
         let [Some(master), Some(slave)] = numbers.map(|number| {
-            Some(Side {
+            Some(SurfaceSide {
                 mass: fields.planes(number).nodes[node][0],
                 surface: &fields.faces[fields.place_of(number)?].lines[node],
             })
@@ -181,7 +181,7 @@ impl Ends {
 /// there, of the normals of both bodies that one is taken along which they are farther apart.
 fn instead(
     pair: &Pair,
-    at: &At,
+    at: &PairAtNode,
     distance: &Distance,
     ends: Ends,
     cloud: &Cloud,
@@ -236,7 +236,7 @@ fn instead(
     }
 }
 
-impl Lists {
+impl GapLists {
     /// Finds the distances of the bodies of a pair along the normal at each of its nodes, eq. (8) along one normal, so that
     /// the position of the node drops out, and gathers the clouds.
     fn measure(
@@ -250,7 +250,7 @@ impl Lists {
             return;
         }
         let shape = fields.shape();
-        let search = Search {
+        let search = ProbeSearch {
             shape,
             planes: fields.range(),
             stencil: bodies.stencil,

@@ -4,7 +4,7 @@
 //! It shows at the nodes before the first step: where all is in balance no free node is accelerated.
 
 use super::Simulation;
-use super::energy::Kept;
+use super::energy::NodalSnapshot;
 use super::error::StepError;
 use crate::layout::Layout;
 use crate::scene::InitialStress;
@@ -18,10 +18,10 @@ impl Simulation {
     /// A warning where stress at the start is out of balance; `None` where there is none, or where it cannot be measured.
     pub(super) fn initial_imbalance(&mut self) -> Option<String> {
         let stressed = |body: &crate::scene::Body| body.initial_stress != InitialStress::None;
-        if !self.decided.scene.bodies.iter().any(stressed) {
+        if !self.model.scene.bodies.iter().any(stressed) {
             return None;
         }
-        let kept = Kept::take(self);
+        let kept = NodalSnapshot::take(self);
         let found = self.led(Self::unbalanced_force);
         kept.put_back(self);
         let unbalanced = found.ok()?;
@@ -44,16 +44,16 @@ impl Simulation {
         // Any time will do: forces at the nodes do not depend on it.
         let kick = self.free_step();
         let now = self.state.clock.time;
-        let acting = self.nodal_conditions_over(kick, [now, now], kick);
-        self.complete_solve(&acting)?;
+        let nodal = self.nodal_conditions_over(kick, [now, now], kick);
+        self.complete_solve(&nodal)?;
         let grid = &self.work.grid;
-        let driven = |body: usize| self.decided.bodies[body].motion.is_some();
+        let driven = |body: usize| self.model.bodies[body].motion.is_some();
         let nodes = grid.free_nodes(driven);
         let inside = nodes
-            .filter(|(node, _)| !is_ghost(&grid.shape, &acting.walls, grid.shape.indices(*node)));
+            .filter(|(node, _)| !is_ghost(&grid.shape, &nodal.walls, grid.shape.indices(*node)));
         // A fluid that is to flow out of a side has the pressure of its weight at the start: its balance is that along gravity.
-        let fluid = self.decided.bodies.iter().all(|body| body.law.is_fluid());
-        let gravity = self.decided.scene.gravity;
+        let fluid = self.model.bodies.iter().all(|body| body.law.is_fluid());
+        let gravity = self.model.scene.gravity;
         let counts = |axis: usize| !fluid || gravity == [0.0; 3] || gravity[axis] != 0.0;
         let force = |line: &crate::grid::Line| {
             let along = (0..3).filter(|axis| counts(*axis));
@@ -66,17 +66,11 @@ impl Simulation {
     /// The weight of the bodies, or the force of the largest stress on one side of them where nothing weighs \[N\], and its
     /// name.
     fn force_of_start(&self) -> (f64, &'static str) {
-        let gravity = self
-            .decided
-            .scene
-            .gravity
-            .iter()
-            .map(|g| g * g)
-            .sum::<f64>();
+        let gravity = self.model.scene.gravity.iter().map(|g| g * g).sum::<f64>();
         if gravity > 0.0 {
             return (self.mass() * gravity.sqrt(), "weight");
         }
-        let axes = self.decided.plan.axes;
+        let axes = self.model.plan.axes;
         let force = self.state.sets.iter().map(|set| {
             let volume: f64 = set.columns[Layout::VOLUME].iter().sum();
             let stress = (0..set.len()).flat_map(|p| set.stress(p));

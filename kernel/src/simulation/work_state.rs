@@ -1,19 +1,19 @@
-//! What a step works with.
+//! The work state: memory of a step that holds nothing between two of them.
 
-use super::conditions::Acting;
+use super::conditions::NodalConditions;
 use super::error::StepError;
 use super::fields::Grid;
 use super::interactions::Interactions;
+use super::invariants::Momentum;
 use super::measure::ByIdentifier;
-use super::passes::{Gathered, Solved};
+use super::passes::{G2pShare, SlabSolution};
 use super::phase::PhaseTimer;
 use super::tension::TensionWatch;
-use super::trust::Momentum;
 use crate::stage::solve::PlaneSums;
 use std::sync::Mutex;
 
-/// What a step works with: the grid, which holds nothing between two steps, and what acts between its fields.
-pub(crate) struct Work {
+/// The work state of a step: the grid, the interactions between its fields, and lists that keep their memory.
+pub(crate) struct WorkState {
     pub(crate) grid: Grid,
     /// Whether each body has a velocity field of its own, as of the last sort.
     pub(crate) own_field: Vec<bool>,
@@ -26,11 +26,11 @@ pub(crate) struct Work {
     /// Why a step left particles where no step can go on.
     pub(crate) failed: Option<StepError>,
     /// What acted in the last step: its lists are filled again in the next.
-    pub(crate) acting: Acting,
+    pub(crate) nodal: NodalConditions,
     /// What the last visit of each slab gave.
-    pub(crate) solved: Vec<Solved>,
+    pub(crate) solved: Vec<SlabSolution>,
     /// What the last pass over each share of the particles gave.
-    pub(crate) gathered: Vec<Gathered>,
+    pub(crate) gathered: Vec<G2pShare>,
     /// Body forces on the particles of one body per mass, while they are found \[m/s²\].
     pub(crate) forces: Vec<[f64; 3]>,
     /// The order of sums over particles, while one is formed.
@@ -41,7 +41,7 @@ pub(crate) struct Work {
     pub(crate) tension: Option<TensionWatch>,
 }
 
-impl Work {
+impl WorkState {
     /// An empty grid.
     pub(super) fn new(grid: Grid, interactions: Interactions, bodies: usize) -> Self {
         Self {
@@ -51,7 +51,7 @@ impl Work {
             phase_timer: PhaseTimer::default(),
             sums: PlaneSums::default(),
             failed: None,
-            acting: Acting::default(),
+            nodal: NodalConditions::default(),
             solved: vec![],
             gathered: vec![],
             forces: vec![],

@@ -1,10 +1,10 @@
-//! What the plan says of rigid surfaces.
+//! Plan entries of rigid surfaces.
 
-use crate::plan::Words;
+use crate::plan::PlanEntries;
 use crate::scene::{RigidSurface, Scene};
 
 /// One entry for all of them.
-pub(in crate::simulation) fn words(scene: &Scene, list: &mut Words) {
+pub(in crate::simulation) fn plan_entries(scene: &Scene, list: &mut PlanEntries) {
     let surfaces: Vec<String> = scene.surfaces.iter().map(surface_words).collect();
     list.choose(
         "stage",

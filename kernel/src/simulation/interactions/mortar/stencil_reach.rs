@@ -75,7 +75,7 @@ fn is_mirrored(base: [usize; 3], inner: &[Range<usize>; 3]) -> bool {
 
 /// What a particle has on the nodes of its stencil.
 #[derive(Clone, Debug)]
-pub(super) struct Reach<const D: usize> {
+pub(super) struct StencilReach<const D: usize> {
     /// Index of its base in the grid.
     base: usize,
     /// Whether it reaches a ghost, so that it has an image.
@@ -84,7 +84,7 @@ pub(super) struct Reach<const D: usize> {
     axes: [([f64; 4], [f64; 4]); D],
 }
 
-impl<const D: usize> Reach<D> {
+impl<const D: usize> StencilReach<D> {
     /// That of a particle of a set where it is now.
     pub(super) fn of(
         (set, p): (&ParticleSet, usize),
@@ -114,7 +114,7 @@ impl<const D: usize> Reach<D> {
         }
     }
 
-    /// That of no particle, for [`Reaches`] to write over.
+    /// That of no particle, for [`StencilReaches`] to write over.
     pub(super) const NOWHERE: Self = Self {
         base: 0,
         mirrored: false,
@@ -143,7 +143,11 @@ impl<const D: usize> Reach<D> {
         for axis in 1..D - 1 {
             let (w, g) = &self.axes[axis];
             for (along, slope) in slopes.iter_mut().enumerate() {
-                *slope *= if along == axis { g[at[axis]] } else { w[at[axis]] };
+                *slope *= if along == axis {
+                    g[at[axis]]
+                } else {
+                    w[at[axis]]
+                };
             }
             weight *= w[at[axis]];
         }
@@ -213,7 +217,7 @@ impl<const D: usize> Reach<D> {
 }
 
 /// What particles have on the nodes of their stencils, found for eight of them at once.
-pub(super) struct Reaches<'a, const D: usize> {
+pub(super) struct StencilReaches<'a, const D: usize> {
     /// The particles of a set.
     pub(super) particles: &'a [usize],
     /// Where they are.
@@ -226,10 +230,10 @@ pub(super) struct Reaches<'a, const D: usize> {
     /// Nodes per axis of the stencil.
     pub(super) stencil: usize,
     /// One for each particle, to be written.
-    pub(super) found: &'a mut [Reach<D>],
+    pub(super) found: &'a mut [StencilReach<D>],
 }
 
-impl<const D: usize> Kernel for Reaches<'_, D> {
+impl<const D: usize> Kernel for StencilReaches<'_, D> {
     type Output = ();
 
     #[inline(always)]
@@ -242,7 +246,7 @@ impl<const D: usize> Kernel for Reaches<'_, D> {
     }
 }
 
-impl<const D: usize> Reaches<'_, D> {
+impl<const D: usize> StencilReaches<'_, D> {
     #[inline(always)]
     fn write<B: Backend, const N: usize>(self) {
         let Self {

@@ -1,16 +1,16 @@
 //! Velocity gradients of particles, L_p = sum_I v_I grad S_Ip, and their means at nodes (eq. 28), in lanes: a velocity is half
 //! a line.
 
-use super::{Around, Columns, reflected};
+use super::{HalfLineColumns, NeighbourParticles, reflected};
 use crate::grid::{GridShape, Line};
 use crate::lanes::{Backend, Kernel, Lanes};
 use crate::simulation::interactions::mortar::mirrors::Mirrors;
-use crate::simulation::interactions::mortar::reach::{Reach, StencilNode};
+use crate::simulation::interactions::mortar::stencil_reach::{StencilNode, StencilReach};
 
 /// The gradients of some particles, times their masses.
-pub(super) struct OfParticles<'a, const D: usize> {
+pub(super) struct ParticleGradients<'a, const D: usize> {
     /// The particles, and their masses \[kg\].
-    pub(super) reaches: &'a [Reach<D>],
+    pub(super) reaches: &'a [StencilReach<D>],
     pub(super) masses: &'a [f64],
     /// Rows of their stencils, and the number of nodes in each.
     pub(super) rows: &'a [StencilNode<D>],
@@ -18,10 +18,10 @@ pub(super) struct OfParticles<'a, const D: usize> {
     /// All nodes, with their velocities.
     pub(super) lines: &'a [Line],
     /// One for each particle, to be written \[kg/s\].
-    pub(super) gradients: &'a mut [Columns<D>],
+    pub(super) gradients: &'a mut [HalfLineColumns<D>],
 }
 
-impl<const D: usize> Kernel for OfParticles<'_, D> {
+impl<const D: usize> Kernel for ParticleGradients<'_, D> {
     type Output = ();
 
     #[inline(always)]
@@ -34,7 +34,7 @@ impl<const D: usize> Kernel for OfParticles<'_, D> {
     }
 }
 
-impl<const D: usize> OfParticles<'_, D> {
+impl<const D: usize> ParticleGradients<'_, D> {
     #[inline(always)]
     fn write<H: Lanes, const N: usize>(self) {
         let zero = H::splat(0.0);
@@ -67,20 +67,20 @@ impl<const D: usize> OfParticles<'_, D> {
 }
 
 /// Sums over the particles around the nodes of some planes, in the order of the particles.
-pub(super) struct Gathered<'a, const D: usize> {
+pub(super) struct GradientSums<'a, const D: usize> {
     /// Particles and hosts.
-    pub(super) around: &'a Around<D>,
+    pub(super) around: &'a NeighbourParticles<D>,
     /// Gradients of the particles, times their masses \[kg/s\].
-    pub(super) of_particles: &'a [Columns<D>],
+    pub(super) of_particles: &'a [HalfLineColumns<D>],
     /// The first node, and sums to be added to \[kg/s\].
     pub(super) first: usize,
-    pub(super) sums: &'a mut [Columns<D>],
+    pub(super) sums: &'a mut [HalfLineColumns<D>],
     /// The grid, and what lies beyond it.
     pub(super) shape: &'a GridShape,
     pub(super) mirrors: &'a Mirrors,
 }
 
-impl<const D: usize> Kernel for Gathered<'_, D> {
+impl<const D: usize> Kernel for GradientSums<'_, D> {
     type Output = ();
 
     #[inline(always)]
@@ -95,7 +95,7 @@ impl<const D: usize> Kernel for Gathered<'_, D> {
     }
 }
 
-impl<const D: usize> Gathered<'_, D> {
+impl<const D: usize> GradientSums<'_, D> {
     /// Adds runs of particles with the same base, whose sums at a row of nodes are in `N` times `PARTS` registers.
     #[inline(always)]
     fn add<L: Lanes, const N: usize, const PARTS: usize>(self) {
@@ -176,10 +176,10 @@ impl<const D: usize> Gathered<'_, D> {
 
 /// Adds one particle some of whose nodes are ghosts, which its images give to.
 fn to_images<const D: usize>(
-    around: &Around<D>,
-    reach: &Reach<D>,
-    gradient: &Columns<D>,
-    (own, sums): (usize, &mut [Columns<D>]),
+    around: &NeighbourParticles<D>,
+    reach: &StencilReach<D>,
+    gradient: &HalfLineColumns<D>,
+    (own, sums): (usize, &mut [HalfLineColumns<D>]),
     (shape, mirrors): (&GridShape, &Mirrors),
 ) {
     for node in &around.stencil {

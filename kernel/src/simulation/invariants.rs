@@ -1,4 +1,4 @@
-//! A run that knows when it went wrong: balances that hold whatever a scene does, watched on the way.
+//! The invariant monitor: balances of energy and momentum that hold in every scene, checked during a run.
 //!
 //! The largest strain of a particle within a step is known after each step, and from it by how much volumes can have
 //! changed; the first particle that is crushed or blown up is an event. Energy and momentum are summed in one step
@@ -33,16 +33,16 @@ pub const MOST_GAIN: f64 = 1.0;
 pub const MOST_INCREMENT: f64 = 0.5;
 /// Largest change of momentum that no force accounts for, over the momentum that there is in all directions.
 pub const MOST_LOST_MOMENTUM: f64 = 1e-9;
-/// Least volume of a particle over that of the start at which nothing is said.
+/// Smallest V/V_0 of a particle that raises no event.
 pub const LEAST_VOLUME_RATIO: f64 = 0.1;
-/// Largest volume of a particle over that of the start at which nothing is said.
+/// Largest V/V_0 of a particle that raises no event.
 pub const MOST_VOLUME_RATIO: f64 = 10.0;
 /// Energy that is no more than round-off, over that of the mass at the speed of its waves.
 pub(super) const ROUND_OFF: f64 = 1e-20;
 
-/// What a run was seen to do so far.
+/// The invariant monitor of a run: the largest violations so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Trust {
+pub struct InvariantMonitor {
     /// Largest energy that the start and the work done have given \[J\].
     pub given: f64,
     /// Largest energy from nowhere, over that.
@@ -55,25 +55,25 @@ pub struct Trust {
     /// [`MOST_VOLUME_RATIO`], as a logarithm: then they are looked at. Infinite once one was seen.
     pub volume_left: f64,
     /// Since when the run is not to be trusted, and why.
-    pub doubt: Option<Doubt>,
+    pub violation: Option<Violation>,
 }
 
-/// Since when a run is not to be trusted, and why.
+/// The first violation of an invariant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Doubt {
+pub struct Violation {
     /// Number of the step after which it was seen.
     pub step: u64,
     /// Time \[s\].
     pub time: f64,
     /// What was out of balance.
-    pub reason: Reason,
+    pub reason: Invariant,
     /// How far.
     pub value: f64,
 }
 
-/// What can be out of balance.
+/// An invariant of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
+pub enum Invariant {
     /// Energy from nowhere: [`MOST_GAIN`].
     Energy,
     /// A particle is strained too far within a step: [`MOST_INCREMENT`].
@@ -82,12 +82,12 @@ pub enum Reason {
     Momentum,
 }
 
-impl Reason {
+impl Invariant {
     /// All of them, in an order that stays.
     pub const ALL: [Self; 3] = [Self::Energy, Self::Increment, Self::Momentum];
 }
 
-impl fmt::Display for Doubt {
+impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
@@ -96,15 +96,15 @@ impl fmt::Display for Doubt {
         )?;
         let value = self.value;
         match self.reason {
-            Reason::Energy => write!(
+            Invariant::Energy => write!(
                 f,
                 "there is more energy than was given, by {value:.3} of that; accepted: {MOST_GAIN}"
             ),
-            Reason::Increment => write!(
+            Invariant::Increment => write!(
                 f,
                 "a particle was strained by {value:.3} in one step; accepted: {MOST_INCREMENT}"
             ),
-            Reason::Momentum => write!(
+            Invariant::Momentum => write!(
                 f,
                 "{value:.3e} of the momentum changed without a force; accepted: {MOST_LOST_MOMENTUM:e}"
             ),
@@ -122,10 +122,10 @@ pub(crate) struct Momentum {
 }
 
 impl Simulation {
-    /// What the run was seen to do so far.
+    /// The invariant monitor.
     #[must_use]
-    pub fn trust(&self) -> &Trust {
-        &self.state.trust
+    pub fn invariants(&self) -> &InvariantMonitor {
+        &self.state.invariants
     }
 
     /// Whether energy and momentum are looked at after a step.
@@ -151,8 +151,8 @@ impl Simulation {
     pub(super) fn watch(&mut self, info: &StepInfo, drift: &Drift) -> Result<(), StepError> {
         let squares = self.state.found.iter().map(|found| found.increment_squared);
         let increment = squares.fold(0.0, f64::max).sqrt();
-        self.state.trust.increment = self.state.trust.increment.max(increment);
-        self.doubt(info, Reason::Increment, increment, MOST_INCREMENT);
+        self.state.invariants.increment = self.state.invariants.increment.max(increment);
+        self.violation(info, Invariant::Increment, increment, MOST_INCREMENT);
         self.watch_volumes(info, increment);
         if Self::looks_after(info.step) {
             self.note_extremes();
@@ -165,9 +165,9 @@ impl Simulation {
                 self.watch_momentum(info, &momentum);
             }
         }
-        match self.state.trust.doubt {
-            Some(doubt) if self.decided.scene.on_imbalance == OnImbalance::Stop => {
-                Err(self.error(StepErrorKind::NotTrusted(doubt)))
+        match self.state.invariants.violation {
+            Some(violation) if self.model.scene.on_imbalance == OnImbalance::Stop => {
+                Err(self.error(StepErrorKind::NotTrusted(violation)))
             }
             _ => Ok(()),
         }
@@ -175,24 +175,24 @@ impl Simulation {
 
     /// Whether all that does work on the bodies is known here.
     pub(super) fn knows_all_work(&self) -> bool {
-        self.decided.body_force.is_none() && !self.decided.has_own
+        self.model.body_force.is_none() && !self.model.has_own
     }
 
     /// Notes the first particle that was crushed or blown up. A strain increment G changes a volume by a factor of at least
     /// 1 - D |G|, so that volumes need not be looked at in every step.
     fn watch_volumes(&mut self, info: &StepInfo, increment: f64) {
-        let least = 1.0 - self.decided.plan.axes as f64 * increment;
+        let least = 1.0 - self.model.plan.axes as f64 * increment;
         let left = if least > 0.0 {
-            self.state.trust.volume_left + libm::log(least)
+            self.state.invariants.volume_left + libm::log(least)
         } else {
             f64::NEG_INFINITY
         };
-        self.state.trust.volume_left = left;
+        self.state.invariants.volume_left = left;
         if left > 0.0 {
             return;
         }
         let mut farthest = (1.0, None);
-        for (index, (set, body)) in self.state.sets.iter().zip(&self.decided.bodies).enumerate() {
+        for (index, (set, body)) in self.state.sets.iter().zip(&self.model.bodies).enumerate() {
             let columns = (&set.columns[Layout::VOLUME], &set.columns[Layout::MASS]);
             // What parts may grow as it likes.
             let most = if body.law.parts() { 1.0 } else { f64::INFINITY };
@@ -212,13 +212,13 @@ impl Simulation {
             }
         }
         let (factor, at) = farthest;
-        self.state.trust.volume_left = libm::log(MOST_VOLUME_RATIO / factor);
+        self.state.invariants.volume_left = libm::log(MOST_VOLUME_RATIO / factor);
         let Some((set, p)) = at.filter(|_| factor > MOST_VOLUME_RATIO) else {
             return;
         };
-        self.state.trust.volume_left = f64::INFINITY;
+        self.state.invariants.volume_left = f64::INFINITY;
         let particle = self.particle_at(set, p);
-        let ratio = particle.volume * self.decided.bodies[set].density / particle.mass;
+        let ratio = particle.volume * self.model.bodies[set].density / particle.mass;
         self.state.events.push(Event {
             step: info.step,
             time: info.time,
@@ -228,17 +228,17 @@ impl Simulation {
 
     fn watch_energy(&mut self, info: &StepInfo) {
         let energy = self.energy_behind();
-        let given = self.state.books.initial_energy + energy.external_work;
-        if self.state.trust.given == 0.0 {
+        let given = self.state.ledger.initial_energy + energy.external_work;
+        if self.state.invariants.given == 0.0 {
             let found = self.state.found.iter();
             let waves = found.map(|found| found.wave_speed_squared);
-            self.state.trust.given = ROUND_OFF * self.mass() * waves.fold(0.0, f64::max);
+            self.state.invariants.given = ROUND_OFF * self.mass() * waves.fold(0.0, f64::max);
         }
-        let trust = &mut self.state.trust;
-        trust.given = trust.given.max(given);
-        let gain = -energy.dissipated / trust.given;
-        trust.gain = trust.gain.max(gain);
-        self.doubt(info, Reason::Energy, gain, MOST_GAIN);
+        let invariants = &mut self.state.invariants;
+        invariants.given = invariants.given.max(given);
+        let gain = -energy.dissipated / invariants.given;
+        invariants.gain = invariants.gain.max(gain);
+        self.violation(info, Invariant::Energy, gain, MOST_GAIN);
     }
 
     fn watch_momentum(&mut self, info: &StepInfo, watched: &Momentum) {
@@ -249,17 +249,17 @@ impl Simulation {
         let scale = scale + watched.scale;
         if scale > 0.0 {
             let lost = lost / scale;
-            self.state.trust.lost_momentum = self.state.trust.lost_momentum.max(lost);
-            self.doubt(info, Reason::Momentum, lost, MOST_LOST_MOMENTUM);
+            self.state.invariants.lost_momentum = self.state.invariants.lost_momentum.max(lost);
+            self.violation(info, Invariant::Momentum, lost, MOST_LOST_MOMENTUM);
         }
     }
 
     /// Notes the first doubt. A value that is not a number is one.
-    fn doubt(&mut self, info: &StepInfo, reason: Reason, value: f64, most: f64) {
-        let trust = &mut self.state.trust;
+    fn violation(&mut self, info: &StepInfo, reason: Invariant, value: f64, most: f64) {
+        let invariants = &mut self.state.invariants;
         let holds = value <= most;
-        if !holds && trust.doubt.is_none() {
-            trust.doubt = Some(Doubt {
+        if !holds && invariants.violation.is_none() {
+            invariants.violation = Some(Violation {
                 step: info.step,
                 time: info.time,
                 reason,
@@ -271,7 +271,7 @@ impl Simulation {
     /// Momentum of the particles that move freely, and the sum of its magnitudes \[kg m/s\].
     fn free_momentum(&self) -> (Vector, f64) {
         let (mut sum, mut scale) = ([0.0; 3], 0.0);
-        for (set, body) in self.state.sets.iter().zip(&self.decided.bodies) {
+        for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
             if body.motion.is_some() {
                 continue;
             }
@@ -289,7 +289,7 @@ impl Simulation {
     /// What the momentum of all fields that move freely changes by in this step, and the sum of the magnitudes of the
     /// changes \[kg m/s\].
     fn change_at_nodes(&self) -> (Vector, f64) {
-        let driven = |body: usize| self.decided.bodies[body].motion.is_some();
+        let driven = |body: usize| self.model.bodies[body].motion.is_some();
         let (mut sum, mut scale) = ([0.0; 3], 0.0);
         for (_, line) in self.work.grid.free_nodes(driven) {
             for axis in 0..3 {
@@ -303,9 +303,9 @@ impl Simulation {
 
     /// Whether a particle is so near a boundary plane with a condition that its mirror image takes part in the mapping.
     fn near_a_plane(&self) -> bool {
-        let scene = &self.decided.scene;
+        let scene = &self.model.scene;
         let mesh = &scene.mesh;
-        let axes = self.decided.plan.axes;
+        let axes = self.model.plan.axes;
         (0..axes).any(|axis| {
             let acts = [0, 1].map(|side| scene.plane_acts(axis, side));
             if acts == [false; 2] {

@@ -9,21 +9,23 @@
 
 mod gradient;
 mod moment;
-mod near;
+mod near_bases;
 
 use super::mirrors::Mirrors;
-use super::reach::{Reach, Reaches, StencilNode, stencil_nodes, stencil_rows};
+use super::stencil_reach::{
+    StencilNode, StencilReach, StencilReaches, stencil_nodes, stencil_rows,
+};
 use super::surface::Patch;
 use crate::grid::{GridShape, Line};
 use crate::lanes::Selected;
 use crate::layout::Layout;
 use crate::mortar::PointIn;
-use crate::mortar::motion::Follow;
+use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
 use crate::simulation::BodyRun;
-use crate::team::{OfItem, Team};
+use crate::team::{ItemCost, Team};
 use nalgebra::SMatrix;
-use near::{Bases, Near};
+use near_bases::{Bases, NearBases};
 use std::array;
 
 /// Fewest particles that are worth handing to another thread.
@@ -31,15 +33,15 @@ const LEAST_SHARE: usize = 1 << 8;
 
 /// The particles that reach the nodes of a boundary, as of the last mapping.
 #[derive(Clone, Debug)]
-pub(super) struct Around<const D: usize> {
+pub(super) struct NeighbourParticles<const D: usize> {
     /// Those of the simulation.
     lanes: Selected,
     /// Place of each node of the grid in `hosts`, plus one; zero for nodes that no vertex hangs on.
     slots: Vec<u32>,
-    hosts: Vec<Host<D>>,
+    hosts: Vec<HostNode<D>>,
     /// Particles near the boundary, as numbered in their set, what they have on their stencils, and their masses \[kg\].
     particles: Vec<usize>,
-    reaches: Vec<Reach<D>>,
+    reaches: Vec<StencilReach<D>>,
     masses: Vec<f64>,
     /// Nodes of the stencil, and the first of each of its rows.
     stencil: Vec<StencilNode<D>>,
@@ -49,26 +51,26 @@ pub(super) struct Around<const D: usize> {
     turned: Bases,
     /// The parts that vertices follow of the velocity gradients at hosts \[1/s\].
     gradients: Vec<SMatrix<f64, D, D>>,
-    lists: Lists<D>,
+    lists: NeighbourLists<D>,
 }
 
 /// Lists that are filled again in each step.
 #[derive(Clone, Debug, Default)]
-struct Lists<const D: usize> {
+struct NeighbourLists<const D: usize> {
     /// Whether each particle is near.
     reaches: Vec<bool>,
-    of_particles: Vec<Columns<D>>,
+    of_particles: Vec<HalfLineColumns<D>>,
     /// Moments of the hosts, and before them none, for nodes that are no host.
-    moments: Vec<Columns<D>>,
+    moments: Vec<HalfLineColumns<D>>,
 }
 
 /// Sums at the nodes of the grid, for one body after the other. Those at nodes that no vertex hangs on mean nothing, and
 /// are not set to zero.
-pub(super) type NodeSums<const D: usize> = Vec<Columns<D>>;
+pub(super) type NodeSums<const D: usize> = Vec<HalfLineColumns<D>>;
 
 /// A node that a vertex hangs on.
 #[derive(Clone, Copy, Debug)]
-struct Host<const D: usize> {
+struct HostNode<const D: usize> {
     node: usize,
     /// Mass of the particles around it and of their images \[kg\].
     mass: f64,
@@ -77,12 +79,15 @@ struct Host<const D: usize> {
 }
 
 /// Columns of a matrix, each half a line: a vector and lanes that mean nothing.
-pub(super) type Columns<const D: usize> = [[f64; 4]; D];
+pub(super) type HalfLineColumns<const D: usize> = [[f64; 4]; D];
 
 /// A matrix beyond planes of symmetry from that on this side, or the other way round; `sides` is -1 along axes in which it
 /// is an image.
 #[inline(always)]
-fn reflected<const D: usize>(columns: &Columns<D>, sides: &PointIn<D>) -> Columns<D> {
+fn reflected<const D: usize>(
+    columns: &HalfLineColumns<D>,
+    sides: &PointIn<D>,
+) -> HalfLineColumns<D> {
     let mut reflected = *columns;
     for j in 0..D {
         for i in 0..D {
@@ -93,16 +98,16 @@ fn reflected<const D: usize>(columns: &Columns<D>, sides: &PointIn<D>) -> Column
 }
 
 /// A matrix in columns.
-fn in_columns<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Columns<D> {
+fn in_columns<const D: usize>(matrix: &SMatrix<f64, D, D>) -> HalfLineColumns<D> {
     array::from_fn(|j| array::from_fn(|i| if i < D { matrix[(i, j)] } else { 0.0 }))
 }
 
 /// Columns as a matrix.
-fn as_matrix<const D: usize>(columns: &Columns<D>) -> SMatrix<f64, D, D> {
+fn as_matrix<const D: usize>(columns: &HalfLineColumns<D>) -> SMatrix<f64, D, D> {
     SMatrix::from_fn(|i, j| columns[j][i])
 }
 
-impl<const D: usize> Default for Around<D> {
+impl<const D: usize> Default for NeighbourParticles<D> {
     fn default() -> Self {
         Self {
             lanes: Selected::plain(),
@@ -116,12 +121,12 @@ impl<const D: usize> Default for Around<D> {
             near: Bases::default(),
             turned: Bases::default(),
             gradients: vec![],
-            lists: Lists::default(),
+            lists: NeighbourLists::default(),
         }
     }
 }
 
-impl<const D: usize> Around<D> {
+impl<const D: usize> NeighbourParticles<D> {
     /// Finds the particles that reach a node of a patch, by their base, and their weights.
     pub(super) fn find<const N: usize>(
         &mut self,
@@ -141,9 +146,9 @@ impl<const D: usize> Around<D> {
         let mapping = &body.mapping;
         let reaches = &mut self.lists.reaches;
         reaches.resize(set.len(), false);
-        let share = team.share(set.len(), OfItem::Small);
+        let share = team.share(set.len(), ItemCost::Small);
         team.each(reaches.chunks_mut(share).enumerate(), |(part, found)| {
-            lanes.run(Near::<D> {
+            lanes.run(NearBases::<D> {
                 first: part * share,
                 set,
                 mapping,
@@ -161,12 +166,12 @@ impl<const D: usize> Around<D> {
             count += usize::from(reaches);
         }
         self.particles.truncate(count);
-        self.reaches.resize(count, Reach::NOWHERE);
+        self.reaches.resize(count, StencilReach::NOWHERE);
         let share = self.share_of_thread(team);
         let parts = self.particles.chunks(share);
         let parts = parts.zip(self.reaches.chunks_mut(share));
         team.each(parts, |(particles, found)| {
-            lanes.run(Reaches {
+            lanes.run(StencilReaches {
                 particles,
                 set,
                 mapping,
@@ -207,7 +212,7 @@ impl<const D: usize> Around<D> {
                 }
                 let at = shape.indices(node);
                 self.near.add(at, stencil, shape);
-                self.hosts.push(Host {
+                self.hosts.push(HostNode {
                     node,
                     // That of the body, what it gave to ghosts included.
                     mass: patch.masses[k],
@@ -223,7 +228,7 @@ impl<const D: usize> Around<D> {
     pub(super) fn find_gradients(
         &mut self,
         lines: &[Line],
-        follow: Follow,
+        follow: FollowMode,
         (shape, mirrors): (&GridShape, &Mirrors),
         team: &Team,
         sums: &mut NodeSums<D>,
@@ -234,7 +239,7 @@ impl<const D: usize> Around<D> {
         let parts = self.reaches.chunks(share).zip(self.masses.chunks(share));
         let parts = parts.zip(of_particles.chunks_mut(share));
         team.each(parts, |((reaches, masses), gradients)| {
-            self.lanes.run(gradient::OfParticles {
+            self.lanes.run(gradient::ParticleGradients {
                 reaches,
                 masses,
                 rows: &self.rows,
@@ -250,7 +255,7 @@ impl<const D: usize> Around<D> {
             sums[host.node] = [[0.0; 4]; D];
         }
         team.each(self.parts(sums, shape, team), |(first, sums)| {
-            self.lanes.run(gradient::Gathered {
+            self.lanes.run(gradient::GradientSums {
                 around: self,
                 of_particles: &of_particles,
                 first,
@@ -259,7 +264,7 @@ impl<const D: usize> Around<D> {
                 mirrors,
             });
         });
-        let part = |host: &Host<D>| follow.part(&host.per_mass(as_matrix(&sums[host.node])));
+        let part = |host: &HostNode<D>| follow.part(&host.per_mass(as_matrix(&sums[host.node])));
         self.gradients.clear();
         self.gradients.extend(self.hosts.iter().map(part));
         self.lists.of_particles = of_particles;
@@ -299,14 +304,14 @@ impl<const D: usize> Around<D> {
         }
     }
 
-    /// Adds to the forces on the nodes what turns and stretches the body: the transpose of [`Around::find_gradients`] and of
+    /// Adds to the forces on the nodes what turns and stretches the body: the transpose of [`NeighbourParticles::find_gradients`] and of
     /// what vertices take of them. `forces` are those on the vertices \[N\].
     pub(super) fn load<const N: usize>(
         &mut self,
         lines: &mut [Line],
         patches: &[Patch<D, N>],
         forces: &[PointIn<D>],
-        follow: Follow,
+        follow: FollowMode,
         (shape, mirrors): (&GridShape, &Mirrors),
         team: &Team,
     ) {
@@ -315,7 +320,7 @@ impl<const D: usize> Around<D> {
         }
         let mut lists = std::mem::take(&mut self.lists);
         self.find_moments(&mut lists.moments, patches, forces, follow, shape);
-        let Lists {
+        let NeighbourLists {
             of_particles,
             moments,
             ..
@@ -325,7 +330,7 @@ impl<const D: usize> Around<D> {
         let parts = self.reaches.chunks(share).zip(self.masses.chunks(share));
         let parts = parts.zip(of_particles.chunks_mut(share));
         team.each(parts, |((reaches, masses), found)| {
-            self.lanes.run(moment::OfParticles {
+            self.lanes.run(moment::ParticleMoments {
                 around: self,
                 reaches,
                 masses,
@@ -336,7 +341,7 @@ impl<const D: usize> Around<D> {
             });
         });
         team.each(self.parts(lines, shape, team), |(first, lines)| {
-            self.lanes.run(moment::Spread {
+            self.lanes.run(moment::MomentSpread {
                 around: self,
                 of_particles,
                 first,
@@ -351,10 +356,10 @@ impl<const D: usize> Around<D> {
     /// Moments per mass at the hosts \[N m/kg\], and from where particles reach those that are not zero.
     fn find_moments<const N: usize>(
         &mut self,
-        moments: &mut Vec<Columns<D>>,
+        moments: &mut Vec<HalfLineColumns<D>>,
         patches: &[Patch<D, N>],
         forces: &[PointIn<D>],
-        follow: Follow,
+        follow: FollowMode,
         shape: &GridShape,
     ) {
         let cell = PointIn::<D>::from_fn(|axis, _| shape.cell[axis]);
@@ -384,7 +389,7 @@ impl<const D: usize> Around<D> {
     }
 }
 
-impl<const D: usize> Host<D> {
+impl<const D: usize> HostNode<D> {
     /// A sum over the particles around it as a mean, without what images cancel.
     fn per_mass(&self, sum: SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
         if self.mass > 0.0 {

@@ -1,28 +1,28 @@
 //! The transpose of the gradients: moments at hosts as forces on all nodes that the particles around them reach, in lanes.
 
-use super::{Around, Columns, as_matrix, reflected};
+use super::{HalfLineColumns, NeighbourParticles, as_matrix, reflected};
 use crate::grid::{GridShape, Line};
 use crate::lanes::{Backend, Kernel, Lanes};
 use crate::simulation::interactions::mortar::mirrors::Mirrors;
-use crate::simulation::interactions::mortar::reach::Reach;
+use crate::simulation::interactions::mortar::stencil_reach::StencilReach;
 
 /// What some particles take of the moments of the hosts that they reach.
-pub(super) struct OfParticles<'a, const D: usize> {
+pub(super) struct ParticleMoments<'a, const D: usize> {
     /// Particles and hosts.
-    pub(super) around: &'a Around<D>,
+    pub(super) around: &'a NeighbourParticles<D>,
     /// The particles, and their masses \[kg\].
-    pub(super) reaches: &'a [Reach<D>],
+    pub(super) reaches: &'a [StencilReach<D>],
     pub(super) masses: &'a [f64],
     /// Moments per mass of the hosts \[N m/kg\], and before them none.
-    pub(super) moments: &'a [Columns<D>],
+    pub(super) moments: &'a [HalfLineColumns<D>],
     /// One for each particle that reaches one that is not zero, to be written \[N m\].
-    pub(super) found: &'a mut [Columns<D>],
+    pub(super) found: &'a mut [HalfLineColumns<D>],
     /// The grid, and what lies beyond it.
     pub(super) shape: &'a GridShape,
     pub(super) mirrors: &'a Mirrors,
 }
 
-impl<const D: usize> Kernel for OfParticles<'_, D> {
+impl<const D: usize> Kernel for ParticleMoments<'_, D> {
     type Output = ();
 
     #[inline(always)]
@@ -35,7 +35,7 @@ impl<const D: usize> Kernel for OfParticles<'_, D> {
     }
 }
 
-impl<const D: usize> OfParticles<'_, D> {
+impl<const D: usize> ParticleMoments<'_, D> {
     #[inline(always)]
     fn write<H: Lanes, const N: usize>(self) {
         let (around, moments) = (self.around, self.moments);
@@ -82,11 +82,11 @@ impl<const D: usize> OfParticles<'_, D> {
 }
 
 /// Spreads what particles have over the nodes of some planes, particle by particle.
-pub(super) struct Spread<'a, const D: usize> {
+pub(super) struct MomentSpread<'a, const D: usize> {
     /// Particles and hosts.
-    pub(super) around: &'a Around<D>,
+    pub(super) around: &'a NeighbourParticles<D>,
     /// Moments of the particles \[N m\].
-    pub(super) of_particles: &'a [Columns<D>],
+    pub(super) of_particles: &'a [HalfLineColumns<D>],
     /// The first node, and nodes to whose forces is added.
     pub(super) first: usize,
     pub(super) lines: &'a mut [Line],
@@ -95,7 +95,7 @@ pub(super) struct Spread<'a, const D: usize> {
     pub(super) mirrors: &'a Mirrors,
 }
 
-impl<const D: usize> Kernel for Spread<'_, D> {
+impl<const D: usize> Kernel for MomentSpread<'_, D> {
     type Output = ();
 
     #[inline(always)]
@@ -108,7 +108,7 @@ impl<const D: usize> Kernel for Spread<'_, D> {
     }
 }
 
-impl<const D: usize> Spread<'_, D> {
+impl<const D: usize> MomentSpread<'_, D> {
     #[inline(always)]
     fn spread<H: Lanes, const N: usize>(self) {
         let Self {
@@ -134,7 +134,9 @@ impl<const D: usize> Spread<'_, D> {
             let (w, g) = reach.along_row();
             for row in &around.rows {
                 let first = reach.node(row);
-                let Some(nodes) = first.checked_sub(own).and_then(|at| lines.get_mut(at..at + N))
+                let Some(nodes) = first
+                    .checked_sub(own)
+                    .and_then(|at| lines.get_mut(at..at + N))
                 else {
                     continue;
                 };
@@ -156,9 +158,9 @@ impl<const D: usize> Spread<'_, D> {
 
 /// The same for one particle some of whose nodes are ghosts.
 fn to_images<const D: usize>(
-    around: &Around<D>,
-    reach: &Reach<D>,
-    moment: &Columns<D>,
+    around: &NeighbourParticles<D>,
+    reach: &StencilReach<D>,
+    moment: &HalfLineColumns<D>,
     (own, lines): (usize, &mut [Line]),
     (shape, mirrors): (&GridShape, &Mirrors),
 ) {

@@ -1,4 +1,4 @@
-//! Reasons for caution with the results of a run that went on to its end: energy that no channel explains, and deformations
+//! Warnings about the results of a run that went on to its end: energy that no channel explains, and deformations
 //! that a law or the particle domains do not bear.
 //!
 //! The scale of the energy balance is the largest energy that there was to turn over: what the start and the work done have
@@ -9,8 +9,8 @@
 use super::Simulation;
 use super::energy::Energy;
 use super::extremes::Extremes;
+use super::invariants::ROUND_OFF;
 use super::spin::MOST_LOST_SPIN;
-use super::trust::ROUND_OFF;
 use crate::laws::LinearElastic;
 use crate::scene::{Damping, StressScheme, Transfer, TransferKind, Weighting};
 use std::fmt;
@@ -31,7 +31,7 @@ const HARDLY_PIC: f64 = 1e-6;
 
 /// A reason for caution with results.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Caution {
+pub enum ResultWarning {
     /// The energy balance does not close.
     Energy {
         /// What no channel accounts for \[J\]; negative where it came from nowhere.
@@ -69,7 +69,7 @@ pub enum Caution {
     },
 }
 
-impl Caution {
+impl ResultWarning {
     /// Kinds of cautions, as words for files.
     #[must_use]
     pub fn word(&self) -> &'static str {
@@ -106,7 +106,7 @@ impl Caution {
     }
 }
 
-impl fmt::Display for Caution {
+impl fmt::Display for ResultWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Energy {
@@ -181,25 +181,25 @@ impl Simulation {
     /// Reasons for caution with the results as they are now, none where all is well; `energy` is the balance of
     /// [`Simulation::energy`].
     #[must_use]
-    pub fn cautions(&self, energy: &Energy) -> Vec<Caution> {
+    pub fn cautions(&self, energy: &Energy) -> Vec<ResultWarning> {
         let extremes = self.extremes();
         let mut all = vec![];
         all.extend(self.energy_caution(energy, &extremes));
         if extremes.volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE {
-            all.push(Caution::Strain {
+            all.push(ResultWarning::Strain {
                 volume_change: extremes.volume_change,
             });
         }
         if let Some(lost) = self.lost_spin().filter(|lost| *lost > MOST_LOST_SPIN) {
-            all.push(Caution::Spin { lost });
+            all.push(ResultWarning::Spin { lost });
         }
         let left = self.tractions_left().into_iter();
-        all.extend(left.map(|(index, share)| Caution::Traction { index, share }));
+        all.extend(left.map(|(index, share)| ResultWarning::Traction { index, share }));
         if extremes.stretched_share > MOST_STRETCHED {
-            all.push(Caution::Stretch {
+            all.push(ResultWarning::Stretch {
                 ratio: extremes.stretch_ratio,
                 share: extremes.stretched_share,
-                bspline: self.decided.scene.weighting == Weighting::QuadraticBSpline,
+                bspline: self.model.scene.weighting == Weighting::QuadraticBSpline,
             });
         }
         all
@@ -207,23 +207,23 @@ impl Simulation {
 
     /// True for an earlier reason that still holds: missing energy is little beside much that came later.
     #[must_use]
-    pub fn still_matters(&self, caution: &Caution, energy: &Energy) -> bool {
+    pub fn still_matters(&self, caution: &ResultWarning, energy: &Energy) -> bool {
         match caution {
-            Caution::Energy { remainder, .. } => {
+            ResultWarning::Energy { remainder, .. } => {
                 remainder.abs() > MOST_REMAINDER * self.scale_of_energy(energy)
             }
             _ => true,
         }
     }
 
-    fn energy_caution(&self, energy: &Energy, extremes: &Extremes) -> Option<Caution> {
+    fn energy_caution(&self, energy: &Energy, extremes: &Extremes) -> Option<ResultWarning> {
         if !self.knows_all_work() {
             return None;
         }
         let scale = self.scale_of_energy(energy);
         // Local damping is booked with the velocities that bodies would have without each other; what contact makes of them moves
         // between damping and remainder.
-        let scene = &self.decided.scene;
+        let scene = &self.model.scene;
         let meets = !(scene.contacts.is_empty() && scene.surfaces.is_empty());
         let remainder = if meets && matches!(scene.damping, Damping::Local { .. }) {
             energy.remainder + energy.damping
@@ -235,7 +235,7 @@ impl Simulation {
         } else {
             1.0
         };
-        (remainder.abs() > most * scale).then(|| Caution::Energy {
+        (remainder.abs() > most * scale).then(|| ResultWarning::Energy {
             remainder,
             scale,
             causes: self.causes(remainder, extremes),
@@ -244,7 +244,7 @@ impl Simulation {
 
     /// The largest energy that there was to turn over \[J\], and never less than round-off of its parts.
     pub(super) fn scale_of_energy(&self, energy: &Energy) -> f64 {
-        let books = &self.state.books;
+        let ledger = &self.state.ledger;
         let waves = self
             .state
             .found
@@ -253,20 +253,20 @@ impl Simulation {
         let at_rest = ROUND_OFF * self.mass() * waves.fold(0.0, f64::max);
         let given = self
             .state
-            .trust
+            .invariants
             .given
-            .max(books.initial_energy + energy.external_work);
+            .max(ledger.initial_energy + energy.external_work);
         let present = energy.kinetic + energy.strain + energy.contact;
-        let cancelled = CANCELLED * (books.dead_load_origin.abs() + energy.external_work.abs());
+        let cancelled = CANCELLED * (ledger.dead_load_origin.abs() + energy.external_work.abs());
         let parts = [present, at_rest, cancelled / MOST_REMAINDER];
         parts.into_iter().fold(given, f64::max)
     }
 
     /// Whether the method takes energy that no channel has.
     fn dissipates(&self) -> bool {
-        let scene = &self.decided.scene;
+        let scene = &self.model.scene;
         let Transfer { kind, pic_fraction } = scene.transfer;
-        let planes = (0..self.decided.plan.axes)
+        let planes = (0..self.model.plan.axes)
             .any(|axis| [0, 1].iter().any(|side| scene.plane_acts(axis, *side)));
         kind != TransferKind::Flip
             || pic_fraction > HARDLY_PIC
@@ -280,7 +280,7 @@ impl Simulation {
 
     /// Probable causes of a remainder, the likeliest first.
     fn causes(&self, remainder: f64, extremes: &Extremes) -> Vec<&'static str> {
-        let scene = &self.decided.scene;
+        let scene = &self.model.scene;
         let mut all = vec![];
         if extremes.volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE {
             all.push(

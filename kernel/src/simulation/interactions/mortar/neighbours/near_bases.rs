@@ -1,4 +1,4 @@
-//! Which particles are near a boundary, in lanes.
+//! Base nodes near a boundary, and the test of particles for them in lanes.
 
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::{Backend, Kernel, Lanes, load};
@@ -31,8 +31,7 @@ impl Bases {
     pub(super) fn add(&mut self, node: [usize; 3], stencil: usize, shape: &GridShape) {
         let bases = shape.bases();
         let [i, j, k]: [Range<usize>; 3] = array::from_fn(|direction| {
-            node[direction].saturating_sub(stencil - 1)
-                ..(node[direction] + 1).min(bases[direction])
+            node[direction].saturating_sub(stencil - 1)..(node[direction] + 1).min(bases[direction])
         });
         for i in i {
             for j in j.clone() {
@@ -55,7 +54,7 @@ impl Bases {
 }
 
 /// Whether particles have one of some bases.
-pub(super) struct Near<'a, const D: usize> {
+pub(super) struct NearBases<'a, const D: usize> {
     /// The first of the particles, as numbered in their set.
     pub(super) first: usize,
     /// The set, and how it sees the grid.
@@ -70,7 +69,7 @@ pub(super) struct Near<'a, const D: usize> {
     pub(super) found: &'a mut [bool],
 }
 
-impl<const D: usize> Kernel for Near<'_, D> {
+impl<const D: usize> Kernel for NearBases<'_, D> {
     type Output = ();
 
     #[inline(always)]
@@ -79,7 +78,7 @@ impl<const D: usize> Kernel for Near<'_, D> {
     }
 }
 
-impl<const D: usize> Near<'_, D> {
+impl<const D: usize> NearBases<'_, D> {
     #[inline(always)]
     fn write<L: Lanes>(self) {
         let Self {
