@@ -10,7 +10,8 @@ pub use crate::scene::{
     StressScheme, TimeStep, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };
 pub use crate::simulation::{
-    BodyList, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, NodalConditions,
-    Node, Options, PairList, PlaneSums, Simulation, Slab, SlabInteraction, SlabPart, StepContext,
-    StepError, StepInfo, VelocityMapping,
+    BodyList, Condition, EmptyNode, FieldNodes, Grid, InitialState, Interaction, InteractionError,
+    InteractionFault, NodalConditions, Node, Options, PairList, PlaneSums, Simulation, Slab,
+    SlabInteraction, SlabPart, StepContext, StepError, StepInfo, StepUpdate, StepView,
+    VelocityMapping,
 };

@@ -27,6 +27,9 @@ pub mod interface;
 pub mod overlap;
 pub mod separation;
 pub mod surface;
+mod tunnelling;
+
+pub use tunnelling::Tunnelling;
 
 use crate::scene::{ContactNormal, Vector};
 

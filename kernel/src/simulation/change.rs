@@ -6,11 +6,8 @@
 
 use super::Simulation;
 use super::error::SetupError;
-use super::interactions::grid::GridContact;
-use super::interactions::mortar::MortarState;
 use super::setup::fastest;
 use crate::scene::{Damping, History, Vector};
-use std::convert::Infallible;
 
 impl Simulation {
     /// Sets the acceleration of gravity \[m/s²\] from here on. The energy balance goes on: the potential of the old
@@ -53,11 +50,7 @@ impl Simulation {
             .find(|c| c.id == contact)
         {
             entry.friction = friction;
-            if let Some(GridContact { pairs, .. }) = self.interaction_mut() {
-                for pair in pairs.iter_mut().filter(|p| p.id == contact) {
-                    pair.friction = friction;
-                }
-            }
+            self.each(|one, view| one.friction_changed(view.scene, contact));
             return Ok(());
         }
         let mut contacts = self.model.scene.mortar.contacts.iter_mut();
@@ -74,10 +67,7 @@ impl Simulation {
             ));
         }
         entry.friction = friction;
-        let entry = entry.clone();
-        if let Some(state) = self.interaction_mut::<MortarState>() {
-            state.set_friction(&entry);
-        }
+        self.each(|one, view| one.friction_changed(view.scene, contact));
         Ok(())
     }
 
@@ -139,10 +129,7 @@ impl Simulation {
         let found = &mut self.state.found[index];
         let fastest = fastest(&self.model.scene.bodies[index]);
         found.speed_squared = found.speed_squared.max(fastest);
-        let Ok(()) = self.each::<Infallible>(|one, simulation| {
-            one.motion_changed(simulation, index);
-            Ok(())
-        });
+        self.each(|one, view| one.motion_changed(view, index));
         self.sorted();
         self.set_conditions()
     }

@@ -391,9 +391,10 @@ impl Simulation {
         } else {
             clock.dt_critical.min(dt_critical)
         };
-        for one in self.interactions() {
-            one.refuse_leaps(self, dt)?;
-        }
+        let view = self.view();
+        self.interactions()
+            .try_for_each(|one| one.refuse_leaps(&view, dt))
+            .map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
         self.work.phase_timer.end(Phase::TimeStep);
         Ok(StepInfo {
             step,

@@ -12,7 +12,6 @@
 
 use super::conditions::NodalConditions;
 use super::error::StepError;
-use super::interactions::grid::{self, faces::Faces};
 use super::interactions::{Interaction, Interactions};
 use super::passes::Groups;
 use super::phase::PhaseTimer;
@@ -236,10 +235,17 @@ pub(super) struct NodalSnapshot {
 
 impl NodalSnapshot {
     pub(super) fn take(simulation: &mut Simulation) -> Self {
-        // Surfaces of bodies in contact are found anew in each visit, and a copy would be as large as the mesh.
-        let faces = simulation.take_faces();
-        let interactions = simulation.work.interactions.clone();
-        simulation.give_faces(faces);
+        // Memory that each visit fills anew may be as large as the mesh.
+        let interactions = simulation.work.interactions.iter_mut();
+        let interactions = interactions.map(|one| {
+            let scratch = one.take_scratch();
+            let copy = one.boxed();
+            if let Some(scratch) = scratch {
+                one.give_scratch(scratch);
+            }
+            copy
+        });
+        let interactions = interactions.collect();
         let sets = simulation.state.sets.iter();
         let forces = sets.map(|set| set.columns[force_columns(set)].to_vec());
         let forces = forces.collect();
@@ -265,9 +271,13 @@ impl NodalSnapshot {
     }
 
     pub(super) fn put_back(self, simulation: &mut Simulation) {
-        let faces = simulation.take_faces();
-        simulation.work.interactions = self.interactions;
-        simulation.give_faces(faces);
+        let interactions = simulation.work.interactions.iter_mut();
+        for (one, mut was) in interactions.zip(self.interactions) {
+            if let Some(scratch) = one.take_scratch() {
+                was.give_scratch(scratch);
+            }
+            *one = was;
+        }
         for (set, was) in simulation.state.sets.iter_mut().zip(&self.forces) {
             let columns = force_columns(set);
             set.columns[columns].clone_from_slice(was);
@@ -302,19 +312,4 @@ pub(super) fn kinetic_energy(set: &ParticleSet) -> f64 {
         .enumerate()
         .map(|(p, m)| 0.5 * m * square(p))
         .sum()
-}
-
-impl Simulation {
-    fn take_faces(&mut self) -> Faces {
-        let state = self.interaction_mut::<grid::GridContact>();
-        state
-            .map(|state| std::mem::take(&mut state.faces))
-            .unwrap_or_default()
-    }
-
-    fn give_faces(&mut self, faces: Faces) {
-        if let Some(state) = self.interaction_mut::<grid::GridContact>() {
-            state.faces = faces;
-        }
-    }
 }

@@ -2,9 +2,12 @@
 
 use super::invariants::Violation;
 use super::tension::Tension;
+use crate::contact::Tunnelling;
 use crate::memory::OutOfMemory;
 use crate::number::Number;
+use std::any::Any;
 use std::fmt;
+use std::sync::Arc;
 
 /// Where a scene says how many nodes there are.
 pub(super) const MESH: &str = "mesh.cells_number";
@@ -46,9 +49,9 @@ pub enum SetupError {
     Threads(String),
     /// Pairs of contact whose bodies overlap at the start.
     Overlap(Vec<InitialOverlap>),
-    /// A boundary or pair of mortar contact that cannot be used.
-    Mortar {
-        /// Which, as in the scene.
+    /// An interaction that cannot be set up, such as a boundary of mortar contact.
+    Interaction {
+        /// Its place, as in the scene.
         path: String,
         /// Why.
         reason: String,
@@ -134,7 +137,7 @@ impl fmt::Display for SetupError {
             Self::Body { body, reason } => write!(f, "body \"{body}\": {reason}"),
             Self::Lanes(lanes) => lanes.fmt(f),
             Self::UnstableTimeStep(unstable) => unstable.fmt(f),
-            Self::Load { path, reason } | Self::Mortar { path, reason } => {
+            Self::Load { path, reason } | Self::Interaction { path, reason } => {
                 write!(f, "{path}: {reason}")
             }
             Self::TooLarge { what } => write!(f, "{what}"),
@@ -216,78 +219,8 @@ pub enum StepErrorKind {
         /// Position of the node \[m\].
         position: [f64; 3],
     },
-    /// Two bodies of a contact approach each other in one step by more than the distance at which they touch.
-    Tunnelling {
-        /// Identifiers of master and slave.
-        bodies: [i64; 2],
-        /// Position of the node \[m\]; `None` where they move too fast to be compared node by node.
-        position: Option<[f64; 3]>,
-        /// Approach in the step \[m\].
-        approach: f64,
-        /// Distance at which they touch, or without a position one cell \[m\].
-        distance: f64,
-    },
-    /// The boundaries of a mortar contact come closer in one step by more than half the critical gap.
-    ClosingTooFast {
-        /// Identifiers of master and slave.
-        bodies: [i64; 2],
-        /// Vertex of the slave, from 0, and where it is \[m\]; `None` where the boundaries move too fast to be compared
-        /// vertex by vertex.
-        vertex: Option<(usize, [f64; 3])>,
-        /// Approach in the step \[m\].
-        approach: f64,
-        /// Largest approach that cannot be missed \[m\].
-        allowed: f64,
-    },
-    /// The boundaries of a mortar contact are deeper in each other than the critical gap.
-    Penetration {
-        /// Identifiers of master and slave.
-        bodies: [i64; 2],
-        /// Vertex of the slave, from 0.
-        vertex: usize,
-        /// Position of the vertex of the slave \[m\].
-        position: [f64; 3],
-        /// Weighted gap \[m\].
-        gap: f64,
-    },
-    /// Sharp edges of two boundaries meet, which mortar contact between faces does not see (3D).
-    EdgesMeet {
-        /// Identifiers of master and slave.
-        bodies: [i64; 2],
-        /// Where on the edge of the slave \[m\].
-        position: [f64; 3],
-        /// Distance of the edges, negative when past each other \[m\].
-        distance: f64,
-    },
-    /// A vertex of a boundary has no node with mass near it, or particles that it is tied to are gone.
-    VertexLost {
-        /// Identifier of the body.
-        body: i64,
-        /// Number of the vertex, from 0.
-        vertex: usize,
-        /// Where it is \[m\].
-        position: [f64; 3],
-    },
-    /// A particle's centre lies behind a rigid surface.
-    ThroughSurface {
-        /// The particle.
-        particle: ParticleAt,
-        /// Name of the surface.
-        surface: String,
-        /// How far behind \[m\].
-        depth: f64,
-    },
-    /// A particle would come closer to a rigid surface in one step than its distance threshold, and reach it.
-    TooFastForSurface {
-        /// The particle.
-        particle: ParticleAt,
-        /// Name of the surface.
-        surface: String,
-        /// Approach within the step \[m\].
-        approach: f64,
-        /// Distance threshold of the surface \[m\].
-        threshold: f64,
-    },
+    /// An interaction cannot go on.
+    Interaction(InteractionError),
     /// A balance does not hold, and the scene asks to stop then.
     NotTrusted(Violation),
     /// A body is in tension, which FLIP does not hold with MUSL or USF.
@@ -300,6 +233,15 @@ pub enum StepErrorKind {
 }
 
 impl StepErrorKind {
+    /// The fault of an interaction, if it is one of this type.
+    #[must_use]
+    pub fn fault<T: InteractionFault>(&self) -> Option<&T> {
+        match self {
+            Self::Interaction(error) => error.fault(),
+            _ => None,
+        }
+    }
+
     /// Whether particles are left outside the mesh or with values that no step can go on with.
     pub(super) fn breaks_particles(&self) -> bool {
         matches!(
@@ -312,6 +254,64 @@ impl StepErrorKind {
         )
     }
 }
+
+/// A fault that an interaction finds in a step: an error type of its own.
+pub trait InteractionFault: std::error::Error + Any + Send + Sync {
+    /// Identifiers of master and slave, where the fault lies between two bodies of a contact.
+    fn bodies(&self) -> Option<[i64; 2]> {
+        None
+    }
+}
+
+impl InteractionFault for Tunnelling {
+    fn bodies(&self) -> Option<[i64; 2]> {
+        Some(self.bodies)
+    }
+}
+
+/// An error of an interaction, by which a step cannot go on.
+#[derive(Clone, Debug)]
+pub struct InteractionError(Arc<dyn InteractionFault>);
+
+impl InteractionError {
+    /// The fault, if it is of this type.
+    #[must_use]
+    pub fn fault<T: InteractionFault>(&self) -> Option<&T> {
+        let fault: &dyn Any = &*self.0;
+        fault.downcast_ref()
+    }
+
+    /// Identifiers of master and slave, where the fault lies between two bodies of a contact.
+    #[must_use]
+    pub fn bodies(&self) -> Option<[i64; 2]> {
+        self.0.bodies()
+    }
+}
+
+impl<F: InteractionFault> From<F> for InteractionError {
+    fn from(fault: F) -> Self {
+        Self(Arc::new(fault))
+    }
+}
+
+impl PartialEq for InteractionError {
+    /// Faults of one type that say the same.
+    fn eq(&self, other: &Self) -> bool {
+        let [one, two] = [self, other].map(|error| {
+            let fault: &dyn Any = &*error.0;
+            fault.type_id()
+        });
+        one == two && self.to_string() == other.to_string()
+    }
+}
+
+impl fmt::Display for InteractionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl std::error::Error for InteractionError {}
 
 /// A particle and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -379,78 +379,7 @@ impl fmt::Display for StepError {
                      or a `box_load`, which moves with its particles"
                 )
             }
-            StepErrorKind::Tunnelling {
-                bodies: [master, slave],
-                position,
-                approach,
-                distance,
-            } => {
-                let place =
-                    position.map_or_else(String::new, |[x, y, z]| format!(" at ({x}, {y}, {z}) m"));
-                write!(
-                    f,
-                    "bodies {master} and {slave} approach by {approach} m in one step{place}, more than the {distance} m \
-                     at which that is seen; accepted: a smaller time step"
-                )
-            }
-            StepErrorKind::ClosingTooFast {
-                bodies: [master, slave],
-                vertex,
-                approach,
-                allowed,
-            } => {
-                let place = vertex.map_or_else(String::new, |(vertex, [x, y, z])| {
-                    format!(" at vertex {vertex} of {slave}, ({x}, {y}, {z}) m")
-                });
-                write!(
-                    f,
-                    "{slave} closes on {master} by {approach} m in one step{place}, more than the {allowed} m that cannot be \
-                     missed; accepted: a smaller time step or a larger critical gap"
-                )
-            }
-            StepErrorKind::Penetration {
-                bodies: [master, slave],
-                vertex,
-                position: [x, y, z],
-                gap,
-            } => write!(
-                f,
-                "bodies {master} and {slave} are in each other at vertex {vertex} of {slave}, ({x}, {y}, {z}) m: the gap is \
-                 {gap} m; accepted: a stiffer contact, a larger critical gap or a smaller time step"
-            ),
-            StepErrorKind::EdgesMeet {
-                bodies: [master, slave],
-                position: [x, y, z],
-                distance,
-            } => write!(
-                f,
-                "a sharp edge of {slave} crosses one of {master} at ({x}, {y}, {z}) m, {distance} m apart; accepted: faces \
-                 that meet faces, since mortar contact does not see edges"
-            ),
-            StepErrorKind::VertexLost {
-                body,
-                vertex,
-                position: [x, y, z],
-            } => write!(
-                f,
-                "vertex {vertex} of the boundary of body {body} at ({x}, {y}, {z}) m has lost its body: no node with mass is near it, or particles around it are gone; accepted: \
-                 vertices that lie on the body, and a body that does not fall apart"
-            ),
-            StepErrorKind::ThroughSurface {
-                particle,
-                surface,
-                depth,
-            } => write!(f, "{particle} is {depth} m behind the surface {surface:?}"),
-            StepErrorKind::TooFastForSurface {
-                particle,
-                surface,
-                approach,
-                threshold,
-            } => write!(
-                f,
-                "{particle} approaches the surface {surface:?} by {approach} m in one step, more than the distance \
-                 threshold {threshold} m; accepted: a smaller time step or a larger distance_threshold"
-            ),
+            StepErrorKind::Interaction(error) => write!(f, "{error}"),
             StepErrorKind::NotTrusted(violation) => write!(f, "{violation}"),
             StepErrorKind::Tension(tension) => write!(f, "{tension}"),
             StepErrorKind::DomainTooLarge { half_length } => write!(

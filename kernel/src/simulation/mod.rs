@@ -30,23 +30,27 @@ mod spin;
 mod start;
 mod state;
 mod step;
+mod step_view;
 mod tension;
 mod traction_cover;
 mod work_state;
 
+pub use crate::contact::Tunnelling;
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
 pub use clock::{Bound, Clock, StepInfo};
 pub use conditions::{Condition, FieldNodes, NodalConditions, Node};
 pub use energy::{BodyEnergy, Energy};
 pub use error::{
-    InitialOverlap, ParticleAt, SetupError, StepError, StepErrorKind, TimeStepAboveCritical,
+    InitialOverlap, InteractionError, InteractionFault, ParticleAt, SetupError, StepError,
+    StepErrorKind, TimeStepAboveCritical,
 };
 pub use event::{Event, EventKind};
 pub use extremes::Extremes;
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
-pub use interactions::mortar::{BoundaryDrift, BoundaryVertex, VertexState};
+pub use interactions::mortar::{BoundaryDrift, BoundaryVertex, MortarError, VertexState};
+pub use interactions::surfaces::SurfaceContactError;
 pub use interactions::{
     BodyList, Interaction, PairList, Remap, SavedArrays, SlabInteraction, SlabPart, StepContext,
     VelocityMapping,
@@ -66,9 +70,12 @@ pub use spin::{MOST_LOST_SPIN, Spin};
 pub use start::{StartError, plan};
 pub use state::{EnergyLedger, RestoreError, Saved, State};
 pub use step::Drift;
+pub use step_view::{StepUpdate, StepView};
 pub use tension::{MOST_UNSEEN, Tension};
 
-pub(crate) use model::{BodyRun, Model};
+pub use model::BodyRun;
+
+pub(crate) use model::Model;
 use work_state::WorkState;
 
 use crate::lanes::{LaneChoice, Selected};

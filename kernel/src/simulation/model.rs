@@ -1,13 +1,12 @@
 //! The model of a scene: immutable in a step, changed only between two stages.
 
 use super::conditions::Condition;
-use super::{BaseVelocity, BodyForce, Displacement};
+use super::{BaseVelocity, BodyForce};
 use crate::lanes::Selected;
 use crate::laws::AnyLaw;
 use crate::plan::Plan;
 use crate::scene::{DomainUpdate, History, Scene, Vector};
 use crate::stage::Mapping;
-use crate::surface::Surface;
 use crate::weights::Family;
 use std::sync::Arc;
 
@@ -27,11 +26,6 @@ pub(crate) struct Model {
     pub(crate) body_force: Option<BodyForce>,
     /// What box loads accelerate a particle by, at most \[m/s²\].
     pub(crate) load_acceleration: f64,
-    /// Rigid surfaces relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
-    /// 1e-10 m only.
-    pub(crate) local_surfaces: Vec<Arc<Surface>>,
-    /// Displacements of those that move.
-    pub(crate) surface_ways: Vec<Option<Displacement>>,
 }
 
 impl Model {
@@ -43,22 +37,28 @@ impl Model {
 
 /// A body in the cycle, beside its particles.
 #[derive(Clone, Debug)]
-pub(crate) struct BodyRun {
-    pub(crate) id: i64,
-    pub(crate) material_id: i64,
-    pub(crate) law: AnyLaw,
+pub struct BodyRun {
+    /// Identifier.
+    pub id: i64,
+    /// Identifier of its material.
+    pub material_id: i64,
+    /// Its law.
+    pub law: AnyLaw,
     /// Initial density \[kg/m³\].
-    pub(crate) density: f64,
-    pub(crate) mapping: Mapping,
-    pub(crate) domain_update: Option<DomainUpdate>,
-    pub(crate) motion: Option<History>,
+    pub density: f64,
+    /// Its weighting functions.
+    pub mapping: Mapping,
+    /// Update of its particle domains, where they follow the deformation.
+    pub domain_update: Option<DomainUpdate>,
+    /// Its prescribed velocity, where it has one.
+    pub motion: Option<History>,
     /// Whether its motion has been prescribed since the start, so that its shape has only moved.
-    pub(crate) keeps_shape: bool,
+    pub keeps_shape: bool,
     /// Rate of viscous damping \[1/s\].
-    pub(crate) viscous_rate: f64,
+    pub viscous_rate: f64,
     /// Half-lengths of its particles at the start \[m\], the mean where they differ.
-    pub(crate) particle_half_length: Vector,
+    pub particle_half_length: Vector,
     /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
     /// function has no domain.
-    pub(crate) reach: Option<[f64; 3]>,
+    pub reach: Option<[f64; 3]>,
 }

@@ -1,7 +1,6 @@
 //! Nodal values for output.
 
 use super::Simulation;
-use super::interactions::grid::GridContact;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
 use crate::scene::Vector;
 use std::collections::HashMap;
@@ -90,24 +89,15 @@ impl Simulation {
     /// Force and smallest gap by field (its body; `None` for the common one) and node, after the last detection.
     fn contact_by_node(&self) -> HashMap<(Option<usize>, usize), (Vector, f64)> {
         let mut found: HashMap<(Option<usize>, usize), (Vector, f64)> = HashMap::new();
-        let mut add = |field: Option<usize>, node: usize, force: Vector, gap: f64| {
+        let own_field = &self.work.own_field;
+        let mut add = |body: usize, node: usize, force: Vector, gap: f64| {
+            let field = own_field[body].then_some(body);
             let at = found.entry((field, node)).or_insert(([0.0; 3], f64::NAN));
             at.0 = std::array::from_fn(|axis| at.0[axis] + force[axis]);
             at.1 = at.1.min(gap);
         };
-        if let Some(GridContact { pairs, met, .. }) = self.interaction() {
-            let met = met.iter().map(|met| &met.meetings);
-            for (meetings, meeting) in met.flat_map(|m| m.nodes.iter().map(move |node| (m, node))) {
-                for touch in &meetings.touches[meeting.touches.clone()] {
-                    let (pair, node) = (&pairs[touch.pair], meeting.node);
-                    let reaction = touch.force.map(|f| -f);
-                    add(Some(pair.master), node, reaction, touch.gap);
-                    add(Some(pair.slave), node, touch.force, touch.gap);
-                }
-            }
-        }
-        for (set, node, force, gap) in self.surface_forces_at_nodes() {
-            add(self.work.own_field[set].then_some(set), node, force, gap);
+        for one in self.interactions() {
+            one.nodal_forces(&self.work.grid, &mut add);
         }
         found
     }

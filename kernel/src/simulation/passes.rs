@@ -192,7 +192,7 @@ impl Simulation {
         nodal: &NodalConditions,
         map: impl Fn(&StepContext<'_>, &mut Slab<'_>) -> usize + Sync,
     ) -> Result<usize, StepError> {
-        for one in self.work.interactions.iter_mut().flatten() {
+        for one in &mut self.work.interactions {
             one.load(&mut self.work.grid, &self.model.scene);
             if one.finds() {
                 self.work.phase_timer.end(Phase::Contact);

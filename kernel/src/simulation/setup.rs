@@ -6,8 +6,8 @@ use super::fields::Grid;
 use super::tension::TensionWatch;
 use super::work_state::WorkState;
 use super::{
-    BaseVelocity, BodyRun, Displacement, InitialState, MOST_VOLUME_RATIO, Model, Options,
-    Simulation, State, conditions, initial_stress, interactions, memory_estimate,
+    BaseVelocity, BodyRun, InitialState, MOST_VOLUME_RATIO, Model, Options, Simulation, State,
+    conditions, initial_stress, interactions, memory_estimate,
 };
 use crate::bodies::{FillError, HalfLength, MemoryRoom, fill_within};
 use crate::grid::GridShape;
@@ -108,10 +108,6 @@ impl Simulation {
                 base: (scene.base_motion.as_ref()).map(|base| BaseVelocity::new(&base.motion)),
                 body_force: options.body_force.clone(),
                 load_acceleration,
-                local_surfaces: interactions::surfaces::local(scene),
-                surface_ways: (scene.surfaces.iter())
-                    .map(|rigid| rigid.motion.as_ref().map(Displacement::new))
-                    .collect(),
             },
         };
         for set in &mut simulation.state.sets {
@@ -120,8 +116,9 @@ impl Simulation {
         simulation.work.tension = TensionWatch::new(scene, &simulation.state.sets);
         simulation.sort_if_stale();
         simulation.require_carried()?;
+        let view = simulation.view();
         for one in simulation.interactions() {
-            one.start(&simulation)?;
+            one.start(&view)?;
         }
         simulation.open_ledger();
         if options.initial.is_none() {

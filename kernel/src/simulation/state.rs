@@ -172,7 +172,7 @@ impl Simulation {
             set.layout = layout;
         }
         self.work.grid.resume(&self.state.sets, self.state.stencil);
-        let interactions = self.work.interactions.iter_mut().flatten();
+        let interactions = self.work.interactions.iter_mut();
         for (one, was) in interactions.zip(&saved.interactions) {
             one.restore(was);
         }

@@ -17,7 +17,7 @@ pub(crate) struct WorkState {
     pub(crate) grid: Grid,
     /// Whether each body has a velocity field of its own, as of the last sort.
     pub(crate) own_field: Vec<bool>,
-    /// What acts between velocity fields; those of the user come last. What they remember is saved with the state.
+    /// Interactions between velocity fields; those of the user come last. Their arrays are saved with the state.
     pub(crate) interactions: Interactions,
     /// Reports the end of each phase, where somebody observes them.
     pub(crate) phase_timer: PhaseTimer,

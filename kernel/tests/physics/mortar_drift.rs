@@ -180,7 +180,7 @@ fn a_vertex_that_cannot_stay_on_its_body_is_refused() {
         side: BoundarySide::Outer,
     }]);
     let refused = |scene: &Scene| match Simulation::new(scene, &options()) {
-        Err(SetupError::Mortar { path, reason }) => format!("{path}: {reason}"),
+        Err(SetupError::Interaction { path, reason }) => format!("{path}: {reason}"),
         _ => panic!("is refused"),
     };
     let said = refused(&scene);

@@ -11,13 +11,13 @@ use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape,
     StressScheme, TimeStep, Vertices,
 };
-use proctor_kernel::simulation::{Bound, SetupError, Simulation, StepErrorKind};
+use proctor_kernel::simulation::{Bound, MortarError, SetupError, Simulation};
 
 #[test]
 fn surfaces_that_overlap_are_refused() {
     let mut scene = collision(0.0);
     scene.bodies[1].shape = disc([1.34, 0.6], 0.3);
-    let Err(SetupError::Mortar { path, reason }) = Simulation::new(&scene, &options()) else {
+    let Err(SetupError::Interaction { path, reason }) = Simulation::new(&scene, &options()) else {
         panic!("they overlap");
     };
     assert!(
@@ -45,7 +45,7 @@ fn a_start_that_squeezes_is_refused() {
     let least = law.gap_at(0.1 * young);
     assert!(least > 0.1 * GAP && least < 0.9 * GAP);
     assert!(of(least * 1.001).is_ok());
-    let Err(SetupError::Mortar { reason, .. }) = of(0.3 * least) else {
+    let Err(SetupError::Interaction { reason, .. }) = of(0.3 * least) else {
         panic!("it squeezes");
     };
     let said = reason.split("at least ").nth(1).expect("the gap to use");
@@ -65,12 +65,12 @@ fn a_vertex_off_the_body_is_named() {
     let error = simulation.step(1.0).expect_err("nothing is near it");
     assert!(
         matches!(
-            error.kind,
-            StepErrorKind::VertexLost {
+            error.kind.fault(),
+            Some(MortarError::VertexLost {
                 body: 1,
                 vertex: 2,
                 ..
-            }
+            })
         ),
         "{error}"
     );
@@ -80,7 +80,7 @@ fn a_vertex_off_the_body_is_named() {
 fn a_surface_inside_another_is_refused() {
     let mut scene = collision(0.0);
     scene.bodies[1].shape = disc([0.75, 0.6], 0.1);
-    let Err(SetupError::Mortar { reason, .. }) = Simulation::new(&scene, &options()) else {
+    let Err(SetupError::Interaction { reason, .. }) = Simulation::new(&scene, &options()) else {
         panic!("one is in the other");
     };
     assert!(
@@ -133,12 +133,12 @@ fn a_prescribed_step_in_which_a_gap_closes_too_far_is_refused() {
         }
     };
     let error = failure(30.0);
-    let StepErrorKind::ClosingTooFast {
+    let Some(&MortarError::ClosingTooFast {
         bodies,
         vertex: Some((_, at)),
         approach,
         allowed,
-    } = error.kind
+    }) = error.kind.fault()
     else {
         panic!("{error}");
     };
@@ -151,8 +151,8 @@ fn a_prescribed_step_in_which_a_gap_closes_too_far_is_refused() {
     let error = failure(1000.0);
     assert!(
         matches!(
-            error.kind,
-            StepErrorKind::ClosingTooFast { vertex: None, .. }
+            error.kind.fault(),
+            Some(MortarError::ClosingTooFast { vertex: None, .. })
         ) && error.step == 1,
         "{error}"
     );

@@ -9,7 +9,7 @@ use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape, Vertices,
 };
-use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation, StepErrorKind};
+use proctor_kernel::simulation::{InitialState, MortarError, Options, SetupError, Simulation};
 use std::sync::Arc;
 
 const GAP: f64 = 0.04;
@@ -234,7 +234,7 @@ fn edges_that_meet_are_named() {
     let Err(error) = Simulation::new(&roofs(0.5 * GAP), &options()) else {
         panic!("edges within the critical gap");
     };
-    assert!(matches!(&error, SetupError::Mortar { path, .. } if path == "contact"));
+    assert!(matches!(&error, SetupError::Interaction { path, .. } if path == "contact"));
     assert!(error.to_string().contains("sharp edge"), "{error}");
     let mut simulation = simulation(&roofs(1.5 * GAP));
     let error = loop {
@@ -243,9 +243,9 @@ fn edges_that_meet_are_named() {
             Err(error) => break error,
         }
     };
-    let StepErrorKind::EdgesMeet {
+    let Some(&MortarError::EdgesMeet {
         bodies, position, ..
-    } = error.kind
+    }) = error.kind.fault()
     else {
         panic!("{error}");
     };

@@ -3,7 +3,7 @@
 use crate::common::{NEVER, SCHEMES, body, cuboid, empty, simulation};
 use crate::contact::{H, pair, still, two};
 use proctor_kernel::scene::Dimension;
-use proctor_kernel::simulation::StepErrorKind;
+use proctor_kernel::simulation::Tunnelling;
 
 #[test]
 fn bodies_that_would_pass_through_each_other_are_refused() {
@@ -13,12 +13,12 @@ fn bodies_that_would_pass_through_each_other_are_refused() {
     let error = (0..100)
         .find_map(|_| simulation.step(NEVER).err())
         .expect("they tunnel");
-    let StepErrorKind::Tunnelling {
+    let Some(&Tunnelling {
         bodies,
         approach,
         distance,
         ..
-    } = error.kind
+    }) = error.kind.fault()
     else {
         panic!("{error}")
     };
@@ -51,7 +51,7 @@ fn nothing_passes_through_a_thin_plate_unseen() {
                     Ok(_) => {}
                     Err(error) => {
                         assert!(
-                            matches!(error.kind, StepErrorKind::Tunnelling { .. }),
+                            error.kind.fault::<Tunnelling>().is_some(),
                             "{scheme:?} {speed}: {error}"
                         );
                         refused = true;
@@ -73,8 +73,5 @@ fn a_driven_body_that_would_pass_through_another_is_refused() {
     let mut simulation = simulation(&scene);
     let error = (0..100).find_map(|_| simulation.step(NEVER).err());
     let error = error.expect("it runs through");
-    assert!(
-        matches!(error.kind, StepErrorKind::Tunnelling { .. }),
-        "{error}"
-    );
+    assert!(error.kind.fault::<Tunnelling>().is_some(), "{error}");
 }

@@ -32,7 +32,11 @@ impl Interaction for Glue {
         }
     }
 
-    fn settle(&mut self, _: &mut Simulation, _: &NodalConditions) -> Result<usize, StepError> {
+    fn settle(
+        &mut self,
+        _: &mut StepUpdate<'_>,
+        _: &NodalConditions,
+    ) -> Result<usize, InteractionError> {
         self.steps += 1.0;
         Ok(0)
     }

@@ -4,7 +4,7 @@ use crate::slide::{raise, start};
 use crate::slope::{GRAVITY, H, Slope, dot};
 use proctor_kernel::plan::{Plan, PlanOptions};
 use proctor_kernel::scene::{Damping, History, StressScheme, Transfer, TransferKind};
-use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, StepErrorKind};
+use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, SurfaceContactError};
 
 const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
 
@@ -338,13 +338,13 @@ fn a_particle_that_would_jump_the_threshold() {
     scene.surfaces[0].distance_threshold = 1e-4 * H;
     let mut simulation = start(&scene, 1);
     let error = simulation.step(slope.end).expect_err("too fast");
-    match &error.kind {
-        StepErrorKind::TooFastForSurface {
+    match error.kind.fault() {
+        Some(SurfaceContactError::TooFastForSurface {
             approach,
             threshold,
             surface,
             particle,
-        } => {
+        }) => {
             assert!(approach > threshold);
             assert_eq!((surface.as_str(), particle.body), ("slope", 1));
         }

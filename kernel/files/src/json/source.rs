@@ -114,7 +114,7 @@ impl SourceMap {
             SetupError::Load { path, .. } | SetupError::Memory { path, .. } => {
                 vec![self.spelt(path)]
             }
-            SetupError::Mortar { path, .. } => self.of_mortar(path),
+            SetupError::Interaction { path, .. } => self.of_mortar(path),
             SetupError::TooLarge { .. } => vec!["mesh.cells_number".into()],
             SetupError::Threads(_) => vec!["n_threads".into()],
             SetupError::Lanes(_) | SetupError::Overlap(_) | SetupError::Change { .. } => vec![],
@@ -129,11 +129,8 @@ impl SourceMap {
             StepErrorKind::UnstableTimeStep(_) | StepErrorKind::TimeStands { .. } => {
                 self.time_steps()
             }
-            StepErrorKind::Tunnelling { bodies, .. }
-            | StepErrorKind::ClosingTooFast { bodies, .. }
-            | StepErrorKind::Penetration { bodies, .. }
-            | StepErrorKind::EdgesMeet { bodies, .. } => (self.contacts.iter())
-                .filter(|(pair, _)| pair == bodies)
+            StepErrorKind::Interaction(error) => (self.contacts.iter())
+                .filter(|(pair, _)| Some(*pair) == error.bodies())
                 .map(|(_, path)| path.clone())
                 .collect(),
             StepErrorKind::LoadOnEmptyNode { load, .. } => {

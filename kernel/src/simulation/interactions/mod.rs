@@ -8,15 +8,16 @@ use crate::memory::Memory;
 use crate::plan::PlanEntries;
 use crate::scene::{Scene, Vector};
 use crate::simulation::conditions::{Condition, NodalConditions, Walls};
-use crate::simulation::error::{SetupError, StepError};
+use crate::simulation::error::{InteractionError, SetupError, StepError, StepErrorKind};
 use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::mapping::ParticleToGrid;
 use crate::simulation::phase::Phase;
+use crate::simulation::step_view::{StepUpdate, StepView};
+use crate::simulation::work_state::WorkState;
 use crate::simulation::{BodyRun, Drift, Simulation};
 use crate::stage::solve::PlaneSums;
 use smallvec::SmallVec;
 use std::any::Any;
-use std::convert::Infallible;
 use std::sync::Arc;
 
 /// An interaction between velocity fields, or between them and rigid obstacles.
@@ -25,8 +26,7 @@ use std::sync::Arc;
 /// sort; [`Interaction::find`] between the mapping and the choice of the time step; [`Interaction::load`] before the
 /// equation of motion; slab by slab [`SlabInteraction`] within it; [`Interaction::settle`] when all slabs are done;
 /// [`Interaction::advance`] once it is known how far positions move; [`SlabInteraction::correct_remapped`] and
-/// [`Interaction::settle_remapped`] where velocities are mapped a second time. The simulation that it is given is one without
-/// itself.
+/// [`Interaction::settle_remapped`] where velocities are mapped a second time.
 ///
 /// Slabs are visited at once by several threads, and their number must not change a result: sums go to the planes of a
 /// slab, and from there plane by plane.
@@ -38,12 +38,12 @@ pub trait Interaction: Any + Send + Sync {
     ///
     /// # Errors
     /// What is wrong with it.
-    fn start(&self, _simulation: &Simulation) -> Result<(), SetupError> {
+    fn start(&self, _view: &StepView<'_>) -> Result<(), SetupError> {
         Ok(())
     }
 
     /// Particles have new places.
-    fn sorted(&mut self, _simulation: &Simulation) {}
+    fn sorted(&mut self, _view: &StepView<'_>) {}
 
     /// Bodies that need a velocity field of their own until the next sort, by their places in the scene.
     fn owners(&self) -> BodyList {
@@ -61,21 +61,22 @@ pub trait Interaction: Any + Send + Sync {
     }
 
     /// All bodies have the fields that were asked for.
-    fn fields_given(&mut self, _simulation: &Simulation) {}
+    fn fields_given(&mut self, _view: &StepView<'_>) {}
 
     /// The motion of a body, by its place in the scene, is now prescribed in another way, or no longer.
-    fn motion_changed(&mut self, _simulation: &Simulation, _body: usize) {}
+    fn motion_changed(&mut self, _view: &StepView<'_>, _body: usize) {}
 
     /// Whether [`Interaction::find`] is to be called: mapping and equation of motion take two visits of the slabs then.
     fn finds(&self) -> bool {
         false
     }
 
-    /// Gaps and forces from the mapped masses, velocities and forces.
+    /// Gaps and forces from the mapped masses, velocities and forces; `free_step` is the step that would be taken now if nothing
+    /// interacted \[s\].
     ///
     /// # Errors
     /// Where the step cannot go on.
-    fn find(&mut self, _simulation: &Simulation) -> Result<(), StepError> {
+    fn find(&mut self, _view: &StepView<'_>, _free_step: f64) -> Result<(), InteractionError> {
         Ok(())
     }
 
@@ -93,7 +94,7 @@ pub trait Interaction: Any + Send + Sync {
     ///
     /// # Errors
     /// What would.
-    fn refuse_leaps(&self, _simulation: &Simulation, _dt: f64) -> Result<(), StepError> {
+    fn refuse_leaps(&self, _view: &StepView<'_>, _dt: f64) -> Result<(), InteractionError> {
         Ok(())
     }
 
@@ -109,7 +110,7 @@ pub trait Interaction: Any + Send + Sync {
     ) {
     }
 
-    /// Whether [`Interaction::settle`] changes velocities, so that sums are taken after it.
+    /// Whether [`Interaction::settle`] changes velocities: the sums over the nodes are taken after it then.
     fn settles(&self) -> bool {
         false
     }
@@ -120,9 +121,9 @@ pub trait Interaction: Any + Send + Sync {
     /// Where the step cannot go on.
     fn settle(
         &mut self,
-        _simulation: &mut Simulation,
-        _acting: &NodalConditions,
-    ) -> Result<usize, StepError> {
+        _update: &mut StepUpdate<'_>,
+        _nodal: &NodalConditions,
+    ) -> Result<usize, InteractionError> {
         Ok(0)
     }
 
@@ -132,15 +133,30 @@ pub trait Interaction: Any + Send + Sync {
     /// Where the step cannot go on.
     fn settle_remapped(
         &mut self,
-        _simulation: &mut Simulation,
-        _acting: &NodalConditions,
-        _again: Remap,
-    ) -> Result<(), StepError> {
+        _update: &mut StepUpdate<'_>,
+        _nodal: &NodalConditions,
+        _remap: Remap,
+    ) -> Result<(), InteractionError> {
         Ok(())
     }
 
     /// Positions move; called where [`Interaction::finds`].
-    fn advance(&mut self, _simulation: &Simulation, _acting: &NodalConditions, _drift: &Drift) {}
+    fn advance(&mut self, _view: &StepView<'_>, _nodal: &NodalConditions, _drift: &Drift) {}
+
+    /// The coefficient of friction of a contact, by its identifier, is now another in the scene.
+    fn friction_changed(&mut self, _scene: &Scene, _contact: i64) {}
+
+    /// Gives force \[N\] and gap \[m\] of each contact at a node in the last step, with the place of the body that it acts on, for
+    /// output: `(body, node, force, gap)`.
+    fn nodal_forces(&self, _grid: &Grid, _give: &mut dyn FnMut(usize, usize, Vector, f64)) {}
+
+    /// Takes out the memory that each step fills anew, so that a snapshot does not copy it.
+    fn take_scratch(&mut self) -> Option<Box<dyn Any + Send + Sync>> {
+        None
+    }
+
+    /// Has that memory again.
+    fn give_scratch(&mut self, _scratch: Box<dyn Any + Send + Sync>) {}
 
     /// Energy that is stored between the fields \[J\].
     fn energy(&self) -> f64 {
@@ -260,8 +276,8 @@ impl Remap {
     }
 }
 
-/// Interactions; one that acts on the rest of the simulation is taken out meanwhile.
-pub(crate) type Interactions = Vec<Option<Box<dyn Interaction>>>;
+/// Interactions, in the order in which they act.
+pub(crate) type Interactions = Vec<Box<dyn Interaction>>;
 
 /// An interaction, or why there cannot be one.
 pub(super) type InteractionResult = Result<Box<dyn Interaction>, SetupError>;
@@ -312,8 +328,7 @@ pub(super) fn of(
     let made = ALL
         .iter()
         .filter_map(|kind| (kind.make)(scene, bodies, memory));
-    let all = made.chain(own.iter().cloned().map(Ok));
-    all.map(|one| one.map(Some)).collect()
+    made.chain(own.iter().cloned().map(Ok)).collect()
 }
 
 impl Clone for Box<dyn Interaction> {
@@ -332,7 +347,7 @@ pub(super) fn on_slabs<'a>(
     visit: VelocityMapping,
     parts: &mut SlabParts<'a>,
 ) {
-    for one in interactions.iter_mut().flatten() {
+    for one in interactions {
         let mut slab = 0;
         one.on_slabs(grid, visit, &mut |part| {
             if parts.is_empty() {
@@ -355,7 +370,7 @@ pub(super) fn in_turn<'p, 'a>(
 impl Simulation {
     /// All interactions.
     pub(super) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
-        self.work.interactions.iter().flatten().map(|one| &**one)
+        self.work.interactions.iter().map(|one| &**one)
     }
 
     /// The interaction of a kind, for what it tells of itself.
@@ -365,32 +380,22 @@ impl Simulation {
         all.find_map(|one| (one as &dyn Any).downcast_ref())
     }
 
-    pub(super) fn interaction_mut<T: Interaction>(&mut self) -> Option<&mut T> {
-        let mut all = self.work.interactions.iter_mut().flatten();
-        all.find_map(|one| (&mut **one as &mut dyn Any).downcast_mut())
+    /// The view of this step.
+    pub(crate) fn view(&self) -> StepView<'_> {
+        StepView::of(&self.model, &self.state, &self.work.grid)
     }
 
-    /// Calls `act` for each interaction with the rest of the simulation.
-    pub(super) fn each<E>(
-        &mut self,
-        mut act: impl FnMut(&mut dyn Interaction, &mut Self) -> Result<(), E>,
-    ) -> Result<(), E> {
-        for place in 0..self.work.interactions.len() {
-            if let Some(mut one) = self.work.interactions[place].take() {
-                let done = act(&mut *one, self);
-                self.work.interactions[place] = Some(one);
-                done?;
-            }
+    /// Calls `act` for each interaction with the view of this step.
+    pub(super) fn each(&mut self, mut act: impl FnMut(&mut dyn Interaction, &StepView<'_>)) {
+        let view = StepView::of(&self.model, &self.state, &self.work.grid);
+        for one in &mut self.work.interactions {
+            act(&mut **one, &view);
         }
-        Ok(())
     }
 
     /// After a sort: which bodies need a field of their own.
     pub(super) fn sorted(&mut self) {
-        let Ok(()) = self.each::<Infallible>(|one, simulation| {
-            one.sorted(simulation);
-            Ok(())
-        });
+        self.each(|one, view| one.sorted(view));
         self.set_fields();
     }
 
@@ -406,10 +411,7 @@ impl Simulation {
             .grid
             .set_owners(&owners, &self.state.sets, self.state.stencil);
         self.join_fields(&owners);
-        let Ok(()) = self.each::<Infallible>(|one, simulation| {
-            one.fields_given(simulation);
-            Ok(())
-        });
+        self.each(|one, view| one.fields_given(view));
     }
 
     /// Which fields share their velocity; `owners` have one each, after that of the phase.
@@ -451,19 +453,38 @@ impl Simulation {
     /// Contact detection: gaps, forces, and the time steps that they allow.
     pub(super) fn detect_contact(&mut self) -> Result<(), StepError> {
         if self.finds() {
-            self.each(|one, simulation| one.find(simulation))?;
+            let free_step = self.free_step();
+            let mut found = Ok(());
+            self.each(|one, view| {
+                if found.is_ok() {
+                    found = one.find(view, free_step);
+                }
+            });
+            found.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
             self.work.phase_timer.end(Phase::Contact);
         }
         Ok(())
     }
 
-    /// What is done with the velocities of all slabs together; the number of nodes or vertices where a contact force acts.
+    /// Interactions act on the velocities of all slabs together, and the sums over the nodes are taken after it where they change
+    /// them; the number of nodes or vertices where a contact force acts.
     pub(super) fn settle(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
-        let mut touching = 0;
-        self.each(|one, simulation| {
-            touching += one.settle(simulation, nodal)?;
-            Ok(())
-        })?;
+        let settles = self.interactions().any(Interaction::settles);
+        let WorkState {
+            grid,
+            interactions,
+            sums,
+            ..
+        } = &mut self.work;
+        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
+        let all = interactions.iter_mut();
+        let touching = all
+            .map(|one| one.settle(&mut update, nodal))
+            .sum::<Result<usize, _>>();
+        let touching = touching.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
+        if settles {
+            self.add_sums_of_planes(nodal);
+        }
         Ok(touching)
     }
 
@@ -473,16 +494,22 @@ impl Simulation {
         nodal: &NodalConditions,
         remap: Remap,
     ) -> Result<(), StepError> {
-        self.each(|one, simulation| one.settle_remapped(simulation, nodal, remap))
+        let WorkState {
+            grid,
+            interactions,
+            sums,
+            ..
+        } = &mut self.work;
+        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
+        let mut all = interactions.iter_mut();
+        all.try_for_each(|one| one.settle_remapped(&mut update, nodal, remap))
+            .map_err(|error| self.error(StepErrorKind::Interaction(error)))
     }
 
     /// Moves the boundaries of interactions with the velocities after the equation of motion.
     pub(super) fn move_boundaries(&mut self, nodal: &NodalConditions, drift: &Drift) {
         if self.finds() {
-            let Ok(()) = self.each::<Infallible>(|one, simulation| {
-                one.advance(simulation, nodal, drift);
-                Ok(())
-            });
+            self.each(|one, view| one.advance(view, nodal, drift));
             self.work.phase_timer.end(Phase::Contact);
         }
     }

@@ -3,7 +3,7 @@
 mod contact_result;
 mod gaps;
 
-pub(crate) use contact_result::{ContactResult, DEEP, Overlapped, Tunnelling};
+pub(crate) use contact_result::{ContactResult, DEEP, NodeTunnelling, Overlapped};
 use contact_result::{taken, touched};
 
 use super::faces::SlabFields;

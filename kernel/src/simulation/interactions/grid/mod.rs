@@ -13,21 +13,22 @@ pub(super) use slab_contact::SlabContact;
 
 use super::InteractionType;
 use crate::contact::overlap::overlap;
-use crate::contact::{Pair, broad};
+use crate::contact::{Pair, Tunnelling, broad};
 use crate::memory::Memory;
 use crate::scene::{Contact, Scene, Shape, StressScheme, Vector};
 use crate::simulation::conditions::NodalConditions;
-use crate::simulation::error::{InitialOverlap, SetupError, StepError, StepErrorKind};
-use crate::simulation::event::{Event, EventKind};
+use crate::simulation::error::{InitialOverlap, InteractionError, SetupError};
+use crate::simulation::event::EventKind;
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{
     BodyList, Interaction, InteractionResult, PairList, SavedArrays, SlabPart, VelocityMapping,
 };
-use crate::simulation::{BodyRun, Simulation};
+use crate::simulation::{BodyRun, Simulation, StepUpdate, StepView};
 use contact_nodes::{
-    ContactNodes, ContactResult, ContactStatuses, DEEP, NodeLists, Overlapped, Tunnelling,
+    ContactNodes, ContactResult, ContactStatuses, DEEP, NodeLists, NodeTunnelling, Overlapped,
 };
 use faces::Faces;
+use std::any::Any;
 
 /// Contact on the grid.
 pub(super) const GRID: InteractionType = InteractionType {
@@ -92,8 +93,8 @@ impl GridContact {
     }
 
     /// Makes an event of each pair that overlaps deeply, and another when the overlap has grown as much.
-    fn note_overlaps(&mut self, simulation: &mut Simulation) {
-        let shape = &simulation.work.grid.shape;
+    fn note_overlaps(&mut self, update: &mut StepUpdate<'_>) {
+        let shape = update.grid.shape.clone();
         let least = DEEP
             * (0..shape.axes)
                 .map(|k| shape.cell[k])
@@ -114,29 +115,26 @@ impl GridContact {
                 continue;
             };
             self.noted[index] = found.depth;
-            let (local, origin) = (shape.position_of(found.at), simulation.origin());
-            simulation.state.events.push(Event {
-                step: simulation.steps() + 1,
-                time: simulation.time(),
-                kind: EventKind::Overlap {
-                    bodies: [pair.master, pair.slave].map(|body| simulation.model.bodies[body].id),
-                    position: std::array::from_fn(|axis| local[axis] + origin[axis]),
-                    depth: found.depth,
-                },
+            let (local, origin) = (shape.position_of(found.at), update.view().origin());
+            let bodies = update.view().bodies;
+            update.note(EventKind::Overlap {
+                bodies: [pair.master, pair.slave].map(|body| bodies[body].id),
+                position: std::array::from_fn(|axis| local[axis] + origin[axis]),
+                depth: found.depth,
             });
         }
     }
 
-    fn tunnelling(&self, at: Tunnelling, simulation: &Simulation) -> StepError {
+    fn tunnelling(&self, at: NodeTunnelling, view: &StepView<'_>) -> Tunnelling {
         let pair = &self.pairs[at.pair];
-        let shape = &simulation.work.grid.shape;
-        let (local, origin) = (shape.position(shape.index(at.at)), simulation.origin());
-        simulation.error(StepErrorKind::Tunnelling {
-            bodies: [pair.master, pair.slave].map(|body| simulation.model.bodies[body].id),
+        let shape = &view.grid.shape;
+        let (local, origin) = (shape.position(shape.index(at.at)), view.origin());
+        Tunnelling {
+            bodies: [pair.master, pair.slave].map(|body| view.bodies[body].id),
             position: Some(std::array::from_fn(|axis| local[axis] + origin[axis])),
             approach: at.approach,
             distance: at.distance,
-        })
+        }
     }
 }
 
@@ -146,20 +144,20 @@ impl Interaction for GridContact {
     }
 
     /// Refuses bodies of a pair that overlap.
-    fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
-        let bodies = simulation.model.bodies.iter();
+    fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {
+        let bodies = view.bodies.iter();
         let half_lengths: Vec<Vector> = bodies.map(|b| b.particle_half_length).collect();
-        let origin = simulation.origin();
+        let origin = view.origin();
         // What is bonded may overlap: no gap between them is a condition.
         let pairs = self.pairs.iter().zip(&self.near);
         let near = pairs.filter(|(pair, near)| **near && !pair.bonded);
         let overlapping = near.filter_map(|(pair, _)| {
-            let found = overlap(pair, &simulation.state.sets, &half_lengths)?;
-            let mut contacts = simulation.model.scene.contacts.iter();
+            let found = overlap(pair, &view.particles, &half_lengths)?;
+            let mut contacts = view.scene.contacts.iter();
             let name = contacts.find(|c| c.id == pair.id);
             Some(InitialOverlap {
                 contact: name.map_or_else(String::new, |c| c.name.clone()),
-                bodies: [pair.master, pair.slave].map(|body| simulation.model.bodies[body].id),
+                bodies: [pair.master, pair.slave].map(|body| view.bodies[body].id),
                 depth: found.depth,
                 position: std::array::from_fn(|axis| found.at[axis] + origin[axis]),
             })
@@ -172,9 +170,9 @@ impl Interaction for GridContact {
         }
     }
 
-    fn sorted(&mut self, simulation: &Simulation) {
-        let (shape, stencil) = (&simulation.work.grid.shape, simulation.state.stencil);
-        let sets = &simulation.state.sets;
+    fn sorted(&mut self, view: &StepView<'_>) {
+        let (shape, stencil) = (&view.grid.shape, view.stencil);
+        let sets = &view.particles;
         broad::near(&self.pairs, sets, shape, stencil, &mut self.near);
     }
 
@@ -196,25 +194,25 @@ impl Interaction for GridContact {
     }
 
     /// Has surfaces for the bodies of near pairs, in order of the identifier.
-    fn fields_given(&mut self, simulation: &Simulation) {
+    fn fields_given(&mut self, view: &StepView<'_>) {
         let mut bodies = self.owners();
-        bodies.sort_by_key(|&i| simulation.model.bodies[i].id);
+        bodies.sort_by_key(|&i| view.bodies[i].id);
         bodies.dedup();
         self.faces.set(
             &bodies,
             &self.pairs,
             &self.near,
-            &simulation.state.sets,
-            &simulation.work.grid,
-            simulation.state.stencil,
+            &view.particles,
+            &view.grid,
+            view.stencil,
         );
     }
 
     /// Pairs of two driven bodies do not act, so the pairs may be others now. No shape begins to act: where it was at the start is
     /// not known.
-    fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
+    fn motion_changed(&mut self, view: &StepView<'_>, _: usize) {
         let before = std::mem::take(&mut self.pairs);
-        *self = Self::new(&simulation.model.scene, &simulation.model.bodies);
+        *self = Self::new(view.scene, view.bodies);
         for pair in &mut self.pairs {
             let same = |old: &&Pair| (old.master, old.slave) == (pair.master, pair.slave);
             pair.by_shape &= before.iter().find(same).is_some_and(|old| old.by_shape);
@@ -226,27 +224,61 @@ impl Interaction for GridContact {
 
     /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
     /// other without sharing a node. Only a scene that allows unstable steps gets there.
-    fn refuse_leaps(&self, simulation: &Simulation, dt: f64) -> Result<(), StepError> {
-        let h = simulation.model.scene.mesh.cell[..simulation.model.plan.axes]
+    fn refuse_leaps(&self, view: &StepView<'_>, dt: f64) -> Result<(), InteractionError> {
+        let h = view.scene.mesh.cell[..view.grid.shape.axes]
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
         for pair in self.pairs.iter().filter(|pair| !pair.bonded) {
             let pair = [pair.master, pair.slave];
             let approach = pair
-                .map(|body| simulation.state.found[body].speed_squared.sqrt() * dt)
+                .map(|body| view.maxima[body].speed_squared.sqrt() * dt)
                 .iter()
                 .sum::<f64>();
             if approach > h * (1.0 + 1e-9) {
-                return Err(simulation.error(StepErrorKind::Tunnelling {
-                    bodies: pair.map(|body| simulation.model.bodies[body].id),
+                return Err(Tunnelling {
+                    bodies: pair.map(|body| view.bodies[body].id),
                     position: None,
                     approach,
                     distance: h,
-                }));
+                }
+                .into());
             }
         }
         Ok(())
+    }
+
+    fn friction_changed(&mut self, scene: &Scene, contact: i64) {
+        let Some(entry) = scene.contacts.iter().find(|c| c.id == contact) else {
+            return;
+        };
+        for pair in self.pairs.iter_mut().filter(|p| p.id == contact) {
+            pair.friction = entry.friction;
+        }
+    }
+
+    fn nodal_forces(&self, _: &Grid, give: &mut dyn FnMut(usize, usize, Vector, f64)) {
+        for meetings in self.met.iter().map(|met| &met.meetings) {
+            for meeting in &meetings.nodes {
+                for touch in &meetings.touches[meeting.touches.clone()] {
+                    let (pair, node) = (&self.pairs[touch.pair], meeting.node);
+                    let reaction = touch.force.map(|f| -f);
+                    give(pair.master, node, reaction, touch.gap);
+                    give(pair.slave, node, touch.force, touch.gap);
+                }
+            }
+        }
+    }
+
+    /// Surfaces of bodies, which are found anew in each visit.
+    fn take_scratch(&mut self) -> Option<Box<dyn Any + Send + Sync>> {
+        Some(Box::new(std::mem::take(&mut self.faces)))
+    }
+
+    fn give_scratch(&mut self, scratch: Box<dyn Any + Send + Sync>) {
+        if let Ok(faces) = scratch.downcast() {
+            self.faces = *faces;
+        }
     }
 
     fn on_slabs<'a>(
@@ -261,15 +293,15 @@ impl Interaction for GridContact {
     /// Adds up the forces of all slabs in order of their planes, and stops where bodies would pass through each other.
     fn settle(
         &mut self,
-        simulation: &mut Simulation,
+        update: &mut StepUpdate<'_>,
         _: &NodalConditions,
-    ) -> Result<usize, StepError> {
+    ) -> Result<usize, InteractionError> {
         if self.faces.list.is_empty() {
             self.met.clear();
         }
         self.forces.fill([0.0; 3]);
         let mut nodes = 0;
-        let mut worst: Option<Tunnelling> = None;
+        let mut worst: Option<NodeTunnelling> = None;
         for met in &self.met {
             for of_plane in met.done.forces.chunks_exact(self.pairs.len()) {
                 for (sum, force) in self.forces.iter_mut().zip(of_plane) {
@@ -285,8 +317,10 @@ impl Interaction for GridContact {
                 worst = if worse { Some(at) } else { worst };
             }
         }
-        self.note_overlaps(simulation);
-        worst.map_or(Ok(nodes), |at| Err(self.tunnelling(at, simulation)))
+        self.note_overlaps(update);
+        worst.map_or(Ok(nodes), |at| {
+            Err(self.tunnelling(at, &update.view()).into())
+        })
     }
 
     fn save(&self) -> SavedArrays {

@@ -1,5 +1,6 @@
 //! All boundaries and pairs of one dimension, and what a step does with them.
 
+use super::error::MortarError;
 use super::mirrors::Mirrors;
 use super::neighbours::NodeSums;
 use super::pair::MortarPair;
@@ -16,9 +17,8 @@ use crate::mortar::elements::Elements;
 use crate::mortar::motion::FollowMode;
 use crate::mortar::pair::{PairSurfaces, StepAhead, contact_forces_to};
 use crate::scene::Vector;
-use crate::simulation::error::StepErrorKind;
 use crate::simulation::fields::Grid;
-use crate::simulation::{Drift, Simulation};
+use crate::simulation::{Drift, StepView};
 use crate::team::{ItemCost, Team};
 use std::sync::atomic::{self, AtomicUsize};
 
@@ -125,7 +125,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         ahead: f64,
         origin: &Vector,
         team: &Team,
-    ) -> Result<(), StepErrorKind> {
+    ) -> Result<(), MortarError> {
         for surface in &mut self.surfaces {
             surface.force.fill(PointIn::zeros());
         }
@@ -151,12 +151,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     ///
     /// # Errors
     /// The first vertex without a node with mass near it.
-    pub(super) fn weigh(&mut self, hosts: &Simulation, ahead: f64) -> Result<(), StepErrorKind> {
-        let (time, mirrors) = (hosts.state.clock.time, Mirrors::of(&hosts.model.scene));
-        let shape = &hosts.work.grid.shape;
+    pub(super) fn weigh(&mut self, view: &StepView<'_>, ahead: f64) -> Result<(), MortarError> {
+        let (time, mirrors) = (view.clock.time, Mirrors::of(view.scene));
+        let shape = &view.grid.shape;
         // Velocities live at half-steps.
-        let kick = 0.5 * (hosts.state.clock.dt_before + ahead);
-        let gravity: PointIn<D> = from_vector(&hosts.model.scene.gravity);
+        let kick = 0.5 * (view.clock.dt_before + ahead);
+        let gravity: PointIn<D> = from_vector(&view.scene.gravity);
         for surface in &mut self.surfaces {
             let (index, follow) = match &surface.carrier {
                 BoundaryCarrier::Body { index, follow } => (*index, *follow),
@@ -169,10 +169,10 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 }
             };
             if follow == FollowMode::Material {
-                surface.weigh_tied(index, hosts, kick)?;
+                surface.weigh_tied(index, view, kick)?;
                 continue;
             }
-            let Some(weighing) = VertexWeighting::of(hosts, index) else {
+            let Some(weighing) = VertexWeighting::of(view, index) else {
                 continue;
             };
             let (points, lines) = (surface.boundary.points(), weighing.lines);
@@ -192,7 +192,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                 }
                 Some([v, a * kick].map(|v| surface.boundary.held(vertex, v)))
             };
-            let team = &hosts.work.grid.team;
+            let team = &view.grid.team;
             surface.patches.resize(points.len(), Patch::NOWHERE);
             let lost = AtomicUsize::new(usize::MAX);
             let share = team.share(points.len(), ItemCost::Search);
@@ -216,22 +216,22 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             );
             let vertex = lost.into_inner();
             if let Some(x) = surface.boundary.points().get(vertex) {
-                return Err(StepErrorKind::VertexLost {
+                return Err(MortarError::VertexLost {
                     body: surface.id,
                     vertex,
-                    position: in_scene(x, &hosts.origin()),
+                    position: in_scene(x, &view.origin()),
                 });
             }
             if let Some(around) = &mut surface.around {
-                let own = (&hosts.state.sets[index], &hosts.model.bodies[index]);
-                let (stencil, team) = (hosts.state.stencil, &hosts.work.grid.team);
+                let own = (&view.particles[index], &view.bodies[index]);
+                let (stencil, team) = (view.stencil, &view.grid.team);
                 around.find(
                     &surface.patches,
                     own,
                     shape,
                     &mirrors,
                     stencil,
-                    (hosts.model.lanes, team),
+                    (view.lanes, team),
                 );
             }
         }
@@ -240,13 +240,13 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 
     /// Stops where the boundaries of a pair may have passed each other in the last step, or one came into the other by
     /// more than half the critical gap, or is deeper in it than the critical gap, or where edges meet.
-    fn judge(&self, p: usize, origin: &Vector) -> Result<(), StepErrorKind> {
+    fn judge(&self, p: usize, origin: &Vector) -> Result<(), MortarError> {
         let pair = &self.pairs[p];
         let (slave, master) = (&self.surfaces[pair.slave], &self.surfaces[pair.master]);
         let bodies = [master.id, slave.id];
         let place = |v: usize| in_scene(&slave.boundary.points()[v], origin);
         let missed = |vertex: Option<usize>, approach: f64, allowed: f64| {
-            Err(StepErrorKind::ClosingTooFast {
+            Err(MortarError::ClosingTooFast {
                 bodies,
                 vertex: vertex.map(|v| (v, place(v))),
                 approach,
@@ -268,7 +268,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         if let Some((vertex, gap)) = pair.forces.smallest_gap()
             && gap < -pair.critical_gap
         {
-            return Err(StepErrorKind::Penetration {
+            return Err(MortarError::Penetration {
                 bodies,
                 vertex,
                 position: place(vertex),
@@ -276,7 +276,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             });
         }
         if let Some((at, distance)) = self.edges_that_meet(p) {
-            return Err(StepErrorKind::EdgesMeet {
+            return Err(MortarError::EdgesMeet {
                 bodies,
                 position: in_scene(&at, origin),
                 distance,
@@ -293,7 +293,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// The first pair that would close too far in a step at the speed that it closes with now.
-    pub(super) fn closing_too_fast(&self, dt: f64, origin: &Vector) -> Option<StepErrorKind> {
+    pub(super) fn closing_too_fast(&self, dt: f64, origin: &Vector) -> Option<MortarError> {
         self.pairs.iter().find_map(|pair| {
             let ClosingRate {
                 vertex,
@@ -304,7 +304,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             (speed * dt > allowed * (1.0 + 1e-9)).then(|| {
                 let [slave, master] = [pair.slave, pair.master].map(|s| &self.surfaces[s]);
                 let at = |v: usize| (v, in_scene(&slave.boundary.points()[v], origin));
-                StepErrorKind::ClosingTooFast {
+                MortarError::ClosingTooFast {
                     bodies: [master.id, slave.id],
                     vertex: vertex.map(at),
                     approach: speed * dt,
@@ -386,12 +386,12 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30); prescribed velocities are those at `half_step`.
-    pub(super) fn advance(&mut self, hosts: &Simulation, drift: &Drift, half_step: f64) {
+    pub(super) fn advance(&mut self, view: &StepView<'_>, drift: &Drift, half_step: f64) {
         let time = drift.time;
         // Positions are relative to the mesh, and what lies in one of its planes goes with it.
         let mesh: Option<PointIn<D>> =
             (drift.mesh_shift != [0.0; 3]).then(|| from_vector(&drift.mesh_shift));
-        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.model.scene));
+        let (shape, mirrors) = (&view.grid.shape, Mirrors::of(view.scene));
         let cell = PointIn::from_fn(|axis, _| shape.cell[axis]);
         for surface in &mut self.surfaces {
             match &surface.carrier {
@@ -400,11 +400,11 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
                     surface.moved.fill(v * time);
                 }
                 BoundaryCarrier::Body { index, follow } => {
-                    let Some(field) = hosts.work.grid.own_field(*index) else {
+                    let Some(field) = view.grid.own_field(*index) else {
                         continue;
                     };
                     let lines = field.nodes.lines();
-                    let team = &hosts.work.grid.team;
+                    let team = &view.grid.team;
                     if stays(&surface.carrier) {
                         surface.move_with_ties(lines, drift, team);
                         surface.advance(&drift.mesh_shift);

@@ -21,7 +21,7 @@ impl MortarState {
     }
 
     /// Takes up the friction of an entry of the scene.
-    pub(in crate::simulation) fn set_friction(&mut self, contact: &MortarContact) {
+    pub(super) fn set_friction(&mut self, contact: &MortarContact) {
         let friction = friction(contact);
         let plane = self
             .plane

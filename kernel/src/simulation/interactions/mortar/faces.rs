@@ -11,7 +11,7 @@ use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
 use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
-use crate::simulation::{BodyRun, Simulation};
+use crate::simulation::{BodyRun, StepView};
 
 /// Slope of an element against its axis up to which it counts as the face that it was, and up to twice as much less and less.
 const FLAT: f64 = 0.03;
@@ -21,18 +21,18 @@ const ENDS: f64 = 1e-6;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Finds the vertices of all bodies that lie on faces of rows of particles, once, at the start.
-    pub(super) fn find_faces(&mut self, hosts: &Simulation) {
+    pub(super) fn find_faces(&mut self, view: &StepView<'_>) {
         for surface in self.surfaces.iter_mut().filter(|s| s.on_face.is_empty()) {
             // One that is moved as prescribed may be set free later.
-            let bodies = &hosts.model.bodies;
+            let bodies = view.bodies;
             if let Some(index) = bodies.iter().position(|body| body.id == surface.id) {
-                surface.find_faces(&hosts.state.sets[index], &bodies[index]);
+                surface.find_faces(&view.particles[index], &bodies[index]);
             }
         }
     }
 
     /// Gives the vertices that contact presses on the weights of the face, where they lie on faces of rows of particles.
-    pub(super) fn press(&mut self, hosts: &Simulation) {
+    pub(super) fn press(&mut self, view: &StepView<'_>) {
         for surface in &mut self.surfaces {
             surface.pressed = false;
             let Some(follow) = surface.carrier.follow() else {
@@ -41,7 +41,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             let (Some(index), true) = (surface.body(), on_nodes(follow)) else {
                 continue;
             };
-            let Some(weighing) = VertexWeighting::of(hosts, index) else {
+            let Some(weighing) = VertexWeighting::of(view, index) else {
                 continue;
             };
             surface.find_flat();

@@ -5,10 +5,10 @@ use super::mirrors::Mirrors;
 use super::surface::MovingBoundary;
 use crate::scene::Scene;
 use crate::simulation::conditions::NodalConditions;
-use crate::simulation::error::{SetupError, StepError};
+use crate::simulation::error::{InteractionError, SetupError};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{BodyList, Interaction, SavedArrays};
-use crate::simulation::{Drift, Simulation};
+use crate::simulation::{Drift, StepUpdate, StepView};
 
 impl Interaction for MortarState {
     fn boxed(&self) -> Box<dyn Interaction> {
@@ -22,26 +22,29 @@ impl Interaction for MortarState {
         plane.chain(space).collect()
     }
 
-    fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
-        let origin = simulation.origin();
+    fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {
+        let origin = view.origin();
         self.plane.refuse_untied(&origin)?;
         self.space.refuse_untied(&origin)
     }
 
     /// Finds faces, and ties vertices to their particles, before anything has moved.
-    fn sorted(&mut self, simulation: &Simulation) {
-        self.plane.find_faces(simulation);
-        self.space.find_faces(simulation);
-        self.plane.tie(simulation);
-        self.space.tie(simulation);
+    fn sorted(&mut self, view: &StepView<'_>) {
+        self.plane.find_faces(view);
+        self.space.find_faces(view);
+        self.plane.tie(view);
+        self.space.tie(view);
     }
 
-    fn motion_changed(&mut self, simulation: &Simulation, body: usize) {
-        self.set_carrier(
-            &simulation.model.scene,
-            &simulation.model.bodies[body],
-            body,
-        );
+    fn motion_changed(&mut self, view: &StepView<'_>, body: usize) {
+        self.set_carrier(view.scene, &view.bodies[body], body);
+    }
+
+    fn friction_changed(&mut self, scene: &Scene, contact: i64) {
+        let mut contacts = scene.mortar.contacts.iter();
+        if let Some(entry) = contacts.find(|c| c.id == contact) {
+            self.set_friction(entry);
+        }
     }
 
     fn finds(&self) -> bool {
@@ -49,8 +52,8 @@ impl Interaction for MortarState {
     }
 
     /// Weights of the vertices, gaps and forces, and the time step that they allow.
-    fn find(&mut self, simulation: &Simulation) -> Result<(), StepError> {
-        self.meet(simulation).map_err(|kind| simulation.error(kind))
+    fn find(&mut self, view: &StepView<'_>, free_step: f64) -> Result<(), InteractionError> {
+        self.meet(view, free_step).map_err(Into::into)
     }
 
     fn time_step(&self) -> f64 {
@@ -62,11 +65,11 @@ impl Interaction for MortarState {
     }
 
     /// Refuses a step in which a gap would close too far at the speed that it closes with now.
-    fn refuse_leaps(&self, simulation: &Simulation, dt: f64) -> Result<(), StepError> {
-        let origin = simulation.origin();
+    fn refuse_leaps(&self, view: &StepView<'_>, dt: f64) -> Result<(), InteractionError> {
+        let origin = view.origin();
         let in_space = || self.space.closing_too_fast(dt, &origin);
         let found = self.plane.closing_too_fast(dt, &origin).or_else(in_space);
-        found.map_or(Ok(()), |kind| Err(simulation.error(kind)))
+        found.map_or(Ok(()), |fault| Err(fault.into()))
     }
 
     /// Adds the contact forces to those at the nodes (eq. 56).
@@ -79,20 +82,20 @@ impl Interaction for MortarState {
     /// Adds the power of the contact forces that prescribed boundaries exert.
     fn settle(
         &mut self,
-        simulation: &mut Simulation,
+        update: &mut StepUpdate<'_>,
         nodal: &NodalConditions,
-    ) -> Result<usize, StepError> {
+    ) -> Result<usize, InteractionError> {
         let [_, half_step] = nodal.half_steps;
-        simulation.work.sums.power +=
+        update.sums.power +=
             self.plane.power_of_prescribed(half_step) + self.space.power_of_prescribed(half_step);
         Ok(self.plane.under_pressure() + self.space.under_pressure())
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).
-    fn advance(&mut self, simulation: &Simulation, nodal: &NodalConditions, drift: &Drift) {
+    fn advance(&mut self, view: &StepView<'_>, nodal: &NodalConditions, drift: &Drift) {
         let [_, half_step] = nodal.half_steps;
-        self.plane.advance(simulation, drift, half_step);
-        self.space.advance(simulation, drift, half_step);
+        self.plane.advance(view, drift, half_step);
+        self.space.advance(view, drift, half_step);
     }
 
     /// What the normal laws store.

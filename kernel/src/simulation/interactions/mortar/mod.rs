@@ -6,6 +6,7 @@
 
 mod boundaries;
 mod change;
+mod error;
 mod faces;
 mod interaction;
 mod mirrors;
@@ -28,14 +29,14 @@ pub(super) const MORTAR: InteractionType = InteractionType {
     make: MortarState::of,
 };
 
+pub use error::MortarError;
 pub use vertices::{BoundaryDrift, BoundaryVertex, VertexState};
 
 use super::InteractionType;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;
-use crate::simulation::Simulation;
-use crate::simulation::error::StepErrorKind;
+use crate::simulation::StepView;
 use boundaries::Boundaries;
 
 /// What mortar contact keeps from step to step. Of the two dimensions one is empty.
@@ -66,19 +67,18 @@ impl Default for MortarState {
 
 impl MortarState {
     /// Weights of the vertices, gaps and forces of the pairs, and the time steps that they allow.
-    fn meet(&mut self, simulation: &Simulation) -> Result<(), StepErrorKind> {
-        let origin = simulation.origin();
-        let ahead = simulation.free_step();
-        self.plane.weigh(simulation, ahead)?;
-        self.space.weigh(simulation, ahead)?;
-        let team = &simulation.work.grid.team;
+    fn meet(&mut self, view: &StepView<'_>, ahead: f64) -> Result<(), MortarError> {
+        let origin = view.origin();
+        self.plane.weigh(view, ahead)?;
+        self.space.weigh(view, ahead)?;
+        let team = &view.grid.team;
         self.plane.meet_all(ahead, &origin, team)?;
         self.space.meet_all(ahead, &origin, team)?;
-        self.plane.press(simulation);
-        self.space.press(simulation);
+        self.plane.press(view);
+        self.space.press(view);
         let nodes = &mut self.stiffness;
-        let plane = self.plane.time_step(nodes, simulation);
-        self.time_step = plane.min(self.space.time_step(nodes, simulation));
+        let plane = self.plane.time_step(nodes, view);
+        self.time_step = plane.min(self.space.time_step(nodes, view));
         self.closing_step = self.plane.closing_step().min(self.space.closing_step());
         Ok(())
     }

@@ -118,7 +118,7 @@ impl MortarState {
 }
 
 fn refused(path: &str, reason: &impl Display) -> SetupError {
-    SetupError::Mortar {
+    SetupError::Interaction {
         path: path.to_owned(),
         reason: reason.to_string(),
     }

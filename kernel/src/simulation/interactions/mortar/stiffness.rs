@@ -5,17 +5,15 @@ use super::mirrors::Mirrors;
 use super::tied_particles::stays;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::elements::Elements;
-use crate::simulation::Simulation;
+use crate::simulation::StepView;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Time step that the stiffness of all contacts allows \[s\]; `nodes` is memory.
-    pub(super) fn time_step(&mut self, nodes: &mut NodalStiffness, hosts: &Simulation) -> f64 {
+    pub(super) fn time_step(&mut self, nodes: &mut NodalStiffness, view: &StepView<'_>) -> f64 {
         let mut most = f64::INFINITY;
-        let (shape, mirrors) = (&hosts.work.grid.shape, Mirrors::of(&hosts.model.scene));
+        let (shape, mirrors) = (&view.grid.shape, Mirrors::of(view.scene));
         for (s, surface) in self.surfaces.iter_mut().enumerate() {
-            let field = surface
-                .body()
-                .and_then(|index| hosts.work.grid.own_field(index));
+            let field = surface.body().and_then(|index| view.grid.own_field(index));
             let tied = surface.tied.as_mut().filter(|_| stays(&surface.carrier));
             let tied = tied.zip(field);
             let mut of_vertices = std::mem::take(&mut surface.stiffness);

@@ -7,6 +7,7 @@
 //! instead (eq. 29, 30).
 
 use super::boundaries::Boundaries;
+use super::error::MortarError;
 use super::mirrors::Mirrors;
 use super::stencil_reach::{StencilNode, StencilReach, stencil_nodes};
 use super::surface::{
@@ -20,8 +21,8 @@ use crate::mortar::elements::Elements;
 use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
-use crate::simulation::error::{SetupError, StepErrorKind};
-use crate::simulation::{Drift, Simulation};
+use crate::simulation::error::SetupError;
+use crate::simulation::{Drift, StepView};
 use crate::team::{ItemCost, Team};
 use std::ops::Range;
 use std::sync::Arc;
@@ -257,12 +258,12 @@ impl<const D: usize> TiedParticles<D> {
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Ties the vertices of all bodies to their particles, once, at the start.
-    pub(super) fn tie(&mut self, hosts: &Simulation) {
-        let mirrors = Mirrors::of(&hosts.model.scene);
+    pub(super) fn tie(&mut self, view: &StepView<'_>) {
+        let mirrors = Mirrors::of(view.scene);
         for surface in self.surfaces.iter_mut().filter(|s| s.tied.is_none()) {
-            let bodies = &hosts.model.bodies;
+            let bodies = view.bodies;
             if let Some(index) = bodies.iter().position(|body| body.id == surface.id) {
-                let own = (&hosts.state.sets[index], &bodies[index]);
+                let own = (&view.particles[index], &bodies[index]);
                 surface.tied = Some(TiedParticles::new(VertexTies::new(
                     &surface.start,
                     own,
@@ -283,7 +284,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
             };
             if let Some(vertex) = (0..tied.ties.vertices()).find(|v| tied.ties.of(*v).is_empty()) {
                 let [x, y, z] = in_scene(&surface.start[vertex], origin);
-                return Err(SetupError::Mortar {
+                return Err(SetupError::Interaction {
                     path: format!("boundary of body {}", surface.id),
                     reason: format!(
                         "the particles around vertex {vertex} at ({x}, {y}, {z}) m do not span all directions, so that it \
@@ -298,9 +299,9 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
 
     /// The vertex of a body that moves freely that is farthest from where the material says that it is: identifier of the
     /// body, number of the vertex, and distance \[m\].
-    pub(super) fn farthest_off(&self, simulation: &Simulation) -> Option<(i64, usize, f64)> {
+    pub(super) fn farthest_off(&self, view: &StepView<'_>) -> Option<(i64, usize, f64)> {
         let bodies = self.surfaces.iter().filter_map(|surface| {
-            let set = &simulation.sets()[surface.body()?];
+            let set = &view.particles[surface.body()?];
             Some((surface, surface.tied.as_ref()?.displacements(set)))
         });
         let distances = bodies.flat_map(|(surface, displacements)| {
@@ -337,21 +338,21 @@ impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
     pub(super) fn weigh_tied<const T: usize>(
         &mut self,
         index: usize,
-        hosts: &Simulation,
+        view: &StepView<'_>,
         kick: f64,
-    ) -> Result<(), StepErrorKind>
+    ) -> Result<(), MortarError>
     where
         B: Elements<D, T>,
     {
         let Some(tied) = &mut self.tied else {
             return Ok(());
         };
-        let Some(field) = hosts.work.grid.own_field(index) else {
+        let Some(field) = view.grid.own_field(index) else {
             return Ok(());
         };
-        let (set, body) = (&hosts.state.sets[index], &hosts.model.bodies[index]);
-        let (shape, team) = (&hosts.work.grid.shape, &hosts.work.grid.team);
-        let mirrors = Mirrors::of(&hosts.model.scene);
+        let (set, body) = (&view.particles[index], &view.bodies[index]);
+        let (shape, team) = (&view.grid.shape, &view.grid.team);
+        let mirrors = Mirrors::of(view.scene);
         tied.ties.find(set, &mut tied.places);
         let mut lists = std::mem::take(&mut tied.lists);
         let [displacements, _] = &mut lists.of_particles;
@@ -368,10 +369,10 @@ impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
         for (vertex, way) in lists.ways.iter().enumerate() {
             // Particles that were removed have no place.
             if way.iter().any(|x| x.is_nan()) {
-                return Err(StepErrorKind::VertexLost {
+                return Err(MortarError::VertexLost {
                     body: self.id,
                     vertex,
-                    position: in_scene(&self.boundary.points()[vertex], &hosts.origin()),
+                    position: in_scene(&self.boundary.points()[vertex], &view.origin()),
                 });
             }
         }
@@ -379,7 +380,7 @@ impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
         for ((x, start), way) in places.zip(&lists.ways) {
             *x = start + way;
         }
-        let stencil = hosts.state.stencil;
+        let stencil = view.stencil;
         if tied.stencil.len() != stencil.pow(D as u32) {
             tied.stencil = stencil_nodes(stencil, shape);
         }
@@ -396,12 +397,12 @@ impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
             &StencilReach::NOWHERE,
             &mut tied.reached,
         );
-        let gravity: PointIn<D> = from_vector(&hosts.model.scene.gravity);
+        let gravity: PointIn<D> = from_vector(&view.scene.gravity);
         let lines = field.nodes.lines();
         // A plane that is fixed to a moving base mirrors velocities relative to it.
-        let base = hosts.model.base.as_ref();
+        let base = view.base;
         let base: PointIn<D> = base.map_or_else(PointIn::zeros, |base| {
-            from_vector(&base.at(hosts.state.clock.time))
+            from_vector(&base.at(view.clock.time))
         });
         tied.gather(&mut lists, shape, &mirrors, team, |node| {
             let line = &lines[node];

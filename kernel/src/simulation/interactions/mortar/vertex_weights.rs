@@ -22,7 +22,7 @@ use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::motion::FollowMode;
 use crate::mortar::weights::LostVertex;
-use crate::simulation::Simulation;
+use crate::simulation::StepView;
 use crate::weights::{Family, face_weights, vertex_weights};
 use std::array;
 
@@ -50,10 +50,10 @@ pub(super) struct VertexWeighting<'a, const D: usize> {
 
 impl<'a, const D: usize> VertexWeighting<'a, D> {
     /// That of a body; `None` where it has no field of its own.
-    pub(super) fn of(hosts: &'a Simulation, index: usize) -> Option<Self> {
-        let field = hosts.work.grid.own_field(index)?;
-        let body = &hosts.model.bodies[index];
-        let (mapping, shape) = (&body.mapping, &hosts.work.grid.shape);
+    pub(super) fn of(view: &StepView<'a>, index: usize) -> Option<Self> {
+        let field = view.grid.own_field(index)?;
+        let body = &view.bodies[index];
+        let (mapping, shape) = (&body.mapping, &view.grid.shape);
         let cell: f64 = mapping.cell[..D].iter().product();
         let parts = array::from_fn(|axis| {
             let particle = body.particle_half_length[axis] * mapping.inverse_cell[axis];
@@ -64,7 +64,7 @@ impl<'a, const D: usize> VertexWeighting<'a, D> {
         let full = body.density * cell;
         Some(Self {
             shape,
-            mirrors: Mirrors::of(&hosts.model.scene),
+            mirrors: Mirrors::of(view.scene),
             lines: field.nodes.lines(),
             rows: &field.rows,
             family: mapping.family,

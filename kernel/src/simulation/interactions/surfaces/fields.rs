@@ -7,7 +7,7 @@
 
 use crate::grid::Line;
 use crate::simulation::fields::Grid;
-use crate::simulation::{BodyRun, Simulation};
+use crate::simulation::{BodyRun, StepView};
 use crate::stage::touch::SurfaceTouches;
 
 /// All velocity fields, known by their numbers.
@@ -64,24 +64,25 @@ impl<'a> Fields<'a> {
     }
 }
 
-impl Simulation {
-    pub(super) fn all_fields(&self) -> Fields<'_> {
-        Fields {
-            grid: &self.work.grid,
-            bodies: &self.model.bodies,
+impl<'a> Fields<'a> {
+    /// Those of a step.
+    pub(super) fn of_step(view: &StepView<'a>) -> Self {
+        Self {
+            grid: view.grid,
+            bodies: view.bodies,
         }
     }
+}
 
-    /// Adds the changes of touched nodes to the velocities of all their fields, in the lanes from `lane` on, and where
-    /// asked for to their increments.
-    pub(super) fn change_velocities(
-        &mut self,
-        touches: &SurfaceTouches,
-        lane: usize,
-        increments: bool,
-    ) {
-        for (number, field) in self.work.grid.fields.iter_mut().enumerate() {
-            touches.apply(number, field.nodes.lines_mut(), lane, increments);
-        }
+/// Adds the changes of touched nodes to the velocities of all their fields, in the lanes from `lane` on, and where
+/// asked for to their increments.
+pub(super) fn change_velocities(
+    grid: &mut Grid,
+    touches: &SurfaceTouches,
+    lane: usize,
+    increments: bool,
+) {
+    for (number, field) in grid.fields.iter_mut().enumerate() {
+        touches.apply(number, field.nodes.lines_mut(), lane, increments);
     }
 }

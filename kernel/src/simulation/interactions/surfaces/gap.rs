@@ -1,14 +1,13 @@
 //! Gaps between particles and surfaces, and the motion of surfaces.
 
-use super::near_particles::ParticlePlace;
+use super::SurfaceContact;
 use super::obstacle::RigidObstacle;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::scene::{RigidSurface, Scene, Vector};
+use crate::scene::Vector;
 use crate::simulation::error::SetupError;
-use crate::simulation::{BodyRun, Simulation};
-use crate::surface::{NearestPoint, Surface};
-use std::sync::Arc;
+use crate::simulation::{BodyRun, Simulation, StepView};
+use crate::surface::NearestPoint;
 
 /// Share of the smallest cell edge by which a body may overlap a surface at the start.
 const OVERLAP: f64 = 0.01;
@@ -26,88 +25,80 @@ impl Simulation {
         p: usize,
         within: f64,
     ) -> Option<(f64, NearestPoint)> {
-        let shift = self.surface_shift(surface, self.state.clock.time);
-        let place = ParticlePlace { surface, set, p };
-        self.gap_to(
-            &RigidObstacle::Surface(surface),
-            place,
-            &shift,
-            within,
-            None,
-        )
-    }
-
-    /// The same for anything rigid that has moved by `shift`, where the nearest triangle of a surface may be known but for a
-    /// little.
-    pub(super) fn gap_to(
-        &self,
-        rigid: &RigidObstacle,
-        ParticlePlace { set, p, .. }: ParticlePlace,
-        shift: &Vector,
-        within: f64,
-        triangle: Option<usize>,
-    ) -> Option<(f64, NearestPoint)> {
-        let own = half_lengths(&self.state.sets[set], &self.model.bodies[set], p);
-        let half = rigid.half_lengths(own);
-        let (x, within_centre) = (self.state.sets[set].position(p), within + length(&half));
-        let mut nearest = rigid.nearest(self, &x, shift, within_centre, triangle)?;
-        if nearest.on_rim {
-            return None;
-        }
-        let gap = nearest.distance - reach(&half, &nearest.normal);
-        let origin = &self.model.scene.mesh.origin;
-        nearest.point = std::array::from_fn(|axis| nearest.point[axis] + origin[axis]);
-        (gap < within).then_some((gap, nearest))
-    }
-
-    /// A position relative to the mesh as it is in the coordinates of a local surface that has moved by `shift`.
-    pub(super) fn on_surface(&self, x: &Vector, shift: &Vector) -> Vector {
-        std::array::from_fn(|axis| x[axis] + self.state.mesh_shift[axis] - shift[axis])
-    }
-
-    /// No body may overlap a surface at the start.
-    pub(super) fn refuse_overlap_with_surfaces(&self) -> Result<(), SetupError> {
-        let allowed = OVERLAP * self.smallest_cell();
-        for surface in 0..self.model.scene.surfaces.len() {
-            let mut deepest: Option<(f64, usize, usize)> = None;
-            for set in 0..self.state.sets.len() {
-                for p in 0..self.state.sets[set].len() {
-                    let threshold = self.model.scene.surfaces[surface].distance_threshold;
-                    if let Some((gap, _)) = self.surface_gap(surface, set, p, threshold)
-                        && gap < -allowed
-                        && deepest.is_none_or(|d| gap < d.0)
-                    {
-                        deepest = Some((gap, set, p));
-                    }
-                }
-            }
-            if let Some((gap, set, p)) = deepest {
-                let [x, y, z] = self.position(set, p);
-                return Err(SetupError::Body {
-                    body: self.model.scene.bodies[set].name.clone(),
-                    reason: format!(
-                        "it reaches {} m through the surface {:?} at the start, at ({x}, {y}, {z}) m; accepted: bodies \
-                         on the side to which the normals of the surface point",
-                        -gap, self.model.scene.surfaces[surface].name
-                    ),
-                });
-            }
-        }
-        Ok(())
+        let rigid = self.interaction::<SurfaceContact>()?.rigid.get(surface)?;
+        surface_gap(&self.view(), rigid, [set, p], within)
     }
 }
 
-/// The surfaces of a scene relative to the origin of its mesh.
-pub(in crate::simulation) fn local(scene: &Scene) -> Vec<Arc<Surface>> {
-    let origin = &scene.mesh.origin;
-    let one = |rigid: &RigidSurface| {
-        if *origin == [0.0; 3] {
-            Arc::clone(&rigid.surface)
-        } else {
-            Arc::new(rigid.surface.relative_to(origin))
+fn surface_gap(
+    view: &StepView<'_>,
+    rigid: &RigidObstacle,
+    [set, p]: [usize; 2],
+    within: f64,
+) -> Option<(f64, NearestPoint)> {
+    gap_to(view, rigid, [set, p], &rigid.shift(view), within, None)
+}
+
+/// The gap of a particle to anything rigid that has moved by `shift`, where the nearest triangle of a surface may be known but
+/// for a little.
+pub(super) fn gap_to(
+    view: &StepView<'_>,
+    rigid: &RigidObstacle,
+    [set, p]: [usize; 2],
+    shift: &Vector,
+    within: f64,
+    triangle: Option<usize>,
+) -> Option<(f64, NearestPoint)> {
+    let own = half_lengths(&view.particles[set], &view.bodies[set], p);
+    let half = rigid.half_lengths(own);
+    let (x, within_centre) = (view.particles[set].position(p), within + length(&half));
+    let mut nearest = rigid.nearest(view, &x, shift, within_centre, triangle)?;
+    if nearest.on_rim {
+        return None;
+    }
+    let gap = nearest.distance - reach(&half, &nearest.normal);
+    let origin = &view.scene.mesh.origin;
+    nearest.point = std::array::from_fn(|axis| nearest.point[axis] + origin[axis]);
+    (gap < within).then_some((gap, nearest))
+}
+
+/// A position relative to the mesh as it is in the coordinates of a local surface that has moved by `shift`.
+pub(super) fn on_surface(view: &StepView<'_>, x: &Vector, shift: &Vector) -> Vector {
+    std::array::from_fn(|axis| x[axis] + view.mesh_shift[axis] - shift[axis])
+}
+
+/// No body may overlap a surface at the start.
+pub(super) fn refuse_overlap_with_surfaces(
+    view: &StepView<'_>,
+    rigid: &[RigidObstacle],
+) -> Result<(), SetupError> {
+    let allowed = OVERLAP * view.smallest_cell();
+    for (one, surface) in rigid.iter().zip(&view.scene.surfaces) {
+        let mut deepest: Option<(f64, usize, usize)> = None;
+        for set in 0..view.particles.len() {
+            for p in 0..view.particles[set].len() {
+                let threshold = surface.distance_threshold;
+                if let Some((gap, _)) = surface_gap(view, one, [set, p], threshold)
+                    && gap < -allowed
+                    && deepest.is_none_or(|d| gap < d.0)
+                {
+                    deepest = Some((gap, set, p));
+                }
+            }
         }
-    };
-    scene.surfaces.iter().map(one).collect()
+        if let Some((gap, set, p)) = deepest {
+            let [x, y, z] = view.position(set, p);
+            return Err(SetupError::Body {
+                body: view.scene.bodies[set].name.clone(),
+                reason: format!(
+                    "it reaches {} m through the surface {:?} at the start, at ({x}, {y}, {z}) m; accepted: bodies \
+                     on the side to which the normals of the surface point",
+                    -gap, surface.name
+                ),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// How far the ellipsoid with these half-lengths reaches along a unit normal \[m\].

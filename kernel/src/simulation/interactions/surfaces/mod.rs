@@ -1,5 +1,6 @@
 //! Contact with rigid surfaces in the cycle.
 
+mod error;
 mod fields;
 mod gap;
 mod near_particles;
@@ -9,24 +10,26 @@ mod plan_entries;
 mod reached_nodes;
 
 use super::InteractionType;
+use crate::contact::Tunnelling;
 use crate::memory::Memory;
 use crate::scene::{Scene, Vector};
 use crate::simulation::conditions::NodalConditions;
-use crate::simulation::error::{SetupError, StepError, StepErrorKind};
+use crate::simulation::error::{InteractionError, SetupError};
 use crate::simulation::interactions::{Interaction, InteractionResult, Remap, SavedArrays};
 use crate::simulation::mapping::node_weights_touching;
 use crate::simulation::motion::at_half_step_after;
-use crate::simulation::{BodyRun, Simulation};
+use crate::simulation::{BodyRun, Grid, Simulation, StepUpdate, StepView};
 use crate::stage::solve::Planes;
 use crate::stage::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
 use crate::surface::NearestPoint;
 use crate::team::ItemCost;
-use fields::Fields;
-pub(in crate::simulation) use gap::local;
-use gap::{half_lengths, touching_point};
+use fields::{Fields, change_velocities};
+use gap::{gap_to, half_lengths, refuse_overlap_with_surfaces, touching_point};
 use near_particles::{NearParticles, ParticlePlace};
 use obstacle::RigidObstacle;
 use reached_nodes::{NodeNumbers, ReachedNodes};
+
+pub use error::SurfaceContactError;
 
 /// Contact with rigid surfaces.
 pub(super) const SURFACES: InteractionType = InteractionType {
@@ -99,22 +102,22 @@ impl Interaction for SurfaceContact {
         Box::new(self.clone())
     }
 
-    fn start(&self, simulation: &Simulation) -> Result<(), SetupError> {
-        simulation.refuse_overlap_with_surfaces()
+    fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {
+        refuse_overlap_with_surfaces(view, &self.rigid)
     }
 
-    fn sorted(&mut self, simulation: &Simulation) {
+    fn sorted(&mut self, view: &StepView<'_>) {
         self.near.forget();
         for rigid in &mut self.rigid {
             if let RigidObstacle::Driven(driven) = rigid {
-                driven.note_start(simulation);
+                driven.note_start(view);
             }
         }
     }
 
     /// A body that is no longer driven, or moves in another way, may act on its partners at the nodes from now on.
-    fn motion_changed(&mut self, simulation: &Simulation, _: usize) {
-        let now = obstacle::all(&simulation.model.scene, &simulation.model.bodies);
+    fn motion_changed(&mut self, view: &StepView<'_>, _: usize) {
+        let now = obstacle::all(view.scene, view.bodies);
         let mut place = 0;
         self.rigid.retain(|rigid| {
             let keep = now.iter().any(|one| one.is_same(rigid));
@@ -137,19 +140,23 @@ impl Interaction for SurfaceContact {
 
     fn settle(
         &mut self,
-        simulation: &mut Simulation,
+        update: &mut StepUpdate<'_>,
         nodal: &NodalConditions,
-    ) -> Result<usize, StepError> {
-        simulation.push(self, nodal)
+    ) -> Result<usize, InteractionError> {
+        self.push(update, nodal)
     }
 
     fn settle_remapped(
         &mut self,
-        simulation: &mut Simulation,
+        update: &mut StepUpdate<'_>,
         nodal: &NodalConditions,
         remap: Remap,
-    ) -> Result<(), StepError> {
-        simulation.hold(self, nodal, remap.lane())
+    ) -> Result<(), InteractionError> {
+        self.hold(update, nodal, remap.lane())
+    }
+
+    fn nodal_forces(&self, grid: &Grid, give: &mut dyn FnMut(usize, usize, Vector, f64)) {
+        self.forces_at_nodes(grid, give);
     }
 
     fn save(&self) -> SavedArrays {
@@ -179,72 +186,78 @@ impl Simulation {
     /// Displacement of a surface since the start \[m\].
     #[must_use]
     pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
-        let way = self.model.surface_ways[surface].as_ref();
-        way.map_or([0.0; 3], |way| way.at(time))
+        let contact = self.interaction::<SurfaceContact>();
+        match contact.and_then(|contact| contact.rigid.get(surface)) {
+            Some(RigidObstacle::Surface(surface)) => surface.shift(time),
+            _ => [0.0; 3],
+        }
     }
+}
 
+impl SurfaceContact {
     /// Corrects the nodal velocities after the solve so that no particle goes through a surface or into a driven body; the
     /// number of particles that driven bodies push.
     fn push(
         &mut self,
-        surfaces: &mut SurfaceContact,
+        update: &mut StepUpdate<'_>,
         nodal: &NodalConditions,
-    ) -> Result<usize, StepError> {
-        self.touches(
-            &surfaces.rigid,
-            &mut surfaces.near,
-            nodal,
-            1,
-            &mut surfaces.trial,
+    ) -> Result<usize, InteractionError> {
+        let view = update.view();
+        touches(
+            &view,
+            &self.rigid,
+            &mut self.near,
+            (nodal, 1),
+            &mut self.trial,
         )?;
         let TouchingParticles {
             touches, places, ..
-        } = &mut surfaces.trial;
-        let lanes = self.model.lanes;
+        } = &mut self.trial;
+        let lanes = view.lanes;
         let damping = match nodal.local_damping {
             None => {
                 touches.resolve(lanes, TOLERANCE, SWEEPS);
                 0.0
             }
             Some(alpha) => {
-                let fields = self.all_fields();
+                let fields = Fields::of_step(&view);
                 // Fields that move together have one velocity and one increment.
                 let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
                 touches.resolve_damped(lanes, line, alpha, TOLERANCE, SWEEPS)
             }
         };
-        for bodies in &mut surfaces.last {
+        for bodies in &mut self.last {
             bodies.fill([0.0; 3]);
         }
-        surfaces.last_kick = nodal.kick;
-        surfaces.pushed.clear();
+        self.last_kick = nodal.kick;
+        self.pushed.clear();
         let mut by_bodies = 0;
         for (touch, place) in touches.list.iter().zip(&*places) {
             if let (true, held) = touch.pushes_and_holds() {
-                let id = self.state.sets[place.set].id[place.p];
-                surfaces.pushed.push(((place.surface, place.set, id), held));
+                let id = view.particles[place.set].id[place.p];
+                self.pushed.push(((place.surface, place.set, id), held));
                 by_bodies += usize::from(matches!(
-                    surfaces.rigid[place.surface],
+                    self.rigid[place.surface],
                     RigidObstacle::Driven(_)
                 ));
             }
             let impulse = touch.impulse();
             for axis in 0..3 {
-                surfaces.last[place.surface][place.set][axis] += impulse[axis];
+                self.last[place.surface][place.set][axis] += impulse[axis];
             }
         }
         let mut power = 0.0;
-        for surface in 0..surfaces.last.len() {
-            let v = surfaces.near.now[surface].velocity;
-            for set in 0..self.state.sets.len() {
+        for surface in 0..self.last.len() {
+            let v = self.near.now[surface].velocity;
+            for set in 0..view.particles.len() {
                 for axis in 0..3 {
-                    let impulse = surfaces.last[surface][set][axis];
-                    surfaces.total[surface][set][axis] += impulse;
+                    let impulse = self.last[surface][set][axis];
+                    self.total[surface][set][axis] += impulse;
                     power += impulse * v[axis] / nodal.kick;
                 }
             }
         }
-        let fields = self.all_fields();
+        let fields = Fields::of_step(&view);
         let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
         let (mut friction, mut impact) = (0.0, 0.0);
         for touch in &touches.list {
@@ -252,18 +265,12 @@ impl Simulation {
             friction += across;
             impact += along;
         }
-        self.work.sums.damping += damping;
-        self.work.sums.friction += friction;
-        self.work.sums.impact += impact;
-        self.change_velocities(touches, 1, true);
-        self.sum_after_contact(nodal, power);
+        update.sums.damping += damping;
+        update.sums.friction += friction;
+        update.sums.impact += impact;
+        change_velocities(update.grid, touches, 1, true);
+        update.sums.power += power;
         Ok(by_bodies)
-    }
-
-    /// Ghost nodes and sums of the last mapping once more, with the velocities after contact.
-    fn sum_after_contact(&mut self, nodal: &NodalConditions, power: f64) {
-        self.work.sums.power += power;
-        self.add_sums_of_planes(nodal);
     }
 
     /// Gives the velocities of a second mapping, which strain the particles, to the surfaces as the boundary planes do:
@@ -274,23 +281,24 @@ impl Simulation {
     /// `lane` is where the nodes hold the velocities.
     fn hold(
         &mut self,
-        surfaces: &mut SurfaceContact,
+        update: &mut StepUpdate<'_>,
         nodal: &NodalConditions,
         lane: usize,
-    ) -> Result<(), StepError> {
-        self.touches(
-            &surfaces.rigid,
-            &mut surfaces.near,
-            nodal,
-            lane,
-            &mut surfaces.mapped,
+    ) -> Result<(), InteractionError> {
+        let view = update.view();
+        touches(
+            &view,
+            &self.rigid,
+            &mut self.near,
+            (nodal, lane),
+            &mut self.mapped,
         )?;
         let TouchingParticles {
             touches, places, ..
-        } = &mut surfaces.mapped;
-        let pushed = &surfaces.pushed;
+        } = &mut self.mapped;
+        let pushed = &self.pushed;
         let mut held = places.iter().map(|place| {
-            let id = self.state.sets[place.set].id[place.p];
+            let id = view.particles[place.set].id[place.p];
             let found =
                 pushed.binary_search_by_key(&(place.surface, place.set, id), |(place, _)| *place);
             found.ok().map(|at| pushed[at].1)
@@ -303,8 +311,8 @@ impl Simulation {
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
-        touches.resolve(self.model.lanes, TOLERANCE, SWEEPS);
-        self.change_velocities(touches, lane, false);
+        touches.resolve(view.lanes, TOLERANCE, SWEEPS);
+        change_velocities(update.grid, touches, lane, false);
         let still = at_half_step_after(&nodal.walls);
         let keep = |planes: &mut Planes<'_>| {
             if lane == 4 {
@@ -313,148 +321,146 @@ impl Simulation {
                 planes.unfold(&still, false);
             }
         };
-        self.work
-            .grid
-            .visit(|mut slab| slab.planes().for_each(keep));
+        update.grid.visit(|mut slab| slab.planes().for_each(keep));
         Ok(())
     }
+}
 
-    /// Finds the particles within the threshold of a surface, with their velocities over it from the lanes of the nodes
-    /// that begin at `lane`, and the nodes that they reach. After an error `found` holds those found before it,
-    /// which no one looks at.
-    fn touches(
-        &self,
-        rigid: &[RigidObstacle],
-        near: &mut NearParticles,
-        nodal: &NodalConditions,
-        lane: usize,
-        found: &mut TouchingParticles,
-    ) -> Result<(), StepError> {
-        let TouchingParticles {
-            touches,
-            places,
-            known,
-            gaps,
-        } = found;
-        places.clear();
-        self.find_near_surfaces(rigid, near, nodal);
-        let fields = self.all_fields();
-        let mut reached = known.begin(touches);
-        // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
-        let gap = |i: usize| {
-            let place = near.particles[i];
-            let (rigid, shift) = (&rigid[place.surface], &near.now[place.surface].shift);
-            let margin = rigid.widest_threshold(self) + self.smallest_cell();
-            self.gap_to(rigid, place, shift, margin, Some(near.triangles[i]))
+/// Finds the particles within the threshold of a surface, with their velocities over it from the lanes of the nodes
+/// that begin at `lane`, and the nodes that they reach. After an error `found` holds those found before it,
+/// which no one looks at.
+fn touches(
+    view: &StepView<'_>,
+    rigid: &[RigidObstacle],
+    near: &mut NearParticles,
+    (nodal, lane): (&NodalConditions, usize),
+    found: &mut TouchingParticles,
+) -> Result<(), InteractionError> {
+    let TouchingParticles {
+        touches,
+        places,
+        known,
+        gaps,
+    } = found;
+    places.clear();
+    near.find(view, rigid, nodal);
+    let fields = Fields::of_step(view);
+    let mut reached = known.begin(touches);
+    // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
+    let gap = |i: usize| {
+        let place = near.particles[i];
+        let (rigid, shift) = (&rigid[place.surface], &near.now[place.surface].shift);
+        let margin = rigid.widest_threshold(view) + view.smallest_cell();
+        let triangle = Some(near.triangles[i]);
+        gap_to(view, rigid, [place.set, place.p], shift, margin, triangle)
+    };
+    let team = view.team();
+    team.fill(0..near.particles.len(), ItemCost::Search, gap, &None, gaps);
+    for (i, place) in near.particles.iter().enumerate() {
+        let Some(gap) = gaps[i] else {
+            continue;
         };
-        let team = &self.work.grid.team;
-        team.fill(0..near.particles.len(), ItemCost::Search, gap, &None, gaps);
-        for (i, place) in near.particles.iter().enumerate() {
-            let Some(gap) = gaps[i] else {
-                continue;
-            };
-            near.triangles[i] = gap.1.triangle;
-            let (rigid, v_s) = (&rigid[place.surface], &near.now[place.surface].velocity);
-            let touch = self.touch(
-                (rigid, *place),
-                gap,
-                v_s,
-                (nodal, lane),
-                &fields,
-                &mut reached,
-            )?;
-            if let Some(touch) = touch {
-                reached.touches.list.push(touch);
-                places.push(*place);
-            }
-        }
-        Ok(())
-    }
-
-    /// The touch of one particle with this gap, if it is within the threshold; `v_s` is the velocity of the surface \[m/s\].
-    fn touch(
-        &self,
-        (rigid, place): (&RigidObstacle, ParticlePlace),
-        (gap, nearest): (f64, NearestPoint),
-        v_s: &Vector,
-        (nodal, lane): (&NodalConditions, usize),
-        fields: &Fields<'_>,
-        reached: &mut ReachedNodes<'_>,
-    ) -> Result<Option<SurfaceTouch>, StepError> {
-        let ParticlePlace { set, p, .. } = place;
-        if let (RigidObstacle::Surface(surface), true) = (rigid, nearest.distance < 0.0) {
-            return Err(self.error(StepErrorKind::ThroughSurface {
-                particle: self.particle_at(set, p),
-                surface: self.model.scene.surfaces[*surface].name.clone(),
-                depth: -nearest.distance,
-            }));
-        }
-        let shape = &self.work.grid.shape;
-        let (particles, body) = (&self.state.sets[set], &self.model.bodies[set]);
-        let normal = nearest.normal;
-        let half = half_lengths(particles, body, p);
-        let touching = [&touching_point(&half, &nearest), &half];
-        let weights =
-            node_weights_touching(particles, body, shape, self.state.stencil, p, touching);
-        let field = fields.of(set);
-        let lines = fields.lines(field);
-        let mut relative = v_s.map(|v| -v);
-        for &(node, w) in weights.iter() {
-            for axis in 0..3 {
-                relative[axis] += w * lines[node][lane + axis];
-            }
-        }
-        let approach = -nodal.drift
-            * (0..3)
-                .map(|axis| normal[axis] * relative[axis])
-                .sum::<f64>();
-        let threshold = rigid.threshold(self, &normal);
-        if approach > gap.max(0.0) && approach > threshold && !rigid.is_bonded() {
-            return Err(self.error(match rigid {
-                RigidObstacle::Surface(surface) => StepErrorKind::TooFastForSurface {
-                    particle: self.particle_at(set, p),
-                    surface: self.model.scene.surfaces[*surface].name.clone(),
-                    approach,
-                    threshold,
-                },
-                RigidObstacle::Driven(driven) => StepErrorKind::Tunnelling {
-                    bodies: [driven.pair.master, driven.pair.slave]
-                        .map(|b| self.model.bodies[b].id),
-                    position: Some(nearest.point),
-                    approach,
-                    distance: threshold,
-                },
-            }));
-        }
-        if !rigid.touches(self, gap, &normal) {
-            return Ok(None);
-        }
-        let weights = reached.reach(shape, nodal, fields, field, &weights);
-        let (m_p, _) = self.mass_and_volume(set, p);
-        let stiffness = match rigid {
-            RigidObstacle::Surface(surface) => {
-                self.model.scene.surfaces[*surface].penalty_stiffness
-            }
-            RigidObstacle::Driven(_) => None,
-        };
-        let penalty = penalty_impulse(stiffness.unwrap_or(0.0), m_p, -gap, nodal);
-        Ok(Some(SurfaceTouch {
-            weights,
-            normal,
-            relative,
+        near.triangles[i] = gap.1.triangle;
+        let (rigid, v_s) = (&rigid[place.surface], &near.now[place.surface].velocity);
+        let touch = touch(
+            view,
+            (rigid, *place),
             gap,
-            bound: rigid.bound(gap, nearest.distance, nodal.drift),
-            floor: if rigid.is_bonded() {
-                f64::NEG_INFINITY
-            } else {
-                0.0
-            },
-            penalty,
-            friction: rigid.friction(self),
-            normal_impulse: 0.0,
-            tangential_impulse: [0.0; 3],
-        }))
+            v_s,
+            (nodal, lane),
+            &fields,
+            &mut reached,
+        )?;
+        if let Some(touch) = touch {
+            reached.touches.list.push(touch);
+            places.push(*place);
+        }
     }
+    Ok(())
+}
+
+/// The touch of one particle with this gap, if it is within the threshold; `v_s` is the velocity of the surface \[m/s\].
+fn touch(
+    view: &StepView<'_>,
+    (rigid, place): (&RigidObstacle, ParticlePlace),
+    (gap, nearest): (f64, NearestPoint),
+    v_s: &Vector,
+    (nodal, lane): (&NodalConditions, usize),
+    fields: &Fields<'_>,
+    reached: &mut ReachedNodes<'_>,
+) -> Result<Option<SurfaceTouch>, InteractionError> {
+    let ParticlePlace { set, p, .. } = place;
+    if let (RigidObstacle::Surface(surface), true) = (rigid, nearest.distance < 0.0) {
+        return Err(SurfaceContactError::ThroughSurface {
+            particle: view.particle_at(set, p),
+            surface: view.scene.surfaces[surface.place].name.clone(),
+            depth: -nearest.distance,
+        }
+        .into());
+    }
+    let shape = &view.grid.shape;
+    let (particles, body) = (&view.particles[set], &view.bodies[set]);
+    let normal = nearest.normal;
+    let half = half_lengths(particles, body, p);
+    let touching = [&touching_point(&half, &nearest), &half];
+    let weights = node_weights_touching(particles, body, shape, view.stencil, p, touching);
+    let field = fields.of(set);
+    let lines = fields.lines(field);
+    let mut relative = v_s.map(|v| -v);
+    for &(node, w) in weights.iter() {
+        for axis in 0..3 {
+            relative[axis] += w * lines[node][lane + axis];
+        }
+    }
+    let approach = -nodal.drift
+        * (0..3)
+            .map(|axis| normal[axis] * relative[axis])
+            .sum::<f64>();
+    let threshold = rigid.threshold(view, &normal);
+    if approach > gap.max(0.0) && approach > threshold && !rigid.is_bonded() {
+        return Err(match rigid {
+            RigidObstacle::Surface(surface) => SurfaceContactError::TooFastForSurface {
+                particle: view.particle_at(set, p),
+                surface: view.scene.surfaces[surface.place].name.clone(),
+                approach,
+                threshold,
+            }
+            .into(),
+            RigidObstacle::Driven(driven) => Tunnelling {
+                bodies: [driven.pair.master, driven.pair.slave].map(|b| view.bodies[b].id),
+                position: Some(nearest.point),
+                approach,
+                distance: threshold,
+            }
+            .into(),
+        });
+    }
+    if !rigid.touches(view, gap, &normal) {
+        return Ok(None);
+    }
+    let weights = reached.reach(shape, nodal, fields, field, &weights);
+    let m_p = view.mass(set, p);
+    let stiffness = match rigid {
+        RigidObstacle::Surface(surface) => view.scene.surfaces[surface.place].penalty_stiffness,
+        RigidObstacle::Driven(_) => None,
+    };
+    let penalty = penalty_impulse(stiffness.unwrap_or(0.0), m_p, -gap, nodal);
+    Ok(Some(SurfaceTouch {
+        weights,
+        normal,
+        relative,
+        gap,
+        bound: rigid.bound(gap, nearest.distance, nodal.drift),
+        floor: if rigid.is_bonded() {
+            f64::NEG_INFINITY
+        } else {
+            0.0
+        },
+        penalty,
+        friction: rigid.friction(view),
+        normal_impulse: 0.0,
+        tangential_impulse: [0.0; 3],
+    }))
 }
 
 /// Impulse of the penalty force on a particle of mass `m_p` \[kg\] that reaches through by `depth` \[m\] \[N s\]: k depth dt,

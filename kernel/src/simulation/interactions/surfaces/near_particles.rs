@@ -3,7 +3,7 @@
 use super::gap::{half_lengths, length};
 use super::obstacle::RigidObstacle;
 use crate::scene::Vector;
-use crate::simulation::Simulation;
+use crate::simulation::StepView;
 use crate::simulation::conditions::NodalConditions;
 use crate::team::ItemCost;
 
@@ -50,90 +50,89 @@ pub(super) struct ParticlePlace {
     pub(super) p: usize,
 }
 
-impl Simulation {
+impl NearParticles {
     /// Makes the list of particles near a surface anew where it no longer covers what may touch in this step.
-    pub(super) fn find_near_surfaces(
-        &self,
+    pub(super) fn find(
+        &mut self,
+        view: &StepView<'_>,
         rigid: &[RigidObstacle],
-        near: &mut NearParticles,
         nodal: &NodalConditions,
     ) {
-        let cell = &self.model.scene.mesh.cell;
+        let cell = &view.scene.mesh.cell;
         let diagonal = cell.iter().map(|h| h * h).sum::<f64>().sqrt();
-        let speed = self
-            .state
-            .found
+        let speed = view
+            .maxima
             .iter()
             .map(|found| found.speed_squared)
             .fold(0.0, f64::max)
             .sqrt();
-        near.now.clear();
-        near.now.extend(rigid.iter().map(|one| RigidMotion {
-            shift: one.shift(self),
-            velocity: one.velocity(self, nodal),
+        self.now.clear();
+        self.now.extend(rigid.iter().map(|one| RigidMotion {
+            shift: one.shift(view),
+            velocity: one.velocity(view, nodal),
         }));
-        let speeds = near.now.iter().map(|now| length(&now.velocity));
+        let speeds = self.now.iter().map(|now| length(&now.velocity));
         let fastest = speeds.fold(0.0, f64::max);
         // Twice the way at the present speed, since contact and forces may make particles faster within the step.
         let step = 2.0 * nodal.drift * (speed + fastest);
-        if let Some(margin) = near.margin {
-            let ways = near.shifts.iter().zip(&near.now).map(|(then, now)| {
+        if let Some(margin) = self.margin {
+            let ways = self.shifts.iter().zip(&self.now).map(|(then, now)| {
                 length(&std::array::from_fn(|axis| now.shift[axis] - then[axis]))
             });
             let by_surface = ways.fold(0.0, f64::max);
-            let moved = (self.state.travel - near.travel) * diagonal + by_surface;
+            let moved = (view.travel - self.travel) * diagonal + by_surface;
             if moved + step <= margin {
                 return;
             }
         }
         let margin = (0.25 * diagonal).max(2.0 * step);
-        near.margin = Some(margin);
-        near.travel = self.state.travel;
-        near.particles.clear();
-        near.triangles.clear();
-        near.shifts.clear();
+        self.margin = Some(margin);
+        self.travel = view.travel;
+        self.particles.clear();
+        self.triangles.clear();
+        self.shifts.clear();
         for (surface, one) in rigid.iter().enumerate() {
-            near.shifts.push(near.now[surface].shift);
-            for set in 0..self.state.sets.len() {
-                if one.pushes(self, set) {
-                    self.add_near(one, near, [surface, set], margin);
+            self.shifts.push(self.now[surface].shift);
+            for set in 0..view.particles.len() {
+                if one.pushes(view, set) {
+                    self.add(view, one, [surface, set], margin);
                 }
             }
         }
     }
 
     /// Adds the particles of a set near a surface, in the order of their identifiers.
-    fn add_near(
-        &self,
+    fn add(
+        &mut self,
+        view: &StepView<'_>,
         rigid: &RigidObstacle,
-        near: &mut NearParticles,
         [surface, set]: [usize; 2],
         margin: f64,
     ) {
-        let (particles, body) = (&self.state.sets[set], &self.model.bodies[set]);
-        let (shift, threshold) = (near.now[surface].shift, rigid.widest_threshold(self));
+        let (particles, body) = (&view.particles[set], &view.bodies[set]);
+        let (shift, threshold) = (self.now[surface].shift, rigid.widest_threshold(view));
         let triangle = |p: usize| {
             let reach = length(&rigid.half_lengths(half_lengths(particles, body, p)));
             let within = threshold + reach + margin;
-            let nearest = rigid.nearest(self, &particles.position(p), &shift, within, None);
+            let nearest = rigid.nearest(view, &particles.position(p), &shift, within, None);
             nearest.map(|nearest| nearest.triangle)
         };
-        let team = &self.work.grid.team;
+        let team = view.team();
         team.fill(
             0..particles.len(),
             ItemCost::Search,
             triangle,
             &None,
-            &mut near.nearest,
+            &mut self.nearest,
         );
-        let found = (0..particles.len()).filter(|&p| near.nearest[p].is_some());
-        near.by_id.clear();
-        near.by_id.extend(found.map(|p| (particles.id[p], p)));
-        near.by_id.sort_unstable();
-        for &(_, p) in &near.by_id {
-            if let Some(triangle) = near.nearest[p] {
-                near.particles.push(ParticlePlace { surface, set, p });
-                near.triangles.push(triangle);
+        let found = (0..particles.len()).filter(|&p| self.nearest[p].is_some());
+        self.by_id.clear();
+        self.by_id.extend(found.map(|p| (particles.id[p], p)));
+        self.by_id.sort_unstable();
+        for &(_, p) in &self.by_id {
+            if let Some(triangle) = self.nearest[p] {
+                self.particles.push(ParticlePlace { surface, set, p });
+                self.triangles.push(triangle);
             }
         }
     }

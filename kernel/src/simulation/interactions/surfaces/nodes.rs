@@ -3,7 +3,7 @@
 use super::obstacle::RigidObstacle;
 use super::{SurfaceContact, TouchingParticles};
 use crate::scene::Vector;
-use crate::simulation::Simulation;
+use crate::simulation::{Grid, Simulation};
 
 impl Simulation {
     /// Force of the bodies on a surface in the last step \[N\].
@@ -56,43 +56,43 @@ impl Simulation {
         self.interaction::<SurfaceContact>()
             .map_or([0.0; 3], |s| s.total[surface][set])
     }
+}
 
-    /// Force of the surfaces and of driven bodies on a body at a node in the last step \[N\] and the gap of the particle that
-    /// brought it there \[m\], particle by particle: `(body, node, force, gap)`. Particles within the threshold that do not
-    /// touch bring no force. A driven body has the reaction, at those of the nodes that it reaches itself.
-    pub(in crate::simulation) fn surface_forces_at_nodes(
+impl SurfaceContact {
+    /// Forces at the nodes, particle by particle. Particles within the threshold that do not touch bring no force. A driven body
+    /// has the reaction, at those of the nodes that it reaches itself.
+    pub(super) fn forces_at_nodes(
         &self,
-    ) -> impl Iterator<Item = (usize, usize, Vector, f64)> {
-        let surfaces = self.interaction::<SurfaceContact>();
-        let mut all = vec![];
-        for s in surfaces.into_iter().filter(|s| s.last_kick > 0.0) {
-            let TouchingParticles {
-                touches, places, ..
-            } = &s.trial;
-            for (touch, place) in touches.list.iter().zip(places) {
-                let force = touch.impulse().map(|i| i / s.last_kick);
-                let weights = &touches.weights[touch.weights.clone()];
-                let nodes = || weights.iter().map(|(n, w)| (touches.nodes[*n].node, w));
-                for (node, w) in nodes() {
-                    let share = std::array::from_fn(|axis| w[axis] * force[axis]);
-                    all.push((place.set, node, share, touch.gap));
-                }
-                let RigidObstacle::Driven(driven) = &s.rigid[place.surface] else {
-                    continue;
-                };
-                let Some(field) = self.work.grid.own_field(driven.body) else {
-                    continue;
-                };
-                let own =
-                    || nodes().filter(|(node, _)| field.mass(&self.work.grid.shape, *node) > 0.0);
-                let sum: Vector = std::array::from_fn(|axis| own().map(|(_, w)| w[axis]).sum());
-                let part = |w: f64, sum: f64| if sum > 0.0 { w / sum } else { 0.0 };
-                for (node, w) in own() {
-                    let share = std::array::from_fn(|k| -force[k] * part(w[k], sum[k]));
-                    all.push((driven.body, node, share, touch.gap));
-                }
+        grid: &Grid,
+        give: &mut dyn FnMut(usize, usize, Vector, f64),
+    ) {
+        if self.last_kick <= 0.0 {
+            return;
+        }
+        let TouchingParticles {
+            touches, places, ..
+        } = &self.trial;
+        for (touch, place) in touches.list.iter().zip(places) {
+            let force = touch.impulse().map(|i| i / self.last_kick);
+            let weights = &touches.weights[touch.weights.clone()];
+            let nodes = || weights.iter().map(|(n, w)| (touches.nodes[*n].node, w));
+            for (node, w) in nodes() {
+                let share = std::array::from_fn(|axis| w[axis] * force[axis]);
+                give(place.set, node, share, touch.gap);
+            }
+            let RigidObstacle::Driven(driven) = &self.rigid[place.surface] else {
+                continue;
+            };
+            let Some(field) = grid.own_field(driven.body) else {
+                continue;
+            };
+            let own = || nodes().filter(|(node, _)| field.mass(&grid.shape, *node) > 0.0);
+            let sum: Vector = std::array::from_fn(|axis| own().map(|(_, w)| w[axis]).sum());
+            let part = |w: f64, sum: f64| if sum > 0.0 { w / sum } else { 0.0 };
+            for (node, w) in own() {
+                let share = std::array::from_fn(|k| -force[k] * part(w[k], sum[k]));
+                give(driven.body, node, share, touch.gap);
             }
         }
-        all.into_iter()
     }
 }

@@ -5,13 +5,14 @@
 //! face lies at theta in its cell has the internal forces 1 - theta and theta at the two nodes around the face, and a driven
 //! body that prescribes both velocities holds a cell that is not its own.
 
-use super::gap::length;
+use super::gap::{length, on_surface};
 use crate::contact::Pair;
 use crate::scene::{Scene, Shape, Vector};
 use crate::simulation::conditions::NodalConditions;
 use crate::simulation::interactions::grid::{acts_by_shape, pairs_of};
-use crate::simulation::{BodyRun, Simulation};
-use crate::surface::{Feature, NearestPoint};
+use crate::simulation::{BodyRun, Displacement, StepView};
+use crate::surface::{Feature, NearestPoint, Surface};
+use std::sync::Arc;
 
 /// Share of the distance of contact within which a bonded body holds particles: three quarters of the half of a particle where
 /// those of both bodies are alike, so that the second row is not held before a third of the strain of the first is lost.
@@ -23,10 +24,45 @@ const OUTWARD: f64 = 0.01;
 /// A rigid thing that pushes particles.
 #[derive(Clone, Debug)]
 pub(super) enum RigidObstacle {
-    /// A surface of the scene, by its place there. It pushes all bodies.
-    Surface(usize),
+    /// A surface of the scene. It pushes all bodies.
+    Surface(SurfaceObstacle),
     /// A driven body.
     Driven(Box<Driven>),
+}
+
+/// A surface of the scene that pushes all bodies.
+#[derive(Clone, Debug)]
+pub(super) struct SurfaceObstacle {
+    /// Place of the surface in the scene.
+    pub(super) place: usize,
+    /// The surface relative to the origin of the mesh at the start, as particles are: a coordinate of 1e6 m is good to
+    /// 1e-10 m only.
+    local: Arc<Surface>,
+    /// Its displacement, where it moves.
+    motion: Option<Arc<Displacement>>,
+}
+
+impl SurfaceObstacle {
+    fn new(scene: &Scene, place: usize) -> Self {
+        let (rigid, origin) = (&scene.surfaces[place], &scene.mesh.origin);
+        let local = if *origin == [0.0; 3] {
+            Arc::clone(&rigid.surface)
+        } else {
+            Arc::new(rigid.surface.relative_to(origin))
+        };
+        let motion = rigid.motion.as_ref().map(Displacement::new);
+        Self {
+            place,
+            local,
+            motion: motion.map(Arc::new),
+        }
+    }
+
+    /// Displacement since the start \[m\].
+    pub(super) fn shift(&self, time: f64) -> Vector {
+        let motion = self.motion.as_ref();
+        motion.map_or([0.0; 3], |motion| motion.at(time))
+    }
 }
 
 /// A driven body that pushes a partner of contact.
@@ -49,7 +85,8 @@ pub(super) struct Driven {
 
 /// All of a scene: its surfaces, then driven bodies pair by pair.
 pub(super) fn all(scene: &Scene, bodies: &[BodyRun]) -> Vec<RigidObstacle> {
-    let surfaces = (0..scene.surfaces.len()).map(RigidObstacle::Surface);
+    let surfaces = (0..scene.surfaces.len())
+        .map(|place| RigidObstacle::Surface(SurfaceObstacle::new(scene, place)));
     let pairs = pairs_of(scene, bodies).into_iter();
     let driven = pairs.filter(|pair| pair.by_shape).map(|pair| {
         let [body, partner] = if acts_by_shape(scene, bodies, [pair.master, pair.slave]) {
@@ -74,16 +111,16 @@ pub(super) fn all(scene: &Scene, bodies: &[BodyRun]) -> Vec<RigidObstacle> {
 
 impl Driven {
     /// Notes where the body is at the start.
-    pub(super) fn note_start(&mut self, simulation: &Simulation) {
-        let set = &simulation.state.sets[self.body];
+    pub(super) fn note_start(&mut self, view: &StepView<'_>) {
+        let set = &view.particles[self.body];
         if self.start.is_none() && !set.is_empty() {
             self.start = Some((set.id[0], set.position(0)));
         }
     }
 
     /// Displacement since the start, relative to the mesh \[m\]: that of one of its particles.
-    fn shift(&self, simulation: &Simulation) -> Vector {
-        let set = &simulation.state.sets[self.body];
+    fn shift(&self, view: &StepView<'_>) -> Vector {
+        let set = &view.particles[self.body];
         let moved = self.start.as_ref().and_then(|(id, start)| {
             let p = set.id.iter().position(|one| one == id)?;
             let now = set.position(p);
@@ -95,22 +132,19 @@ impl Driven {
 
 impl RigidObstacle {
     /// Displacement since the start \[m\]: of a surface in space, of a body relative to the mesh.
-    pub(super) fn shift(&self, simulation: &Simulation) -> Vector {
+    pub(super) fn shift(&self, view: &StepView<'_>) -> Vector {
         match self {
-            Self::Surface(surface) => {
-                simulation.surface_shift(*surface, simulation.state.clock.time)
-            }
-            Self::Driven(driven) => driven.shift(simulation),
+            Self::Surface(surface) => surface.shift(view.clock.time),
+            Self::Driven(driven) => driven.shift(view),
         }
     }
 
     /// Velocity over the step that is being done \[m/s\].
-    pub(super) fn velocity(&self, simulation: &Simulation, nodal: &NodalConditions) -> Vector {
+    pub(super) fn velocity(&self, view: &StepView<'_>, nodal: &NodalConditions) -> Vector {
         match self {
             Self::Surface(surface) => {
-                let way = simulation.model.surface_ways[*surface].as_ref();
-                let time = simulation.state.clock.time;
-                way.map_or([0.0; 3], |way| way.mean_velocity(time, nodal.drift))
+                let (motion, time) = (surface.motion.as_ref(), view.clock.time);
+                motion.map_or([0.0; 3], |motion| motion.mean_velocity(time, nodal.drift))
             }
             Self::Driven(driven) => nodal.prescribed[driven.body].map_or([0.0; 3], |[_, v]| v),
         }
@@ -119,7 +153,7 @@ impl RigidObstacle {
     /// True for the same rigid thing, which pushes the same body.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Surface(one), Self::Surface(two)) => one == two,
+            (Self::Surface(one), Self::Surface(two)) => one.place == two.place,
             (Self::Driven(one), Self::Driven(two)) => {
                 (one.body, one.partner) == (two.body, two.partner)
             }
@@ -128,18 +162,18 @@ impl RigidObstacle {
     }
 
     /// Whether it pushes a body.
-    pub(super) fn pushes(&self, simulation: &Simulation, set: usize) -> bool {
+    pub(super) fn pushes(&self, view: &StepView<'_>, set: usize) -> bool {
         match self {
-            Self::Surface(_) => simulation.model.bodies[set].motion.is_none(),
+            Self::Surface(_) => view.bodies[set].motion.is_none(),
             Self::Driven(driven) => driven.partner == set,
         }
     }
 
     /// Coefficient of friction.
-    pub(super) fn friction(&self, simulation: &Simulation) -> f64 {
-        let scene = &simulation.model.scene;
+    pub(super) fn friction(&self, view: &StepView<'_>) -> f64 {
+        let scene = view.scene;
         match self {
-            Self::Surface(surface) => scene.surfaces[*surface].friction,
+            Self::Surface(surface) => scene.surfaces[surface.place].friction,
             Self::Driven(driven) => {
                 if driven.pair.bonded {
                     return f64::INFINITY;
@@ -152,17 +186,17 @@ impl RigidObstacle {
     }
 
     /// Gap along a normal below which contact is looked for, and the longest way that a particle may approach in a step \[m\].
-    pub(super) fn threshold(&self, simulation: &Simulation, normal: &Vector) -> f64 {
+    pub(super) fn threshold(&self, view: &StepView<'_>, normal: &Vector) -> f64 {
         match self {
-            Self::Surface(surface) => simulation.model.scene.surfaces[*surface].distance_threshold,
+            Self::Surface(surface) => view.scene.surfaces[surface.place].distance_threshold,
             Self::Driven(driven) => driven.pair.distance_along(normal),
         }
     }
 
     /// True for a particle that touches, with a gap along a normal \[m\].
-    pub(super) fn touches(&self, simulation: &Simulation, gap: f64, normal: &Vector) -> bool {
+    pub(super) fn touches(&self, view: &StepView<'_>, gap: f64, normal: &Vector) -> bool {
         let share = if self.is_bonded() { HELD } else { 1.0 };
-        gap < share * self.threshold(simulation, normal)
+        gap < share * self.threshold(view, normal)
     }
 
     /// True for a driven body that holds what touches it.
@@ -171,9 +205,9 @@ impl RigidObstacle {
     }
 
     /// The largest of them along any normal \[m\].
-    pub(super) fn widest_threshold(&self, simulation: &Simulation) -> f64 {
+    pub(super) fn widest_threshold(&self, view: &StepView<'_>) -> f64 {
         match self {
-            Self::Surface(surface) => simulation.model.scene.surfaces[*surface].distance_threshold,
+            Self::Surface(surface) => view.scene.surfaces[surface.place].distance_threshold,
             Self::Driven(driven) => length(&driven.pair.distance),
         }
     }
@@ -199,7 +233,7 @@ impl RigidObstacle {
     /// the triangle of a surface near which it was.
     pub(super) fn nearest(
         &self,
-        simulation: &Simulation,
+        view: &StepView<'_>,
         x: &Vector,
         shift: &Vector,
         within: f64,
@@ -207,8 +241,8 @@ impl RigidObstacle {
     ) -> Option<NearestPoint> {
         match self {
             Self::Surface(surface) => {
-                let local = simulation.on_surface(x, shift);
-                let surface = &simulation.model.local_surfaces[*surface];
+                let local = on_surface(view, x, shift);
+                let surface = &surface.local;
                 match guess {
                     None => surface.nearest(&local, within),
                     Some(triangle) => surface.nearest_from(triangle, &local, within),
@@ -216,9 +250,7 @@ impl RigidObstacle {
             }
             Self::Driven(driven) => {
                 let local: Vector = std::array::from_fn(|axis| x[axis] - shift[axis]);
-                let found = driven
-                    .shape
-                    .nearest(simulation.model.scene.dimension, &local)?;
+                let found = driven.shape.nearest(view.scene.dimension, &local)?;
                 (found.distance < within).then_some(NearestPoint {
                     triangle: 0,
                     feature: Feature::Face,

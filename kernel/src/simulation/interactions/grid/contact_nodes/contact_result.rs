@@ -16,7 +16,7 @@ pub(crate) struct ContactResult {
     /// Number of nodes where a contact force acts.
     pub nodes: usize,
     /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
-    pub tunnelling: Option<Tunnelling>,
+    pub tunnelling: Option<NodeTunnelling>,
     /// Where each pair overlaps deepest, if by more than [`DEEP`].
     pub overlaps: Vec<Option<Overlapped>>,
 }
@@ -36,7 +36,7 @@ pub(crate) struct Overlapped {
 
 /// A pair that would pass through itself in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Tunnelling {
+pub(crate) struct NodeTunnelling {
     /// Index of the pair.
     pub pair: usize,
     /// Storage indices of the node.
@@ -77,7 +77,7 @@ impl ContactResult {
         let distance = pair.distance_along(&touch.normal);
         let worst = self.tunnelling.map_or(1.0, |t| t.approach / t.distance);
         if approach > worst * distance {
-            self.tunnelling = Some(Tunnelling {
+            self.tunnelling = Some(NodeTunnelling {
                 pair: touch.pair,
                 at,
                 approach,

@@ -1,0 +1,178 @@
+//! Views of a simulation in a step, as interactions read and change it.
+
+use super::clock::Clock;
+use super::error::ParticleAt;
+use super::event::{Event, EventKind};
+use super::fields::Grid;
+use super::{BaseVelocity, BodyRun, Model, State};
+use crate::lanes::Selected;
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
+use crate::scene::{Scene, Vector};
+use crate::stage::g2p::ParticleMaxima;
+use crate::stage::solve::PlaneSums;
+use crate::team::Team;
+
+/// A simulation in a step, as an interaction reads it.
+#[derive(Clone, Copy)]
+pub struct StepView<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The bodies, in the order of the scene.
+    pub bodies: &'a [BodyRun],
+    /// Particle sets, one per body; positions are relative to the origin of the mesh.
+    pub particles: &'a [ParticleSet],
+    /// Maxima over the particles of each body, as of the last G2P pass.
+    pub maxima: &'a [ParticleMaxima],
+    /// Time and step counter.
+    pub clock: &'a Clock,
+    /// The grid with its velocity fields.
+    pub grid: &'a Grid,
+    /// Velocity of the base, where one moves.
+    pub base: Option<&'a BaseVelocity>,
+    /// Lanes in use.
+    pub lanes: Selected,
+    /// Nodes per axis of the stencil, 3 or 4.
+    pub stencil: usize,
+    /// Largest travel of a particle since the last sort \[cells\].
+    pub travel: f64,
+    /// Displacement of the mesh since the start \[m\].
+    pub mesh_shift: Vector,
+}
+
+impl<'a> StepView<'a> {
+    /// That of a simulation in parts.
+    pub(super) fn of(model: &'a Model, state: &'a State, grid: &'a Grid) -> Self {
+        Self {
+            scene: &model.scene,
+            bodies: &model.bodies,
+            particles: &state.sets,
+            maxima: &state.found,
+            clock: &state.clock,
+            grid,
+            base: model.base.as_ref(),
+            lanes: model.lanes,
+            stencil: state.stencil,
+            travel: state.travel,
+            mesh_shift: state.mesh_shift,
+        }
+    }
+
+    /// The threads.
+    #[must_use]
+    pub fn team(&self) -> &'a Team {
+        &self.grid.team
+    }
+
+    /// Lower corner of the mesh now, in the coordinates of the scene \[m\].
+    #[must_use]
+    pub fn origin(&self) -> Vector {
+        let start = &self.scene.mesh.origin;
+        std::array::from_fn(|axis| start[axis] + self.mesh_shift[axis])
+    }
+
+    /// The shortest side of a cell \[m\].
+    #[must_use]
+    pub fn smallest_cell(&self) -> f64 {
+        let cell = &self.scene.mesh.cell[..self.grid.shape.axes];
+        cell.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Position of a particle in the coordinates of the scene \[m\].
+    #[must_use]
+    pub fn position(&self, set: usize, p: usize) -> Vector {
+        let (x, origin) = (self.particles[set].position(p), self.origin());
+        std::array::from_fn(|axis| x[axis] + origin[axis])
+    }
+
+    /// Mass of a particle \[kg\].
+    #[must_use]
+    pub fn mass(&self, set: usize, p: usize) -> f64 {
+        self.particles[set].columns[Layout::MASS][p]
+    }
+
+    /// A particle and where it is, for an error.
+    #[must_use]
+    pub fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
+        let particles = &self.particles[set];
+        ParticleAt {
+            id: particles.id[p],
+            body: self.bodies[set].id,
+            position: self.position(set, p),
+            volume: particles.columns[Layout::VOLUME][p],
+            mass: particles.columns[Layout::MASS][p],
+        }
+    }
+}
+
+/// The velocities of all slabs together, as an interaction changes them after the equation of motion or a remap.
+pub struct StepUpdate<'a> {
+    /// The grid with its velocity fields.
+    pub grid: &'a mut Grid,
+    /// Sums over the nodes of this step.
+    pub sums: &'a mut PlaneSums,
+    events: &'a mut Vec<Event>,
+    scene: &'a Scene,
+    bodies: &'a [BodyRun],
+    particles: &'a [ParticleSet],
+    maxima: &'a [ParticleMaxima],
+    clock: &'a Clock,
+    base: Option<&'a BaseVelocity>,
+    lanes: Selected,
+    stencil: usize,
+    travel: f64,
+    mesh_shift: Vector,
+}
+
+impl<'a> StepUpdate<'a> {
+    /// That of a simulation in parts.
+    pub(super) fn of(
+        model: &'a Model,
+        state: &'a mut State,
+        grid: &'a mut Grid,
+        sums: &'a mut PlaneSums,
+    ) -> Self {
+        Self {
+            grid,
+            sums,
+            events: &mut state.events,
+            scene: &model.scene,
+            bodies: &model.bodies,
+            particles: &state.sets,
+            maxima: &state.found,
+            clock: &state.clock,
+            base: model.base.as_ref(),
+            lanes: model.lanes,
+            stencil: state.stencil,
+            travel: state.travel,
+            mesh_shift: state.mesh_shift,
+        }
+    }
+
+    /// The simulation as it is now.
+    #[must_use]
+    pub fn view(&self) -> StepView<'_> {
+        StepView {
+            scene: self.scene,
+            bodies: self.bodies,
+            particles: self.particles,
+            maxima: self.maxima,
+            clock: self.clock,
+            grid: self.grid,
+            base: self.base,
+            lanes: self.lanes,
+            stencil: self.stencil,
+            travel: self.travel,
+            mesh_shift: self.mesh_shift,
+        }
+    }
+
+    /// Notes an event of this step.
+    pub fn note(&mut self, kind: EventKind) {
+        self.events.push(Event {
+            step: self.clock.step + 1,
+            time: self.clock.time,
+            kind,
+        });
+    }
+}
