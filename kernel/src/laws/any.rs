@@ -30,6 +30,23 @@ impl AnyLaw {
         self.initial_volume_ratio(-self.young()) != 1.0
     }
 
+    /// The same where strain gathers in a band that is narrower than a cell of this size \[m\]: see [`Law::in_cells`].
+    #[must_use]
+    pub fn in_cells(&self, cell: f64) -> Option<Self> {
+        self.0.in_cells(cell).map(Self)
+    }
+
+    /// The law of bodies with a pressure at the start: see [`Law::pressed`].
+    #[must_use]
+    pub fn pressed(&self) -> Option<Self> {
+        self.0.pressed().map(Self)
+    }
+
+    /// What strains particles by it.
+    pub(super) fn into_strain(self) -> Arc<dyn Strain> {
+        self.0
+    }
+
     /// The law itself, if it is one of this type.
     #[must_use]
     pub fn downcast<M: Law>(&self) -> Option<&M> {

@@ -1,11 +1,12 @@
 //! A weakly compressible fluid that flows where its shear stress is above a yield stress.
 
 use super::linear_elastic::strain;
-use super::newtonian::{TENSION, VISCOSITY, VISCOUS_WORK};
-use super::plastic::{deviator, second_invariant};
-use super::principal::components;
+use super::newtonian::{TENSION, VISCOSITY};
+use super::pressurized_fluid::VISCOUS_WORK;
 use super::state::{BULK, EXPONENT, EquationOfState};
+use super::tensor::components;
 use super::tensor::volume_ratio;
+use super::tensor::{deviator, second_invariant};
 use super::{
     Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, LinearElastic, Particle,
     PressurizedFluid, Readable,

@@ -1,11 +1,10 @@
 //! Elasticity that yields by the criterion of Drucker and Prager, with tension cut-off.
 
 use super::gap::{GAP, TensionApex};
-use super::plastic::{
-    ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, WORK, Yielding, deviator, second_invariant,
-};
-use super::principal::components;
+use super::plastic::{ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, WORK, Yielding};
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
+use super::tensor::components;
+use super::tensor::{deviator, second_invariant};
 use super::{Choice, Constant, InvalidConstant, LinearElastic, Readable};
 use crate::lanes::Lanes;
 use crate::layout::Variable;

@@ -4,8 +4,8 @@
 //! that of a gap, not of flow along the surface. Compression closes the gap first, under no pressure: until then the material
 //! carries no more than the tension of that end and what shear is left to it there. Dilation in shear opens no gap.
 
-use super::plastic::{deviator, second_invariant};
-use super::principal::components;
+use super::tensor::components;
+use super::tensor::{deviator, second_invariant};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
 

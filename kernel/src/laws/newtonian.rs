@@ -1,18 +1,16 @@
 //! A weakly compressible fluid whose shear stress follows its rate of deformation.
 
 use super::linear_elastic::strain;
-use super::plastic::{deviator, second_invariant};
-use super::principal::components;
+use super::pressurized_fluid::VISCOUS_WORK;
 use super::state::{BULK, EXPONENT, EquationOfState};
+use super::tensor::components;
+use super::tensor::{deviator, second_invariant};
 use super::{
     Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, Particle,
     PressurizedFluid, Readable,
 };
 use crate::lanes::Lanes;
 use crate::layout::Variable;
-
-/// Work that viscosity has dissipated, per initial volume.
-pub(super) const VISCOUS_WORK: Variable = Variable::scalar("viscous work", "J/m³");
 
 /// Viscosity.
 pub(super) const VISCOSITY: Constant = Constant {

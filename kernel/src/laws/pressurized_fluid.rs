@@ -4,7 +4,6 @@
 //! from its volume; so each particle remembers the volume that it has without pressure, and its law sees that volume as the
 //! one at the start.
 
-use super::newtonian::VISCOUS_WORK;
 use super::{Constant, Increment, Law, Particle};
 use crate::lanes::Lanes;
 use crate::layout::Variable;
@@ -14,6 +13,9 @@ pub const UNPRESSED: Variable = Variable {
     initial: 1.0,
     ..Variable::scalar("volume without pressure", "")
 };
+
+/// Work that viscosity has dissipated, per initial volume.
+pub(super) const VISCOUS_WORK: Variable = Variable::scalar("viscous work", "J/m³");
 
 /// A fluid whose particles have a pressure at the start. Its one variable is the viscous work.
 #[derive(Clone, Debug, PartialEq)]

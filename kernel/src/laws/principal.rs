@@ -5,7 +5,7 @@
 //! values and directions are exact to round-off also where two values are equal, as in every triaxial and oedometric
 //! state, where the trigonometric form loses half of the digits.
 
-use super::tensor::VOIGT;
+use super::tensor::{VOIGT, components};
 use crate::lanes::Lanes;
 
 /// A symmetric tensor as the sum of its principal values times the squares n n^T of their directions.
@@ -30,13 +30,6 @@ impl<L: Lanes> Spectrum<L> {
         }
         out
     }
-}
-
-/// Number of components of a symmetric tensor in the plane, where zz is one of them, and in space.
-#[inline(always)]
-#[must_use]
-pub const fn components(axes: usize) -> usize {
-    if axes == 2 { 4 } else { 6 }
 }
 
 /// Principal values and directions of a tensor, ordered as a law is given a stress.

@@ -4,14 +4,13 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{
-    AnyLaw, Constant, Curve, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle,
-};
+use super::{Constant, Curve, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Particles whose velocity gradients are gathered before their law is asked: few enough for the fastest cache.
 pub const BLOCK: usize = 64;
@@ -111,7 +110,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// See [`Law::warnings`].
     fn warnings(&self) -> Vec<String>;
     /// See [`Law::in_cells`].
-    fn in_cells(&self, cell: f64) -> Option<AnyLaw>;
+    fn in_cells(&self, cell: f64) -> Option<Arc<dyn Strain>>;
     /// See [`Law::young`].
     fn young(&self) -> f64;
     /// See [`Law::wave_speed`].
@@ -121,7 +120,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// See [`Law::initial_volume_ratio`].
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64;
     /// See [`Law::pressed`].
-    fn pressed(&self) -> Option<AnyLaw>;
+    fn pressed(&self) -> Option<Arc<dyn Strain>>;
     /// See [`Law::parts`].
     fn parts(&self) -> bool;
     /// See [`Law::energy`].
@@ -165,8 +164,9 @@ impl<M: Law> Strain for M {
     fn warnings(&self) -> Vec<String> {
         Law::warnings(self)
     }
-    fn in_cells(&self, cell: f64) -> Option<AnyLaw> {
-        Law::in_cells(self, cell).map(Into::into)
+    fn in_cells(&self, cell: f64) -> Option<Arc<dyn Strain>> {
+        let law = Law::in_cells(self, cell)?;
+        Some(Arc::new(law))
     }
     fn young(&self) -> f64 {
         Law::young(self)
@@ -180,8 +180,8 @@ impl<M: Law> Strain for M {
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64 {
         Law::initial_volume_ratio(self, mean_stress)
     }
-    fn pressed(&self) -> Option<AnyLaw> {
-        Law::pressed(self)
+    fn pressed(&self) -> Option<Arc<dyn Strain>> {
+        Law::pressed(self).map(|law| law.into_strain())
     }
     fn parts(&self) -> bool {
         Law::parts(self)

@@ -1,8 +1,9 @@
 //! Elasticity that yields by the criterion of von Mises, with isotropic hardening.
 
 use super::marks::{CURVE, Marks};
-use super::plastic::{RELAXATION, ReturnedStress, Yielding, deviator, second_invariant};
-use super::principal::components;
+use super::plastic::{RELAXATION, ReturnedStress, Yielding};
+use super::tensor::components;
+use super::tensor::{deviator, second_invariant};
 use super::{
     Accepted, Band, Choice, Constant, ConstantDefault, Curve, InvalidConstant, LinearElastic,
     Readable, Rows, band,

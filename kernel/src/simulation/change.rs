@@ -5,9 +5,9 @@
 //! on. The scene of the simulation changes with it, so a checkpoint of a later stage belongs to the changed scene.
 
 use super::Simulation;
-use super::error::SetupError;
 use super::setup::fastest;
 use crate::scene::{Damping, History, Vector};
+use crate::simulation::values::SetupError;
 
 impl Simulation {
     /// Sets the acceleration of gravity \[m/s²\] from here on. The energy balance goes on: the potential of the old

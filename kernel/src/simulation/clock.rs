@@ -1,13 +1,13 @@
 //! The choice of the time step.
 
 use super::Simulation;
-use super::error::{StepError, StepErrorKind, TimeStepAboveCritical};
 use super::interactions::Interaction;
 use super::phase::Phase;
 use crate::laws::UNPRESSED;
 use crate::layout::Layout;
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
 use crate::scene::{Damping, TimeStep, Vector};
+use crate::simulation::values::{Bound, StepError, StepErrorKind, StepInfo, TimeStepAboveCritical};
 
 /// Share of the step in which a gap of mortar contact closes as far as it may: surfaces speed up within a step, most of
 /// all where light nodes carry them.
@@ -19,65 +19,6 @@ const DAMPED_SHARE: f64 = 0.9;
 const GROWTH: f64 = 2.0;
 /// Cells that a particle may cross in one step.
 const MOST_CELLS_PER_STEP: f64 = 0.5;
-
-/// Time and step counter of a simulation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Clock {
-    /// Steps done.
-    pub step: u64,
-    /// Time of positions and stresses \[s\].
-    pub time: f64,
-    /// Last time step \[s\]; 0 at the start and after velocities were reset, when they are at `time`.
-    pub dt_before: f64,
-    /// Smallest step so far \[s\].
-    pub dt_min: f64,
-    /// Largest step so far \[s\].
-    pub dt_max: f64,
-    /// Smallest critical step so far \[s\].
-    pub dt_critical: f64,
-}
-
-/// What decided the time step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bound {
-    /// The stability bound of the scheme, C min(h)/(c + |v|).
-    Stability,
-    /// No particle crosses more than half a cell.
-    Travel,
-    /// The multiplier of the scene.
-    Multiplier,
-    /// The stiffness of mortar contact.
-    Contact,
-    /// No gap of mortar contact closes by more than half the critical gap.
-    Closing,
-    /// Viscous or local damping, beside the stability bound of the scheme or of contact.
-    Damping,
-    /// The viscosity of a material, beside the stability bound of the scheme.
-    Viscosity,
-    /// The scene's constant step.
-    Fixed,
-    /// Equal steps up to a time at which something is written.
-    OutputTime,
-}
-
-/// A successful step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StepInfo {
-    /// Number of the step, from 1.
-    pub step: u64,
-    /// Time reached \[s\].
-    pub time: f64,
-    /// Time step \[s\].
-    pub dt: f64,
-    /// Critical time step \[s\].
-    pub dt_critical: f64,
-    /// What decided the time step.
-    pub bound: Bound,
-    /// Kinetic energy at the nodes \[J\] and norm of the unbalanced nodal forces \[N\], where measured.
-    pub measured: Option<(f64, f64)>,
-    /// Number of nodes at which a contact force acts.
-    pub contact_nodes: usize,
-}
 
 /// The largest stable step where `stable` is that without viscous damping of rate c \[s\]. The force is that of the velocity
 /// half a step before, so that v' = (1 - c dt) v - w² dt x, x' = x + dt v', with both roots in the unit circle for

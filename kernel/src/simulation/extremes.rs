@@ -4,23 +4,11 @@
 //! deformation harms.
 
 use super::Simulation;
-use super::result_warnings::MOST_STRETCH_RATIO;
 use crate::laws::LinearElastic;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{DomainUpdate, Weighting};
-
-/// Largest deformations so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Extremes {
-    /// J of the particle of incremental elasticity with the largest |J - 1|, less 1; zero where no body has that law.
-    pub volume_change: f64,
-    /// Largest ratio of principal stretches of a stretched particle, where particle domains do not follow them; zero where no
-    /// particle is looked at.
-    pub stretch_ratio: f64,
-    /// Largest share of the mass of a body with such a ratio above [`MOST_STRETCH_RATIO`].
-    pub stretched_share: f64,
-}
+use crate::simulation::values::{Extremes, MOST_STRETCH_RATIO};
 
 impl Simulation {
     /// Largest deformations seen so far.

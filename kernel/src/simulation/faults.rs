@@ -1,11 +1,10 @@
 //! Particles that went wrong in a pass: the run stops with a typed error, or goes on with an event.
 
 use super::Simulation;
-use super::error::{ParticleAt, StepError, StepErrorKind};
-use super::event::{Event, EventKind};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Outside;
+use crate::simulation::values::{Event, EventKind, ParticleAt, StepError, StepErrorKind};
 use crate::stage::g2p::FaultKind;
 
 impl Simulation {

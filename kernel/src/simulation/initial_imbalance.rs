@@ -5,9 +5,9 @@
 
 use super::Simulation;
 use super::energy::NodalSnapshot;
-use super::error::StepError;
 use crate::layout::Layout;
 use crate::scene::InitialStress;
+use crate::simulation::values::StepError;
 use crate::stage::solve::is_ghost;
 
 /// Largest sum of the unbalanced forces at the nodes over the weight, or over the force of the stress where nothing weighs.

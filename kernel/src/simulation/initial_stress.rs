@@ -1,12 +1,11 @@
 //! The stress that bodies have at the start.
 
-use super::BodyRun;
-use super::error::SetupError;
 use crate::laws::{Particle, Point, UNDEFORMED, UNPRESSED};
 use crate::layout::Layout;
 use crate::number::Number;
 use crate::particles::ParticleSet;
 use crate::scene::{InitialStress, Scene, Vector};
+use crate::simulation::values::{BodyRun, SetupError};
 use crate::stage::g2p::ParticleMaxima;
 
 /// Sets the stress of a body, by its index, at the start, and what the first time step depends on.

@@ -13,104 +13,18 @@
 //! library user need not tell its work: there the energy is not watched.
 
 use super::Simulation;
-use super::clock::StepInfo;
-use super::error::{StepError, StepErrorKind};
-use super::event::{Event, EventKind};
-use super::step::Drift;
 use crate::layout::Layout;
 use crate::scene::{OnImbalance, Vector};
-use std::fmt;
+use crate::simulation::values::{
+    Drift, Event, EventKind, Invariant, InvariantMonitor, MOST_GAIN, MOST_INCREMENT,
+    MOST_LOST_MOMENTUM, MOST_VOLUME_RATIO, ROUND_OFF, StepError, StepErrorKind, StepInfo,
+    Violation,
+};
 
 /// Steps from one look at energy and momentum to the next. A look costs about one step, so that this is 0.4 %.
 const EVERY: u64 = 256;
 /// The first look, which round-off of a start from rest does not disturb.
 const FIRST: u64 = 16;
-
-/// Largest energy from nowhere, over what the start and the work done have given so far. Cell crossing alone gave 0.67
-/// (linear functions, USF, ten periods of a bar); an unstable step doubles it again and again.
-pub const MOST_GAIN: f64 = 1.0;
-/// Largest norm of a strain increment, |dt grad v|, of a particle in one step.
-pub const MOST_INCREMENT: f64 = 0.5;
-/// Largest change of momentum that no force accounts for, over the momentum that there is in all directions.
-pub const MOST_LOST_MOMENTUM: f64 = 1e-9;
-/// Smallest V/V_0 of a particle that raises no event.
-pub const LEAST_VOLUME_RATIO: f64 = 0.1;
-/// Largest V/V_0 of a particle that raises no event.
-pub const MOST_VOLUME_RATIO: f64 = 10.0;
-/// Energy that is no more than round-off, over that of the mass at the speed of its waves.
-pub(super) const ROUND_OFF: f64 = 1e-20;
-
-/// The invariant monitor of a run: the largest violations so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct InvariantMonitor {
-    /// Largest energy that the start and the work done have given \[J\].
-    pub given: f64,
-    /// Largest energy from nowhere, over that.
-    pub gain: f64,
-    /// Largest strain increment of a particle in one step.
-    pub increment: f64,
-    /// Largest change of momentum that no force accounts for, over the momentum in all directions.
-    pub lost_momentum: f64,
-    /// By which factor volumes may still change before one of them can be outside [`LEAST_VOLUME_RATIO`] to
-    /// [`MOST_VOLUME_RATIO`], as a logarithm: then they are looked at. Infinite once one was seen.
-    pub volume_left: f64,
-    /// Since when the run is not to be trusted, and why.
-    pub violation: Option<Violation>,
-}
-
-/// The first violation of an invariant.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Violation {
-    /// Number of the step after which it was seen.
-    pub step: u64,
-    /// Time \[s\].
-    pub time: f64,
-    /// What was out of balance.
-    pub reason: Invariant,
-    /// How far.
-    pub value: f64,
-}
-
-/// An invariant of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Invariant {
-    /// Energy from nowhere: [`MOST_GAIN`].
-    Energy,
-    /// A particle is strained too far within a step: [`MOST_INCREMENT`].
-    Increment,
-    /// Momentum that no force accounts for: [`MOST_LOST_MOMENTUM`].
-    Momentum,
-}
-
-impl Invariant {
-    /// All of them, in an order that stays.
-    pub const ALL: [Self; 3] = [Self::Energy, Self::Increment, Self::Momentum];
-}
-
-impl fmt::Display for Violation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "not to be trusted since step {}, {:e} s: ",
-            self.step, self.time
-        )?;
-        let value = self.value;
-        match self.reason {
-            Invariant::Energy => write!(
-                f,
-                "there is more energy than was given, by {value:.3} of that; accepted: {MOST_GAIN}"
-            ),
-            Invariant::Increment => write!(
-                f,
-                "a particle was strained by {value:.3} in one step; accepted: {MOST_INCREMENT}"
-            ),
-            Invariant::Momentum => write!(
-                f,
-                "{value:.3e} of the momentum changed without a force; accepted: {MOST_LOST_MOMENTUM:e}"
-            ),
-        }
-    }
-}
 
 /// The momentum before a step at which is looked, and what the nodes say that it changes by \[kg m/s\].
 pub(crate) struct Momentum {

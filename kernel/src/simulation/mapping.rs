@@ -1,13 +1,14 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
 use super::fields::{Owner, Slab, SlabField};
-use super::{BodyRun, Model, State};
 use crate::contact::interface::Interface;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
+use crate::plan::Plan;
 use crate::scene::Vector;
+use crate::simulation::values::BodyRun;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::{Planes, Wall};
@@ -18,13 +19,14 @@ use std::ops::{Deref, Range};
 
 /// P2G of the quantities that `carry` names. Borrows the particles alone, so that the nodes can be written meanwhile.
 pub(super) fn particle_to_grid<'a>(
-    model: &'a Model,
-    state: &'a State,
+    (plan, lanes): (&'a Plan, Selected),
+    bodies: &'a [BodyRun],
+    (sets, stencil): (&'a [ParticleSet], usize),
     own_field: &'a [bool],
     carry: Carry,
 ) -> ParticleToGrid<'a> {
-    let (plan, stencil) = (&model.plan, state.stencil);
-    let nodes = model.family().stage_nodes(stencil);
+    let family = plan.family;
+    let nodes = family.stage_nodes(stencil);
     let carries_force = matches!(carry, Carry::All | Carry::Force);
     let instance = |carry| P2gInstance {
         carry,
@@ -32,12 +34,12 @@ pub(super) fn particle_to_grid<'a>(
         leaves_parts: p2g::leaves_parts(plan.axes, plan.full_mapping, carry),
     };
     ParticleToGrid {
-        sets: &state.sets,
-        bodies: &model.bodies,
+        sets,
+        bodies,
         own_field,
-        lanes: model.lanes,
+        lanes,
         stencil,
-        family: model.family(),
+        family,
         affine: plan.affine != Affine::Leave,
         free: instance(carry),
         driven: instance(Carry::Momentum),

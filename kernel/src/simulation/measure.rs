@@ -1,11 +1,12 @@
 //! Sums over the particles: mass, momentum, energy, hash. Always in order of the particle identifier, so that
 //! they do not depend on how particles are stored.
 
-use super::{BodyEnergy, Simulation};
+use super::Simulation;
 use crate::laws::{Particle, StoredParticle};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
+use crate::simulation::values::BodyEnergy;
 use crate::team::ItemCost;
 use std::sync::{MutexGuard, PoisonError};
 
@@ -319,4 +320,14 @@ pub fn state_hash(sets: &[ParticleSet]) -> u64 {
         }
     }
     hash
+}
+
+/// Kinetic energy of the particles of one body \[J\].
+pub(super) fn kinetic_energy(set: &ParticleSet) -> f64 {
+    let square = |p: usize| -> f64 { set.velocity(p).iter().map(|c| c * c).sum() };
+    let mass = &set.columns[Layout::MASS];
+    mass.iter()
+        .enumerate()
+        .map(|(p, m)| 0.5 * m * square(p))
+        .sum()
 }

@@ -3,19 +3,20 @@
 mod change;
 mod clock;
 pub(crate) mod conditions;
+mod context;
 mod energy;
-mod error;
-mod event;
 mod extremes;
 mod faults;
 pub(crate) mod fields;
 mod history;
 mod initial_imbalance;
 mod initial_stress;
+mod interaction_passes;
 pub(crate) mod interactions;
 mod invariants;
 mod mapping;
 mod measure;
+mod memory_budget;
 mod memory_estimate;
 mod model;
 mod motion;
@@ -33,47 +34,36 @@ mod step;
 mod step_view;
 mod tension;
 mod traction_cover;
+mod values;
 mod work_state;
 
 pub use crate::contact::Tunnelling;
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
-pub use clock::{Bound, Clock, StepInfo};
-pub use conditions::{Condition, FieldNodes, NodalConditions, Node};
-pub use energy::{BodyEnergy, Energy};
-pub use error::{
-    InitialOverlap, InteractionError, InteractionFault, ParticleAt, SetupError, StepError,
-    StepErrorKind, TimeStepAboveCritical,
+pub use context::{
+    Condition, FieldNodes, NodalConditions, Node, Remap, StepContext, VelocityMapping,
 };
-pub use event::{Event, EventKind};
-pub use extremes::Extremes;
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
 pub use interactions::mortar::{BoundaryDrift, BoundaryVertex, MortarError, VertexState};
 pub use interactions::surfaces::SurfaceContactError;
-pub use interactions::{
-    BodyList, Interaction, PairList, Remap, SavedArrays, SlabInteraction, SlabPart, StepContext,
-    VelocityMapping,
-};
-pub use invariants::{
-    Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM,
-    MOST_VOLUME_RATIO, Violation,
-};
+pub use interactions::{BodyList, Interaction, PairList, SlabInteraction, SlabPart};
 pub use measure::state_hash;
 pub use memory_estimate::{MemoryEstimate, estimate_memory};
 pub use nodes::NodeValues;
-pub use passes::Groups;
 pub use phase::{Phase, PhaseObserver};
 pub use rehearsal::{Part, Rehearsal};
-pub use result_warnings::{MOST_REMAINDER, MOST_STRETCH_RATIO, ResultWarning};
-pub use spin::{MOST_LOST_SPIN, Spin};
+pub use result_warnings::{MOST_REMAINDER, ResultWarning};
 pub use start::{StartError, plan};
-pub use state::{EnergyLedger, RestoreError, Saved, State};
-pub use step::Drift;
 pub use step_view::{StepUpdate, StepView};
-pub use tension::{MOST_UNSEEN, Tension};
-
-pub use model::BodyRun;
+pub use values::{
+    BodyEnergy, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger, Event, EventKind, Extremes,
+    Groups, InitialOverlap, InteractionError, InteractionFault, Invariant, InvariantMonitor,
+    LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_LOST_SPIN,
+    MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO, ParticleAt, RestoreError, Saved,
+    SavedArrays, SetupError, Spin, State, StepError, StepErrorKind, StepInfo, Tension,
+    TimeStepAboveCritical, Violation,
+};
 
 pub(crate) use model::Model;
 use work_state::WorkState;

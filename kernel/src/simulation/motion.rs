@@ -1,12 +1,12 @@
 //! The equation of motion at the nodes of one slab, the same for all velocity fields.
 
-use super::conditions::{FieldNodes, Walls};
 use super::fields::{Owner, Slab};
-use super::interactions::{Remap, SlabInteraction, SlabPart, StepContext};
+use super::interactions::{SlabInteraction, SlabPart};
 use super::mapping::fold;
 use super::phase::{Phase, PhaseTimer};
 use crate::grid::Line;
 use crate::scene::Vector;
+use crate::simulation::context::{FieldNodes, Remap, StepContext, at_half_step_after};
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
 
 /// The interactions on one slab, with the timer of the phases where a visit is of one slab alone.
@@ -239,17 +239,6 @@ fn prescribe(planes: &mut Planes<'_>, [before, after]: &[Vector; 2], walls: &[Wa
 /// Calls `act` for every node in use that has mass.
 fn for_masses(planes: &mut Planes<'_>, act: impl Fn(&mut Line)) {
     planes.for_rows(|row| row.iter_mut().filter(|line| line[0] > 0.0).for_each(&act));
-}
-
-/// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
-pub(super) fn at_half_step_after(walls: &[Wall]) -> Walls {
-    walls
-        .iter()
-        .map(|wall| Wall {
-            before: wall.after,
-            ..*wall
-        })
-        .collect()
 }
 
 /// Adds up plane after plane, so that the slabs do not matter.

@@ -1,18 +1,17 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
-use super::conditions::{NodalConditions, load_on};
-use super::error::{StepError, StepErrorKind};
-use super::fields::{Grid, Slab};
-use super::interactions::{
-    Interaction, Interactions, Remap, SlabParts, StepContext, VelocityMapping, in_turn, on_slabs,
-};
+use super::Simulation;
+use super::conditions::load_on;
+use super::fields::Slab;
+use super::interactions::{Interaction, Interactions, SlabParts, in_turn, on_slabs};
 use super::mapping::{fold, particle_to_grid};
-use super::motion::{
-    SlabInteractions, SlabSums, solve, solve_mapped, solve_remapped, sums_after, total,
-};
+use super::motion::{SlabInteractions, solve, solve_mapped, solve_remapped, sums_after, total};
 use super::phase::{Phase, PhaseTimer};
-use super::{Simulation, WorkState};
 use crate::particles::ParticleSet;
+use crate::simulation::context::{NodalConditions, Remap, StepContext, VelocityMapping};
+use crate::simulation::fields::Grid;
+use crate::simulation::values::{Groups, StepError, StepErrorKind};
+use crate::simulation::work_state::{G2pShare, SlabSolution, WorkState};
 use crate::stage::g2p::{self, G2p, ParticleMaxima, Task, dilation};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::EmptyNode;
@@ -24,45 +23,6 @@ const SORT_AFTER: f64 = 0.45;
 /// Superfluous groups per particle after which a sort has paid: particles that left their cell break groups
 /// apart, and two such groups cost about as much as sorting one particle.
 const SORT_AFTER_GROUPS: f64 = 0.5;
-
-/// How many groups of particles with the same base node the mapping meets. The number depends on the scene alone,
-/// not on threads or lanes, and so do the sorts that follow from it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Groups {
-    /// Groups in the first mapping after the last sort; 0 before it.
-    pub sorted: usize,
-    /// Groups beyond that number, summed over the mappings since the last sort.
-    pub superfluous: usize,
-}
-
-impl Groups {
-    pub(super) fn count(&mut self, groups: usize) {
-        if self.sorted == 0 {
-            self.sorted = groups;
-        }
-        self.superfluous += groups.saturating_sub(self.sorted);
-    }
-}
-
-/// Result of the solve on one slab.
-#[derive(Debug, Default)]
-pub(crate) struct SlabSolution {
-    sums: SlabSums,
-    /// Groups in the layers of particles that the slab owns.
-    groups: usize,
-    /// A node without mass that a load acts on.
-    empty: Option<EmptyNode>,
-}
-
-/// Result of a G2P pass over a share of the particles of a body.
-#[derive(Debug, Default)]
-pub(crate) struct G2pShare {
-    /// Index of the body.
-    body: usize,
-    found: ParticleMaxima,
-    /// By how much tr L exceeds its mean over cells, where it is that mean.
-    excess: Vec<f64>,
-}
 
 /// `count` particles in shares of about the same size, `most` at most.
 fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
@@ -97,7 +57,14 @@ impl Simulation {
             phase_timer: timer,
             ..
         } = &mut self.work;
-        let mapping = particle_to_grid(&self.model, &self.state, own_field, carry);
+        let (model, state) = (&self.model, &self.state);
+        let mapping = particle_to_grid(
+            (&model.plan, model.lanes),
+            &model.bodies,
+            (&state.sets, state.stencil),
+            own_field,
+            carry,
+        );
         let context = StepContext {
             mapping,
             nodal,

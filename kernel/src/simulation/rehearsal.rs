@@ -1,15 +1,13 @@
 //! One part of a step again and again on the same state, for measurements.
 
 use super::Simulation;
-use super::clock::StepInfo;
-use super::conditions::NodalConditions;
-use super::error::StepError;
 use super::fields::Owner;
-use super::interactions::{Interactions, Remap};
+use super::interactions::Interactions;
 use super::passes::VisitParts;
 use super::phase::PhaseTimer;
-use super::state::Saved;
 use crate::grid::ActiveRows;
+use crate::simulation::context::{NodalConditions, Remap};
+use crate::simulation::values::{Saved, StepError, StepInfo};
 use crate::stage::g2p::Task;
 use crate::stage::p2g::Carry;
 use crate::stage::solve::PlaneSums;

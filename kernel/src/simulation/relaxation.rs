@@ -1,8 +1,8 @@
 //! Kinetic damping: dynamic relaxation to a static solution.
 
 use super::Simulation;
-use super::clock::StepInfo;
 use crate::layout::Layout;
+use crate::simulation::values::StepInfo;
 
 impl Simulation {
     /// Dynamic relaxation: where the kinetic energy has passed a peak, the drift (negative or zero) that takes

@@ -7,20 +7,13 @@
 //! what hits them explain; nothing explains more of it than there was.
 
 use super::Simulation;
-use super::energy::Energy;
-use super::extremes::Extremes;
-use super::invariants::ROUND_OFF;
-use super::spin::MOST_LOST_SPIN;
 use crate::laws::LinearElastic;
 use crate::scene::{Damping, StressScheme, Transfer, TransferKind, Weighting};
+use crate::simulation::values::{Energy, Extremes, MOST_LOST_SPIN, MOST_STRETCH_RATIO, ROUND_OFF};
 use std::fmt;
 
 /// Largest remainder of the energy balance over its scale that needs no explanation.
 pub const MOST_REMAINDER: f64 = 0.02;
-/// Largest ratio of principal stretches that particle domains bear which do not follow it. A hanging neo-Hookean bar is off by
-/// 0.2 % of its elongation where it is 1.22, by 2.6 % where it is 1.48, with quadratic B-splines by 1.5 and 12 %, and not by
-/// less on smaller cells.
-pub const MOST_STRETCH_RATIO: f64 = 1.25;
 /// Largest share of the mass of a body beyond that. A beam that bends under its own weight has 17 % near its root, and its tip is
 /// where domains that follow have it within 0.05 %; of the bar at 1.48 it is 40 %.
 const MOST_STRETCHED: f64 = 0.25;

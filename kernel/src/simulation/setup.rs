@@ -1,13 +1,10 @@
 //! From a scene to a simulation at time zero.
 
 use super::clock::length;
-use super::error::SetupError;
-use super::fields::Grid;
 use super::tension::TensionWatch;
-use super::work_state::WorkState;
 use super::{
-    BaseVelocity, BodyRun, InitialState, MOST_VOLUME_RATIO, Model, Options, Simulation, State,
-    conditions, initial_stress, interactions, memory_estimate,
+    BaseVelocity, InitialState, Options, Simulation, conditions, initial_stress, interactions,
+    memory_budget,
 };
 use crate::bodies::{FillError, HalfLength, MemoryRoom, fill_within};
 use crate::grid::GridShape;
@@ -18,6 +15,10 @@ use crate::memory::Memory;
 use crate::particles::ParticleSet;
 use crate::plan::{Plan, PlanOptions};
 use crate::scene::{Body, BoxLoad, DomainUpdate, Scene};
+use crate::simulation::fields::Grid;
+use crate::simulation::model::Model;
+use crate::simulation::values::{BodyRun, MOST_VOLUME_RATIO, SetupError, State};
+use crate::simulation::work_state::WorkState;
 use crate::stage::Mapping;
 use crate::stage::g2p::ParticleMaxima;
 use crate::team::Team;
@@ -50,10 +51,10 @@ impl Simulation {
                 what: format!("the mesh has {bases} cells; accepted: at most {}", u32::MAX),
             });
         }
-        memory_estimate::grid(scene, &shape, &mut memory)?;
-        memory_estimate::frames(scene, &mut memory)?;
-        memory_estimate::loads(scene, &shape, &mut memory)?;
-        memory_estimate::bodies(scene, &plan, memory)?;
+        memory_budget::grid(scene, &shape, &mut memory)?;
+        memory_budget::frames(scene, &mut memory)?;
+        memory_budget::loads(scene, &shape, &mut memory)?;
+        memory_budget::bodies(scene, &plan, memory)?;
         let conditions = conditions::of(scene, &shape, &options.conditions)?;
         let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
         let mut next_id = 0;
@@ -87,7 +88,7 @@ impl Simulation {
             })?;
         }
         let load_acceleration = sets.iter().map(largest_acceleration).fold(0.0, f64::max);
-        memory_estimate::layers(scene, &shape, &sets, &mut memory)?;
+        memory_budget::layers(scene, &shape, &sets, &mut memory)?;
         let team = team(scene, options, next_id as usize)?;
         let interactions = interactions::of(scene, &bodies, &options.interactions, &mut memory)?;
         let mut simulation = Self {
@@ -171,7 +172,7 @@ fn fill_body(
     let body = &scene.bodies[index];
     let room = MemoryRoom {
         memory: *memory,
-        per_particle: memory_estimate::per_particle(scene, &plan.layouts[index]),
+        per_particle: memory_budget::per_particle(scene, &plan.layouts[index]),
     };
     let refused = |e: FillError| SetupError::Body {
         body: body.name.clone(),
@@ -185,7 +186,7 @@ fn fill_body(
         &room,
     )
     .map_err(refused)?;
-    memory_estimate::particles(filled.count(), &room, memory).map_err(refused)?;
+    memory_budget::particles(filled.count(), &room, memory).map_err(refused)?;
     let material = &scene.materials[body.material];
     let law = scene.law_of(body);
     let law = law.in_cells(scene.size_of_cell()).unwrap_or(law);

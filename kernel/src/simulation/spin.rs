@@ -5,21 +5,9 @@
 //! transfers keep it, and one with a share of PIC loses it as friction would; there it is not looked at.
 
 use super::Simulation;
-use super::event::EventKind;
 use crate::layout::Layout;
 use crate::scene::{Damping, Scene, TransferKind, Vector};
-
-/// Share of the angular momentum whose loss needs no word.
-pub const MOST_LOST_SPIN: f64 = 0.05;
-
-/// Angular momentum of all particles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spin {
-    /// About the centre of mass \[kg m²/s\].
-    pub about_centre: Vector,
-    /// Sum of the magnitudes, mass times distance times speed, both from the centre of mass \[kg m²/s\].
-    pub scale: f64,
-}
+use crate::simulation::values::{EventKind, Spin};
 
 impl Simulation {
     /// Angular momentum of the particles, where nothing outside can turn them and FLIP moves them.

@@ -1,8 +1,9 @@
 //! From a scene to a simulation.
 
-use super::{Options, SetupError, Simulation, conditions, interactions};
+use super::{Options, Simulation, conditions, interactions};
 use crate::plan::{Plan, PlanOptions};
 use crate::scene::{Scene, SceneError};
+use crate::simulation::values::SetupError;
 use std::fmt;
 
 impl Scene {

@@ -1,27 +1,16 @@
 //! One step of the explicit cycle.
 
 use super::Simulation;
-use super::clock::StepInfo;
-use super::error::StepError;
-use super::interactions::{Interaction, Remap};
+use super::interactions::Interaction;
 use super::phase::{Phase, PhaseObserver, PhaseTimer};
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::scene::StressScheme;
+use crate::simulation::context::Remap;
+use crate::simulation::values::{Drift, StepError, StepInfo};
 use crate::stage::g2p::{Affine, Task};
 use crate::team::{ItemCost, Team};
 use std::sync::Arc;
-
-/// The displacement increment of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct Drift {
-    /// Time over which positions move \[s\].
-    pub time: f64,
-    /// Displacement increment of the mesh, to which positions are relative \[m\].
-    pub mesh_shift: [f64; 3],
-    /// Whether velocities are set to zero after it.
-    pub reset: bool,
-}
 
 /// A G2P pass: the part of the update of the particles that it does.
 #[derive(Clone, Copy)]

@@ -1,14 +1,12 @@
 //! Views of a simulation in a step, as interactions read and change it.
 
-use super::clock::Clock;
-use super::error::ParticleAt;
-use super::event::{Event, EventKind};
-use super::fields::Grid;
-use super::{BaseVelocity, BodyRun, Model, State};
+use super::BaseVelocity;
 use crate::lanes::Selected;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{Scene, Vector};
+use crate::simulation::fields::Grid;
+use crate::simulation::values::{BodyRun, Clock, Event, EventKind, ParticleAt};
 use crate::stage::g2p::ParticleMaxima;
 use crate::stage::solve::PlaneSums;
 use crate::team::Team;
@@ -41,23 +39,6 @@ pub struct StepView<'a> {
 }
 
 impl<'a> StepView<'a> {
-    /// That of a simulation in parts.
-    pub(super) fn of(model: &'a Model, state: &'a State, grid: &'a Grid) -> Self {
-        Self {
-            scene: &model.scene,
-            bodies: &model.bodies,
-            particles: &state.sets,
-            maxima: &state.found,
-            clock: &state.clock,
-            grid,
-            base: model.base.as_ref(),
-            lanes: model.lanes,
-            stencil: state.stencil,
-            travel: state.travel,
-            mesh_shift: state.mesh_shift,
-        }
-    }
-
     /// The threads.
     #[must_use]
     pub fn team(&self) -> &'a Team {
@@ -111,44 +92,20 @@ pub struct StepUpdate<'a> {
     pub grid: &'a mut Grid,
     /// Sums over the nodes of this step.
     pub sums: &'a mut PlaneSums,
-    events: &'a mut Vec<Event>,
-    scene: &'a Scene,
-    bodies: &'a [BodyRun],
-    particles: &'a [ParticleSet],
-    maxima: &'a [ParticleMaxima],
-    clock: &'a Clock,
-    base: Option<&'a BaseVelocity>,
-    lanes: Selected,
-    stencil: usize,
-    travel: f64,
-    mesh_shift: Vector,
+    pub(super) events: &'a mut Vec<Event>,
+    pub(super) scene: &'a Scene,
+    pub(super) bodies: &'a [BodyRun],
+    pub(super) particles: &'a [ParticleSet],
+    pub(super) maxima: &'a [ParticleMaxima],
+    pub(super) clock: &'a Clock,
+    pub(super) base: Option<&'a BaseVelocity>,
+    pub(super) lanes: Selected,
+    pub(super) stencil: usize,
+    pub(super) travel: f64,
+    pub(super) mesh_shift: Vector,
 }
 
 impl<'a> StepUpdate<'a> {
-    /// That of a simulation in parts.
-    pub(super) fn of(
-        model: &'a Model,
-        state: &'a mut State,
-        grid: &'a mut Grid,
-        sums: &'a mut PlaneSums,
-    ) -> Self {
-        Self {
-            grid,
-            sums,
-            events: &mut state.events,
-            scene: &model.scene,
-            bodies: &model.bodies,
-            particles: &state.sets,
-            maxima: &state.found,
-            clock: &state.clock,
-            base: model.base.as_ref(),
-            lanes: model.lanes,
-            stencil: state.stencil,
-            travel: state.travel,
-            mesh_shift: state.mesh_shift,
-        }
-    }
-
     /// The simulation as it is now.
     #[must_use]
     pub fn view(&self) -> StepView<'_> {

@@ -13,15 +13,13 @@
 //! functions, whose particles cross cells, and steps beyond the critical one. The sums are in no checkpoint: they begin anew.
 
 use super::Simulation;
-use super::clock::StepInfo;
-use super::error::{ParticleAt, StepError, StepErrorKind};
 use crate::laws::LinearElastic;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::plan::{loses_tension, scheme_word};
+use crate::plan::loses_tension;
 use crate::scene::{Scene, StressScheme, Weighting};
+use crate::simulation::values::{MOST_UNSEEN, StepError, StepErrorKind, StepInfo, Tension};
 use nalgebra::Matrix3;
-use std::fmt;
 
 /// Growth, as a logarithm, that may be missed between two looks at the particles.
 const MISSED: f64 = 0.25;
@@ -29,9 +27,6 @@ const MISSED: f64 = 0.25;
 const BEGUN: f64 = 1.0;
 /// Growth, as a logarithm, from which on a run may be stopped.
 const GROWN: f64 = 3.0;
-/// Share of the energy in motion that no node sees above which a run is stopped. Sound bars have 0.01 when they swing, those
-/// that are torn 0.1 to 0.4.
-pub const MOST_UNSEEN: f64 = 0.04;
 /// Share of the energy in motion that no node sees above which a run is stopped without energy from nowhere, which damping and
 /// a load on what is torn hide; only where tension drives it by [`FAST`], as bodies that turn have such shares, too.
 const TORN: f64 = 0.15;
@@ -47,40 +42,6 @@ const RISEN: f64 = 2.0;
 const MEANWHILE: f64 = 2.0;
 /// Largest change of a principal stress over density, for a unit of strain, over the square of the wave speed.
 const STIFFEST: f64 = 1.5;
-
-/// A body in tension that FLIP with MUSL or USF is about to tear.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tension {
-    /// The particle whose way has grown most.
-    pub particle: ParticleAt,
-    /// Scheme.
-    pub scheme: StressScheme,
-    /// Largest principal stress of the particle \[Pa\].
-    pub stress: f64,
-    /// Growth in this step of the way that no strain sees, over that way.
-    pub growth: f64,
-    /// Share of the energy in motion that no node sees.
-    pub unseen: f64,
-    /// Energy from nowhere, over the energy that there was to turn over.
-    pub created: f64,
-}
-
-impl fmt::Display for Tension {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let scheme = scheme_word(self.scheme);
-        write!(
-            f,
-            "{} is in tension, {:.4e} Pa, and FLIP with {scheme} does not hold that: particles go a way that no strain sees, \
-             which grows by {:.2} % per step, and a smaller step only delays it; {:.1} % of the energy is in such motion, \
-             {:.1} % came from nowhere; accepted: the scheme \"USL\", or the transfer \"APIC\" or \"TPIC\"",
-            self.particle,
-            self.stress,
-            100.0 * self.growth,
-            100.0 * self.unseen,
-            100.0 * self.created
-        )
-    }
-}
 
 /// The growth of the particles of a body, as logarithms, by identifier from the first. Zeros take no memory before they
 /// are first written.

@@ -3,12 +3,12 @@
 //! A traction acts on the nodes around its rectangle. Where the rectangle lies over no body, nodes beside the body would take
 //! its whole force, or there would be none to take it: both are refused, by the name of the traction.
 
+use super::Simulation;
 use super::conditions::nodes_of_traction;
-use super::error::SetupError;
 use super::mapping::node_weights;
-use super::{BodyRun, Simulation};
 use crate::number::Number;
 use crate::scene::{Shape, Traction, Vector};
+use crate::simulation::values::{BodyRun, SetupError};
 
 /// Lengths below this share of a cell are round-off.
 const NEAR: f64 = 1e-6;

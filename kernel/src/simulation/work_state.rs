@@ -1,15 +1,16 @@
 //! The work state: memory of a step that holds nothing between two of them.
 
-use super::conditions::NodalConditions;
-use super::error::StepError;
-use super::fields::Grid;
 use super::interactions::Interactions;
 use super::invariants::Momentum;
 use super::measure::ByIdentifier;
-use super::passes::{G2pShare, SlabSolution};
+use super::motion::SlabSums;
 use super::phase::PhaseTimer;
 use super::tension::TensionWatch;
-use crate::stage::solve::PlaneSums;
+use crate::simulation::context::NodalConditions;
+use crate::simulation::fields::Grid;
+use crate::simulation::values::StepError;
+use crate::stage::g2p::ParticleMaxima;
+use crate::stage::solve::{EmptyNode, PlaneSums};
 use std::sync::Mutex;
 
 /// The work state of a step: the grid, the interactions between its fields, and lists that keep their memory.
@@ -60,4 +61,24 @@ impl WorkState {
             tension: None,
         }
     }
+}
+
+/// Result of the solve on one slab.
+#[derive(Debug, Default)]
+pub(crate) struct SlabSolution {
+    pub(super) sums: SlabSums,
+    /// Groups in the layers of particles that the slab owns.
+    pub(super) groups: usize,
+    /// A node without mass that a load acts on.
+    pub(super) empty: Option<EmptyNode>,
+}
+
+/// Result of a G2P pass over a share of the particles of a body.
+#[derive(Debug, Default)]
+pub(crate) struct G2pShare {
+    /// Index of the body.
+    pub(super) body: usize,
+    pub(super) found: ParticleMaxima,
+    /// By how much tr L exceeds its mean over cells, where it is that mean.
+    pub(super) excess: Vec<f64>,
 }

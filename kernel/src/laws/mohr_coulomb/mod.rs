@@ -7,11 +7,12 @@ pub use softening::{Residual, Softening};
 
 use super::gap::{GAP, TensionApex};
 use super::plastic::{
-    ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, VOLUME_STRAIN, WORK, Yielding, deviator,
-    second_invariant,
+    ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, VOLUME_STRAIN, WORK, Yielding,
 };
-use super::principal::{components, spectrum};
+use super::principal::spectrum;
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
+use super::tensor::components;
+use super::tensor::{deviator, second_invariant};
 use super::{
     Accepted, Band, Choice, Constant, ConstantDefault, InvalidConstant, LinearElastic, Readable,
     band,

@@ -1,7 +1,7 @@
 //! Bodies: identifiers, materials, shapes and their place in the mesh.
 
 use super::collector::Collector;
-use super::load::check_history;
+use super::history::check_history;
 use crate::number::Number;
 use crate::scene::initial_stress::axis_of;
 use crate::scene::{Body, Dimension, InitialStress, Mesh, Scene, Shape, Vector};

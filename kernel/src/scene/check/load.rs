@@ -2,8 +2,8 @@
 
 use super::body::{check_box, outside};
 use super::collector::Collector;
-use crate::number::Number;
-use crate::scene::{HeldBox, History, Mesh, Motion, PointLoad, Scene, Traction};
+use super::history::check_history;
+use crate::scene::{HeldBox, Mesh, Motion, PointLoad, Scene, Traction};
 
 /// A point load must lie on a node within this share of a cell: far above the round-off of any mesh that a file
 /// can describe, far below what could be meant otherwise.
@@ -50,42 +50,6 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
         let path = format!("box_load[{i}]");
         problems.vector(format!("{path}.force"), &load.force);
         check_box(&path, &load.p1, &load.p2, scene.dimension.axes(), problems);
-    }
-}
-
-/// Times finite and strictly increasing, one value each.
-pub(super) fn check_history(path: &str, history: &History, problems: &mut Collector) {
-    if history.times.is_empty() || history.times.len() != history.values.len() {
-        problems.add(
-            path,
-            format!(
-                "{} times and {} values",
-                history.times.len(),
-                history.values.len()
-            ),
-            "at least one time, and one value for each",
-        );
-    }
-    for (row, value) in history.values.iter().enumerate() {
-        problems.vector(format!("{path}[{row}]"), value);
-    }
-    for (row, time) in history.times.iter().enumerate() {
-        if !time.is_finite() {
-            problems.add(
-                format!("{path}[{row}]"),
-                Number(*time).to_string(),
-                "a finite time [s]",
-            );
-        } else if row > 0 && history.times[row - 1] >= *time {
-            problems.add(
-                format!("{path}[{row}]"),
-                format!("the time {time}"),
-                format!(
-                    "a time after that of the row before, {} [s]",
-                    history.times[row - 1]
-                ),
-            );
-        }
     }
 }
 

@@ -5,6 +5,7 @@
 mod body;
 mod collector;
 mod contact;
+mod history;
 mod load;
 mod mortar;
 mod surface;

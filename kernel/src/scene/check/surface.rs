@@ -1,7 +1,7 @@
 //! Rigid surfaces.
 
 use super::collector::Collector;
-use super::load::check_history;
+use super::history::check_history;
 use crate::scene::{Dimension, Scene};
 
 pub(super) fn check(scene: &Scene, problems: &mut Collector) {

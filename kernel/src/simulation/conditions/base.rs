@@ -1,11 +1,12 @@
 //! A base that moves one plane of the mesh, and the mesh with it along the normal of that plane.
 
-use super::{Condition, ConditionResult, ConditionType, NodalConditions};
+use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::scene::{PlaneCondition, Scene, Vector};
 use crate::simulation::Simulation;
-use crate::simulation::clock::StepInfo;
-use crate::simulation::event::{Event, EventKind};
+use crate::simulation::context::{Condition, NodalConditions};
+use crate::simulation::step_view::StepView;
+use crate::simulation::values::{Event, EventKind, StepInfo};
 use crate::stage::solve::Wall;
 use std::sync::Arc;
 
@@ -41,14 +42,14 @@ fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
 
 impl Condition for MovingBase {
     /// The plane is fixed to the base; the others move with the mesh.
-    fn prescribe(&self, simulation: &Simulation, nodal: &mut NodalConditions) {
-        let Some(base) = &simulation.model.base else {
+    fn prescribe(&self, view: &StepView<'_>, nodal: &mut NodalConditions) {
+        let Some(base) = view.base else {
             return;
         };
         let [before, after] = nodal.half_steps.map(|time| base.at(time));
         for wall in &mut nodal.walls {
-            wall.before = simulation.mesh_part(before);
-            wall.after = simulation.mesh_part(after);
+            wall.before = mesh_part(view.scene, before);
+            wall.after = mesh_part(view.scene, after);
         }
         let own = Wall {
             axis: self.axis,
@@ -66,18 +67,13 @@ impl Condition for MovingBase {
 }
 
 impl Simulation {
-    /// The part of a velocity of the base that the mesh takes part in: that along the normal of the base, so that
-    /// the base stays on its plane of nodes however far it moves, and the plane opposite moves with it.
-    fn mesh_part(&self, v: Vector) -> Vector {
-        let normal = self.model.scene.base_motion.as_ref().map(|base| base.axis);
-        std::array::from_fn(|axis| if Some(axis) == normal { v[axis] } else { 0.0 })
-    }
-
     /// Velocity of the mesh in the middle of the step \[m/s\].
     pub(in crate::simulation) fn mesh_velocity(&self, info: &StepInfo) -> Vector {
         let middle = self.state.clock.time + 0.5 * info.dt;
         let base = self.model.base.as_ref();
-        base.map_or([0.0; 3], |base| self.mesh_part(base.at(middle)))
+        base.map_or([0.0; 3], |base| {
+            mesh_part(&self.model.scene, base.at(middle))
+        })
     }
 
     /// Notes the end of a record of the base, if it lies in this step.
@@ -93,4 +89,11 @@ impl Simulation {
             });
         }
     }
+}
+
+/// The part of a velocity of the base that the mesh takes part in: that along the normal of the base, so that
+/// the base stays on its plane of nodes however far it moves, and the plane opposite moves with it.
+fn mesh_part(scene: &Scene, v: Vector) -> Vector {
+    let normal = scene.base_motion.as_ref().map(|base| base.axis);
+    std::array::from_fn(|axis| if Some(axis) == normal { v[axis] } else { 0.0 })
 }

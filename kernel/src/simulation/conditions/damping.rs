@@ -1,10 +1,11 @@
 //! Damping. Local damping is a number of the acceleration; viscous damping acts while forces are mapped (`stage/p2g`), and
 //! only what it takes is summed here; of kinetic damping only the plan speaks.
 
-use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
+use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::scene::{Damping, Scene};
-use crate::simulation::Simulation;
+use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
+use crate::simulation::step_view::StepView;
 use std::sync::Arc;
 
 struct LocalDamping(f64);
@@ -65,7 +66,7 @@ impl Condition for ViscousDamping {
 }
 
 impl Condition for LocalDamping {
-    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+    fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
         nodal.local_damping = Some(self.0);
     }
 }

@@ -3,17 +3,18 @@
 //! In the common field they take all nodes along that their particles reach. One with a velocity field of its own has no
 //! equation of motion there: its nodes move as it does.
 
-use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
+use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Scene;
-use crate::simulation::clock::StepInfo;
-use crate::simulation::energy::kinetic_energy;
-use crate::simulation::error::StepError;
+use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::Owner;
 use crate::simulation::mapping::node_weights;
-use crate::simulation::{BodyRun, Simulation, history_value};
+use crate::simulation::measure::kinetic_energy;
+use crate::simulation::step_view::StepView;
+use crate::simulation::values::{BodyRun, StepError, StepInfo};
+use crate::simulation::{Simulation, history_value};
 use crate::stage::g2p::FaultKind;
 use crate::stage::solve::DrivenNode;
 use std::sync::Arc;
@@ -44,23 +45,17 @@ fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
 impl Condition for DrivenBodies {
     /// Where two driven bodies share a node the later body decides, whatever the order of particles, and a held node
     /// stands still.
-    fn prescribe(&self, simulation: &Simulation, nodal: &mut NodalConditions) {
+    fn prescribe(&self, view: &StepView<'_>, nodal: &mut NodalConditions) {
         let (mut driven, mut nodes) = (
             std::mem::take(&mut nodal.driven),
             std::mem::take(&mut nodal.nodes),
         );
         let mut bodies = 0;
-        let (sets, own_field) = (&simulation.state.sets, &simulation.work.own_field);
-        for (index, body) in simulation.model.bodies.iter().enumerate() {
-            if let (Some(motion), false) = (&body.motion, own_field[index]) {
+        let (sets, grid) = (view.particles, view.grid);
+        for (index, body) in view.bodies.iter().enumerate() {
+            if let (Some(motion), false) = (&body.motion, grid.own_field(index).is_some()) {
                 let [before, after] = nodal.half_steps.map(|t| history_value(motion, t));
-                nodes_of(
-                    &sets[index],
-                    body,
-                    &simulation.work.grid.shape,
-                    simulation.state.stencil,
-                    &mut nodes,
-                );
+                nodes_of(&sets[index], body, &grid.shape, view.stencil, &mut nodes);
                 if bodies > 0 {
                     driven.retain(|d| nodes.binary_search(&d.node).is_err());
                 }

@@ -1,9 +1,10 @@
 //! Gravity: a number of the acceleration.
 
-use super::{Condition, ConditionResult, ConditionType, NodalConditions};
+use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::scene::{Scene, Vector};
-use crate::simulation::Simulation;
+use crate::simulation::context::{Condition, NodalConditions};
+use crate::simulation::step_view::StepView;
 use std::sync::Arc;
 
 struct Gravity(Vector);
@@ -24,7 +25,7 @@ fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
 }
 
 impl Condition for Gravity {
-    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+    fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
         nodal.gravity = self.0;
     }
 }

@@ -1,9 +1,10 @@
 //! Nodes in boxes that stand still.
 
-use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
+use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::scene::Scene;
-use crate::simulation::Simulation;
+use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
+use crate::simulation::step_view::StepView;
 use crate::stage::solve::DrivenNode;
 use std::sync::Arc;
 
@@ -31,7 +32,7 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
 }
 
 impl Condition for HeldNodes {
-    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+    fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
         nodal.held = Arc::clone(&self.0);
     }
 

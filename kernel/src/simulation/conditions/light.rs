@@ -7,7 +7,7 @@
 //! proportion to theirs. The force on the body stays what it is, and it acts where the mass is.
 
 use crate::grid::{GHOSTS_BELOW, GridShape};
-use crate::simulation::Simulation;
+use crate::simulation::step_view::StepView;
 use crate::stage::solve::NodeForce;
 
 /// Mass over that of the heaviest node around from which a node bears a whole force. The corner of a body that begins at a
@@ -18,22 +18,22 @@ const ACROSS: f64 = 0.1;
 
 /// Masses of nodes while loads are spread.
 pub(super) struct Masses<'a> {
-    simulation: &'a Simulation,
+    view: &'a StepView<'a>,
     shape: &'a GridShape,
 }
 
 impl<'a> Masses<'a> {
     /// Those that were mapped for this step.
-    pub(super) fn of(simulation: &'a Simulation) -> Self {
-        let shape = &simulation.work.grid.shape;
-        Self { simulation, shape }
+    pub(super) fn of(view: &'a StepView<'a>) -> Self {
+        let shape = &view.grid.shape;
+        Self { view, shape }
     }
 
     /// Mass of all fields of a node that move freely \[kg\].
     pub(super) fn at(&self, node: usize) -> f64 {
         let [plane, row, k] = self.shape.indices(node);
-        let bodies = &self.simulation.model.bodies;
-        let fields = self.simulation.work.grid.fields.iter();
+        let bodies = self.view.bodies;
+        let fields = self.view.grid.fields.iter();
         let free = fields.filter(|field| {
             let moved = field
                 .owner
@@ -48,7 +48,7 @@ impl<'a> Masses<'a> {
     /// is another.
     fn around(&self, node: usize, mut act: impl FnMut(usize, f64, i32)) {
         let (shape, at) = (self.shape, self.shape.indices(node));
-        let scene = &self.simulation.model.scene;
+        let scene = self.view.scene;
         // Along each direction of the storage: mirror images beyond a plane with a condition are left out.
         let mut ranges = [(0, 0); 3];
         for axis in 0..shape.axes {

@@ -1,13 +1,15 @@
 //! Point loads and tractions, as forces on nodes.
 
 use super::light::Masses;
-use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
+use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::scene::{History, Scene, Traction, Vector};
 use crate::simulation::Simulation;
-use crate::simulation::error::SetupError;
+use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::SlabField;
 use crate::simulation::history::value;
+use crate::simulation::step_view::StepView;
+use crate::simulation::values::SetupError;
 use crate::stage::solve::{EmptyNode, NodeForce, PlaneSums, Planes};
 use std::sync::Arc;
 
@@ -60,12 +62,12 @@ impl Condition for NodalLoads {
     }
 
     /// Those that change, at the middle of the kick; those on nodes that are nearly empty, as the nodes around bear them.
-    fn prescribe(&self, simulation: &Simulation, nodal: &mut NodalConditions) {
+    fn prescribe(&self, view: &StepView<'_>, nodal: &mut NodalConditions) {
         if !self.finds() {
             return;
         }
-        let masses = Masses::of(simulation);
-        let left = self.left(simulation, &masses);
+        let masses = Masses::of(view);
+        let left = self.left(view, &masses);
         if self.changing.is_empty() && !left && masses.bear(&self.steady) {
             return;
         }
@@ -124,9 +126,9 @@ impl NodalLoads {
     }
 
     /// Whether a body has left a traction behind: it acted when the run began, and a node of it is empty.
-    fn left(&self, simulation: &Simulation, masses: &Masses<'_>) -> bool {
+    fn left(&self, view: &StepView<'_>, masses: &Masses<'_>) -> bool {
         let nodes = &self.of_tractions;
-        simulation.state.clock.step > 0 && nodes.iter().any(|node| masses.at(*node) <= 0.0)
+        view.clock.step > 0 && nodes.iter().any(|node| masses.at(*node) <= 0.0)
     }
 
     fn is_left(&self, node: usize, masses: &Masses<'_>) -> bool {
@@ -177,7 +179,8 @@ impl Simulation {
         if self.state.clock.step == 0 || self.nodes_with_mass() == 0 {
             return all;
         }
-        let (scene, masses) = (&self.model.scene, Masses::of(self));
+        let view = self.view();
+        let (scene, masses) = (&self.model.scene, Masses::of(&view));
         for (i, load) in scene.tractions.iter().enumerate() {
             let Ok(areas) = areas(scene, &self.work.grid.shape, i, load) else {
                 continue;

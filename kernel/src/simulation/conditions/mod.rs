@@ -10,113 +10,16 @@
 //! condition on nodes.
 
 mod light;
-mod nodes;
 
 pub(super) use loads::{areas as nodes_of_traction, load_on};
-pub use nodes::{FieldNodes, Node};
 
-use super::error::SetupError;
 use super::{Simulation, history_value};
 use crate::grid::GridShape;
 use crate::plan::PlanEntries;
-use crate::scene::{Scene, Vector};
-use crate::stage::solve::{DrivenNode, EmptyNode, NodeForce, Wall};
-use smallvec::SmallVec;
+use crate::scene::Scene;
+use crate::simulation::context::{Condition, NodalConditions};
+use crate::simulation::values::SetupError;
 use std::sync::Arc;
-
-/// A condition on the nodes of velocity fields.
-///
-/// A step asks it in this order: [`Condition::prescribe`] once its length is known; then for each field, on each slab of
-/// planes that a thread owns, [`Condition::before`] and [`Condition::after`] the acceleration, [`Condition::settled`] when
-/// contact has acted, and [`Condition::remap`] on velocities that are mapped a second time. Slabs and fields are visited at
-/// once by several threads, and their number must not change a result: what is done at a node may depend on that node
-/// alone. A body whose motion is prescribed has no equation of motion, and no condition is asked about its field.
-pub trait Condition: Send + Sync {
-    /// Whether [`Condition::prescribe`] looks at the masses of the nodes: mapping and equation of motion take two visits of the
-    /// slabs then.
-    fn finds(&self) -> bool {
-        false
-    }
-
-    /// Adds what it prescribes in a step to what others do.
-    fn prescribe(&self, _simulation: &Simulation, _acting: &mut NodalConditions) {}
-
-    /// Adds forces at the nodes; mass, velocity and force of the particles are there.
-    ///
-    /// # Errors
-    /// A node that a force acts on has no mass.
-    fn before(&self, _field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
-        Ok(())
-    }
-
-    /// Changes velocities after the acceleration, before contact.
-    fn after(&self, _field: &mut FieldNodes<'_, '_>) {}
-
-    /// Adds the power of its forces \[W\], with the velocities after contact.
-    fn settled(&self, _field: &mut FieldNodes<'_, '_>) {}
-
-    /// Changes velocities that were mapped a second time, from which strain is taken (MUSL, USF). What was done to the
-    /// velocities before is in the particles, and so in these; what must hold exactly is prescribed once more.
-    fn remap(&self, _field: &mut FieldNodes<'_, '_>) {}
-}
-
-/// The nodal conditions of one step: walls, prescribed velocities, loads, gravity and times.
-#[derive(Clone, Debug, Default)]
-pub struct NodalConditions {
-    /// Boundary planes with a condition, by axis and side, with their velocities.
-    pub walls: Walls,
-    /// Velocities half a step before and after of each body whose motion is prescribed \[m/s\], by its place in the scene.
-    pub prescribed: Vec<Option<[Vector; 2]>>,
-    /// Forces of loads on nodes that change with time, with those that do not, in order of the nodes \[N\].
-    pub loads: Vec<NodeForce>,
-    /// Whether those are all that act in this step, in place of those that stay what they are.
-    pub(super) spread: bool,
-    /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
-    pub driven: Vec<DrivenNode>,
-    /// Nodes while they are sought.
-    pub(super) nodes: Vec<usize>,
-    /// Nodes of all fields that stand still, each once, increasing.
-    pub held: Arc<[DrivenNode]>,
-    /// Acceleration of gravity \[m/s²\].
-    pub gravity: Vector,
-    /// Factor of local damping.
-    pub local_damping: Option<f64>,
-    /// Time over which velocities change \[s\].
-    pub kick: f64,
-    /// Times of the velocities before and after \[s\], half a step before and half a step after the positions.
-    pub half_steps: [f64; 2],
-    /// Time over which positions move \[s\].
-    pub drift: f64,
-}
-
-impl NodalConditions {
-    /// Nothing acts yet in a step of these times.
-    fn begin(&mut self, kick: f64, half_steps: [f64; 2], drift: f64) {
-        let Self {
-            mut prescribed,
-            mut loads,
-            mut driven,
-            nodes,
-            ..
-        } = std::mem::take(self);
-        prescribed.clear();
-        loads.clear();
-        driven.clear();
-        *self = Self {
-            prescribed,
-            loads,
-            driven,
-            nodes,
-            kick,
-            half_steps,
-            drift,
-            ..Self::default()
-        };
-    }
-}
-
-/// Boundary planes: six at most.
-pub type Walls = SmallVec<[Wall; 6]>;
 
 /// A condition, or why there cannot be one.
 type ConditionResult = Result<Arc<dyn Condition>, SetupError>;
@@ -210,8 +113,9 @@ impl Simulation {
             let motion = body.motion.as_ref()?;
             Some(half_steps.map(|time| history_value(motion, time)))
         }));
+        let view = self.view();
         for condition in &self.model.conditions {
-            condition.prescribe(self, &mut nodal);
+            condition.prescribe(&view, &mut nodal);
         }
         nodal
     }

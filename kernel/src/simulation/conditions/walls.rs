@@ -2,11 +2,11 @@
 //!
 //! What lies beyond them is known to the mapping too, which folds it back ([`Planes::fold`](crate::stage::solve::Planes)).
 
-use super::{Condition, ConditionResult, ConditionType, FieldNodes, NodalConditions};
+use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::scene::{PlaneCondition, Scene};
-use crate::simulation::Simulation;
-use crate::simulation::interactions::Remap;
+use crate::simulation::context::{Condition, FieldNodes, NodalConditions, Remap};
+use crate::simulation::step_view::StepView;
 use crate::stage::solve::Wall;
 use std::sync::Arc;
 
@@ -60,7 +60,7 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
 }
 
 impl Condition for Walls {
-    fn prescribe(&self, _: &Simulation, nodal: &mut NodalConditions) {
+    fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
         nodal.walls.extend(self.0.iter().copied());
     }
 

@@ -7,18 +7,13 @@
 use crate::memory::Memory;
 use crate::plan::PlanEntries;
 use crate::scene::{Scene, Vector};
-use crate::simulation::conditions::{Condition, NodalConditions, Walls};
-use crate::simulation::error::{InteractionError, SetupError, StepError, StepErrorKind};
+use crate::simulation::context::{NodalConditions, Remap, StepContext, VelocityMapping};
 use crate::simulation::fields::{Grid, Slab};
-use crate::simulation::mapping::ParticleToGrid;
-use crate::simulation::phase::Phase;
 use crate::simulation::step_view::{StepUpdate, StepView};
-use crate::simulation::work_state::WorkState;
-use crate::simulation::{BodyRun, Drift, Simulation};
+use crate::simulation::values::{BodyRun, Drift, InteractionError, SavedArrays, SetupError};
 use crate::stage::solve::PlaneSums;
 use smallvec::SmallVec;
 use std::any::Any;
-use std::sync::Arc;
 
 /// An interaction between velocity fields, or between them and rigid obstacles.
 ///
@@ -178,9 +173,6 @@ pub type BodyList = SmallVec<[usize; 8]>;
 /// Pairs of them.
 pub type PairList = SmallVec<[[usize; 2]; 8]>;
 
-/// Saved arrays: lists of numbers with their names.
-pub type SavedArrays = Vec<(String, Vec<f64>)>;
-
 /// The action of an interaction on the fields of one slab.
 pub trait SlabInteraction: Send {
     /// The masses of all fields are there.
@@ -212,66 +204,6 @@ impl<'a> SlabPart<'a> {
         match &mut self.0 {
             OfSlab::Grid(part) => part,
             OfSlab::Own(part) => &mut **part,
-        }
-    }
-}
-
-/// The context of a visit of all slabs, beside the fields.
-pub struct StepContext<'a> {
-    pub(super) mapping: ParticleToGrid<'a>,
-    pub(super) nodal: &'a NodalConditions,
-    pub(super) conditions: &'a [Arc<dyn Condition>],
-    /// Lower corner of the mesh in the coordinates of the scene \[m\].
-    pub(super) origin: Vector,
-    /// Walls, with the velocities of this visit.
-    pub(super) walls: Walls,
-    /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
-    pub(super) prescribed: &'a [Option<[Vector; 2]>],
-    /// The second mapping that the velocities are of, if they are of one.
-    pub(super) remap: Option<Remap>,
-    /// Whether kinetic energy and residual are measured.
-    pub(super) measure: bool,
-    /// Whether velocities still change when all slabs are done, and sums are taken after that.
-    pub(super) settles: bool,
-}
-
-impl<'a> StepContext<'a> {
-    /// The nodal conditions of this step.
-    #[must_use]
-    pub fn nodal(&self) -> &'a NodalConditions {
-        self.nodal
-    }
-
-    /// Offset of the velocity in the node record.
-    pub(super) fn lane(&self) -> usize {
-        self.remap.map_or(1, Remap::lane)
-    }
-}
-
-/// The mapping whose velocities a visit changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum VelocityMapping {
-    /// Those of the equation of motion.
-    Trial,
-    /// Those that were mapped a second time.
-    Remap(Remap),
-}
-
-/// The second mapping of velocities (remap), by the positions that it maps from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Remap {
-    /// From the positions of the first mapping, to the upper lanes of the nodes (MUSL).
-    OldPositions,
-    /// From the positions at the end of the step, to the lower lanes (USF).
-    NewPositions,
-}
-
-impl Remap {
-    /// The lane of a node where its velocity begins.
-    pub(super) fn lane(self) -> usize {
-        match self {
-            Self::OldPositions => 4,
-            Self::NewPositions => 1,
         }
     }
 }
@@ -365,152 +297,4 @@ pub(super) fn in_turn<'p, 'a>(
 ) -> impl Iterator<Item = &'p mut [SlabPart<'a>]> + Send {
     let parts = parts.iter_mut().map(|parts| &mut parts[..]);
     parts.chain(std::iter::repeat_with(|| &mut [][..]))
-}
-
-impl Simulation {
-    /// All interactions.
-    pub(super) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
-        self.work.interactions.iter().map(|one| &**one)
-    }
-
-    /// The interaction of a kind, for what it tells of itself.
-    #[must_use]
-    pub fn interaction<T: Interaction>(&self) -> Option<&T> {
-        let mut all = self.interactions();
-        all.find_map(|one| (one as &dyn Any).downcast_ref())
-    }
-
-    /// The view of this step.
-    pub(crate) fn view(&self) -> StepView<'_> {
-        StepView::of(&self.model, &self.state, &self.work.grid)
-    }
-
-    /// Calls `act` for each interaction with the view of this step.
-    pub(super) fn each(&mut self, mut act: impl FnMut(&mut dyn Interaction, &StepView<'_>)) {
-        let view = StepView::of(&self.model, &self.state, &self.work.grid);
-        for one in &mut self.work.interactions {
-            act(&mut **one, &view);
-        }
-    }
-
-    /// After a sort: which bodies need a field of their own.
-    pub(super) fn sorted(&mut self) {
-        self.each(|one, view| one.sorted(view));
-        self.set_fields();
-    }
-
-    /// Gives each body that needs one its velocity field.
-    pub(crate) fn set_fields(&mut self) {
-        let mut owners: BodyList = self.interactions().flat_map(Interaction::owners).collect();
-        owners.sort_by_key(|&i| self.model.bodies[i].id);
-        owners.dedup();
-        for (index, own) in self.work.own_field.iter_mut().enumerate() {
-            *own = owners.contains(&index);
-        }
-        self.work
-            .grid
-            .set_owners(&owners, &self.state.sets, self.state.stencil);
-        self.join_fields(&owners);
-        self.each(|one, view| one.fields_given(view));
-    }
-
-    /// Which fields share their velocity; `owners` have one each, after that of the phase.
-    fn join_fields(&mut self, owners: &[usize]) {
-        let number = |body: usize| {
-            owners
-                .iter()
-                .position(|&owner| owner == body)
-                .map(|at| 1 + at)
-        };
-        let count = 1 + owners.len();
-        let mut joined = std::mem::take(&mut self.work.grid.joined);
-        joined.clear();
-        joined.resize(count * count, true);
-        let mut separate = |a: Option<usize>, b: Option<usize>| {
-            if let (Some(a), Some(b)) = (a, b)
-                && a != b
-            {
-                joined[a * count + b] = false;
-                joined[b * count + a] = false;
-            }
-        };
-        for one in self.interactions() {
-            for body in one.apart() {
-                (0..count).for_each(|other| separate(number(body), Some(other)));
-            }
-            for [a, b] in one.pairs() {
-                separate(number(a), number(b));
-            }
-        }
-        self.work.grid.joined = joined;
-    }
-
-    /// Whether gaps and forces are sought between the mapping and the choice of the time step.
-    pub(super) fn finds(&self) -> bool {
-        self.interactions().any(Interaction::finds)
-    }
-
-    /// Contact detection: gaps, forces, and the time steps that they allow.
-    pub(super) fn detect_contact(&mut self) -> Result<(), StepError> {
-        if self.finds() {
-            let free_step = self.free_step();
-            let mut found = Ok(());
-            self.each(|one, view| {
-                if found.is_ok() {
-                    found = one.find(view, free_step);
-                }
-            });
-            found.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
-            self.work.phase_timer.end(Phase::Contact);
-        }
-        Ok(())
-    }
-
-    /// Interactions act on the velocities of all slabs together, and the sums over the nodes are taken after it where they change
-    /// them; the number of nodes or vertices where a contact force acts.
-    pub(super) fn settle(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
-        let settles = self.interactions().any(Interaction::settles);
-        let WorkState {
-            grid,
-            interactions,
-            sums,
-            ..
-        } = &mut self.work;
-        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
-        let all = interactions.iter_mut();
-        let touching = all
-            .map(|one| one.settle(&mut update, nodal))
-            .sum::<Result<usize, _>>();
-        let touching = touching.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
-        if settles {
-            self.add_sums_of_planes(nodal);
-        }
-        Ok(touching)
-    }
-
-    /// The same for velocities that were mapped a second time.
-    pub(super) fn settle_remapped(
-        &mut self,
-        nodal: &NodalConditions,
-        remap: Remap,
-    ) -> Result<(), StepError> {
-        let WorkState {
-            grid,
-            interactions,
-            sums,
-            ..
-        } = &mut self.work;
-        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
-        let mut all = interactions.iter_mut();
-        all.try_for_each(|one| one.settle_remapped(&mut update, nodal, remap))
-            .map_err(|error| self.error(StepErrorKind::Interaction(error)))
-    }
-
-    /// Moves the boundaries of interactions with the velocities after the equation of motion.
-    pub(super) fn move_boundaries(&mut self, nodal: &NodalConditions, drift: &Drift) {
-        if self.finds() {
-            self.each(|one, view| one.advance(view, nodal, drift));
-            self.work.phase_timer.end(Phase::Contact);
-        }
-    }
 }

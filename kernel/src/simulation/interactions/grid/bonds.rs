@@ -9,7 +9,7 @@
 use super::acts_by_shape;
 use crate::contact::Pair;
 use crate::scene::{ContactNormal, Scene, Shape, Vector};
-use crate::simulation::BodyRun;
+use crate::simulation::values::BodyRun;
 use crate::weights::{Family, ROUND_OFF};
 
 /// The bonds of a scene.

@@ -3,17 +3,17 @@
 mod contact_result;
 mod gaps;
 
+use super::faces::SlabFields;
+use crate::simulation::fields::Owner;
 pub(crate) use contact_result::{ContactResult, DEEP, NodeTunnelling, Overlapped};
 use contact_result::{taken, touched};
 
-use super::faces::SlabFields;
 use crate::contact::Pair;
 use crate::contact::coulomb::{Coulomb, FieldTouch, FrictionLaw, Member};
 use crate::contact::surface::{SurfaceSide, normal};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::Vector;
-use crate::simulation::fields::Owner;
 use crate::stage::solve::{Wall, is_ghost};
 use crate::weights::{Family, round_off_weight};
 use smallvec::SmallVec;

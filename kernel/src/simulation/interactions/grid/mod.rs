@@ -16,14 +16,16 @@ use crate::contact::overlap::overlap;
 use crate::contact::{Pair, Tunnelling, broad};
 use crate::memory::Memory;
 use crate::scene::{Contact, Scene, Shape, StressScheme, Vector};
-use crate::simulation::conditions::NodalConditions;
-use crate::simulation::error::{InitialOverlap, InteractionError, SetupError};
-use crate::simulation::event::EventKind;
+use crate::simulation::Simulation;
+use crate::simulation::context::{NodalConditions, VelocityMapping};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{
-    BodyList, Interaction, InteractionResult, PairList, SavedArrays, SlabPart, VelocityMapping,
+    BodyList, Interaction, InteractionResult, PairList, SlabPart,
 };
-use crate::simulation::{BodyRun, Simulation, StepUpdate, StepView};
+use crate::simulation::step_view::{StepUpdate, StepView};
+use crate::simulation::values::{
+    BodyRun, EventKind, InitialOverlap, InteractionError, SavedArrays, SetupError,
+};
 use contact_nodes::{
     ContactNodes, ContactResult, ContactStatuses, DEEP, NodeLists, NodeTunnelling, Overlapped,
 };

@@ -2,13 +2,13 @@
 
 use super::{GridContact, SlabContactState};
 use crate::contact::{Pair, surface};
+use crate::simulation::context::{Remap, StepContext, VelocityMapping};
 use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::interactions::grid::contact_nodes::{
     Bodies, ContactStatuses, ContactVelocities,
 };
 use crate::simulation::interactions::grid::faces::{SlabFace, SlabFields};
-use crate::simulation::interactions::{OfSlab, SlabPart};
-use crate::simulation::interactions::{Remap, SlabInteraction, StepContext, VelocityMapping};
+use crate::simulation::interactions::{OfSlab, SlabInteraction, SlabPart};
 use crate::stage::solve::{PlaneSums, Planes};
 use smallvec::SmallVec;
 

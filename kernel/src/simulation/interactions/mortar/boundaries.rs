@@ -4,11 +4,9 @@ use super::error::MortarError;
 use super::mirrors::Mirrors;
 use super::neighbours::NodeSums;
 use super::pair::MortarPair;
-use super::surface::{
-    BoundaryCarrier, MovingBoundary, Patch, force_at, from_vector, in_scene, velocity_at,
-    velocity_of,
-};
-use super::tied_particles::stays;
+use super::patch::{Patch, force_at, from_vector, in_scene, velocity_at, velocity_of};
+use super::surface::stays;
+use super::surface::{BoundaryCarrier, MovingBoundary};
 use super::vertex_weights::VertexWeighting;
 use crate::mortar::PointIn;
 use crate::mortar::bound::{ClosingRate, allowed_approach};
@@ -18,7 +16,8 @@ use crate::mortar::motion::FollowMode;
 use crate::mortar::pair::{PairSurfaces, StepAhead, contact_forces_to};
 use crate::scene::Vector;
 use crate::simulation::fields::Grid;
-use crate::simulation::{Drift, StepView};
+use crate::simulation::step_view::StepView;
+use crate::simulation::values::Drift;
 use crate::team::{ItemCost, Team};
 use std::sync::atomic::{self, AtomicUsize};
 

@@ -6,7 +6,7 @@ use super::pair::{friction, pair};
 use super::surface::BoundaryCarrier;
 use crate::mortar::elements::Elements;
 use crate::scene::{MortarContact, Scene};
-use crate::simulation::BodyRun;
+use crate::simulation::values::BodyRun;
 
 impl MortarState {
     /// Has the boundary of a body, if it has one, move as the body does now: with its nodes or as prescribed.

@@ -1,6 +1,6 @@
 //! Errors of mortar contact in a step.
 
-use crate::simulation::error::InteractionFault;
+use crate::simulation::values::InteractionFault;
 use std::fmt;
 
 /// An error of mortar contact, by which a step cannot go on.

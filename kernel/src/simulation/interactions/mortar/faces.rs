@@ -11,7 +11,8 @@ use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
 use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
-use crate::simulation::{BodyRun, StepView};
+use crate::simulation::step_view::StepView;
+use crate::simulation::values::BodyRun;
 
 /// Slope of an element against its axis up to which it counts as the face that it was, and up to twice as much less and less.
 const FLAT: f64 = 0.03;

@@ -4,11 +4,11 @@ use super::MortarState;
 use super::mirrors::Mirrors;
 use super::surface::MovingBoundary;
 use crate::scene::Scene;
-use crate::simulation::conditions::NodalConditions;
-use crate::simulation::error::{InteractionError, SetupError};
+use crate::simulation::context::NodalConditions;
 use crate::simulation::fields::Grid;
-use crate::simulation::interactions::{BodyList, Interaction, SavedArrays};
-use crate::simulation::{Drift, StepUpdate, StepView};
+use crate::simulation::interactions::{BodyList, Interaction};
+use crate::simulation::step_view::{StepUpdate, StepView};
+use crate::simulation::values::{Drift, InteractionError, SavedArrays, SetupError};
 
 impl Interaction for MortarState {
     fn boxed(&self) -> Box<dyn Interaction> {

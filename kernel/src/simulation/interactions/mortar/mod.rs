@@ -12,12 +12,14 @@ mod interaction;
 mod mirrors;
 mod neighbours;
 mod pair;
+mod patch;
 mod plan_entries;
 mod saved_arrays;
 mod setup;
 mod stencil_reach;
 mod stiffness;
 mod surface;
+mod tied_boundaries;
 mod tied_particles;
 mod vertex_ties;
 mod vertex_weights;
@@ -36,7 +38,7 @@ use super::InteractionType;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::boundary::Boundary;
 use crate::mortar::space::facets::Facets;
-use crate::simulation::StepView;
+use crate::simulation::step_view::StepView;
 use boundaries::Boundaries;
 
 /// What mortar contact keeps from step to step. Of the two dimensions one is empty.

@@ -3,7 +3,7 @@
 use super::boundaries::Boundaries;
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
-use crate::simulation::interactions::SavedArrays;
+use crate::simulation::values::SavedArrays;
 use std::slice::Iter;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {

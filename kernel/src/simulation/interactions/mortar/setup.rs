@@ -3,7 +3,8 @@
 use super::MortarState;
 use super::boundaries::Boundaries;
 use super::pair::pair;
-use super::surface::{BoundaryCarrier, in_scene};
+use super::patch::in_scene;
+use super::surface::BoundaryCarrier;
 use crate::memory::Memory;
 use crate::mortar::boundary::{Boundary, Chain};
 use crate::mortar::elements::Elements;
@@ -11,10 +12,9 @@ use crate::mortar::outline::{outline, vertices};
 use crate::mortar::space::facets::Facets;
 use crate::mortar::space::skin::{skin, triangles};
 use crate::scene::{Body, BodyBoundary, Dimension, MortarContact, Scene, Vector, Vertices};
-use crate::simulation::BodyRun;
-use crate::simulation::error::SetupError;
 use crate::simulation::interactions::InteractionResult;
-use crate::simulation::memory_estimate;
+use crate::simulation::memory_budget;
+use crate::simulation::values::{BodyRun, SetupError};
 use crate::team::Team;
 use std::fmt::Display;
 
@@ -49,10 +49,10 @@ impl MortarState {
             if let Vertices::Spacing(length) = given.vertices {
                 match scene.dimension {
                     Dimension::Two => {
-                        memory_estimate::vertices(vertices(&body.shape, length), &path, memory)?;
+                        memory_budget::vertices(vertices(&body.shape, length), &path, memory)?;
                     }
                     Dimension::Three => {
-                        memory_estimate::triangles(triangles(&body.shape, length), &path, memory)?;
+                        memory_budget::triangles(triangles(&body.shape, length), &path, memory)?;
                     }
                 }
             }

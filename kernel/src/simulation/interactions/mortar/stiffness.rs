@@ -2,10 +2,10 @@
 
 use super::boundaries::Boundaries;
 use super::mirrors::Mirrors;
-use super::tied_particles::stays;
+use super::surface::stays;
 use crate::mortar::bound::NodalStiffness;
 use crate::mortar::elements::Elements;
-use crate::simulation::StepView;
+use crate::simulation::step_view::StepView;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
     /// Time step that the stiffness of all contacts allows \[s\]; `nodes` is memory.

@@ -6,23 +6,13 @@
 //! since the weights reproduce affine fields, neither force nor moment is lost. Liang et al. 2024 integrate velocities
 //! instead (eq. 29, 30).
 
-use super::boundaries::Boundaries;
-use super::error::MortarError;
 use super::mirrors::Mirrors;
-use super::stencil_reach::{StencilNode, StencilReach, stencil_nodes};
-use super::surface::{
-    BoundaryCarrier, MovingBoundary, force_at, from_vector, in_scene, velocity_at,
-};
+use super::stencil_reach::{StencilNode, StencilReach};
 use super::vertex_ties::VertexTies;
 use crate::grid::{GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::bound::NodalStiffness;
-use crate::mortar::elements::Elements;
-use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
-use crate::scene::Vector;
-use crate::simulation::error::SetupError;
-use crate::simulation::{Drift, StepView};
 use crate::team::{ItemCost, Team};
 use std::ops::Range;
 use std::sync::Arc;
@@ -30,43 +20,43 @@ use std::sync::Arc;
 /// The ties of a boundary, and where what they tie is now.
 #[derive(Clone, Debug)]
 pub(super) struct TiedParticles<const D: usize> {
-    ties: Arc<VertexTies<D>>,
+    pub(super) ties: Arc<VertexTies<D>>,
     /// Where the tied particles are in their set.
-    places: Vec<Option<usize>>,
+    pub(super) places: Vec<Option<usize>>,
     /// What they reach, as of the last mapping; empty where vertices follow otherwise.
-    reached: Vec<StencilReach<D>>,
+    pub(super) reached: Vec<StencilReach<D>>,
     /// Nodes of the stencil.
-    stencil: Vec<StencilNode<D>>,
+    pub(super) stencil: Vec<StencilNode<D>>,
     /// Memory of [`TiedParticles::stiffen`]: the place of each node of the grid in its lists, plus one; zero between two calls.
-    slots: Vec<u32>,
-    lists: TieLists<D>,
+    pub(super) slots: Vec<u32>,
+    pub(super) lists: TieLists<D>,
 }
 
 /// Lists that are filled again in each step.
 #[derive(Clone, Debug, Default)]
-struct TieLists<const D: usize> {
+pub(super) struct TieLists<const D: usize> {
     /// Displacements, then velocities of the particles, and their accelerations.
-    of_particles: [Vec<PointIn<D>>; 2],
+    pub(super) of_particles: [Vec<PointIn<D>>; 2],
     /// Both as they are found.
-    found: Vec<[PointIn<D>; 2]>,
+    pub(super) found: Vec<[PointIn<D>; 2]>,
     /// Displacements of the vertices.
-    ways: Vec<PointIn<D>>,
-    stiffness: Stiffness<D>,
+    pub(super) ways: Vec<PointIn<D>>,
+    pub(super) stiffness: Stiffness<D>,
 }
 
 /// Those of [`TiedParticles::stiffen`].
 #[derive(Clone, Debug, Default)]
 struct Stiffness<const D: usize> {
     /// The nodes that pressed vertices reach, and the weights of one vertex on them.
-    reached: Vec<usize>,
-    weights: Vec<PointIn<D>>,
+    pub(super) reached: Vec<usize>,
+    pub(super) weights: Vec<PointIn<D>>,
     /// Which of them one vertex has.
-    touched: Vec<usize>,
+    pub(super) touched: Vec<usize>,
     /// The sizes of the weights of each pressed vertex, by the places of the nodes.
-    sizes: Vec<(usize, f64)>,
-    pressed: Vec<(f64, Range<usize>)>,
-    once: Vec<f64>,
-    twice: Vec<f64>,
+    pub(super) sizes: Vec<(usize, f64)>,
+    pub(super) pressed: Vec<(f64, Range<usize>)>,
+    pub(super) once: Vec<f64>,
+    pub(super) twice: Vec<f64>,
 }
 
 impl<const D: usize> TiedParticles<D> {
@@ -82,7 +72,7 @@ impl<const D: usize> TiedParticles<D> {
     }
 
     /// Finds what tied particles have of two nodal values, which are asked for the node inside the mesh.
-    fn gather(
+    pub(super) fn gather(
         &self,
         lists: &mut TieLists<D>,
         shape: &GridShape,
@@ -243,7 +233,7 @@ impl<const D: usize> TiedParticles<D> {
     }
 
     /// Displacements of all vertices by those of the particles \[m\]; NaN where too few of these are left.
-    fn displacements(&self, set: &ParticleSet) -> Vec<PointIn<D>> {
+    pub(super) fn displacements(&self, set: &ParticleSet) -> Vec<PointIn<D>> {
         let mut places = self.places.clone();
         self.ties.find(set, &mut places);
         let mut displacements = vec![];
@@ -253,221 +243,5 @@ impl<const D: usize> TiedParticles<D> {
             _ => self.ties.sum(vertex, &displacements),
         };
         (0..self.ties.vertices()).map(of).collect()
-    }
-}
-
-impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {
-    /// Ties the vertices of all bodies to their particles, once, at the start.
-    pub(super) fn tie(&mut self, view: &StepView<'_>) {
-        let mirrors = Mirrors::of(view.scene);
-        for surface in self.surfaces.iter_mut().filter(|s| s.tied.is_none()) {
-            let bodies = view.bodies;
-            if let Some(index) = bodies.iter().position(|body| body.id == surface.id) {
-                let own = (&view.particles[index], &bodies[index]);
-                surface.tied = Some(TiedParticles::new(VertexTies::new(
-                    &surface.start,
-                    own,
-                    &mirrors,
-                )));
-            }
-        }
-    }
-
-    /// Refuses a vertex that stays on the material and has too little of it around.
-    ///
-    /// # Errors
-    /// The first one.
-    pub(super) fn refuse_untied(&self, origin: &Vector) -> Result<(), SetupError> {
-        for surface in &self.surfaces {
-            let Some(tied) = surface.anchor() else {
-                continue;
-            };
-            if let Some(vertex) = (0..tied.ties.vertices()).find(|v| tied.ties.of(*v).is_empty()) {
-                let [x, y, z] = in_scene(&surface.start[vertex], origin);
-                return Err(SetupError::Interaction {
-                    path: format!("boundary of body {}", surface.id),
-                    reason: format!(
-                        "the particles around vertex {vertex} at ({x}, {y}, {z}) m do not span all directions, so that it \
-                         cannot stay on them; accepted: vertices on a body of two or more particles across, or one whose \
-                         `boundary_follows` is \"gradient\""
-                    ),
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// The vertex of a body that moves freely that is farthest from where the material says that it is: identifier of the
-    /// body, number of the vertex, and distance \[m\].
-    pub(super) fn farthest_off(&self, view: &StepView<'_>) -> Option<(i64, usize, f64)> {
-        let bodies = self.surfaces.iter().filter_map(|surface| {
-            let set = &view.particles[surface.body()?];
-            Some((surface, surface.tied.as_ref()?.displacements(set)))
-        });
-        let distances = bodies.flat_map(|(surface, displacements)| {
-            displacements.into_iter().enumerate().map(|(vertex, way)| {
-                let x = surface.start[vertex] + surface.boundary.held(vertex, way);
-                let distance = (surface.boundary.points()[vertex] - x).norm();
-                (surface.id, vertex, distance)
-            })
-        });
-        let known = distances.filter(|(_, _, distance)| distance.is_finite());
-        known.reduce(|most, one| if one.2 > most.2 { one } else { most })
-    }
-}
-
-/// Whether vertices carried so stay on the material.
-pub(super) fn stays(carrier: &BoundaryCarrier) -> bool {
-    let BoundaryCarrier::Body { follow, .. } = carrier else {
-        return false;
-    };
-    *follow == FollowMode::Material
-}
-
-impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
-    /// The ties, where vertices stay on the material.
-    pub(super) fn anchor(&self) -> Option<&TiedParticles<D>> {
-        self.tied.as_ref().filter(|_| stays(&self.carrier))
-    }
-
-    /// Has the vertices where the material is; finds what their particles reach, their velocities, and by how much these
-    /// change by `kick` \[s\] where nothing touches them.
-    ///
-    /// # Errors
-    /// The first vertex without particles that span all directions around it.
-    pub(super) fn weigh_tied<const T: usize>(
-        &mut self,
-        index: usize,
-        view: &StepView<'_>,
-        kick: f64,
-    ) -> Result<(), MortarError>
-    where
-        B: Elements<D, T>,
-    {
-        let Some(tied) = &mut self.tied else {
-            return Ok(());
-        };
-        let Some(field) = view.grid.own_field(index) else {
-            return Ok(());
-        };
-        let (set, body) = (&view.particles[index], &view.bodies[index]);
-        let (shape, team) = (&view.grid.shape, &view.grid.team);
-        let mirrors = Mirrors::of(view.scene);
-        tied.ties.find(set, &mut tied.places);
-        let mut lists = std::mem::take(&mut tied.lists);
-        let [displacements, _] = &mut lists.of_particles;
-        tied.ties.displacements(set, &tied.places, displacements);
-        let boundary = &self.boundary;
-        let of = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, displacements));
-        team.fill(
-            0..self.start.len(),
-            ItemCost::Search,
-            of,
-            &PointIn::zeros(),
-            &mut lists.ways,
-        );
-        for (vertex, way) in lists.ways.iter().enumerate() {
-            // Particles that were removed have no place.
-            if way.iter().any(|x| x.is_nan()) {
-                return Err(MortarError::VertexLost {
-                    body: self.id,
-                    vertex,
-                    position: in_scene(&self.boundary.points()[vertex], &view.origin()),
-                });
-            }
-        }
-        let places = self.boundary.points_mut().iter_mut().zip(&self.start);
-        for ((x, start), way) in places.zip(&lists.ways) {
-            *x = start + way;
-        }
-        let stencil = view.stencil;
-        if tied.stencil.len() != stencil.pow(D as u32) {
-            tied.stencil = stencil_nodes(stencil, shape);
-        }
-        let places = &tied.places;
-        let reach = |number: usize| {
-            // Those that were removed are of no vertex that is left.
-            let p = places[number].unwrap_or(0);
-            StencilReach::of((set, p), &body.mapping, shape, &mirrors, stencil)
-        };
-        team.fill(
-            0..places.len(),
-            ItemCost::Search,
-            reach,
-            &StencilReach::NOWHERE,
-            &mut tied.reached,
-        );
-        let gravity: PointIn<D> = from_vector(&view.scene.gravity);
-        let lines = field.nodes.lines();
-        // A plane that is fixed to a moving base mirrors velocities relative to it.
-        let base = view.base;
-        let base: PointIn<D> = base.map_or_else(PointIn::zeros, |base| {
-            from_vector(&base.at(view.clock.time))
-        });
-        tied.gather(&mut lists, shape, &mirrors, team, |node| {
-            let line = &lines[node];
-            [velocity_at(line) - base, force_at(line) / line[0]]
-        });
-        let [velocities, accelerations] = &lists.of_particles;
-        let boundary = &self.boundary;
-        let of = |vertex: usize| {
-            let v = base + tied.ties.sum(vertex, velocities);
-            let a = gravity + tied.ties.sum(vertex, accelerations);
-            [v, a * kick].map(|v| boundary.held(vertex, v))
-        };
-        team.fill(
-            0..self.start.len(),
-            ItemCost::Search,
-            of,
-            &[PointIn::zeros(); 2],
-            &mut lists.found,
-        );
-        for (vertex, &[v, kick]) in lists.found.iter().enumerate() {
-            self.velocity[vertex] = v;
-            self.kick[vertex] = kick;
-        }
-        tied.lists = lists;
-        Ok(())
-    }
-
-    /// Finds how far the vertices move in a step, with the velocities that their particles move with.
-    pub(super) fn move_with_ties<const T: usize>(
-        &mut self,
-        lines: &[Line],
-        drift: &Drift,
-        team: &Team,
-    ) where
-        B: Elements<D, T>,
-    {
-        let Some(tied) = &mut self.tied else {
-            return;
-        };
-        // Ghosts are filled by now.
-        let mesh: PointIn<D> = from_vector(&drift.mesh_shift);
-        let of = |number: usize| {
-            let reach = &tied.reached[number];
-            let mut v = PointIn::zeros();
-            for node in &tied.stencil {
-                v += reach.weight(node) * velocity_at::<D>(&lines[reach.node(node)]);
-            }
-            v * drift.time - mesh
-        };
-        let [ways, _] = &mut tied.lists.of_particles;
-        team.fill(
-            0..tied.reached.len(),
-            ItemCost::Search,
-            of,
-            &PointIn::zeros(),
-            ways,
-        );
-        let (boundary, ties) = (&self.boundary, &tied.ties);
-        let moved = |vertex: usize| boundary.held(vertex, ties.sum(vertex, ways)) + mesh;
-        team.fill(
-            0..self.start.len(),
-            ItemCost::Search,
-            moved,
-            &PointIn::zeros(),
-            &mut self.moved,
-        );
     }
 }

@@ -9,7 +9,7 @@ use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::mortar::tie::affine_weights;
 use crate::particles::ParticleSet;
-use crate::simulation::BodyRun;
+use crate::simulation::values::BodyRun;
 use std::collections::HashMap;
 use std::ops::Range;
 

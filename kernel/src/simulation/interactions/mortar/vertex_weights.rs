@@ -17,12 +17,12 @@
 //! that is pressed goes until its pressure balances the node.
 
 use super::mirrors::Mirrors;
-use super::surface::{Patch, nodes_of_patch};
+use super::patch::{Patch, nodes_of_patch};
 use crate::grid::{ActiveRows, GridShape, Line};
 use crate::mortar::PointIn;
 use crate::mortar::motion::FollowMode;
 use crate::mortar::weights::LostVertex;
-use crate::simulation::StepView;
+use crate::simulation::step_view::StepView;
 use crate::weights::{Family, face_weights, vertex_weights};
 use std::array;
 

@@ -2,7 +2,7 @@
 
 use super::MortarState;
 use super::boundaries::Boundaries;
-use super::surface::{in_scene, to_vector};
+use super::patch::{in_scene, to_vector};
 use crate::mortar::PointIn;
 use crate::mortar::elements::Elements;
 use crate::mortar::pair::{PairForces, VertexContact};

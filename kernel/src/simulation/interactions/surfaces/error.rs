@@ -1,6 +1,6 @@
 //! Errors of contact with rigid surfaces in a step.
 
-use crate::simulation::error::{InteractionFault, ParticleAt};
+use crate::simulation::values::{InteractionFault, ParticleAt};
 use std::fmt;
 
 /// An error of contact with rigid surfaces, by which a step cannot go on.

@@ -7,7 +7,8 @@
 
 use crate::grid::Line;
 use crate::simulation::fields::Grid;
-use crate::simulation::{BodyRun, StepView};
+use crate::simulation::step_view::StepView;
+use crate::simulation::values::BodyRun;
 use crate::stage::touch::SurfaceTouches;
 
 /// All velocity fields, known by their numbers.

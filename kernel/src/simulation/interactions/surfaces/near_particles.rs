@@ -1,10 +1,10 @@
 //! The particles that may touch a surface until they have moved some way, so that not all are searched for in each step.
 
-use super::gap::{half_lengths, length};
 use super::obstacle::RigidObstacle;
+use super::particle_ellipsoid::{half_lengths, length};
 use crate::scene::Vector;
-use crate::simulation::StepView;
-use crate::simulation::conditions::NodalConditions;
+use crate::simulation::context::NodalConditions;
+use crate::simulation::step_view::StepView;
 use crate::team::ItemCost;
 
 /// Particles that may touch a surface until they have moved by half the margin.

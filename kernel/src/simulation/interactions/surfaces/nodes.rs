@@ -3,7 +3,8 @@
 use super::obstacle::RigidObstacle;
 use super::{SurfaceContact, TouchingParticles};
 use crate::scene::Vector;
-use crate::simulation::{Grid, Simulation};
+use crate::simulation::Simulation;
+use crate::simulation::fields::Grid;
 
 impl Simulation {
     /// Force of the bodies on a surface in the last step \[N\].

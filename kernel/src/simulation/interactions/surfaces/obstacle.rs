@@ -5,12 +5,14 @@
 //! face lies at theta in its cell has the internal forces 1 - theta and theta at the two nodes around the face, and a driven
 //! body that prescribes both velocities holds a cell that is not its own.
 
-use super::gap::{length, on_surface};
+use super::particle_ellipsoid::{length, on_surface};
 use crate::contact::Pair;
 use crate::scene::{Scene, Shape, Vector};
-use crate::simulation::conditions::NodalConditions;
+use crate::simulation::Displacement;
+use crate::simulation::context::NodalConditions;
 use crate::simulation::interactions::grid::{acts_by_shape, pairs_of};
-use crate::simulation::{BodyRun, Displacement, StepView};
+use crate::simulation::step_view::StepView;
+use crate::simulation::values::BodyRun;
 use crate::surface::{Feature, NearestPoint, Surface};
 use std::sync::Arc;
 

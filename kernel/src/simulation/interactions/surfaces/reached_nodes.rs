@@ -2,7 +2,7 @@
 
 use super::fields::Fields;
 use crate::grid::GridShape;
-use crate::simulation::conditions::NodalConditions;
+use crate::simulation::context::NodalConditions;
 use crate::simulation::mapping::NodeWeights;
 use crate::stage::solve::Wall;
 use crate::stage::touch::{SurfaceTouches, TouchedNode, Weight};

@@ -12,17 +12,17 @@ mod moment;
 mod near_bases;
 
 use super::mirrors::Mirrors;
+use super::patch::Patch;
 use super::stencil_reach::{
     StencilNode, StencilReach, StencilReaches, stencil_nodes, stencil_rows,
 };
-use super::surface::Patch;
 use crate::grid::{GridShape, Line};
 use crate::lanes::Selected;
 use crate::layout::Layout;
 use crate::mortar::PointIn;
 use crate::mortar::motion::FollowMode;
 use crate::particles::ParticleSet;
-use crate::simulation::BodyRun;
+use crate::simulation::values::BodyRun;
 use crate::team::{ItemCost, Team};
 use nalgebra::SMatrix;
 use near_bases::{Bases, NearBases};

@@ -1,9 +1,9 @@
 //! The nodes of a field as a condition sees them.
 
+use super::{Remap, StepContext};
 use crate::grid::Line;
 use crate::scene::Vector;
 use crate::simulation::fields::{Owner, Slab, SlabField};
-use crate::simulation::interactions::{Remap, StepContext};
 use crate::stage::solve::{DrivenNode, PlaneSums, Planes, is_ghost};
 
 /// One velocity field in the planes of nodes that one thread owns.

@@ -1,7 +1,7 @@
 //! Events of a run that went on.
 
-use super::error::ParticleAt;
 use super::invariants::{LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO};
+use super::particle_at::ParticleAt;
 use crate::scene::Vector;
 use std::fmt;
 

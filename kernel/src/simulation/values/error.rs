@@ -5,12 +5,13 @@ use super::tension::Tension;
 use crate::contact::Tunnelling;
 use crate::memory::OutOfMemory;
 use crate::number::Number;
+use crate::simulation::values::ParticleAt;
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
 /// Where a scene says how many nodes there are.
-pub(super) const MESH: &str = "mesh.cells_number";
+pub(in crate::simulation) const MESH: &str = "mesh.cells_number";
 
 /// A simulation cannot be set up from this scene. All are faults of the input.
 #[derive(Clone, Debug, PartialEq)]
@@ -243,7 +244,7 @@ impl StepErrorKind {
     }
 
     /// Whether particles are left outside the mesh or with values that no step can go on with.
-    pub(super) fn breaks_particles(&self) -> bool {
+    pub(in crate::simulation) fn breaks_particles(&self) -> bool {
         matches!(
             self,
             Self::NotFinite(_)
@@ -312,32 +313,6 @@ impl fmt::Display for InteractionError {
 }
 
 impl std::error::Error for InteractionError {}
-
-/// A particle and where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ParticleAt {
-    /// Identifier.
-    pub id: u64,
-    /// Identifier of its body.
-    pub body: i64,
-    /// Position \[m\].
-    pub position: [f64; 3],
-    /// Volume \[m³\].
-    pub volume: f64,
-    /// Mass \[kg\].
-    pub mass: f64,
-}
-
-impl fmt::Display for ParticleAt {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z] = self.position;
-        write!(
-            f,
-            "particle {} of body {} at ({x}, {y}, {z}) m",
-            self.id, self.body
-        )
-    }
-}
 
 impl fmt::Display for StepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,0 +1,177 @@
+//! Context of a step at the nodes: its conditions, its mapping, and the fields that conditions and interactions change.
+
+mod nodes;
+
+pub use nodes::{FieldNodes, Node};
+
+use super::mapping::ParticleToGrid;
+use crate::scene::Vector;
+use crate::simulation::step_view::StepView;
+use crate::stage::solve::{DrivenNode, EmptyNode, NodeForce, Wall};
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// A condition on the nodes of velocity fields.
+///
+/// A step asks it in this order: [`Condition::prescribe`] once its length is known; then for each field, on each slab of
+/// planes that a thread owns, [`Condition::before`] and [`Condition::after`] the acceleration, [`Condition::settled`] when
+/// contact has acted, and [`Condition::remap`] on velocities that are mapped a second time. Slabs and fields are visited at
+/// once by several threads, and their number must not change a result: what is done at a node may depend on that node
+/// alone. A body whose motion is prescribed has no equation of motion, and no condition is asked about its field.
+pub trait Condition: Send + Sync {
+    /// Whether [`Condition::prescribe`] looks at the masses of the nodes: mapping and equation of motion take two visits of the
+    /// slabs then.
+    fn finds(&self) -> bool {
+        false
+    }
+
+    /// Adds what it prescribes in a step to what others do.
+    fn prescribe(&self, _view: &StepView<'_>, _nodal: &mut NodalConditions) {}
+
+    /// Adds forces at the nodes; mass, velocity and force of the particles are there.
+    ///
+    /// # Errors
+    /// A node that a force acts on has no mass.
+    fn before(&self, _field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
+        Ok(())
+    }
+
+    /// Changes velocities after the acceleration, before contact.
+    fn after(&self, _field: &mut FieldNodes<'_, '_>) {}
+
+    /// Adds the power of its forces \[W\], with the velocities after contact.
+    fn settled(&self, _field: &mut FieldNodes<'_, '_>) {}
+
+    /// Changes velocities that were mapped a second time, from which strain is taken (MUSL, USF). What was done to the
+    /// velocities before is in the particles, and so in these; what must hold exactly is prescribed once more.
+    fn remap(&self, _field: &mut FieldNodes<'_, '_>) {}
+}
+
+/// The nodal conditions of one step: walls, prescribed velocities, loads, gravity and times.
+#[derive(Clone, Debug, Default)]
+pub struct NodalConditions {
+    /// Boundary planes with a condition, by axis and side, with their velocities.
+    pub walls: Walls,
+    /// Velocities half a step before and after of each body whose motion is prescribed \[m/s\], by its place in the scene.
+    pub prescribed: Vec<Option<[Vector; 2]>>,
+    /// Forces of loads on nodes that change with time, with those that do not, in order of the nodes \[N\].
+    pub loads: Vec<NodeForce>,
+    /// Whether those are all that act in this step, in place of those that stay what they are.
+    pub(super) spread: bool,
+    /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
+    pub driven: Vec<DrivenNode>,
+    /// Nodes while they are sought.
+    pub(super) nodes: Vec<usize>,
+    /// Nodes of all fields that stand still, each once, increasing.
+    pub held: Arc<[DrivenNode]>,
+    /// Acceleration of gravity \[m/s²\].
+    pub gravity: Vector,
+    /// Factor of local damping.
+    pub local_damping: Option<f64>,
+    /// Time over which velocities change \[s\].
+    pub kick: f64,
+    /// Times of the velocities before and after \[s\], half a step before and half a step after the positions.
+    pub half_steps: [f64; 2],
+    /// Time over which positions move \[s\].
+    pub drift: f64,
+}
+
+impl NodalConditions {
+    /// Nothing acts yet in a step of these times.
+    pub(super) fn begin(&mut self, kick: f64, half_steps: [f64; 2], drift: f64) {
+        let Self {
+            mut prescribed,
+            mut loads,
+            mut driven,
+            nodes,
+            ..
+        } = std::mem::take(self);
+        prescribed.clear();
+        loads.clear();
+        driven.clear();
+        *self = Self {
+            prescribed,
+            loads,
+            driven,
+            nodes,
+            kick,
+            half_steps,
+            drift,
+            ..Self::default()
+        };
+    }
+}
+
+/// Boundary planes: six at most.
+pub type Walls = SmallVec<[Wall; 6]>;
+
+/// The context of a visit of all slabs, beside the fields.
+pub struct StepContext<'a> {
+    pub(super) mapping: ParticleToGrid<'a>,
+    pub(super) nodal: &'a NodalConditions,
+    pub(super) conditions: &'a [Arc<dyn Condition>],
+    /// Lower corner of the mesh in the coordinates of the scene \[m\].
+    pub(super) origin: Vector,
+    /// Walls, with the velocities of this visit.
+    pub(super) walls: Walls,
+    /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
+    pub(super) prescribed: &'a [Option<[Vector; 2]>],
+    /// The second mapping that the velocities are of, if they are of one.
+    pub(super) remap: Option<Remap>,
+    /// Whether kinetic energy and residual are measured.
+    pub(super) measure: bool,
+    /// Whether velocities still change when all slabs are done, and sums are taken after that.
+    pub(super) settles: bool,
+}
+
+impl<'a> StepContext<'a> {
+    /// The nodal conditions of this step.
+    #[must_use]
+    pub fn nodal(&self) -> &'a NodalConditions {
+        self.nodal
+    }
+
+    /// Offset of the velocity in the node record.
+    pub(super) fn lane(&self) -> usize {
+        self.remap.map_or(1, Remap::lane)
+    }
+}
+
+/// The mapping whose velocities a visit changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VelocityMapping {
+    /// Those of the equation of motion.
+    Trial,
+    /// Those that were mapped a second time.
+    Remap(Remap),
+}
+
+/// The second mapping of velocities (remap), by the positions that it maps from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remap {
+    /// From the positions of the first mapping, to the upper lanes of the nodes (MUSL).
+    OldPositions,
+    /// From the positions at the end of the step, to the lower lanes (USF).
+    NewPositions,
+}
+
+impl Remap {
+    /// The lane of a node where its velocity begins.
+    pub(super) fn lane(self) -> usize {
+        match self {
+            Self::OldPositions => 4,
+            Self::NewPositions => 1,
+        }
+    }
+}
+
+/// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
+pub(super) fn at_half_step_after(walls: &[Wall]) -> Walls {
+    walls
+        .iter()
+        .map(|wall| Wall {
+            before: wall.after,
+            ..*wall
+        })
+        .collect()
+}

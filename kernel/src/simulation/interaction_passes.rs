@@ -1,0 +1,206 @@
+//! Passes of a step over its interactions.
+
+use super::Simulation;
+use super::interactions::{BodyList, Interaction};
+use super::phase::Phase;
+use crate::simulation::context::{NodalConditions, Remap};
+use crate::simulation::fields::Grid;
+use crate::simulation::model::Model;
+use crate::simulation::step_view::{StepUpdate, StepView};
+use crate::simulation::values::{Drift, State, StepError, StepErrorKind};
+use crate::simulation::work_state::WorkState;
+use crate::stage::solve::PlaneSums;
+use std::any::Any;
+
+impl<'a> StepView<'a> {
+    /// That of a simulation in parts.
+    pub(super) fn of(model: &'a Model, state: &'a State, grid: &'a Grid) -> Self {
+        Self {
+            scene: &model.scene,
+            bodies: &model.bodies,
+            particles: &state.sets,
+            maxima: &state.found,
+            clock: &state.clock,
+            grid,
+            base: model.base.as_ref(),
+            lanes: model.lanes,
+            stencil: state.stencil,
+            travel: state.travel,
+            mesh_shift: state.mesh_shift,
+        }
+    }
+}
+
+impl<'a> StepUpdate<'a> {
+    /// That of a simulation in parts.
+    pub(super) fn of(
+        model: &'a Model,
+        state: &'a mut State,
+        grid: &'a mut Grid,
+        sums: &'a mut PlaneSums,
+    ) -> Self {
+        Self {
+            grid,
+            sums,
+            events: &mut state.events,
+            scene: &model.scene,
+            bodies: &model.bodies,
+            particles: &state.sets,
+            maxima: &state.found,
+            clock: &state.clock,
+            base: model.base.as_ref(),
+            lanes: model.lanes,
+            stencil: state.stencil,
+            travel: state.travel,
+            mesh_shift: state.mesh_shift,
+        }
+    }
+}
+
+impl Simulation {
+    /// All interactions.
+    pub(super) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
+        self.work.interactions.iter().map(|one| &**one)
+    }
+
+    /// The interaction of a kind, for what it tells of itself.
+    #[must_use]
+    pub fn interaction<T: Interaction>(&self) -> Option<&T> {
+        let mut all = self.interactions();
+        all.find_map(|one| (one as &dyn Any).downcast_ref())
+    }
+
+    /// The view of this step.
+    pub(crate) fn view(&self) -> StepView<'_> {
+        StepView::of(&self.model, &self.state, &self.work.grid)
+    }
+
+    /// Calls `act` for each interaction with the view of this step.
+    pub(super) fn each(&mut self, mut act: impl FnMut(&mut dyn Interaction, &StepView<'_>)) {
+        let view = StepView::of(&self.model, &self.state, &self.work.grid);
+        for one in &mut self.work.interactions {
+            act(&mut **one, &view);
+        }
+    }
+
+    /// After a sort: which bodies need a field of their own.
+    pub(super) fn sorted(&mut self) {
+        self.each(|one, view| one.sorted(view));
+        self.set_fields();
+    }
+
+    /// Gives each body that needs one its velocity field.
+    pub(crate) fn set_fields(&mut self) {
+        let mut owners: BodyList = self.interactions().flat_map(Interaction::owners).collect();
+        owners.sort_by_key(|&i| self.model.bodies[i].id);
+        owners.dedup();
+        for (index, own) in self.work.own_field.iter_mut().enumerate() {
+            *own = owners.contains(&index);
+        }
+        self.work
+            .grid
+            .set_owners(&owners, &self.state.sets, self.state.stencil);
+        self.join_fields(&owners);
+        self.each(|one, view| one.fields_given(view));
+    }
+
+    /// Which fields share their velocity; `owners` have one each, after that of the phase.
+    fn join_fields(&mut self, owners: &[usize]) {
+        let number = |body: usize| {
+            owners
+                .iter()
+                .position(|&owner| owner == body)
+                .map(|at| 1 + at)
+        };
+        let count = 1 + owners.len();
+        let mut joined = std::mem::take(&mut self.work.grid.joined);
+        joined.clear();
+        joined.resize(count * count, true);
+        let mut separate = |a: Option<usize>, b: Option<usize>| {
+            if let (Some(a), Some(b)) = (a, b)
+                && a != b
+            {
+                joined[a * count + b] = false;
+                joined[b * count + a] = false;
+            }
+        };
+        for one in self.interactions() {
+            for body in one.apart() {
+                (0..count).for_each(|other| separate(number(body), Some(other)));
+            }
+            for [a, b] in one.pairs() {
+                separate(number(a), number(b));
+            }
+        }
+        self.work.grid.joined = joined;
+    }
+
+    /// Whether gaps and forces are sought between the mapping and the choice of the time step.
+    pub(super) fn finds(&self) -> bool {
+        self.interactions().any(Interaction::finds)
+    }
+
+    /// Contact detection: gaps, forces, and the time steps that they allow.
+    pub(super) fn detect_contact(&mut self) -> Result<(), StepError> {
+        if self.finds() {
+            let free_step = self.free_step();
+            let mut found = Ok(());
+            self.each(|one, view| {
+                if found.is_ok() {
+                    found = one.find(view, free_step);
+                }
+            });
+            found.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
+            self.work.phase_timer.end(Phase::Contact);
+        }
+        Ok(())
+    }
+
+    /// Interactions act on the velocities of all slabs together, and the sums over the nodes are taken after it where they change
+    /// them; the number of nodes or vertices where a contact force acts.
+    pub(super) fn settle(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
+        let settles = self.interactions().any(Interaction::settles);
+        let WorkState {
+            grid,
+            interactions,
+            sums,
+            ..
+        } = &mut self.work;
+        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
+        let all = interactions.iter_mut();
+        let touching = all
+            .map(|one| one.settle(&mut update, nodal))
+            .sum::<Result<usize, _>>();
+        let touching = touching.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
+        if settles {
+            self.add_sums_of_planes(nodal);
+        }
+        Ok(touching)
+    }
+
+    /// The same for velocities that were mapped a second time.
+    pub(super) fn settle_remapped(
+        &mut self,
+        nodal: &NodalConditions,
+        remap: Remap,
+    ) -> Result<(), StepError> {
+        let WorkState {
+            grid,
+            interactions,
+            sums,
+            ..
+        } = &mut self.work;
+        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
+        let mut all = interactions.iter_mut();
+        all.try_for_each(|one| one.settle_remapped(&mut update, nodal, remap))
+            .map_err(|error| self.error(StepErrorKind::Interaction(error)))
+    }
+
+    /// Moves the boundaries of interactions with the velocities after the equation of motion.
+    pub(super) fn move_boundaries(&mut self, nodal: &NodalConditions, drift: &Drift) {
+        if self.finds() {
+            self.each(|one, view| one.advance(view, nodal, drift));
+            self.work.phase_timer.end(Phase::Contact);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! A body in the cycle, beside its particles.
+
+use crate::laws::AnyLaw;
+use crate::scene::{DomainUpdate, History, Vector};
+use crate::stage::Mapping;
+
+/// A body in the cycle, beside its particles.
+#[derive(Clone, Debug)]
+pub struct BodyRun {
+    /// Identifier.
+    pub id: i64,
+    /// Identifier of its material.
+    pub material_id: i64,
+    /// Its law.
+    pub law: AnyLaw,
+    /// Initial density \[kg/m³\].
+    pub density: f64,
+    /// Its weighting functions.
+    pub mapping: Mapping,
+    /// Update of its particle domains, where they follow the deformation.
+    pub domain_update: Option<DomainUpdate>,
+    /// Its prescribed velocity, where it has one.
+    pub motion: Option<History>,
+    /// Whether its motion has been prescribed since the start, so that its shape has only moved.
+    pub keeps_shape: bool,
+    /// Rate of viscous damping \[1/s\].
+    pub viscous_rate: f64,
+    /// Half-lengths of its particles at the start \[m\], the mean where they differ.
+    pub particle_half_length: Vector,
+    /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
+    /// function has no domain.
+    pub reach: Option<[f64; 3]>,
+}

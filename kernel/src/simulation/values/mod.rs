@@ -1,0 +1,33 @@
+//! Values of a simulation: its state, what a step reports, errors, events and balances. None of them knows the cycle.
+
+mod body;
+mod clock;
+mod energy;
+mod error;
+mod event;
+mod extremes;
+mod invariants;
+mod particle_at;
+mod spin;
+mod state;
+mod tension;
+
+pub use body::BodyRun;
+pub use clock::{Bound, Clock, Drift, StepInfo};
+pub use energy::{BodyEnergy, Energy};
+pub(super) use error::MESH;
+pub use error::{
+    InitialOverlap, InteractionError, InteractionFault, SetupError, StepError, StepErrorKind,
+    TimeStepAboveCritical,
+};
+pub use event::{Event, EventKind};
+pub use extremes::{Extremes, MOST_STRETCH_RATIO};
+pub(super) use invariants::ROUND_OFF;
+pub use invariants::{
+    Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM,
+    MOST_VOLUME_RATIO, Violation,
+};
+pub use particle_at::ParticleAt;
+pub use spin::{MOST_LOST_SPIN, Spin};
+pub use state::{EnergyLedger, Groups, RestoreError, Saved, SavedArrays, State};
+pub use tension::{MOST_UNSEEN, Tension};

@@ -1,0 +1,15 @@
+//! Angular momentum of the bodies.
+
+use crate::scene::Vector;
+
+/// Share of the angular momentum whose loss needs no word.
+pub const MOST_LOST_SPIN: f64 = 0.05;
+
+/// Angular momentum of all particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spin {
+    /// About the centre of mass \[kg m²/s\].
+    pub about_centre: Vector,
+    /// Sum of the magnitudes, mass times distance times speed, both from the centre of mass \[kg m²/s\].
+    pub scale: f64,
+}
