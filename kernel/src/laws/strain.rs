@@ -181,7 +181,8 @@ impl<M: Law> Strain for M {
         Law::initial_volume_ratio(self, mean_stress)
     }
     fn pressed(&self) -> Option<Arc<dyn Strain>> {
-        Law::pressed(self).map(|law| law.into_strain())
+        let law = Law::pressed(self)?;
+        Some(law.into_strain())
     }
     fn parts(&self) -> bool {
         Law::parts(self)

@@ -85,7 +85,7 @@ impl Simulation {
 
     /// After a sort: which bodies need a field of their own.
     pub(super) fn sorted(&mut self) {
-        self.each(|one, view| one.sorted(view));
+        self.each(Interaction::sorted);
         self.set_fields();
     }
 
@@ -101,7 +101,7 @@ impl Simulation {
             .grid
             .set_owners(&owners, &self.state.sets, self.state.stencil);
         self.join_fields(&owners);
-        self.each(|one, view| one.fields_given(view));
+        self.each(Interaction::fields_given);
     }
 
     /// Which fields share their velocity; `owners` have one each, after that of the phase.

@@ -142,22 +142,22 @@ impl Simulation {
 
     /// The equation of motion of all fields on the nodal sums; the number of nodes or vertices where an interaction acts.
     pub(super) fn solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
-        self.visit_and_solve(nodal, |_, _| 0)
+        self.visit_and_solve(nodal, false)
     }
 
     /// P2G and the equation of motion, slab by slab in one visit; the number of nodes or vertices where an interaction acts.
     pub(super) fn p2g_and_solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
-        let touching = self.visit_and_solve(nodal, |context, slab| context.map(slab))?;
+        let touching = self.visit_and_solve(nodal, true)?;
         let groups = self.work.solved.iter().map(|slab| slab.groups).sum();
         self.state.groups.count(groups);
         Ok(touching)
     }
 
-    /// The equation of motion in one visit of the slabs, on each after `map`, which gives the number of groups.
+    /// The equation of motion in one visit of the slabs, with P2G before it on each or without.
     fn visit_and_solve(
         &mut self,
         nodal: &NodalConditions,
-        map: impl Fn(&StepContext<'_>, &mut Slab<'_>) -> usize + Sync,
+        with_p2g: bool,
     ) -> Result<usize, StepError> {
         for one in &mut self.work.interactions {
             one.load(&mut self.work.grid, &self.model.scene);
@@ -179,7 +179,7 @@ impl Simulation {
         let timers = timer.of_slabs(grid.slabs.len());
         let all = (solved.iter_mut().zip(in_turn(&mut parts))).zip(timers);
         grid.visit_with(all, |mut slab, ((solved, parts), timer)| {
-            solved.groups = map(&context, &mut slab);
+            solved.groups = if with_p2g { context.map(&mut slab) } else { 0 };
             let interactions = SlabInteractions { parts, timer };
             solved.empty = solve(&mut slab, interactions, &context, &mut solved.sums).err();
         });

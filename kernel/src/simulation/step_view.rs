@@ -105,7 +105,7 @@ pub struct StepUpdate<'a> {
     pub(super) mesh_shift: Vector,
 }
 
-impl<'a> StepUpdate<'a> {
+impl StepUpdate<'_> {
     /// The simulation as it is now.
     #[must_use]
     pub fn view(&self) -> StepView<'_> {

@@ -154,7 +154,7 @@ impl Interaction for GridContact {
         let pairs = self.pairs.iter().zip(&self.near);
         let near = pairs.filter(|(pair, near)| **near && !pair.bonded);
         let overlapping = near.filter_map(|(pair, _)| {
-            let found = overlap(pair, &view.particles, &half_lengths)?;
+            let found = overlap(pair, view.particles, &half_lengths)?;
             let mut contacts = view.scene.contacts.iter();
             let name = contacts.find(|c| c.id == pair.id);
             Some(InitialOverlap {
@@ -204,8 +204,8 @@ impl Interaction for GridContact {
             &bodies,
             &self.pairs,
             &self.near,
-            &view.particles,
-            &view.grid,
+            view.particles,
+            view.grid,
             view.stencil,
         );
     }

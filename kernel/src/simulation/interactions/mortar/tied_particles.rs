@@ -46,7 +46,7 @@ pub(super) struct TieLists<const D: usize> {
 
 /// Those of [`TiedParticles::stiffen`].
 #[derive(Clone, Debug, Default)]
-struct Stiffness<const D: usize> {
+pub(super) struct Stiffness<const D: usize> {
     /// The nodes that pressed vertices reach, and the weights of one vertex on them.
     pub(super) reached: Vec<usize>,
     pub(super) weights: Vec<PointIn<D>>,
