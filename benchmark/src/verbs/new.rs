@@ -78,7 +78,7 @@ const TEMPLATES: &[Template] = &[
         change: &[
             ("initial_velocity", "twice as fast, or not along one line"),
             ("transfer", "\"FLIP\" instead of \"APIC\""),
-            ("contact", "without it the discs stick together"),
+            ("contact", "without it the discs brake before they touch"),
         ],
     },
     Template {
