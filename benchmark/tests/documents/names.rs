@@ -1,7 +1,8 @@
 //! Names in the documents: keys with a value are keys of scenes, identifiers are in the sources, and paths lead to files.
 
-use super::{documents, files_below, root, text_of};
+use super::{documents, files_below, has_ending, root, text_of};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 use std::process::Command;
 
 /// Folders of the sources, in which names and files are looked for.
@@ -50,11 +51,15 @@ fn is_identifier(word: &str) -> bool {
             .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
 }
 
+fn is_source(path: &str) -> bool {
+    has_ending(Path::new(path), &["rs"])
+}
+
 fn is_path(word: &str) -> bool {
     let (first, _) = word.split_once('/').unwrap_or_default();
     let in_sources = SOURCES.contains(&first) || [".github", ".ci", "docs"].contains(&first);
     let plain = !word.contains(['*', ' ', '{', '<']) && !word.contains("NAME");
-    plain && (in_sources || word.contains('/') && word.ends_with(".rs"))
+    plain && (in_sources || word.contains('/') && is_source(word))
 }
 
 /// Whether `proctor keys` has an answer for a word.
@@ -94,7 +99,7 @@ fn identifiers_and_paths_are_in_the_sources() {
     let mut words = BTreeSet::new();
     for file in files
         .iter()
-        .filter(|f| f.ends_with(".rs") || f.contains("/templates/"))
+        .filter(|f| is_source(f) || f.contains("/templates/"))
     {
         let text = text_of(file);
         let all = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
