@@ -10,7 +10,7 @@ use clap::Args;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Take the changes between two records into the ledger of accepted changes, each with the reason.
+/// Add the changes between two records to the ledger of accepted changes, each with the reason.
 ///
 /// One line is added for every number that is not the same bit by bit. What is worse than it was, or than the best value
 /// that was ever accepted, and what is gone, is taken with --worse alone; without it nothing is written and the exit code
@@ -21,17 +21,17 @@ use std::path::PathBuf;
     --ledger fixtures/expected/accepted.csv --because \"the disc is filled by whole sub-cells\""
 )]
 pub struct Accept {
-    /// Record as it was kept
+    /// Record that was kept so far
     base: PathBuf,
-    /// Record as it shall be kept
+    /// Record to be kept from now on
     head: PathBuf,
-    /// The ledger, which is made if it is not there
+    /// The ledger; created if it does not exist
     #[arg(long, value_name = "FILE")]
     ledger: PathBuf,
     /// Why the numbers moved, for those who read the ledger
     #[arg(long, value_name = "REASON", value_parser = reason)]
     because: String,
-    /// Take what is worse, too
+    /// Also accept numbers that got worse
     #[arg(long)]
     worse: bool,
 }

@@ -2,13 +2,13 @@
 
 use clap::Args;
 
-/// How much is told of what was judged.
+/// How much of a judgement is printed.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Amount {
-    /// Tell everything: every run, table and gate with its reason
+    /// Print every run, every table, and every gate with its reason
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
-    /// Tell the verdict and nothing else
+    /// Print the verdict alone
     #[arg(short, long)]
     quiet: bool,
 }

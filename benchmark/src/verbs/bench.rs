@@ -35,13 +35,13 @@ pub struct Bench {
     /// Samples of each combination, 3 or more; overrides the configuration
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..))]
     repetitions: Option<u32>,
-    /// Short samples of few particles, where the configuration does not say how many
+    /// Take short samples of few particles, unless the configuration gives their number
     #[arg(long)]
     quick: bool,
     /// Vector lanes of the inner loops; auto takes the widest that the machine has
     #[arg(long, value_enum, default_value_t = Lanes::Auto)]
     lanes: Lanes,
-    /// Say which values took their default
+    /// List the values that took their default
     #[arg(long)]
     log: bool,
     /// Write a record of all samples (Google Benchmark JSON)
@@ -50,7 +50,7 @@ pub struct Bench {
     /// Write all samples as a table
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Keep scenes and results of executables in this folder [default: a folder that is removed]
+    /// Keep scenes and results of executables in this folder [default: they are removed]
     #[arg(long, value_name = "DIR")]
     keep: Option<PathBuf>,
 }

@@ -24,7 +24,7 @@ use std::path::PathBuf;
 ///
 /// What cannot be compared (cases or numbers that only one record has, another machine or build, too few pairs, noise
 /// in which a loss of a tenth could hide, an interrupted record) is never fine: exit code 2. Of two records that were each
-/// measured in one pass the times are left out, which is said.
+/// measured in one pass the times are left out, and the output says so.
 ///
 /// BASE and HEAD are records, or folders of records: one pass per sub-folder, or per file where there are none.
 #[derive(Args)]
@@ -44,16 +44,16 @@ pub struct Compare {
     /// Bands of noise by case, as `proctor noise` writes them
     #[arg(long, value_name = "FILE")]
     noise: Option<PathBuf>,
-    /// Leave times out: results and counts alone, which may come from different machines
+    /// Compare results and counts alone, without times; the records may come from different machines
     #[arg(long)]
     ignore_time: bool,
     /// Ledger of accepted changes, as `proctor accept` writes it
     #[arg(long, value_name = "FILE")]
     ledger: Option<PathBuf>,
-    /// Ledger that this one must continue: only lines at its end may be new
+    /// Earlier ledger, which --ledger must continue: only lines at its end may be new
     #[arg(long, value_name = "FILE", requires = "ledger")]
     continues: Option<PathBuf>,
-    /// Every difference needs a line in the ledger, those for the better, too
+    /// Require a line in the ledger for every difference, improvements included
     #[arg(long, requires = "ledger")]
     strict: bool,
 }

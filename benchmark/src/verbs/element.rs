@@ -23,14 +23,14 @@ const ROWS: usize = 10;
 /// Names of strain and stress components.
 const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "yz", "xz", "xy"];
 
-/// Take a material of a scene along the paths of the laboratory, without a grid.
+/// Run laboratory tests on the materials of a scene, without a grid.
 ///
 /// A specimen under an isotropic pressure is strained, and some of its stresses are held: oedometer, triaxial, undrained,
 /// biaxial, shear, isotropic, extension; z is its axis. The law is that of the scene, with its own code. Where a path has an
-/// end in closed form it is told beside what was found. Stresses are positive in tension; p and q = sqrt(3 J2) are not
+/// end in closed form, it is printed beside the result. Stresses are positive in tension; p and q = sqrt(3 J2) are not
 /// negative under pressure.
 ///
-/// With --table the path is one's own: a CSV file with a header. Column `time` [s] increases; `strain_xx`, `strain_yy`,
+/// With --table the path is your own: a CSV file with a header. Column `time` [s] increases; `strain_xx`, `strain_yy`,
 /// `strain_zz`, `strain_yz`, `strain_xz`, `strain_xy` are totals (of the tensor; logarithmic where axes stay), `stress_xx` ...
 /// [Pa] instead of the strain of a component drives its stress. What has no column keeps a strain of 0. The path begins at
 /// time 0 without strain, under the pressure, and goes straight from row to row.
@@ -38,7 +38,7 @@ const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "yz", "xz", "xy"];
 #[command(
     after_help = "Example: proctor element fixtures/scenes/soil_element.json --pressure 1e5\n\
     One test, with its curve: proctor element fixtures/scenes/soil_element.json --test shear --pressure 1e5 --svg curves\n\
-    A path of one's own: proctor element fixtures/scenes/soil_element.json --table path.csv"
+    A path of your own: proctor element fixtures/scenes/soil_element.json --table path.csv"
 )]
 pub struct Element {
     /// Scene file (JSON) with the material; - for standard input
@@ -46,7 +46,7 @@ pub struct Element {
     /// Only these tests: oedometer, triaxial, undrained, biaxial, shear, isotropic, extension
     #[arg(long = "test", value_name = "TEST")]
     tests: Vec<String>,
-    /// A path of one's own instead: columns time, strain_xx ... strain_xy, or stress_xx ... instead of a strain (CSV)
+    /// Take the path from this table (CSV) instead: columns time, strain_xx ... strain_xy; stress_xx ... drives a stress
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tests", "strain", "time"])]
     table: Option<PathBuf>,
     /// Only the material of this id
@@ -60,13 +60,13 @@ pub struct Element {
         allow_negative_numbers = true
     )]
     pressure: f64,
-    /// Strain at the end: along the axis, the angle in shear, of the volume in isotropic
+    /// Strain at the end: axial strain; in `shear` the angle, in `isotropic` the volume strain
     #[arg(long, default_value_t = 0.05, allow_negative_numbers = true)]
     strain: f64,
     /// Number of steps; with --table from each row to the next
     #[arg(long, default_value_t = 200)]
     steps: usize,
-    /// Seconds that the path takes; only materials with a relaxation time and fluids ask for it
+    /// Duration of the path [s]; it matters for fluids and for materials with a relaxation time
     #[arg(
         long,
         value_name = "S",
@@ -74,10 +74,10 @@ pub struct Element {
         allow_negative_numbers = true
     )]
     time: f64,
-    /// Write all states into this folder, made if it is not there: a table (CSV) for each material and test
+    /// Write all states into this folder, created if it does not exist: a table (CSV) for each material and test
     #[arg(long, value_name = "DIR")]
     csv: Option<PathBuf>,
-    /// Write curves into this folder, made if it is not there: two pictures for each material and test, three for a fluid
+    /// Write curves into this folder, created if it does not exist: two pictures for each material and test, three for a fluid
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
 }

@@ -35,7 +35,7 @@ use std::path::Path;
 pub enum Verb {
     /// Write a small scene to start from; without a kind, list the kinds.
     New(new::New),
-    /// Explain the keys of scene files: all in a table, or one by its name.
+    /// Explain the keys of scene files: all as a table, or one in full.
     Keys(keys::Keys),
     /// Run a scene; write frames, history and a summary.
     Run(run::Run),
@@ -43,29 +43,29 @@ pub enum Verb {
     Plan(plan::Plan),
     /// Run verification cases: errors, observed orders, gates.
     Verify(verify::Verify),
-    /// Error against run time, for every case with an exact solution.
+    /// Show the error against the run time, for every case with an exact solution.
     Precision(precision::Precision),
-    /// Where each method is stable: the largest time step, predicted and measured.
+    /// Find the largest stable time step of each method, predicted and measured.
     Stability(stability::Stability),
-    /// Take a material along the paths of the laboratory, without a grid.
+    /// Run laboratory tests on the materials of a scene, without a grid.
     Element(element::Element),
     /// Measure speed: scenes x particles x threads x methods, stages, other executables.
     Bench(bench::Bench),
-    /// Make the page of a record.
+    /// Write a record as a self-contained HTML page.
     Report(report::Report),
     /// Compare two records: results bit by bit, counts nearly exactly, times by pairs of runs.
     Compare(compare::Compare),
-    /// Take the changes between two records into the ledger of accepted changes.
+    /// Add the changes between two records to the ledger of accepted changes.
     Accept(accept::Accept),
     /// Measure the noise of each case: the same program against itself.
     Noise(noise::Noise),
-    /// Write a record in the shape that another tool reads.
+    /// Write a record in the format of another tool.
     Export(export::Export),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
 
-/// Runs a verb; without one, the main job, of which so much is told.
+/// Runs a verb; without one, the main job, which prints that much.
 pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
     match verb {
         None => main_job::run(amount, out),

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
     The kinds: proctor new"
 )]
 pub struct New {
-    /// What happens in the scene; without it, the list of kinds
+    /// Kind of scene; without it, list the kinds
     kind: Option<String>,
     /// File to write [default: KIND.json in this folder]
     #[arg(long, value_name = "FILE", requires = "kind")]
@@ -78,7 +78,7 @@ const TEMPLATES: &[Template] = &[
         change: &[
             ("initial_velocity", "twice as fast, or not along one line"),
             ("transfer", "\"FLIP\" instead of \"APIC\""),
-            ("contact", "without it the discs stick together"),
+            ("contact", "without it the discs brake before they touch"),
         ],
     },
     Template {

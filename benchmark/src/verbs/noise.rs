@@ -52,7 +52,7 @@ pub struct Noise {
     /// Interleaved passes to run
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u64).range(3..))]
     passes: u64,
-    /// Pairs of the comparison of which is said what it sees
+    /// Number of pairs for which to print the smallest change that a comparison would find
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u64).range(3..))]
     pairs: u64,
     #[command(flatten)]

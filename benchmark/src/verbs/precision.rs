@@ -38,7 +38,7 @@ pub struct Precision {
     /// Cases to study [default: all]
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
-    /// Only the usual combinations on coarse meshes, without sweeps
+    /// Only the usual methods on coarse meshes, without sweeps
     #[arg(long)]
     quick: bool,
     /// Write a record of all runs (Google Benchmark JSON)
@@ -47,20 +47,20 @@ pub struct Precision {
     /// Write all runs as comma-separated values
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write a chart per case and error into this folder; made if it is not there
+    /// Write a chart for each case and error into this folder; created if it does not exist
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
     /// Runs of each point
     #[arg(long, value_name = "N", default_value = "3")]
     repetitions: NonZeroUsize,
-    /// Show all combinations in the tables, not the best twelve and the default
+    /// Show all methods in the tables, not only the best twelve and the default
     #[arg(long)]
     all: bool,
     /// Other solvers, beside the methods: a configuration with `executables`, as for `bench`. Each is calibrated by a
     /// free fall first; a case that other solvers cannot run says why
     #[arg(long, value_name = "FILE")]
     executables: Option<PathBuf>,
-    /// Keep scenes and results of executables in this folder [default: a folder that is removed]
+    /// Keep scenes and results of executables in this folder [default: they are removed]
     #[arg(long, value_name = "DIR", requires = "executables")]
     keep: Option<PathBuf>,
     #[command(flatten)]

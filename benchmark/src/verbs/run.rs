@@ -35,7 +35,7 @@ use std::path::PathBuf;
 pub struct Run {
     /// Scene file (JSON); - for standard input
     scene: PathBuf,
-    /// Folder for the results; made if it is not there
+    /// Folder for the results; created if it does not exist
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]

@@ -7,8 +7,10 @@ use std::io::Write;
 
 /// Print the JSON Schema of scene files, for editors.
 #[derive(Args)]
-#[command(after_help = "Example: proctor schema > scene.schema.json, then put \
-    \"$schema\" settings of your editor to it.")]
+#[command(
+    after_help = "Example: proctor schema > scene.schema.json, then name that file \
+    in the JSON schema settings of your editor."
+)]
 pub struct Schema {}
 
 impl Schema {

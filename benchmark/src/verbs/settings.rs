@@ -10,8 +10,8 @@ use std::num::NonZeroUsize;
 /// How the cycle is run. Neither changes a bit of the result.
 #[derive(Args)]
 pub struct Settings {
-    /// Number of threads, at most four for each that the machine runs at once [default: what the
-    /// scene says, else one for 8192 particles, at most all of the machine]
+    /// Number of threads, at most four per hardware thread [default: `n_threads` of the scene, else
+    /// one per 8192 particles, at most one per hardware thread]
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
     /// Vector lanes of the inner loops; auto takes the widest that the machine has

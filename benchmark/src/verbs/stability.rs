@@ -33,19 +33,19 @@ const PICTURE: &str = "stability.svg";
 /// With a scene: its predicted critical step, the kernel's, what rules it, and what would allow a larger one.
 #[derive(Args)]
 #[command(after_help = "Example: proctor stability --quick --svg pictures\n\
-    A scene of one's own: proctor stability fixtures/scenes/rings_2d.json\n\
+    A scene of your own: proctor stability fixtures/scenes/rings_2d.json\n\
     Stiff and extreme scenes: proctor stability --extreme")]
 pub struct Stability {
     /// Scene file (JSON), - for standard input; without one, the map
     #[arg(value_name = "SCENE", conflicts_with_all = ["quick", "json", "svg", "table", "rows", "schemes"])]
     scene: Option<PathBuf>,
-    /// Only the plane, and short runs of what is not linear
+    /// Only two dimensions, and short runs of the nonlinear scenes
     #[arg(long)]
     quick: bool,
-    /// Stiff and extreme scenes instead: each holds by a physical check, is refused with a reason, or fails
+    /// Run stiff and extreme scenes instead: each passes a physical check, is refused with a reason, or fails
     #[arg(long, conflicts_with_all = ["scene", "quick", "table", "schemes", "svg"])]
     extreme: bool,
-    /// Only these rows: `map`, or scenes that are not linear by their names; with --extreme its scenes
+    /// Only these rows: `map`, or the name of a nonlinear scene; with --extreme the name of an extreme scene
     #[arg(long = "row", value_name = "ROW")]
     rows: Vec<String>,
     /// Only these schemes: usl, usf, musl
@@ -54,10 +54,10 @@ pub struct Stability {
     /// Write a record of all rows (Google Benchmark JSON)
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Write the map as a picture into this folder; made if it is not there
+    /// Write the map as a picture into this folder; created if it does not exist
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
-    /// Print the table by which the kernel chooses its steps, as its source, and what the table that it holds is worth
+    /// Print the table from which the kernel chooses its steps, as Rust source, and compare it with the one that is built in
     #[arg(long, conflicts_with_all = ["quick", "rows", "schemes", "svg", "json"])]
     table: bool,
 }

@@ -28,18 +28,18 @@ use std::time::Instant;
 
 /// Run verification cases: errors, observed orders, gates.
 ///
-/// Each case compares runs over a ladder of resolutions with an exact solution. Of each a line is told: gates that hold, the
-/// one nearest to its bound as a share of it, the error that the case is about, on its finest mesh, and the time; of what
-/// fails everything. The exit code is 1 if a gate fails.
+/// Each case compares runs on finer and finer meshes with an exact solution and prints a line: how many gates hold, how
+/// much of its bound the nearest gate uses, the error on the finest mesh, and the time. A case that fails prints
+/// everything. The exit code is 1 if a gate fails.
 #[derive(Args)]
 #[command(after_help = "Example: proctor verify boussinesq base-acceleration\n\
     A short ladder, as record: proctor verify --quick --json record.json\n\
     After Ctrl-C, or a case that failed: proctor verify --resume record.json\n\
-    A thousand scenes made of random choices: proctor verify --generated 1000 --seed 7\n\
+    A thousand random scenes: proctor verify --generated 1000 --seed 7\n\
     A hundred manufactured solutions: proctor verify mill --count 100 --seed 7")]
 pub struct Verify {
-    /// Cases to run [default: all]; `mill` alone runs random motions whose body force is made by derivation, on ladders, and
-    /// judges orders and errors
+    /// Cases to run [default: all]; `mill` alone runs manufactured solutions: random motions whose body force follows from
+    /// them, on finer and finer meshes, judged by orders and errors
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
     /// Run the short ladder of each case
@@ -48,7 +48,7 @@ pub struct Verify {
     /// Write a record of all runs (Google Benchmark JSON); Ctrl-C finishes the run and marks the record incomplete
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Take the time of runs shorter than a second N times, of very short ones for half a second, for `compare`
+    /// Repeat runs shorter than a second N times, and very short ones for half a second, so that `compare` can judge times
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
     /// Print the names of the cases and run none
@@ -60,17 +60,17 @@ pub struct Verify {
     /// Run only the cases that failed in this record, on its ladders [default: that of the main job]
     #[arg(long, value_name = "RECORD", num_args = 0..=1, default_missing_value = MAIN_JOB, conflicts_with_all = ["quick", "list"])]
     failed: Option<PathBuf>,
-    /// Run N small scenes made of random choices instead of cases, judged by what holds of every scene: conservation,
-    /// invariance, equilibrium. A scene that violates its property is written as a scene file; --json FILE takes the result
+    /// Run N small random scenes instead of cases, judged by what holds of every scene: conservation, invariance,
+    /// equilibrium. A scene that violates its property is written as a scene file; --json FILE writes the result
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["cases", "quick", "list", "resume", "failed", "repetitions"])]
     generated: Option<u64>,
-    /// Seed of generated scenes or of the mill: the scene or problem of a number is the same for the same seed [default: 1]
+    /// Seed of generated scenes or of the mill: the same seed gives the same scenes or problems [default: 1]
     #[arg(long, value_name = "S")]
     seed: Option<u64>,
     /// Number of problems of the mill [default: 30]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "problem")]
     count: Option<u64>,
-    /// A problem of the mill from a file, as one that misses a gate is written, instead of random ones
+    /// Run this problem of the mill instead of random ones: a file that the mill wrote for a problem that missed a gate
     #[arg(long, value_name = "FILE")]
     problem: Option<PathBuf>,
     /// Folder for generated scenes that violate their property, or problems that miss a gate

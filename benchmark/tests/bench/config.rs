@@ -230,13 +230,13 @@ fn a_scene_that_a_method_does_not_suit_is_bad_input() {
 }
 
 #[test]
-fn the_configuration_of_the_readme_is_accepted() {
-    let readme = std::fs::read_to_string("README.md").expect("the README");
-    let from = readme
+fn the_configuration_of_the_book_is_accepted() {
+    let chapter = std::fs::read_to_string("../docs/src/howto/other-solvers.md").expect("a chapter");
+    let from = chapter
         .find("    {\n      \"executables\"")
         .expect("a configuration");
-    let to = readme[from..].find("\n\n").expect("its end");
-    let text = &readme[from..from + to];
+    let to = chapter[from..].find("\n\n").expect("its end");
+    let text = &chapter[from..from + to];
     let config = parse(text).unwrap_or_else(|error| panic!("{error}: {text}"));
     let labels: Vec<(&str, TimeLabel)> = config
         .executables
@@ -252,10 +252,10 @@ fn the_configuration_of_the_readme_is_accepted() {
     );
     // Every label and every case that can be handed over is named there, and no other case as one that can.
     for (word, label) in TimeLabel::ALL {
-        assert!(readme.contains(&format!("`{word}`")), "{word}");
+        assert!(chapter.contains(&format!("`{word}`")), "{word}");
         assert_eq!(label.word(), word);
     }
-    let page = readme
+    let page = chapter
         .split("It can be done for")
         .nth(1)
         .expect("the cases");

@@ -4,8 +4,9 @@
 //! minutes or needs other programs: that is run on less, or not at all, and [`how`] says why.
 
 use super::found::{Printed, commands, readings, words};
-use super::{DOCUMENTS, root};
+use super::{documents, root, text_of};
 use proctor_benchmark::takes;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write as _;
 use std::path::Path;
@@ -28,6 +29,9 @@ enum How {
 /// How a command of this program is run.
 fn how(arguments: &[&str]) -> How {
     match arguments {
+        ["verify", "--list"]
+        | ["verify", "bar" | "self-weight", "--quick", ..]
+        | ["bench", "peers.json" | "late.json" | "labelled.json"] => How::AsItStands,
         [] => How::NotRun("the main job takes minutes; CI runs it and looks at what it writes"),
         ["stability", "--extreme"] => How::With(&["--row", "denormals"]),
         ["stability", ..] => {
@@ -39,6 +43,7 @@ fn how(arguments: &[&str]) -> How {
         ["verify", "--generated", ..] => How::Instead(&["verify", "--generated", "12"]),
         ["verify", "mill", ..] => How::Instead(&["verify", "mill", "--count", "2", "--seed", "5"]),
         // Names and options are looked at; the runs are those of tests/cases.rs.
+        ["verify", rest @ ..] if rest.contains(&"--quick") => How::With(&["--list"]),
         ["verify", ..] => How::With(&["--quick", "--list"]),
         ["precision"] => How::NotRun("all studies take minutes"),
         ["precision", "boussinesq", rest @ ..] if rest.contains(&"--executables") => {
@@ -46,8 +51,11 @@ fn how(arguments: &[&str]) -> How {
             How::Instead(&["precision", "step-bar", "--quick", "--svg", "charts"])
         }
         ["precision", "boussinesq", ..] => How::Instead(&["precision", "self-weight", "--quick"]),
+        ["bench", "fixtures/bench/laws.json", ..] => {
+            How::NotRun("all laws take a minute; the configuration of speed is one of its kind")
+        }
         ["precision" | "bench", ..] if !arguments.contains(&"--quick") => How::With(&["--quick"]),
-        ["run", "fixtures/scenes/speed/block_1m.json", ..] => {
+        ["run", scene, ..] if scene.starts_with("fixtures/scenes/speed/") => {
             How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
         }
         _ => How::AsItStands,
@@ -63,7 +71,7 @@ fn own(words: &[String]) -> Option<Vec<&str>> {
         | [_, "|", "proctor", ref arguments @ ..]
         | ["cargo", "run", "--release", "--", ref arguments @ ..] => Some(arguments.to_vec()),
         ["cargo", "run", "--release"] => Some(vec![]),
-        ["cargo", ..] => None,
+        ["cargo" | "sed", ..] => None,
         [script, ..] if script.starts_with("scripts/") => None,
         ref arguments => Some(arguments.to_vec()),
     }
@@ -74,8 +82,10 @@ fn desk() -> TempDir {
     let desk = TempDir::new().expect("a folder");
     let at = |name: &str| desk.path().join(name);
     // What a checkout has; files that are written go into the folder.
-    copy(&root().join("fixtures/scenes"), &at("fixtures/scenes"));
-    copy(&root().join("fixtures/bench"), &at("fixtures/bench"));
+    for folder in ["scenes", "bench", "records", "surfaces"] {
+        let folder = format!("fixtures/{folder}");
+        copy(&root().join(&folder), &at(&folder));
+    }
     copy(&root().join("fixtures/bench"), desk.path());
     // A hundredth of the work.
     let rings = at("fixtures/bench/rings.json");
@@ -86,7 +96,7 @@ fn desk() -> TempDir {
     copy(&root().join("fixtures/scenes"), &at("scenes"));
     fs::copy(at("fixtures/bench/peers.json"), at("peer.json")).expect("a configuration");
     let record = ["verify", "bar", "--quick", "--json", "record.json"];
-    run(desk.path(), &record).expect("a record");
+    run(desk.path(), &record, 0).expect("a record");
     for name in ["base.json", "head.json"] {
         fs::copy(at("record.json"), at(name)).expect("a record");
     }
@@ -105,8 +115,8 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// Runs this program in a folder, with a scene on standard input.
-fn run(folder: &Path, arguments: &[&str]) -> Result<(), String> {
+/// Runs this program in a folder, with a scene on standard input; its output, once it has ended with that exit code.
+fn run(folder: &Path, arguments: &[&str], exit: i32) -> Result<String, String> {
     let mut child = Command::new(env!("CARGO_BIN_EXE_proctor"))
         .args(arguments)
         .current_dir(folder)
@@ -123,22 +133,38 @@ fn run(folder: &Path, arguments: &[&str]) -> Result<(), String> {
     let output = child
         .wait_with_output()
         .map_err(|error| error.to_string())?;
-    if output.status.success() {
-        return Ok(());
+    let text = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+    if output.status.code() == Some(exit) {
+        return Ok(text);
     }
-    let said = [output.stdout, output.stderr].concat();
-    Err(format!(
-        "{}: {}",
-        output.status,
-        String::from_utf8_lossy(&said)
-    ))
+    Err(format!("{}, expected {exit}: {text}", output.status))
+}
+
+/// Lines that a document shows of an output and that are not in it. Blanks count once, and `…` stands for anything.
+fn missing(shown: &[String], output: &str) -> Result<(), String> {
+    let tidy = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+    let lines: Vec<String> = output.lines().map(tidy).collect();
+    let is_in = |line: &str, shown: &str| {
+        let mut rest = line;
+        shown.split('…').map(str::trim).all(|part| {
+            let found = rest.find(part);
+            rest = found.map_or("", |at| &rest[at + part.len()..]);
+            found.is_some()
+        })
+    };
+    for shown in shown.iter().map(|line| tidy(line)) {
+        if !lines.iter().any(|line| is_in(line, &shown)) {
+            return Err(format!("its output has no line `{shown}`:\n{output}"));
+        }
+    }
+    Ok(())
 }
 
 /// What is wrong with a command of a document.
 fn fault(printed: &Printed, desk: &Path) -> Result<(), String> {
     let all = words(&printed.line);
     if own(&all).is_none() {
-        return other(&all);
+        return other(&printed.line, &all, desk);
     }
     if printed.is_synopsis() {
         for reading in readings(&printed.line) {
@@ -149,23 +175,46 @@ fn fault(printed: &Printed, desk: &Path) -> Result<(), String> {
     }
     let mut arguments = own(&all).ok_or("no command of this program")?;
     takes(&arguments)?;
-    match how(&arguments) {
+    let how = how(&arguments);
+    if how != How::AsItStands && !printed.output.is_empty() {
+        return Err("its output is shown, and it is not run as it stands".to_owned());
+    }
+    match how {
         How::NotRun(_) => return Ok(()),
         How::AsItStands => {}
         How::With(more) => arguments.extend(more),
         How::Instead(others) => arguments = others.to_vec(),
     }
-    run(desk, &arguments)
+    missing(&printed.output, &run(desk, &arguments, printed.exit)?)
 }
 
-/// Commands of other programs: scripts of the repository and cargo.
-fn other(words: &[String]) -> Result<(), String> {
+/// Commands of other programs: scripts of the repository, cargo, and `sed` that writes a changed scene.
+fn other(line: &str, words: &[String], desk: &Path) -> Result<(), String> {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match words[..] {
         ["cargo", "test", ref options @ ..] => targets(options),
         ["cargo", "bench"] => ["step", "stage", "instructions"]
             .into_iter()
             .try_for_each(|name| exists(&format!("benchmark/benches/{name}.rs"))),
+        ["cargo", "bench", "--bench", name] => exists(&format!("benchmark/benches/{name}.rs")),
+        ["cargo", "build" | "clippy" | "doc" | "fmt" | "mutants", ..] => Ok(()),
+        [
+            "cargo",
+            "run",
+            "--release",
+            "--package",
+            "proctor-kernel",
+            "--example",
+            name,
+        ] => exists(&format!("kernel/examples/{name}.rs")),
+        ["sed", ..] => {
+            let mut shell = Command::new("sh");
+            let done = shell.args(["-c", line]).current_dir(desk).status();
+            match done {
+                Ok(status) if status.success() => Ok(()),
+                found => Err(format!("{found:?}")),
+            }
+        }
         ["cargo", ..] => Err("nothing is known of this command".to_owned()),
         [script, ref arguments @ ..] => {
             exists(script)?;
@@ -193,19 +242,44 @@ fn other(words: &[String]) -> Result<(), String> {
     }
 }
 
-/// Options of `cargo test` name a package and test binaries that there are.
+/// Options of `cargo test` name a package and test binaries that there are, and words that are in names of tests.
 fn targets(options: &[&str]) -> Result<(), String> {
     let mut package = None;
-    for pair in options.windows(2) {
-        match pair {
-            ["-p" | "--package", name] => package = name.strip_prefix("proctor-"),
-            ["--test", name] => {
+    let mut words = options.iter();
+    while let Some(word) = words.next() {
+        match *word {
+            "-p" | "--package" => {
+                package = Some(match words.next() {
+                    Some(&"proctor-files") => "kernel/files",
+                    Some(&"proctor-geometry") => "kernel/geometry",
+                    Some(name) => name.strip_prefix("proctor-").ok_or("another package")?,
+                    None => return Err("no package".to_owned()),
+                });
+            }
+            "--test" => {
                 let package = package.ok_or("a test binary without its package")?;
+                let name = words.next().ok_or("no test binary")?;
                 let one = format!("{package}/tests/{name}.rs");
                 let folder = format!("{package}/tests/{name}/main.rs");
                 exists(&one).or_else(|_| exists(&folder))?;
             }
-            _ => {}
+            "--" => break,
+            option if option.starts_with("--") => {}
+            name => {
+                let package = package.ok_or("a name of tests without their package")?;
+                let is_in = |line: &str| {
+                    let function = line.trim_start().strip_prefix("fn ");
+                    function.is_some_and(|f| f.split('(').next().unwrap_or(f).contains(name))
+                };
+                let named = |path: &String| {
+                    let file = path.rsplit('/').next().unwrap_or_default();
+                    file.contains(name) || text_of(path).lines().any(is_in)
+                };
+                let files = super::files_below(&format!("{package}/tests"), &["rs"]);
+                if !files.iter().any(named) {
+                    return Err(format!("no test of {package} is named {name}"));
+                }
+            }
         }
     }
     Ok(())
@@ -224,19 +298,32 @@ fn python() -> bool {
 #[test]
 fn every_command_of_the_documents_runs() {
     let mut faults = vec![];
-    let mut checked = 0;
-    for document in DOCUMENTS {
-        let text = fs::read_to_string(root().join(document)).expect("a document");
+    let (mut checked, mut shown) = (0, 0);
+    let mut measured = BTreeSet::new();
+    for document in documents() {
+        let commands = commands(&text_of(&document));
+        if commands.is_empty() {
+            continue;
+        }
         let desk = desk();
-        for printed in commands(&text) {
+        for printed in commands {
             checked += 1;
+            shown += printed.output.len();
+            // What measures leaves nothing that a document needs further down: once is enough for all.
+            let measures = ["bench", "precision"]
+                .iter()
+                .any(|verb| printed.line.contains(verb));
+            if measures && printed.output.is_empty() && !measured.insert(printed.line.clone()) {
+                continue;
+            }
             if let Err(fault) = fault(&printed, desk.path()) {
                 faults.push(format!("{document}: {}\n  {fault}", printed.line));
             }
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(checked > 50, "only {checked} commands were found");
+    assert!(checked > 150, "only {checked} commands were found");
+    assert!(shown > 60, "only {shown} lines of output are shown");
 }
 
 #[test]
@@ -250,20 +337,37 @@ fn commands_that_there_are_not_are_found() {
         "cargo run --release -- verify --fast",
         "cargo test -p proctor-benchmark --test judges",
         "cargo frobnicate",
+        "cargo test -p proctor-kernel frobnication",
         "scripts/frobnicate",
         "scripts/full-ladders --frobnicate",
         "stability [SCENE] [--rows NAME]",
     ] {
-        let printed = Printed {
-            line: line.to_owned(),
-        };
-        assert!(fault(&printed, desk.path()).is_err(), "{line}");
+        assert!(fault(&Printed::of(line), desk.path()).is_err(), "{line}");
     }
 }
 
 #[test]
+fn outputs_that_there_are_not_are_found() {
+    let output = "particles  800\nstepping 44.6 ms wall, 44.6 ms CPU\n";
+    let shown = |line: &str| missing(&[line.to_owned()], output);
+    for line in ["particles 800", "stepping … wall, … CPU", "…", "", "  800"] {
+        assert!(shown(line).is_ok(), "{line}");
+    }
+    for line in ["particles 801", "stepping … CPU, … wall", "steps 800"] {
+        assert!(shown(line).is_err(), "{line}");
+    }
+    let desk = desk();
+    let printed = |exit: i32| Printed {
+        exit,
+        ..Printed::of("proctor plan nothing.json")
+    };
+    assert!(fault(&printed(2), desk.path()).is_ok());
+    assert!(fault(&printed(0), desk.path()).is_err());
+}
+
+#[test]
 fn the_first_scene_leaves_what_paraview_is_told_to_open() {
-    let text = fs::read_to_string(root().join("README.md")).expect("a document");
+    let text = text_of("README.md");
     let (_, scene) = text.split_once("## A first scene").expect("a first scene");
     let (scene, _) = scene.split_once("\n## ").expect("more sections");
     let desk = desk();

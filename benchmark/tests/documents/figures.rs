@@ -7,10 +7,14 @@ use proctor_benchmark::record::export::{Format, text};
 use proctor_benchmark::record::{Kind, Record, Row};
 use std::fs;
 
-use super::{DOCUMENTS, root};
+use super::{documents, root, text_of};
 
 fn kept() -> Record {
     Record::read(&root().join("fixtures/expected/full.json")).expect("the kept record")
+}
+
+fn is_gate(row: &Row) -> bool {
+    matches!(&row.kind, Kind::Aggregate { name } if name == "gate")
 }
 
 /// A number as printed, and half a unit of its last digit.
@@ -36,7 +40,6 @@ fn cells(line: &str) -> Vec<&str> {
 
 fn gate<'a>(record: &'a Record, case: &str, name: &str) -> Option<&'a Row> {
     let wanted = format!("{case}: {name}");
-    let is_gate = |row: &Row| matches!(&row.kind, Kind::Aggregate { name } if name == "gate");
     record
         .rows
         .iter()
@@ -47,8 +50,8 @@ fn gate<'a>(record: &'a Record, case: &str, name: &str) -> Option<&'a Row> {
 fn tables_print_what_the_kept_record_holds() {
     let record = kept();
     let mut checked = 0;
-    for document in DOCUMENTS {
-        let text = fs::read_to_string(root().join(document)).expect("a document");
+    for document in documents() {
+        let text = text_of(&document);
         let mut inside = false;
         for line in text.lines() {
             if !line.starts_with('|') {
@@ -88,6 +91,34 @@ fn the_list_of_all_gates_is_that_of_the_kept_record() {
         list == made,
         "verification/FIGURES.md is not that of fixtures/expected/full.json; scripts/update-expected --full makes it"
     );
+}
+
+/// Words such as `668 of 668 gates in 43 cases`; an output of fewer cases is held against the program.
+#[test]
+fn numbers_of_gates_are_those_of_a_kept_record() {
+    let counted = ["errors.json", "full.json"].map(|name| {
+        let path = root().join("fixtures/expected").join(name);
+        let record = Record::read(&path).expect("a kept record");
+        let gates: Vec<&Row> = record.rows.iter().filter(|row| is_gate(row)).collect();
+        let case = |row: &&Row| row.name.split(':').next().unwrap_or_default().to_owned();
+        let cases: std::collections::BTreeSet<String> = gates.iter().map(case).collect();
+        format!("{0} of {0} gates in {1} cases", gates.len(), cases.len())
+    });
+    let mut seen = 0;
+    for document in documents() {
+        let text = text_of(&document);
+        let words: Vec<&str> = text.split_whitespace().collect();
+        for phrase in words
+            .windows(7)
+            .filter(|w| w[1] == "of" && w[3] == "gates" && w[6].starts_with("cases"))
+        {
+            let phrase = phrase.join(" ");
+            let found = counted.iter().any(|counted| phrase.starts_with(counted));
+            assert!(found, "{document}: {phrase}; kept: {counted:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen >= 2, "only {seen} numbers of gates are printed");
 }
 
 #[test]

@@ -6,9 +6,22 @@ use proctor_benchmark::verbs;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Printed {
     pub line: String,
+    /// The exit code that the comment beside it names, else 0.
+    pub exit: i32,
+    /// Lines of its output that the document shows below it.
+    pub output: Vec<String>,
 }
 
 impl Printed {
+    /// A command that ends well, without its output.
+    pub fn of(line: &str) -> Self {
+        Self {
+            line: line.to_owned(),
+            exit: 0,
+            output: vec![],
+        }
+    }
+
     /// Whether it has words that stand for others, or parts that may be left out.
     pub fn is_synopsis(&self) -> bool {
         let stands_for_others = |word: &str| {
@@ -22,21 +35,58 @@ impl Printed {
     }
 }
 
+/// How a line of a document is read.
+#[derive(Clone, Copy)]
+enum Block {
+    /// As prose, or as a command where it is indented.
+    None,
+    /// As a line of the output of the last command.
+    Output,
+    /// Not at all: a file or a program.
+    File,
+    /// As a command.
+    Commands,
+}
+
 /// All commands of a text, in their order: lines of indented blocks and words between backticks that begin with `proctor`,
-/// `cargo`, a script, or a verb that is followed by something.
+/// `cargo`, `sed`, a script, or a verb that is followed by something. A block of ```` ```text ```` below a command shows its
+/// output; what is left out there is `…`.
 pub fn commands(text: &str) -> Vec<Printed> {
     let mut all: Vec<Printed> = vec![];
     let mut prose = String::new();
+    let mut block = Block::None;
     for line in text.lines() {
-        if let Some(block) = line.strip_prefix("    ") {
-            let prose = std::mem::take(&mut prose);
-            all.extend(between_backticks(&prose));
-            let command = block.split(" #").next().unwrap_or_default();
-            all.extend(command_of(command));
-        } else {
-            prose.push_str(line);
-            prose.push('\n');
+        if let Some(kind) = line.strip_prefix("```") {
+            all.extend(between_backticks(&std::mem::take(&mut prose)));
+            block = match (block, kind.trim()) {
+                (Block::None, "text") => Block::Output,
+                (Block::None, "json" | "rust") => Block::File,
+                (Block::None, _) => Block::Commands,
+                _ => Block::None,
+            };
+            continue;
         }
+        let command = match (block, line.strip_prefix("    ")) {
+            (Block::None, Some(command)) => command,
+            (Block::Commands, _) => line,
+            (Block::Output, _) => {
+                let last = all.last_mut().expect("an output stands below a command");
+                last.output.push(line.to_owned());
+                continue;
+            }
+            (Block::File, _) => continue,
+            (Block::None, None) => {
+                prose.push_str(line);
+                prose.push('\n');
+                continue;
+            }
+        };
+        all.extend(between_backticks(&std::mem::take(&mut prose)));
+        let (command, comment) = command.split_once(" #").unwrap_or((command, ""));
+        let exit = comment.split("exit code ").nth(1).unwrap_or_default();
+        let exit = exit.split(|c: char| !c.is_ascii_digit()).next();
+        let exit = exit.and_then(|code| code.parse().ok()).unwrap_or(0);
+        all.extend(command_of(command).map(|printed| Printed { exit, ..printed }));
     }
     all.extend(between_backticks(&prose));
     all
@@ -54,14 +104,12 @@ fn command_of(text: &str) -> Option<Printed> {
         .collect();
     let first = words.first()?;
     let known = match first.as_str() {
-        "proctor" | "cargo" => words.len() > 1,
-        script if script.starts_with("scripts/") => true,
+        "proctor" | "cargo" | "sed" => words.len() > 1,
+        script if script.starts_with("scripts/") => script != "scripts/",
         verb => words.len() > 1 && verbs().iter().any(|known| known == verb),
     };
     let piped = words.windows(2).any(|pair| pair == ["|", "proctor"]);
-    (known || piped).then(|| Printed {
-        line: words.join(" "),
-    })
+    (known || piped).then(|| Printed::of(&words.join(" ")))
 }
 
 /// The words of a command line; what stands between quotes is one.
@@ -134,9 +182,6 @@ fn commands_are_found_in_blocks_and_between_backticks() {
 
 #[test]
 fn a_synopsis_is_read_with_each_of_its_parts() {
-    let printed = |line: &str| Printed {
-        line: line.to_owned(),
-    };
     for (line, synopsis) in [
         ("run SCENE [--out DIR]", true),
         ("compare BASE HEAD", true),
@@ -144,7 +189,7 @@ fn a_synopsis_is_read_with_each_of_its_parts() {
         ("proctor keys cpGIMP", false),
         ("make | proctor run -", false),
     ] {
-        assert_eq!(printed(line).is_synopsis(), synopsis, "{line}");
+        assert_eq!(Printed::of(line).is_synopsis(), synopsis, "{line}");
     }
     assert_eq!(
         readings("bench [CONFIG.json] [--threads N,N]"),
@@ -158,4 +203,15 @@ fn a_synopsis_is_read_with_each_of_its_parts() {
         readings("export --format bmf|csv RECORD"),
         [["export", "--format", "bmf", "RECORD"]]
     );
+}
+
+#[test]
+fn exit_codes_and_outputs_belong_to_the_command_above_them() {
+    let text = "    proctor plan a.json   # bad input: exit code 2\n\n```text\nplan … of a\n```\n\n```json\n{ \"a\": `keys x` }\n```\n\n`keys y`\n";
+    let first = Printed {
+        exit: 2,
+        output: vec!["plan … of a".to_owned()],
+        ..Printed::of("proctor plan a.json")
+    };
+    assert_eq!(commands(text), [first, Printed::of("keys y")]);
 }
