@@ -79,6 +79,15 @@ pub struct SurfaceTouch {
 }
 
 impl SurfaceTouch {
+    /// Starts from the normal and tangential impulse of another step \[N s\] times a factor, which is that of the times of both. The
+    /// normal may have turned since: what is along it now is no friction.
+    pub fn start_from(&mut self, (normal, tangential): (f64, [f64; 3]), factor: f64) {
+        self.normal_impulse = factor * normal;
+        let along = dot(&tangential, &self.normal);
+        self.tangential_impulse =
+            std::array::from_fn(|axis| factor * (tangential[axis] - along * self.normal[axis]));
+    }
+
     /// Impulse on the body \[N s\].
     #[must_use]
     pub fn impulse(&self) -> [f64; 3] {
@@ -158,9 +167,9 @@ impl SurfaceTouches {
         ]
     }
 
-    /// Finds the impulses of all touches; returns the number of sweeps. Sweeps end when none changes a velocity by more
-    /// than `tolerance` times the largest change of the first one, or after `most`. Where penalty forces act beside them, they
-    /// go on from there, for as many again.
+    /// Finds the impulses of all touches, from those that they have; returns the number of sweeps. Sweeps end when none changes a
+    /// velocity by more than `tolerance` times the largest that an impulse gives, or after `most`. Where penalty forces act beside
+    /// them, they go on from there, for as many again.
     pub fn resolve(&mut self, lanes: Selected, tolerance: f64, most: usize) -> usize {
         for touch in self.list.iter_mut().filter(|t| t.penalty > 0.0) {
             touch.floor = 0.0;
@@ -170,19 +179,28 @@ impl SurfaceTouches {
             let response = self.response(touch);
             self.responses.push(response);
         }
+        for touch in &self.list {
+            let impulse = touch.impulse();
+            if impulse != [0.0; 3] {
+                give(
+                    &mut self.nodes,
+                    &self.weights[touch.weights.clone()],
+                    &impulse,
+                );
+            }
+        }
         let sweeps = self.sweep(lanes, tolerance, most);
         let mut pushed = false;
         for touch in &mut self.list {
             if touch.penalty > 0.0 && touch.normal_impulse <= 0.0 {
                 touch.floor = touch.penalty;
                 touch.normal_impulse = touch.penalty;
-                for (n, w) in &self.weights[touch.weights.clone()] {
-                    let node = &mut self.nodes[*n];
-                    for axis in 0..3 {
-                        node.change[axis] +=
-                            w[axis] * node.mobility[axis] * (touch.normal[axis] * touch.penalty);
-                    }
-                }
+                let impulse = touch.normal.map(|n| n * touch.penalty);
+                give(
+                    &mut self.nodes,
+                    &self.weights[touch.weights.clone()],
+                    &impulse,
+                );
                 pushed = true;
             }
         }
@@ -276,10 +294,6 @@ impl SurfaceTouches {
             }
             node.change = change;
         }
-        for touch in &mut self.list {
-            touch.normal_impulse = 0.0;
-            touch.tangential_impulse = [0.0; 3];
-        }
         self.resolve(lanes, tolerance, most);
         taken
     }
@@ -305,6 +319,16 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// Gives an impulse \[N s\] to the nodes of a touch.
+fn give(nodes: &mut [TouchedNode], weights: &[Weight], impulse: &[f64; 3]) {
+    for (n, w) in weights {
+        let node = &mut nodes[*n];
+        for axis in 0..3 {
+            node.change[axis] += w[axis] * node.mobility[axis] * impulse[axis];
+        }
+    }
+}
+
 /// Sweeps over all touches: a vector and one unused lane are half a line.
 struct Sweeps<'a> {
     list: &'a mut [SurfaceTouch],
@@ -320,7 +344,7 @@ impl Kernel for Sweeps<'_> {
 
     #[inline(always)]
     fn run<B: Backend>(self) -> usize {
-        let mut first = 0.0;
+        let mut scale = 0.0_f64;
         for sweep in 1..=self.most {
             let mut largest = 0.0_f64;
             for (touch, response) in self.list.iter_mut().zip(self.responses) {
@@ -329,11 +353,15 @@ impl Kernel for Sweeps<'_> {
                 if changed > largest {
                     largest = changed;
                 }
+                let given = touch.normal_impulse.abs() * response.along[0];
+                if given > scale {
+                    scale = given;
+                }
             }
-            if sweep == 1 {
-                first = largest;
+            if sweep == 1 && largest > scale {
+                scale = largest;
             }
-            if largest <= self.tolerance * first {
+            if largest <= self.tolerance * scale {
                 return sweep;
             }
         }

@@ -40,13 +40,13 @@ pub(super) const SURFACES: InteractionType = InteractionType {
     make: SurfaceContact::of,
 };
 
-/// Sweeps end when none changes a velocity by more than this share of the largest change of the first one.
+/// Sweeps end when none changes a velocity by more than this share of the largest that an impulse gives.
 const TOLERANCE: f64 = 1e-6;
-/// Most sweeps of a step. What is left then is made good in the next step: see [`SurfaceTouch::bound`].
+/// Most sweeps of a step. The next step goes on from there: see [`PushedParticle::impulse`].
 const SWEEPS: usize = 50;
 
-/// Contact with rigid surfaces and driven shapes: its state in the cycle. Nothing of it decides a result: the list of particles near a surface only
-/// spares searches, and the impulses are records.
+/// Contact with rigid surfaces and driven shapes: its state in the cycle. The impulses of the pushed particles are the start of the
+/// next step; the list of particles near a surface only spares searches, and the sums of impulses are records.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceContact {
     /// What pushes.
@@ -55,14 +55,54 @@ pub(crate) struct SurfaceContact {
     /// Touches of the last equation of motion, and those of a second mapping.
     trial: TouchingParticles,
     mapped: TouchingParticles,
-    /// Particles that a surface pushes in this step, and whether friction holds them, by surface, set and identifier, in that
-    /// order.
-    pushed: Vec<((usize, usize, u64), bool)>,
+    /// Particles that a surface pushes in this step, by surface, set and identifier, in that order.
+    pushed: Vec<PushedParticle>,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
     pub(crate) last: Vec<Vec<Vector>>,
     pub(crate) last_kick: f64,
     /// The same summed since the start \[N s\].
     pub(crate) total: Vec<Vec<Vector>>,
+}
+
+/// A particle that a surface pushes.
+#[derive(Clone, Copy, Debug)]
+struct PushedParticle {
+    /// Places of the surface and of the set, and the identifier of the particle.
+    key: (usize, usize, u64),
+    /// True where friction holds it.
+    held: bool,
+    /// Normal impulse and tangential impulse of the last step \[N s\].
+    ///
+    /// The sweeps of the next step start from it. Modes in which neighbours press in turn hardly change velocities of nodes, and
+    /// sweeps that start from zero in each step leave the same rest of them in each: under USL, which strains particles with
+    /// these velocities, the stress of the first row then wandered by up to 0.7 of the pressure.
+    impulse: (f64, Vector),
+}
+
+impl PushedParticle {
+    /// Numbers of a particle in a checkpoint.
+    const SAVED: usize = 7;
+
+    /// The particle in numbers.
+    fn saved(&self) -> [f64; Self::SAVED] {
+        let ((surface, set, id), (normal, [x, y, z])) = (self.key, self.impulse);
+        [surface as f64, set as f64, id as f64, normal, x, y, z]
+    }
+
+    /// The particle of these numbers. Friction is found anew before it is asked.
+    fn restored(&[surface, set, id, normal, x, y, z]: &[f64; Self::SAVED]) -> Self {
+        Self {
+            key: (surface as usize, set as usize, id as u64),
+            held: false,
+            impulse: (normal, [x, y, z]),
+        }
+    }
+
+    /// The one of a key in a list.
+    fn find(list: &[Self], key: (usize, usize, u64)) -> Option<&Self> {
+        let found = list.binary_search_by_key(&key, |pushed| pushed.key);
+        found.ok().map(|at| &list[at])
+    }
 }
 
 /// Particles that touch, with where they belong.
@@ -169,6 +209,10 @@ impl Interaction for SurfaceContact {
             ("time of the last impulses".into(), vec![self.last_kick]),
             ("last impulses of surfaces".into(), flat(&self.last)),
             ("impulses of surfaces".into(), flat(&self.total)),
+            (
+                "impulses of pushed particles".into(),
+                self.pushed.iter().flat_map(PushedParticle::saved).collect(),
+            ),
         ]
     }
 
@@ -182,6 +226,8 @@ impl Interaction for SurfaceContact {
                 *impulse = *value;
             }
         }
+        let (pushed, _) = saved[3].1.as_chunks();
+        self.pushed = pushed.iter().map(PushedParticle::restored).collect();
     }
 }
 
@@ -216,6 +262,15 @@ impl SurfaceContact {
         let TouchingParticles {
             touches, places, ..
         } = &mut self.trial;
+        let key = |place: &ParticlePlace| {
+            let id = view.particles[place.set].id[place.p];
+            (place.surface, place.set, id)
+        };
+        for (touch, place) in touches.list.iter_mut().zip(&*places) {
+            if let Some(pushed) = PushedParticle::find(&self.pushed, key(place)) {
+                touch.start_from(pushed.impulse, nodal.kick / self.last_kick);
+            }
+        }
         let lanes = view.lanes;
         let damping = match nodal.local_damping {
             None => {
@@ -237,8 +292,11 @@ impl SurfaceContact {
         let mut by_bodies = 0;
         for (touch, place) in touches.list.iter().zip(&*places) {
             if let (true, held) = touch.pushes_and_holds() {
-                let id = view.particles[place.set].id[place.p];
-                self.pushed.push(((place.surface, place.set, id), held));
+                self.pushed.push(PushedParticle {
+                    key: key(place),
+                    held,
+                    impulse: (touch.normal_impulse, touch.tangential_impulse),
+                });
                 by_bodies += usize::from(matches!(
                     self.rigid[place.surface],
                     RigidObstacle::Driven(_)
@@ -302,9 +360,8 @@ impl SurfaceContact {
         let pushed = &self.pushed;
         let mut held = places.iter().map(|place| {
             let id = view.particles[place.set].id[place.p];
-            let found =
-                pushed.binary_search_by_key(&(place.surface, place.set, id), |(place, _)| *place);
-            found.ok().map(|at| pushed[at].1)
+            let found = PushedParticle::find(pushed, (place.surface, place.set, id));
+            found.map(|pushed| pushed.held)
         });
         touches.list.retain_mut(|touch| {
             let Some(held) = held.next().flatten() else {
