@@ -2,7 +2,6 @@
 
 use super::Simulation;
 use super::conditions::load_on;
-use super::fields::Slab;
 use super::interactions::{Interaction, Interactions, SlabParts, in_turn, on_slabs};
 use super::mapping::{fold, particle_to_grid};
 use super::motion::{SlabInteractions, solve, solve_mapped, solve_remapped, sums_after, total};
