@@ -334,7 +334,7 @@ impl Simulation {
         };
         let view = self.view();
         self.interactions()
-            .try_for_each(|one| one.refuse_leaps(&view, dt))
+            .try_for_each(|one| one.check_time_step(&view, dt))
             .map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
         self.work.phase_timer.end(Phase::TimeStep);
         Ok(StepInfo {

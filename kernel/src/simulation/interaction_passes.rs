@@ -136,18 +136,18 @@ impl Simulation {
     }
 
     /// Whether gaps and forces are sought between the mapping and the choice of the time step.
-    pub(super) fn finds(&self) -> bool {
-        self.interactions().any(Interaction::finds)
+    pub(super) fn detects(&self) -> bool {
+        self.interactions().any(Interaction::detects)
     }
 
     /// Contact detection: gaps, forces, and the time steps that they allow.
     pub(super) fn detect_contact(&mut self) -> Result<(), StepError> {
-        if self.finds() {
+        if self.detects() {
             let free_step = self.free_step();
             let mut found = Ok(());
             self.each(|one, view| {
                 if found.is_ok() {
-                    found = one.find(view, free_step);
+                    found = one.detect(view, free_step);
                 }
             });
             found.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
@@ -198,8 +198,8 @@ impl Simulation {
 
     /// Moves the boundaries of interactions with the velocities after the equation of motion.
     pub(super) fn move_boundaries(&mut self, nodal: &NodalConditions, drift: &Drift) {
-        if self.finds() {
-            self.each(|one, view| one.advance(view, nodal, drift));
+        if self.detects() {
+            self.each(|one, view| one.move_boundaries(view, nodal, drift));
             self.work.phase_timer.end(Phase::Contact);
         }
     }

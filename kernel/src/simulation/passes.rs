@@ -2,7 +2,6 @@
 
 use super::Simulation;
 use super::conditions::load_on;
-use super::fields::Slab;
 use super::interactions::{Interaction, Interactions, SlabParts, in_turn, on_slabs};
 use super::mapping::{fold, particle_to_grid};
 use super::motion::{SlabInteractions, solve, solve_mapped, solve_remapped, sums_after, total};
@@ -104,7 +103,7 @@ impl Simulation {
     /// Whether P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
     /// Elsewhere one visit of each slab does both.
     pub(super) fn has_separate_p2g(&self) -> bool {
-        self.finds() || self.model.conditions.iter().any(|one| one.finds())
+        self.detects() || self.model.conditions.iter().any(|one| one.reads_masses())
     }
 
     /// P2G: mass, momentum and force to the nodes of all fields.
@@ -160,8 +159,8 @@ impl Simulation {
         with_p2g: bool,
     ) -> Result<usize, StepError> {
         for one in &mut self.work.interactions {
-            one.load(&mut self.work.grid, &self.model.scene);
-            if one.finds() {
+            one.add_forces(&mut self.work.grid, &self.model.scene);
+            if one.detects() {
                 self.work.phase_timer.end(Phase::Contact);
             }
         }

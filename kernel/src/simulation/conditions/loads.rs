@@ -56,14 +56,14 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
 
 impl Condition for NodalLoads {
     /// Loads of nothing act on no node, however light it is.
-    fn finds(&self) -> bool {
+    fn reads_masses(&self) -> bool {
         let acts = |load: &NodeForce| load.force != [0.0; 3];
         !self.changing.is_empty() || self.steady.iter().any(acts)
     }
 
     /// Those that change, at the middle of the kick; those on nodes that are nearly empty, as the nodes around bear them.
     fn prescribe(&self, view: &StepView<'_>, nodal: &mut NodalConditions) {
-        if !self.finds() {
+        if !self.reads_masses() {
             return;
         }
         let masses = Masses::of(view);

@@ -21,7 +21,7 @@ use std::sync::Arc;
 pub trait Condition: Send + Sync {
     /// Whether [`Condition::prescribe`] looks at the masses of the nodes: mapping and equation of motion take two visits of the
     /// slabs then.
-    fn finds(&self) -> bool {
+    fn reads_masses(&self) -> bool {
         false
     }
 

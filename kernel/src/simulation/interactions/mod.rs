@@ -18,9 +18,9 @@ use std::any::Any;
 /// An interaction between velocity fields, or between them and rigid obstacles.
 ///
 /// A step calls it in this order: [`Interaction::sorted`], [`Interaction::owners`] and [`Interaction::fields_given`] after a
-/// sort; [`Interaction::find`] between the mapping and the choice of the time step; [`Interaction::load`] before the
+/// sort; [`Interaction::detect`] between the mapping and the choice of the time step; [`Interaction::add_forces`] before the
 /// equation of motion; slab by slab [`SlabInteraction`] within it; [`Interaction::settle`] when all slabs are done;
-/// [`Interaction::advance`] once it is known how far positions move; [`SlabInteraction::correct_remapped`] and
+/// [`Interaction::move_boundaries`] once it is known how far positions move; [`SlabInteraction::correct_remapped`] and
 /// [`Interaction::settle_remapped`] where velocities are mapped a second time.
 ///
 /// Slabs are visited at once by several threads, and their number must not change a result: sums go to the planes of a
@@ -61,8 +61,8 @@ pub trait Interaction: Any + Send + Sync {
     /// The motion of a body, by its place in the scene, is now prescribed in another way, or no longer.
     fn motion_changed(&mut self, _view: &StepView<'_>, _body: usize) {}
 
-    /// Whether [`Interaction::find`] is to be called: mapping and equation of motion take two visits of the slabs then.
-    fn finds(&self) -> bool {
+    /// Whether [`Interaction::detect`] is to be called: mapping and equation of motion take two visits of the slabs then.
+    fn detects(&self) -> bool {
         false
     }
 
@@ -71,7 +71,7 @@ pub trait Interaction: Any + Send + Sync {
     ///
     /// # Errors
     /// Where the step cannot go on.
-    fn find(&mut self, _view: &StepView<'_>, _free_step: f64) -> Result<(), InteractionError> {
+    fn detect(&mut self, _view: &StepView<'_>, _free_step: f64) -> Result<(), InteractionError> {
         Ok(())
     }
 
@@ -89,12 +89,12 @@ pub trait Interaction: Any + Send + Sync {
     ///
     /// # Errors
     /// What would.
-    fn refuse_leaps(&self, _view: &StepView<'_>, _dt: f64) -> Result<(), InteractionError> {
+    fn check_time_step(&self, _view: &StepView<'_>, _dt: f64) -> Result<(), InteractionError> {
         Ok(())
     }
 
     /// Adds forces to those at the nodes.
-    fn load(&mut self, _grid: &mut Grid, _scene: &Scene) {}
+    fn add_forces(&mut self, _grid: &mut Grid, _scene: &Scene) {}
 
     /// Gives what acts on each slab of a visit, in their order; nothing where it acts on none.
     fn on_slabs<'a>(
@@ -135,8 +135,8 @@ pub trait Interaction: Any + Send + Sync {
         Ok(())
     }
 
-    /// Positions move; called where [`Interaction::finds`].
-    fn advance(&mut self, _view: &StepView<'_>, _nodal: &NodalConditions, _drift: &Drift) {}
+    /// Positions move; called where [`Interaction::detects`].
+    fn move_boundaries(&mut self, _view: &StepView<'_>, _nodal: &NodalConditions, _drift: &Drift) {}
 
     /// The coefficient of friction of a contact, by its identifier, is now another in the scene.
     fn friction_changed(&mut self, _scene: &Scene, _contact: i64) {}

@@ -226,7 +226,7 @@ impl Interaction for GridContact {
 
     /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
     /// other without sharing a node. Only a scene that allows unstable steps gets there.
-    fn refuse_leaps(&self, view: &StepView<'_>, dt: f64) -> Result<(), InteractionError> {
+    fn check_time_step(&self, view: &StepView<'_>, dt: f64) -> Result<(), InteractionError> {
         let h = view.scene.mesh.cell[..view.grid.shape.axes]
             .iter()
             .copied()

@@ -47,12 +47,12 @@ impl Interaction for MortarState {
         }
     }
 
-    fn finds(&self) -> bool {
+    fn detects(&self) -> bool {
         true
     }
 
     /// Weights of the vertices, gaps and forces, and the time step that they allow.
-    fn find(&mut self, view: &StepView<'_>, free_step: f64) -> Result<(), InteractionError> {
+    fn detect(&mut self, view: &StepView<'_>, free_step: f64) -> Result<(), InteractionError> {
         self.meet(view, free_step).map_err(Into::into)
     }
 
@@ -65,7 +65,7 @@ impl Interaction for MortarState {
     }
 
     /// Refuses a step in which a gap would close too far at the speed that it closes with now.
-    fn refuse_leaps(&self, view: &StepView<'_>, dt: f64) -> Result<(), InteractionError> {
+    fn check_time_step(&self, view: &StepView<'_>, dt: f64) -> Result<(), InteractionError> {
         let origin = view.origin();
         let in_space = || self.space.closing_too_fast(dt, &origin);
         let found = self.plane.closing_too_fast(dt, &origin).or_else(in_space);
@@ -73,7 +73,7 @@ impl Interaction for MortarState {
     }
 
     /// Adds the contact forces to those at the nodes (eq. 56).
-    fn load(&mut self, grid: &mut Grid, scene: &Scene) {
+    fn add_forces(&mut self, grid: &mut Grid, scene: &Scene) {
         let mirrors = Mirrors::of(scene);
         self.plane.load_nodes(grid, &mirrors);
         self.space.load_nodes(grid, &mirrors);
@@ -92,7 +92,7 @@ impl Interaction for MortarState {
     }
 
     /// Moves all vertices with the velocity after the solve (eq. 29, 30).
-    fn advance(&mut self, view: &StepView<'_>, nodal: &NodalConditions, drift: &Drift) {
+    fn move_boundaries(&mut self, view: &StepView<'_>, nodal: &NodalConditions, drift: &Drift) {
         let [_, half_step] = nodal.half_steps;
         self.plane.advance(view, drift, half_step);
         self.space.advance(view, drift, half_step);
