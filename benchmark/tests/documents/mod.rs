@@ -1,5 +1,4 @@
 //! What the documents say: their figures are those of the kept record, their commands exist, take their arguments and run.
-#![allow(missing_docs)]
 
 mod commands;
 mod figures;
