@@ -3,6 +3,7 @@
 mod commands;
 mod figures;
 mod found;
+mod scripts;
 
 use std::path::PathBuf;
 
