@@ -6,9 +6,7 @@ use crate::common::{
 };
 use crate::physics::mortar::{GAP, contact};
 use proctor_kernel::mortar::motion::Follow;
-use proctor_kernel::scene::{
-    BodyBoundary, Dimension, PlaneCondition, Scene, Shape, Vertices,
-};
+use proctor_kernel::scene::{BodyBoundary, Dimension, PlaneCondition, Scene, Shape, Vertices};
 use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation, StepErrorKind};
 use std::sync::Arc;
 
