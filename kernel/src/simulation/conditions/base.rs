@@ -42,7 +42,9 @@ fn of(scene: &Scene, _: &GridShape) -> Option<Made> {
 impl Condition for MovingBase {
     /// The plane is fixed to the base; the others move with the mesh.
     fn prescribe(&self, simulation: &Simulation, acting: &mut Acting) {
-        let Some(base) = &simulation.decided.base else { return };
+        let Some(base) = &simulation.decided.base else {
+            return;
+        };
         let [before, after] = acting.half_steps.map(|time| base.at(time));
         for wall in &mut acting.walls {
             wall.before = simulation.mesh_part(before);
@@ -67,7 +69,12 @@ impl Simulation {
     /// The part of a velocity of the base that the mesh takes part in: that along the normal of the base, so that
     /// the base stays on its plane of nodes however far it moves, and the plane opposite moves with it.
     fn mesh_part(&self, v: Vector) -> Vector {
-        let normal = self.decided.scene.base_motion.as_ref().map(|base| base.axis);
+        let normal = self
+            .decided
+            .scene
+            .base_motion
+            .as_ref()
+            .map(|base| base.axis);
         std::array::from_fn(|axis| if Some(axis) == normal { v[axis] } else { 0.0 })
     }
 

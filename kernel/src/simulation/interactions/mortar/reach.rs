@@ -143,7 +143,11 @@ impl<const D: usize> Reach<D> {
         for axis in 1..D - 1 {
             let (w, g) = &self.axes[axis];
             for (along, slope) in slopes.iter_mut().enumerate() {
-                *slope *= if along == axis { g[at[axis]] } else { w[at[axis]] };
+                *slope *= if along == axis {
+                    g[at[axis]]
+                } else {
+                    w[at[axis]]
+                };
             }
             weight *= w[at[axis]];
         }

@@ -108,7 +108,13 @@ impl<const D: usize> Tied<D> {
             found,
             ..
         } = lists;
-        team.fill(0..self.reached.len(), OfItem::Search, of, &[PointIn::zeros(); 2], found);
+        team.fill(
+            0..self.reached.len(),
+            OfItem::Search,
+            of,
+            &[PointIn::zeros(); 2],
+            found,
+        );
         for (k, list) in of_particles.iter_mut().enumerate() {
             list.clear();
             list.extend(found.iter().map(|sums| sums[k]));
@@ -346,7 +352,13 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
         tied.ties.displacements(set, &tied.places, displacements);
         let boundary = &self.boundary;
         let of = |vertex: usize| boundary.held(vertex, tied.ties.sum(vertex, displacements));
-        team.fill(0..self.start.len(), OfItem::Search, of, &PointIn::zeros(), &mut lists.ways);
+        team.fill(
+            0..self.start.len(),
+            OfItem::Search,
+            of,
+            &PointIn::zeros(),
+            &mut lists.ways,
+        );
         for (vertex, way) in lists.ways.iter().enumerate() {
             // Particles that were removed have no place.
             if way.iter().any(|x| x.is_nan()) {
@@ -371,7 +383,13 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
             let p = places[number].unwrap_or(0);
             Reach::of((set, p), &body.mapping, shape, &mirrors, stencil)
         };
-        team.fill(0..places.len(), OfItem::Search, reach, &Reach::NOWHERE, &mut tied.reached);
+        team.fill(
+            0..places.len(),
+            OfItem::Search,
+            reach,
+            &Reach::NOWHERE,
+            &mut tied.reached,
+        );
         let gravity: PointIn<D> = from_vector(&hosts.decided.scene.gravity);
         let lines = field.nodes.lines();
         // A plane that is fixed to a moving base mirrors velocities relative to it.
@@ -390,7 +408,13 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
             let a = gravity + tied.ties.sum(vertex, accelerations);
             [v, a * kick].map(|v| boundary.held(vertex, v))
         };
-        team.fill(0..self.start.len(), OfItem::Search, of, &[PointIn::zeros(); 2], &mut lists.found);
+        team.fill(
+            0..self.start.len(),
+            OfItem::Search,
+            of,
+            &[PointIn::zeros(); 2],
+            &mut lists.found,
+        );
         for (vertex, &[v, kick]) in lists.found.iter().enumerate() {
             self.velocity[vertex] = v;
             self.kick[vertex] = kick;
@@ -418,9 +442,21 @@ impl<B, const D: usize, const N: usize> Surface<B, D, N> {
             v * way.time - mesh
         };
         let [ways, _] = &mut tied.lists.of_particles;
-        team.fill(0..tied.reached.len(), OfItem::Search, of, &PointIn::zeros(), ways);
+        team.fill(
+            0..tied.reached.len(),
+            OfItem::Search,
+            of,
+            &PointIn::zeros(),
+            ways,
+        );
         let (boundary, ties) = (&self.boundary, &tied.ties);
         let moved = |vertex: usize| boundary.held(vertex, ties.sum(vertex, ways)) + mesh;
-        team.fill(0..self.start.len(), OfItem::Search, moved, &PointIn::zeros(), &mut self.moved);
+        team.fill(
+            0..self.start.len(),
+            OfItem::Search,
+            moved,
+            &PointIn::zeros(),
+            &mut self.moved,
+        );
     }
 }

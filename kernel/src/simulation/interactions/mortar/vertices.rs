@@ -74,7 +74,10 @@ impl Simulation {
         let state = self.mortar()?;
         let cells = &self.scene().mesh.cell[..self.plan().axes];
         let h = cells.iter().copied().fold(f64::INFINITY, f64::min);
-        let found = [state.plane.farthest_off(self), state.space.farthest_off(self)];
+        let found = [
+            state.plane.farthest_off(self),
+            state.space.farthest_off(self),
+        ];
         let found = found.into_iter().flatten().next();
         found.map(|(body, vertex, distance)| Drift {
             body,

@@ -134,7 +134,9 @@ impl<const D: usize> Spread<'_, D> {
             let (w, g) = reach.along_row();
             for row in &around.rows {
                 let first = reach.node(row);
-                let Some(nodes) = first.checked_sub(own).and_then(|at| lines.get_mut(at..at + N))
+                let Some(nodes) = first
+                    .checked_sub(own)
+                    .and_then(|at| lines.get_mut(at..at + N))
                 else {
                     continue;
                 };

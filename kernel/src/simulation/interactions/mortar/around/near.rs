@@ -31,8 +31,7 @@ impl Bases {
     pub(super) fn add(&mut self, node: [usize; 3], stencil: usize, shape: &GridShape) {
         let bases = shape.bases();
         let [i, j, k]: [Range<usize>; 3] = array::from_fn(|direction| {
-            node[direction].saturating_sub(stencil - 1)
-                ..(node[direction] + 1).min(bases[direction])
+            node[direction].saturating_sub(stencil - 1)..(node[direction] + 1).min(bases[direction])
         });
         for i in i {
             for j in j.clone() {
