@@ -203,7 +203,7 @@ impl Counter {
         let mut all: Vec<_> = results.into_iter().collect();
         all.sort_by_key(|(place, _)| *place);
         all.into_iter()
-            .map(|(_, count)| count.map_err(Into::into))
+            .map(|(_, count)| count.map_err(|error| error as Box<dyn Error>))
             .collect()
     }
 }
