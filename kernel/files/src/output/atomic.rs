@@ -172,7 +172,7 @@ fn check_writable(folder: &Path) -> io::Result<()> {
     probe.close()
 }
 
-/// Whether a name is one that [`OutputFolder`] and [`write`] give to a file until it is whole.
+/// True of the names that [`OutputFolder`] and [`fn@write`] give to files until they are whole.
 #[must_use]
 pub fn is_temporary(name: &str) -> bool {
     name.strip_prefix(TEMPORARY_PREFIX)
