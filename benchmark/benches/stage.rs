@@ -5,8 +5,10 @@
 #[path = "common/mod.rs"]
 mod common;
 
-use common::{WEIGHTINGS, moving};
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use common::{WEIGHTINGS, moving, within_minutes};
+use criterion::{
+    BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
+};
 use proctor_kernel::simulation::{Part, Simulation};
 use std::time::{Duration, Instant};
 
@@ -16,6 +18,7 @@ const WARM_UP: usize = 3;
 fn stages(c: &mut Criterion) {
     for part in Part::ALL {
         let mut group = c.benchmark_group(part.name());
+        group.sampling_mode(SamplingMode::Flat);
         for weighting in WEIGHTINGS {
             let (scene, options) = moving(weighting, "MUSL", "FLIP");
             let mut simulation = Simulation::new(&scene, &options).expect("a sound scene");
@@ -41,5 +44,9 @@ fn stages(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, stages);
+criterion_group! {
+    name = benches;
+    config = within_minutes();
+    targets = stages
+}
 criterion_main!(benches);

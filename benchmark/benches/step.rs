@@ -6,7 +6,7 @@
 #[path = "common/mod.rs"]
 mod common;
 
-use common::{WEIGHTINGS, moving};
+use common::{WEIGHTINGS, moving, within_minutes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
@@ -22,7 +22,7 @@ const METHODS: [(&str, &str); 5] = [
 
 fn steps(c: &mut Criterion) {
     let mut group = c.benchmark_group("step");
-    group.sampling_mode(SamplingMode::Flat).sample_size(10);
+    group.sampling_mode(SamplingMode::Flat);
     for weighting in WEIGHTINGS {
         for (scheme, transfer) in METHODS {
             let (scene, options) = moving(weighting, scheme, transfer);
@@ -46,5 +46,9 @@ fn steps(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, steps);
+criterion_group! {
+    name = benches;
+    config = within_minutes();
+    targets = steps
+}
 criterion_main!(benches);

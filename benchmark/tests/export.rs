@@ -1,5 +1,4 @@
 //! Records in the shapes of other tools, by their documentation; `scripts/check-exports` shows them to the tools.
-#![allow(missing_docs)]
 
 use proctor_benchmark::measure::Spent;
 use proctor_benchmark::record::export::{ExportError, Format, text};

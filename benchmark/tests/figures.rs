@@ -1,5 +1,4 @@
 //! Charts as structure: well-formed, readable without eyes, complete, nothing outside, nothing over an axis.
-#![allow(missing_docs)]
 
 use proctor_benchmark::show::chart::{
     Axis, Chart, Colour, Entry, Format, Mark, Point, Scale, Series, Strength, Stroke,

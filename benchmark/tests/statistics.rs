@@ -1,5 +1,4 @@
 //! Statistics against values of the literature and of SciPy 1.17.1.
-#![allow(missing_docs)]
 
 use proctor_benchmark::statistics::{Summary, mann_whitney, median, ratio_interval, signed_rank};
 

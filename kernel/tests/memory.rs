@@ -1,5 +1,4 @@
 //! What there is of memory, from files like those of Linux.
-#![allow(missing_docs)]
 
 use proctor_kernel::memory::{Memory, words};
 use std::fs;

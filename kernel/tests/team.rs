@@ -8,8 +8,6 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, ThreadId};
 
-mod common;
-
 /// More than is shared out at once.
 const MANY: usize = 100_000;
 
@@ -110,7 +108,7 @@ fn one_alone_is_the_caller() {
 
 #[test]
 fn a_small_scene_takes_one_thread_unless_more_are_asked_for() {
-    let scene = common::block(common::DIMENSIONS[0]);
+    let scene = crate::common::block(crate::common::DIMENSIONS[0]);
     let threads = |threads| {
         let options = Options {
             threads,

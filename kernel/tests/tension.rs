@@ -1,9 +1,6 @@
 //! Bodies in tension: they hold, or the run stops before they are torn and names the methods that hold.
 
-#[path = "common/mod.rs"]
-mod common;
-
-use common::{
+use crate::common::{
     APIC, DENSITY, DIMENSIONS, FLIP, NEVER, TPIC, body, cuboid, empty, material, run, simulation,
     simulation_from,
 };

@@ -1,85 +1,45 @@
 //! The cases, quick: they solve, their gates hold, and a wrong reference breaks the gates. The modules mirror
 //! `src/cases`.
 
-#[path = "cases/angular_momentum.rs"]
 mod angular_momentum;
-#[path = "cases/axis_aligned.rs"]
 mod axis_aligned;
-#[path = "cases/bar.rs"]
 mod bar;
-#[path = "cases/bar_energy.rs"]
 mod bar_energy;
-#[path = "cases/base_acceleration.rs"]
 mod base_acceleration;
-#[path = "cases/block_on_two_blocks.rs"]
 mod block_on_two_blocks;
-#[path = "cases/boussinesq.rs"]
 mod boussinesq;
-#[path = "cases/cantilever.rs"]
 mod cantilever;
-#[path = "cases/collapse.rs"]
 mod collapse;
-#[path = "cases/colliding_blocks.rs"]
 mod colliding_blocks;
-#[path = "cases/element.rs"]
 mod element;
-#[path = "cases/fluid.rs"]
 mod fluid;
-#[path = "cases/footing.rs"]
 mod footing;
-#[path = "cases/grains.rs"]
 mod grains;
-#[path = "cases/hertz.rs"]
 mod hertz;
-#[path = "cases/hertz_slab.rs"]
 mod hertz_slab;
-#[path = "cases/hertz_sphere.rs"]
 mod hertz_sphere;
-#[path = "cases/homogeneous.rs"]
 mod homogeneous;
-#[path = "cases/inclined_block.rs"]
 mod inclined_block;
-#[path = "cases/inclined_two_blocks.rs"]
 mod inclined_two_blocks;
-#[path = "cases/ironing.rs"]
 mod ironing;
-#[path = "cases/plastic_wave.rs"]
 mod plastic_wave;
-#[path = "cases/rings.rs"]
 mod rings;
-#[path = "cases/rolling_disk.rs"]
 mod rolling_disk;
-#[path = "cases/rolling_disk_slab.rs"]
 mod rolling_disk_slab;
-#[path = "cases/rotation.rs"]
 mod rotation;
-#[path = "cases/self_weight.rs"]
 mod self_weight;
-#[path = "cases/shear_and_turn.rs"]
 mod shear_and_turn;
-#[path = "cases/slipping_disk.rs"]
 mod slipping_disk;
-#[path = "cases/slope.rs"]
 mod slope;
-#[path = "cases/softening_bar.rs"]
 mod softening_bar;
-#[path = "cases/sphere_on_terrain.rs"]
 mod sphere_on_terrain;
-#[path = "cases/spin.rs"]
 mod spin;
-#[path = "cases/spinning_collision.rs"]
 mod spinning_collision;
-#[path = "cases/staggered_start.rs"]
 mod staggered_start;
-#[path = "cases/step_bar.rs"]
 mod step_bar;
-#[path = "cases/sudden_weight.rs"]
 mod sudden_weight;
-#[path = "cases/tilted_incline.rs"]
 mod tilted_incline;
-#[path = "cases/vortex.rs"]
 mod vortex;
-#[path = "cases/yielding_column.rs"]
 mod yielding_column;
 
 use proctor_kernel::simulation::Options;

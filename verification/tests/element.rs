@@ -1,5 +1,4 @@
 //! Paths of the laboratory against closed forms.
-#![allow(missing_docs)]
 
 use proctor_kernel::laws::{
     AnyLaw, Bingham, ConeMatch, DruckerPrager, EquationOfState, LinearElastic, MohrCoulomb,

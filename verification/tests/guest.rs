@@ -1,6 +1,5 @@
 //! Problems of the cases as other solvers run them: sound scenes in the words of scene files, and exact solutions that
 //! this kernel comes near.
-#![allow(missing_docs)]
 
 use proctor_files::json::{from_json, write};
 use proctor_kernel::scene::{Dimension, Mesh, OnImbalance, Scene, Vector};

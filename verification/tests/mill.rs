@@ -1,10 +1,7 @@
 //! The mill of manufactured solutions: its derivations, three fixed families, and faults that its gates must notice.
 
-#[path = "mill/derivation.rs"]
 mod derivation;
-#[path = "mill/families.rs"]
 mod families;
-#[path = "mill/faults.rs"]
 mod faults;
 
 use proctor_kernel::scene::{DomainUpdate, StressScheme, TransferKind, Weighting};

@@ -1,15 +1,12 @@
 //! Predicted and measured limits: against a laboratory of its own, against each other, and against what the kernel holds.
-#![allow(missing_docs)]
 
-#[path = "stability/extreme.rs"]
+mod arnoldi;
 mod extreme;
-#[path = "stability/laboratory.rs"]
+mod frozen;
 mod laboratory;
-#[path = "stability/limits.rs"]
 mod limits;
-#[path = "stability/scene.rs"]
+mod measured;
+mod nonlinear;
 mod scene;
-#[path = "stability/table.rs"]
 mod table;
-#[path = "stability/tension.rs"]
 mod tension;

@@ -1,9 +1,11 @@
 //! The scene that the timed benches share.
 
+use criterion::Criterion;
 use proctor_benchmark::bench::config::{Method, SceneChoice};
 use proctor_benchmark::bench::scenes;
 use proctor_kernel::scene::Scene;
 use proctor_kernel::simulation::Options;
+use std::time::Duration;
 
 pub const WEIGHTINGS: [&str; 4] = ["linear", "uGIMP", "cpGIMP", "quadratic_bspline"];
 
@@ -26,4 +28,12 @@ pub fn moving(weighting: &str, scheme: &str, transfer: &str) -> (Scene, Options)
         ..Options::default()
     };
     (scene, options)
+}
+
+/// How long a figure takes: all figures of both benches come within five minutes. Criterion's options set it otherwise.
+pub fn within_minutes() -> Criterion {
+    Criterion::default()
+        .sample_size(20)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_secs(2))
 }

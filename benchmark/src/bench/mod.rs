@@ -13,6 +13,7 @@ pub mod rows;
 mod sample;
 pub mod scenes;
 mod session;
+pub mod sources;
 pub mod tables;
 
 pub use plan::{Slot, slots};

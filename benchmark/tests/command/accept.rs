@@ -1,6 +1,6 @@
 //! `proctor accept`, and `proctor compare` with a ledger.
 
-use crate::support::{Desk, code, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, proctor, stderr, stdout};
 use serde_json::{Value, json};
 use std::fs;
 

@@ -1,6 +1,6 @@
 //! `proctor verify --resume` and `--failed`: what an earlier record lacks, or what failed in it.
 
-use crate::support::{Desk, code, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, proctor, stderr, stdout};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::Output;

@@ -1,6 +1,6 @@
 //! Whatever is handed to the command: exit code 0, 1 or 2, and a message where it is not 0.
 
-use crate::support::{Desk, flying_block, stderr};
+use crate::command::support::{Desk, flying_block, stderr};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::{Command, Output, Stdio};

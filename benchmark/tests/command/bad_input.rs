@@ -1,6 +1,6 @@
 //! Bad input gets a message that says where and what, exit code 2, and nothing is written.
 
-use crate::support::{Desk, code, column, fixture, flying_block, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, column, fixture, flying_block, proctor, stderr, stdout};
 use serde_json::json;
 use std::fs;
 

@@ -1,6 +1,6 @@
 //! `proctor bench`: tables, records, other solvers, exit codes.
 
-use crate::support::{Desk, code, command, fixture, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, command, fixture, proctor, stderr, stdout};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -415,7 +415,7 @@ fn a_scene_that_names_files_can_be_handed_over() {
 #[test]
 fn a_scene_that_does_not_go_with_a_method_is_told_at_its_place() {
     let desk = Desk::new();
-    let mut scene = crate::support::flying_block();
+    let mut scene = crate::command::support::flying_block();
     scene["shape_function"] = json!("cpGIMP");
     scene["domain_update"] = json!("stretch");
     let name = desk.scene("scene.json", &scene);

@@ -1,6 +1,6 @@
 //! Warnings of a plan and of a run, as a person and a program read them.
 
-use crate::support::{Desk, code, fixture, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, fixture, proctor, stderr, stdout};
 use serde_json::{Value, json};
 
 /// A soft elastic block that falls on a plane.

@@ -1,6 +1,6 @@
 //! `proctor compare`, `noise` and `export`.
 
-use crate::support::{Desk, code, command, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, command, proctor, stderr, stdout};
 use serde_json::{Value, json};
 use std::fs;
 use std::time::{Duration, Instant};

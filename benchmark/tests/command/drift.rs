@@ -1,6 +1,6 @@
 //! What a user is told of vertices of mortar contact that have left their body.
 
-use crate::support::{Desk, code, fixture, stderr, stdout};
+use crate::command::support::{Desk, code, fixture, stderr, stdout};
 use serde_json::{Value, json};
 use std::fs;
 

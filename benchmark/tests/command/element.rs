@@ -1,6 +1,6 @@
 //! `proctor element`: materials on the paths of the laboratory.
 
-use crate::support::{Desk, fixture, proctor, stderr, stdout};
+use crate::command::support::{Desk, fixture, proctor, stderr, stdout};
 use std::fs;
 
 const SCENE: &str = "fixtures/scenes/soil_element.json";

@@ -1,6 +1,6 @@
 //! The energy balance of a run as its user reads it, with work of bodies that are driven and with what contact stores.
 
-use crate::support::{Desk, code, fixture, stderr, stdout};
+use crate::command::support::{Desk, code, fixture, stderr, stdout};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,6 +1,6 @@
 //! A folder of results belongs to one run at a time, and holds the frames of one run.
 
-use crate::support::{Desk, code, column, command, flying_block, stderr};
+use crate::command::support::{Desk, code, column, command, flying_block, stderr};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::{Child, Stdio};

@@ -1,6 +1,6 @@
 //! `proctor verify --generated`.
 
-use crate::support::{Desk, code, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, proctor, stderr, stdout};
 use serde_json::Value;
 
 /// A few scenes: a table with every question, a verdict, a result; the scene of each violation is one that runs.

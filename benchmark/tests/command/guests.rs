@@ -1,6 +1,6 @@
 //! Other solvers: what they are handed, what is kept of them, and what the harness finds wrong with them.
 
-use crate::support::{Desk, code, fixture, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, fixture, proctor, stderr, stdout};
 use serde_json::{Value, json};
 use std::fs;
 

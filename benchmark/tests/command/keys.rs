@@ -1,6 +1,6 @@
 //! `proctor keys`: every key in a table, one in full, the nearest where there is none.
 
-use crate::support::{code, proctor, stderr, stdout};
+use crate::command::support::{code, proctor, stderr, stdout};
 
 #[test]
 fn all_keys_are_in_one_table_by_their_blocks() {

@@ -1,6 +1,6 @@
 //! What a few bytes of input ask for is refused before it is taken: exit code 2, both numbers, nothing written.
 
-use crate::support::{Desk, code, fixture, flying_block, stderr, stdout};
+use crate::command::support::{Desk, code, fixture, flying_block, stderr, stdout};
 use serde_json::{Value, json};
 use std::process::{Command, Output};
 
@@ -161,7 +161,7 @@ fn more_particles_in_a_cell_than_tell_anything_are_refused_with_their_place() {
         scene["particles_per_cell"] = json!(count);
         let scene = desk.scene("scene.json", &scene);
         for verb in ["plan", "run"] {
-            let output = crate::support::proctor(&[verb, &scene]);
+            let output = crate::command::support::proctor(&[verb, &scene]);
             let message = stderr(&output);
             assert_eq!(code(&output), 2, "{message}");
             let found = format!(
@@ -181,7 +181,7 @@ fn a_boundary_finer_than_the_grid_sees_is_refused_with_its_place() {
     let mut scene = flying_block();
     scene["body"][0]["boundary_segment"] = json!(1e-9);
     let scene = desk.scene("scene.json", &scene);
-    let output = crate::support::proctor(&["plan", &scene]);
+    let output = crate::command::support::proctor(&["plan", &scene]);
     let message = stderr(&output);
     assert_eq!(code(&output), 2, "{message}");
     assert!(
@@ -210,6 +210,6 @@ fn more_threads_than_a_machine_has_stacks_for_are_refused() {
         "bench.json",
         &json!({ "scenes": "rest-2d", "threads": [1, 1_000_000] }),
     );
-    let output = crate::support::proctor(&["bench", &config]);
+    let output = crate::command::support::proctor(&["bench", &config]);
     assert_eq!(code(&output), 2, "{}", stderr(&output));
 }

@@ -1,6 +1,6 @@
 //! `proctor verify mill`.
 
-use crate::support::{Desk, code, fixture, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, fixture, proctor, stderr, stdout};
 use serde_json::{Value, json};
 
 /// A problem that misses a gate: linear functions under a stress of the size of the stiffness.

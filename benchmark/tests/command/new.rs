@@ -1,6 +1,6 @@
 //! `proctor new`: scenes to start from that run as they are.
 
-use crate::support::{Desk, code, command, stderr, stdout};
+use crate::command::support::{Desk, code, command, stderr, stdout};
 use std::fs;
 use std::process::Output;
 

@@ -1,6 +1,6 @@
 //! A reader that goes away is no failure, and a message that nobody can read changes no exit code.
 
-use crate::support::{Desk, command, fixture, flying_block, leaving_block};
+use crate::command::support::{Desk, command, fixture, flying_block, leaving_block};
 use serde_json::json;
 use std::fs::File;
 use std::io::Read;

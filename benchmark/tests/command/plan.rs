@@ -1,6 +1,6 @@
 //! `proctor plan` and `proctor schema`.
 
-use crate::support::{code, fixture, proctor, stderr, stdout};
+use crate::command::support::{code, fixture, proctor, stderr, stdout};
 
 #[test]
 fn the_plan_says_what_is_kept_and_what_is_left_out() {

@@ -1,6 +1,6 @@
 //! `proctor report`: the page of a record, and of two.
 
-use crate::support::{Desk, code, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, proctor, stderr, stdout};
 use serde_json::{Value, json};
 use std::fs;
 

@@ -1,6 +1,6 @@
 //! A run cut in half and restarted ends in the same state as the whole run.
 
-use crate::support::{Desk, code, column, command, methods, stderr};
+use crate::command::support::{Desk, code, column, command, methods, stderr};
 use std::fs;
 use std::time::{Duration, Instant};
 

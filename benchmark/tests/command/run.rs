@@ -1,6 +1,6 @@
 //! What a run leaves behind, however it ends.
 
-use crate::support::{
+use crate::command::support::{
     Desk, code, column, command, fixture, flying_block, leaving_block, methods, proctor, stderr,
     stdout,
 };

@@ -1,6 +1,6 @@
 //! What CI says it left out, and the history of what is kept.
 
-use crate::support::{Desk, fixture};
+use crate::command::support::{Desk, fixture};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Materials that cannot be, and stresses at the start that a material does not bear: file, line, key, what was found and what
 //! is accepted, and exit code 2; what is doubtful is warned of.
 
-use crate::support::{Desk, code, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, proctor, stderr, stdout};
 use std::fs;
 
 /// A column with keys of its material, of its body and of the scene, each on a line of its own.

@@ -1,6 +1,6 @@
 //! `proctor stability`.
 
-use crate::support::{Desk, code, fixture, flying_block, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, fixture, flying_block, proctor, stderr, stdout};
 use serde_json::{Value, json};
 
 fn record(path: &str) -> Value {

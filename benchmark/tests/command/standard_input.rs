@@ -1,6 +1,6 @@
 //! A scene from standard input.
 
-use crate::support::{Desk, code, command, fixture, flying_block, stderr, stdout};
+use crate::command::support::{Desk, code, command, fixture, flying_block, stderr, stdout};
 use serde_json::json;
 use std::io::Write;
 use std::process::{Output, Stdio};

@@ -1,6 +1,6 @@
 //! What is seen on a terminal: a line per case, the verdict, colour beside symbols, and no PASS of what was interrupted.
 
-use crate::support::{Desk, code, command, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, command, proctor, stderr, stdout};
 use std::process::Output;
 
 const CASES: [&str; 3] = ["verify", "self-weight", "rotation"];

@@ -1,6 +1,6 @@
 //! How many threads may be asked for.
 
-use crate::support::{Desk, code, flying_block, proctor, stderr};
+use crate::command::support::{Desk, code, flying_block, proctor, stderr};
 use serde_json::json;
 
 fn processors() -> usize {

@@ -1,6 +1,6 @@
 //! `proctor verify`.
 
-use crate::support::{Desk, code, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, proctor, stderr, stdout};
 use serde_json::Value;
 
 #[test]

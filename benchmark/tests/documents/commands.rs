@@ -193,10 +193,7 @@ fn other(line: &str, words: &[String], desk: &Path) -> Result<(), String> {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match words[..] {
         ["cargo", "test", ref options @ ..] => targets(options),
-        ["cargo", "bench"] => ["step", "stage", "instructions"]
-            .into_iter()
-            .try_for_each(|name| exists(&format!("benchmark/benches/{name}.rs"))),
-        ["cargo", "bench", "--bench", name] => exists(&format!("benchmark/benches/{name}.rs")),
+        ["cargo", "bench", ref options @ ..] => benches(options),
         ["cargo", "build" | "clippy" | "doc" | "fmt" | "mutants", ..] => Ok(()),
         [
             "cargo",
@@ -242,42 +239,57 @@ fn other(line: &str, words: &[String], desk: &Path) -> Result<(), String> {
     }
 }
 
-/// Options of `cargo test` name a package and test binaries that there are, and words that are in names of tests.
+/// Options of `cargo bench` name a bench that there is, or are one of criterion's.
+fn benches(options: &[&str]) -> Result<(), String> {
+    match options {
+        [] | ["--", "--save-baseline", _] => Ok(()),
+        ["--bench", name, ..] => exists(&format!("benchmark/benches/{name}.rs"))
+            .or_else(|_| exists(&format!("benchmark/benches/{name}/main.rs"))),
+        _ => Err("nothing is known of these options".to_owned()),
+    }
+}
+
+/// Packages that have tests, and their folders.
+const TESTED: [(&str, &str); 4] = [
+    ("proctor-kernel", "kernel"),
+    ("proctor-files", "kernel/files"),
+    ("proctor-verification", "verification"),
+    ("proctor-benchmark", "benchmark"),
+];
+
+/// Options of `cargo test` name a package and a test program that there are, and then tests by their modules.
 fn targets(options: &[&str]) -> Result<(), String> {
-    let mut package = None;
-    let mut words = options.iter();
-    while let Some(word) = words.next() {
-        match *word {
+    let own = options.split(|word| *word == "--").next();
+    let mut own = own.unwrap_or_default().iter();
+    let mut folders: Vec<&str> = TESTED.iter().map(|(_, folder)| *folder).collect();
+    while let Some(&option) = own.next() {
+        let mut value = || own.next().ok_or(format!("{option} wants a name"));
+        match option {
             "-p" | "--package" => {
-                package = Some(match words.next() {
-                    Some(&"proctor-files") => "kernel/files",
-                    Some(&"proctor-geometry") => "kernel/geometry",
-                    Some(name) => name.strip_prefix("proctor-").ok_or("another package")?,
-                    None => return Err("no package".to_owned()),
-                });
+                let package = value()?;
+                folders = TESTED
+                    .iter()
+                    .filter(|(name, _)| name == package)
+                    .map(|(_, folder)| *folder)
+                    .collect();
+                if folders.is_empty() {
+                    return Err(format!("there is no package {package}"));
+                }
             }
             "--test" => {
-                let package = package.ok_or("a test binary without its package")?;
-                let name = words.next().ok_or("no test binary")?;
-                let one = format!("{package}/tests/{name}.rs");
-                let folder = format!("{package}/tests/{name}/main.rs");
-                exists(&one).or_else(|_| exists(&folder))?;
+                let name = value()?;
+                folders.retain(|folder| exists(&format!("{folder}/tests/{name}.rs")).is_ok());
+                if folders.is_empty() {
+                    return Err(format!("there is no test program {name}"));
+                }
             }
-            "--" => break,
-            option if option.starts_with("--") => {}
-            name => {
-                let package = package.ok_or("a name of tests without their package")?;
-                let is_in = |line: &str| {
-                    let function = line.trim_start().strip_prefix("fn ");
-                    function.is_some_and(|f| f.split('(').next().unwrap_or(f).contains(name))
-                };
-                let named = |path: &String| {
-                    let file = path.rsplit('/').next().unwrap_or_default();
-                    file.contains(name) || text_of(path).lines().any(is_in)
-                };
-                let files = super::files_below(&format!("{package}/tests"), &["rs"]);
-                if !files.iter().any(named) {
-                    return Err(format!("no test of {package} is named {name}"));
+            filter => {
+                let modules = filter.trim_end_matches("::").replace("::", "/");
+                let places = folders.iter().flat_map(|folder| {
+                    ["", ".rs", "/mod.rs"].map(|end| format!("{folder}/tests/{modules}{end}"))
+                });
+                if !places.into_iter().any(|place| root().join(place).exists()) {
+                    return Err(format!("there is no module {filter}"));
                 }
             }
         }
@@ -336,6 +348,11 @@ fn commands_that_there_are_not_are_found() {
         "proctor verify barr",
         "cargo run --release -- verify --fast",
         "cargo test -p proctor-benchmark --test judges",
+        "cargo test --test judges",
+        "cargo test --test kernel judge::",
+        "cargo test -p proctor-files --test kernel",
+        "cargo bench --bench instruction",
+        "cargo bench -- --save-baselines NAME",
         "cargo frobnicate",
         "cargo test -p proctor-kernel frobnication",
         "scripts/frobnicate",

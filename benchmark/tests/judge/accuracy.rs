@@ -1,6 +1,6 @@
 //! Errors, orders and counts.
 
-use crate::synthetic::{compare, of, record, steady, steady_with};
+use crate::judge::synthetic::{compare, of, record, steady, steady_with};
 use proctor_benchmark::judge::{CaseVerdict, Verdict};
 use proctor_benchmark::record::{Record, Row};
 

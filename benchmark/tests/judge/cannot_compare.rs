@@ -1,6 +1,6 @@
 //! Whatever cannot be compared is never green.
 
-use crate::synthetic::{compare, record, sample, steady, steady_with};
+use crate::judge::synthetic::{compare, record, sample, steady, steady_with};
 use proctor_benchmark::judge::{self, Comparison, Rules, Verdict, noise};
 use proctor_benchmark::record::{Record, Row};
 use serde_json::json;

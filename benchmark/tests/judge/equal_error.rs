@@ -1,6 +1,6 @@
 //! A gain in time that was paid for in accuracy.
 
-use crate::synthetic::{compare, of, record, steady_with};
+use crate::judge::synthetic::{compare, of, record, steady_with};
 use proctor_benchmark::judge::ledger::{Ledger, What};
 use proctor_benchmark::judge::{self, CaseVerdict, Comparison, Rules, equal_error};
 use proctor_benchmark::record::{Cases, LADDER, Record, Row};

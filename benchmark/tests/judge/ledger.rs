@@ -1,6 +1,6 @@
 //! Changes that were accepted, and the best value that a number ever had.
 
-use crate::synthetic::record;
+use crate::judge::synthetic::record;
 use proctor_benchmark::judge::ledger::{Ledger, Line, What};
 use proctor_benchmark::judge::{self, Comparison, Rules, Verdict};
 use proctor_benchmark::record::{Record, Row};

@@ -1,6 +1,6 @@
 //! Bands of noise.
 
-use crate::synthetic::{record, sample, steady};
+use crate::judge::synthetic::{record, sample, steady};
 use proctor_benchmark::judge::noise::{band, bands};
 use proctor_benchmark::record::{Cases, Record};
 use serde_json::json;

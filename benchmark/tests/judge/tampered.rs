@@ -1,6 +1,6 @@
 //! Copies of the kept record that somebody tampered with: none of them is fine.
 
-use crate::synthetic::record;
+use crate::judge::synthetic::record;
 use proctor_benchmark::judge::{self, CaseVerdict, Comparison, Rules, Verdict};
 use proctor_benchmark::record::{Kind, Meaning, Record, Row};
 use std::path::Path;

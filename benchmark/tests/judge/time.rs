@@ -1,6 +1,6 @@
 //! Time: no false alarm, and real losses found.
 
-use crate::synthetic::{Machine, compare, of, record, sample, steady};
+use crate::judge::synthetic::{Machine, compare, of, record, sample, steady};
 use proctor_benchmark::judge::time::Clock;
 use proctor_benchmark::judge::{self, CaseVerdict, Comparison, Rules, Verdict, noise};
 use proctor_benchmark::measure::Spent;

@@ -55,7 +55,11 @@ fn row() -> impl Strategy<Value = Row> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig {
+        cases: 64,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
     #[test]
     fn what_is_written_is_read(rows in prop::collection::vec(row(), 1..8)) {
         let mut record = Record::new(&Options::default());

@@ -1,9 +1,6 @@
 //! Keys of a scene file that are switched off, or zero: as if they were not there, bit by bit.
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
-
-use common::{options, run};
+use crate::common::{options, run};
 use proctor_files::json::from_json;
 use proctor_kernel::plan::{Plan, PlanEntry};
 use proctor_kernel::scene::Scene;

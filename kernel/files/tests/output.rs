@@ -1,26 +1,16 @@
 //! The files of a run: whole or not there, exact to the bit, and repaired after a kill.
 
-#[path = "output/caution.rs"]
+mod atomic;
 mod caution;
-#[path = "output/checkpoint.rs"]
 mod checkpoint;
-#[path = "output/contact.rs"]
 mod contact;
-#[path = "output/earlier.rs"]
 mod earlier;
-#[path = "output/folder.rs"]
 mod folder;
-#[path = "output/frames.rs"]
 mod frames;
-#[path = "output/history.rs"]
 mod history;
-#[path = "output/mortar.rs"]
 mod mortar;
-#[path = "output/summary.rs"]
 mod summary;
-#[path = "output/whole.rs"]
 mod whole;
-#[path = "output/yielding.rs"]
 mod yielding;
 
 use std::path::Path;

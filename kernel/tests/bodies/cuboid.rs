@@ -1,6 +1,6 @@
 //! Boxes and rectangles.
 
-use crate::support::{Setting, cases, points, settings};
+use crate::bodies::support::{Setting, cases, points, settings};
 use proctor_kernel::bodies::HalfLength;
 use proctor_kernel::scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! What cannot be filled, and what is said about it.
 
-use crate::support::Setting;
+use crate::bodies::support::Setting;
 use proctor_kernel::bodies::FillError;
 use proctor_kernel::scene::{ParticleSeed, Shape, Vector};
 use std::sync::Arc;

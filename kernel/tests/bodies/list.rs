@@ -1,6 +1,6 @@
 //! Particles given one by one.
 
-use crate::support::Setting;
+use crate::bodies::support::Setting;
 use proctor_kernel::bodies::HalfLength;
 use proctor_kernel::scene::{ParticleSeed, Shape};
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Polygons, flat and extruded.
 
-use crate::support::{Setting, cases, image, points, settings};
+use crate::bodies::support::{Setting, cases, image, points, settings};
 use proctor_kernel::scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! Spheres, discs, rings and cylinders.
 
-use crate::support::{Setting, cases, image, origins, settings};
+use crate::bodies::support::{Setting, cases, image, origins, settings};
 use proctor_kernel::scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! Sizes of shapes.
 
-use crate::support::Setting;
+use crate::bodies::support::Setting;
 use proctor_kernel::bodies::{expected, fill};
 use proctor_kernel::scene::{Dimension, ParticleSeed, Shape};
 use std::sync::Arc;

@@ -161,10 +161,8 @@ impl Setting {
 /// one run in two hundred would draw a centre that close to it, where the search and the body may differ.
 pub fn cases(cases: u32) -> ProptestConfig {
     ProptestConfig {
-        cases,
         rng_seed: RngSeed::Fixed(20),
-        failure_persistence: None,
-        ..ProptestConfig::default()
+        ..crate::common::cases(cases)
     }
 }
 

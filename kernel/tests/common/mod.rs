@@ -65,6 +65,12 @@ pub fn lanes() -> Vec<LaneChoice> {
         .collect()
 }
 
+/// The same, and lanes in plain Rust, which every machine has.
+pub fn all_lanes() -> Vec<Selected> {
+    let here = lanes().into_iter().filter_map(|c| Selected::new(c).ok());
+    here.chain([Selected::plain()]).collect()
+}
+
 /// Whether a light node of a linear function can throw particles about, whatever the time step.
 pub fn light_nodes_act(scene: &Scene) -> bool {
     let acts = scene.scheme == StressScheme::Usl || scene.transfer.kind != TransferKind::Flip;

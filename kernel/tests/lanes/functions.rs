@@ -1,6 +1,7 @@
 //! The cube root of lanes. The other functions are tested beside the laws that use them.
 
-use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Selected, functions};
+use crate::common::all_lanes;
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, functions};
 
 struct Root(f64);
 
@@ -13,14 +14,6 @@ impl Kernel for Root {
         functions::cbrt(B::Native::splat(self.0)).store(&mut all);
         all[0]
     }
-}
-
-fn all_lanes() -> Vec<Selected> {
-    [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
-        .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
-        .chain([Selected::plain()])
-        .collect()
 }
 
 /// The root of the library is rounded as the exact one is. This one has its bits, over all magnitudes, near 1, where the

@@ -1,6 +1,6 @@
 //! Softening that scales with the cell.
 
-use crate::support::{DENSITY, close};
+use crate::laws::support::{DENSITY, close};
 use proctor_kernel::laws::{AnyLaw, Band, MohrCoulomb, Point, Residual, Softening, VonMises};
 
 const YOUNG: f64 = 1.0e6;

@@ -1,7 +1,7 @@
 //! Where the work of a strain goes: stored, plastic, algorithmic.
 
-use crate::returned::laws;
-use crate::support::{DENSITY, first_order, numbers, shear, strain};
+use crate::laws::returned::laws;
+use crate::laws::support::{DENSITY, first_order, numbers, shear, strain};
 use proctor_kernel::laws::{AnyLaw, LinearElastic, Point, VonMises};
 
 const YOUNG: f64 = 100.0;

@@ -1,6 +1,6 @@
 //! Drucker-Prager against closed forms, and against Mohr-Coulomb where both agree.
 
-use crate::support::{DENSITY, close, numbers, point, shear, strain, uniaxial};
+use crate::laws::support::{DENSITY, close, numbers, point, shear, strain, uniaxial};
 use nalgebra::{Matrix3, Vector3};
 use proctor_kernel::laws::{AnyLaw, ConeMatch, DruckerPrager, Point};
 

@@ -1,6 +1,6 @@
 //! Fluids at a material point: a pressure that is a function of the volume, shear that follows its rate.
 
-use crate::support::{DENSITY, close, first_order, midpoint, numbers, point, strain, tensor};
+use crate::laws::support::{DENSITY, close, first_order, midpoint, numbers, point, strain, tensor};
 use nalgebra::Matrix3;
 use proctor_kernel::laws::{
     AnyLaw, Bingham, EquationOfState, Newtonian, Particle, Point, UNDEFORMED,

@@ -1,6 +1,6 @@
 //! Soil that parts carries nothing until its volume is back.
 
-use crate::support::{DENSITY, close, numbers, point};
+use crate::laws::support::{DENSITY, close, numbers, point};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::{
     AnyLaw, ConeMatch, DruckerPrager, GAP, LinearElastic, MohrCoulomb, Particle, Point, Softening,

@@ -1,6 +1,6 @@
 //! Hencky's law against its energy, closed forms and the waves that it carries.
 
-use crate::support::{DENSITY, close, midpoint, numbers, point, shear, strain, uniaxial};
+use crate::laws::support::{DENSITY, close, midpoint, numbers, point, shear, strain, uniaxial};
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, Vector3};
 use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Selected};
 use proctor_kernel::laws::tensor::{Configuration, determinant};
@@ -56,7 +56,7 @@ fn of(axes: usize, f: Matrix3<f64>) -> (Matrix3<f64>, f64) {
     } else {
         lanes.run(Of::<3>(f))
     };
-    (crate::support::tensor(s), square)
+    (crate::laws::support::tensor(s), square)
 }
 
 /// Principal logarithmic strains, and their directions in columns.
@@ -184,7 +184,7 @@ fn small_strains_follow_hooke() {
     let exact = elastic.lambda * e.trace() * Matrix3::identity() + 2.0 * elastic.shear * e;
     let mut point = point(&LAW.into());
     point.step(&midpoint(&e), 1.0).expect("a finite stress");
-    let s = crate::support::tensor(point.stress());
+    let s = crate::laws::support::tensor(point.stress());
     assert!((s - exact).amax() < 2e-15, "{s} {exact}");
 }
 

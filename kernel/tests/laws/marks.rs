@@ -1,6 +1,6 @@
 //! Von Mises with a yield stress along straight lines between marks.
 
-use crate::support::{DENSITY, close, midpoint, numbers, point, strain, uniaxial};
+use crate::laws::support::{DENSITY, close, midpoint, numbers, point, strain, uniaxial};
 use nalgebra::Matrix3;
 use proctor_kernel::laws::{AnyLaw, Band, Point, VonMises};
 

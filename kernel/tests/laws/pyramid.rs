@@ -1,6 +1,6 @@
 //! Mohr-Coulomb and Tresca against closed forms, and against the conditions that define the return.
 
-use crate::support::{
+use crate::laws::support::{
     DENSITY, close, first_order, numbers, point, shear, strain, tensor, uniaxial,
 };
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};

@@ -12,8 +12,8 @@
 //! - the rate of softening is read as a whole number, and a tensile strength of 0 means another one without saying so:
 //!   `soils::materials_are_read_and_written_back` and the plan.
 
-use crate::returned::laws;
-use crate::support::{DENSITY, close, point, shear, strain, tensor};
+use crate::laws::returned::laws;
+use crate::laws::support::{DENSITY, close, point, shear, strain, tensor};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::laws::{

@@ -1,6 +1,6 @@
 //! What holds of every law with a yield surface, whatever its values.
 
-use crate::support::{DENSITY, midpoint, numbers, tensor};
+use crate::laws::support::{DENSITY, midpoint, numbers, tensor};
 use nalgebra::Matrix3;
 use proctor_kernel::laws::{
     AnyLaw, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, Point, Residual, Softening,

@@ -1,6 +1,6 @@
 //! Strength that falls with plastic strain.
 
-use crate::support::{DENSITY, close, first_order, point, shear, strain, tensor};
+use crate::laws::support::{DENSITY, close, first_order, point, shear, strain, tensor};
 use nalgebra::Matrix3;
 use proctor_kernel::laws::{AnyLaw, MohrCoulomb, Point, Residual, Softening};
 

@@ -1,8 +1,9 @@
 //! Principal values and directions, also where values are equal, and functions of lanes against those of a library.
 
-use crate::support::{numbers, tensor};
+use crate::common::all_lanes;
+use crate::laws::support::{numbers, tensor};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Selected, functions};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected, functions};
 use proctor_kernel::laws::principal::spectrum;
 
 /// Values and squares of directions of a stress in the order of a law.
@@ -25,14 +26,6 @@ impl<const D: usize> Kernel for Of<D> {
         };
         (found.values.map(first), found.squares.map(|s| s.map(first)))
     }
-}
-
-fn all_lanes() -> Vec<Selected> {
-    [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
-        .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
-        .chain([Selected::plain()])
-        .collect()
 }
 
 /// Tensors with values that are apart, nearly equal, equal, and all of a scale.

@@ -1,6 +1,6 @@
 //! Von Mises against closed forms (Krieg and Krieg 1977, and by hand).
 
-use crate::support::{close, first_order, point, shear, strain, tensor, uniaxial};
+use crate::laws::support::{close, first_order, point, shear, strain, tensor, uniaxial};
 use nalgebra::{Matrix3, Vector3};
 use proctor_kernel::laws::{AnyLaw, Point, VonMises};
 

@@ -1,6 +1,6 @@
 //! The bound of the time step against frequencies that are known.
 
-use crate::support::point;
+use crate::mortar::support::point;
 use proctor_kernel::mortar::bound::{ClosingRate, NodalStiffness, SAFETY, allowed_approach};
 use proctor_kernel::mortar::pair::VertexContact;
 use proctor_kernel::weights::Family;

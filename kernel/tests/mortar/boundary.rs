@@ -1,6 +1,6 @@
 //! What is a boundary and what is not; normals and areas.
 
-use crate::support::{chain, moved, open, point};
+use crate::mortar::support::{chain, moved, open, point};
 use proctor_kernel::mortar::boundary::{Boundary, BoundaryError, BoundarySide};
 
 const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];

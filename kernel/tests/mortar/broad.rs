@@ -1,7 +1,7 @@
 //! The broad phase finds what a search through all pairs finds.
 
 use crate::common::cases;
-use crate::support::{moved, point};
+use crate::mortar::support::{moved, point};
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::broad::{Bounds, NearElements};
 use proctor_kernel::mortar::outline::outline;

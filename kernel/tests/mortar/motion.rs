@@ -1,6 +1,6 @@
 //! How vertices follow rotations and linear fields, in a full patch and beside empty nodes.
 
-use crate::support::point;
+use crate::mortar::support::point;
 use nalgebra::Matrix2;
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::motion::{FollowMode, NodalGradient, vertex_velocity};

@@ -1,6 +1,6 @@
 //! Boundaries in each other: crossing, contained, touching, apart.
 
-use crate::support::{moved, open, point};
+use crate::mortar::support::{moved, open, point};
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::outline::{distance_to_outline, outline};
 use proctor_kernel::mortar::overlap::{BoundaryOverlap, overlap};

@@ -1,36 +1,19 @@
 //! Forces of a pair: balance, patch test, friction, and what does not depend on the frame.
 
 use crate::common::cases;
-use crate::support::{at_rest, ceiling, floor, moved, point};
+use crate::mortar::space::support::{GC, KAPPA, law};
+use crate::mortar::support::{at_rest, ceiling, floor, moved, point};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::law::{Friction, NormalLaw};
+use proctor_kernel::mortar::law::NormalLaw;
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::mortar::pair::{
     PairForces, PairLaw, PairSurfaces, Slip, StepAhead, contact_forces, resultant,
 };
-use proctor_kernel::mortar::points::{Detection, MasterSearch};
+use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::Shape;
 use proptest::prelude::*;
 use std::ops::Range;
-
-const KAPPA: f64 = 1.0e4;
-const GC: f64 = 0.1;
-
-fn law(detection: Detection, mu: f64) -> PairLaw {
-    PairLaw {
-        normal: NormalLaw::barrier(KAPPA, GC),
-        friction: (mu > 0.0).then_some(Friction {
-            coefficient: mu,
-            stiffness: 1.0e6,
-        }),
-        detection,
-        search: MasterSearch {
-            reach: 0.3,
-            depth: 0.2,
-        },
-    }
-}
 
 fn forces(
     slave: &Boundary,

@@ -1,6 +1,6 @@
 //! Sites: where a boundary has normals.
 
-use crate::support::{at_rest, chain, floor, point};
+use crate::mortar::support::{at_rest, chain, floor, point};
 use proctor_kernel::mortar::boundary::{Boundary, BoundarySide};
 use proctor_kernel::mortar::law::{Friction, NormalLaw};
 use proctor_kernel::mortar::pair::{PairLaw, PairSurfaces, Slip, contact_forces};

@@ -1,7 +1,7 @@
 //! Augmented weights: partition of unity on the nodes with mass.
 
 use crate::common::cases;
-use crate::support::point;
+use crate::mortar::support::point;
 use proctor_kernel::mortar::weights::LostVertex;
 use proctor_kernel::weights::Family;
 use proctor_kernel::weights::{face_weights, vertex_weights};

@@ -1,7 +1,7 @@
 //! The energy balance closes: at one time, with the work of whoever moves a body, and by channel.
 
 use crate::common::{FLIP, SCHEMES, block, body, cuboid, empty, run_towards, simulation};
-use crate::mortar::collision;
+use crate::physics::mortar::collision;
 use proctor_kernel::laws::VonMises;
 use proctor_kernel::scene::{
     BaseMotion, Contact, ContactNormal, Damping, Dimension, History, Motion, Outside,

@@ -1,9 +1,9 @@
 //! Mortar contact beside contact on the grid and beside rigid surfaces.
 
 use crate::common::{APIC, FLIP, body, cuboid, momentum_scale, particles, run_towards, simulation};
-use crate::contact::pair;
-use crate::mortar::collision;
-use crate::mortar_space;
+use crate::physics::contact::pair;
+use crate::physics::mortar::collision;
+use crate::physics::mortar_space;
 use proctor_kernel::scene::{RigidSurface, Scene, StressScheme, Vector};
 use proctor_kernel::simulation::Simulation;
 use proctor_kernel::surface::Surface;

@@ -1,7 +1,7 @@
 //! The energy balance where it begins, and where the mesh moves.
 
 use crate::common::{SCHEMES, block, body, cuboid, empty, run_towards, simulation};
-use crate::mortar::{collision, contact, line, run_until};
+use crate::physics::mortar::{collision, contact, line, run_until};
 use proctor_kernel::scene::{
     BaseMotion, Dimension, History, Motion, PlaneCondition, Scene, StressScheme, Weighting,
 };

@@ -1,7 +1,7 @@
 //! Contact of more than two bodies, and with bodies whose motion is prescribed.
 
 use crate::common::{DIMENSIONS, NEVER, SCHEMES, body, cuboid, empty, particles, run, simulation};
-use crate::contact::{H, pair, two};
+use crate::physics::contact::{H, pair, two};
 use proctor_kernel::scene::{
     Damping, Dimension, History, PlaneCondition, PointLoad, Scene, StressScheme, Vector,
 };

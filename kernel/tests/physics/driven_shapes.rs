@@ -3,7 +3,7 @@
 use crate::common::{
     APIC, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
 };
-use crate::contact::pair;
+use crate::physics::contact::pair;
 use proctor_kernel::laws::Tresca;
 use proctor_kernel::scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,

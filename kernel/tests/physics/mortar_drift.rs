@@ -1,7 +1,7 @@
 //! Vertices of mortar contact stay on their body: a disc that a plane squeezes at once before it settles, and what drift is.
 
 use crate::common::{APIC, FLIP, body, cuboid, empty, material, options, run_towards, simulation};
-use crate::mortar::{boundary, collision, contact, disc, line};
+use crate::physics::mortar::{boundary, collision, contact, disc, line};
 use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};

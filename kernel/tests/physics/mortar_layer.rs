@@ -1,7 +1,7 @@
 //! The rows of particles behind a face that mortar contact presses on carry the pressure, wherever the face lies in its cell.
 
 use crate::common::{APIC, TPIC, body, cuboid, elastic, empty, material, simulation};
-use crate::mortar::{contact, line, run_until};
+use crate::physics::mortar::{contact, line, run_until};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::scene::{
     BodyBoundary, BoxLoad, Damping, Dimension, DomainUpdate, MortarContact, PlaneCondition,

@@ -2,7 +2,7 @@
 //! it shortens before it must.
 
 use crate::common::{body, cuboid, elastic, empty, material, options, simulation};
-use crate::mortar::{GAP, boundary, collision, contact, disc, line, plate};
+use crate::physics::mortar::{GAP, boundary, collision, contact, disc, line, plate};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::law::NormalLaw;

@@ -4,30 +4,11 @@ use crate::common::{
     APIC, IDENTITY, body, elastic, empty, material, momentum_scale, options, run_towards,
     simulation,
 };
+use crate::physics::mortar::{GAP, contact};
 use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
-    BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape, Vertices,
-};
-use proctor_kernel::simulation::{InitialState, MortarError, Options, SetupError, Simulation};
+use proctor_kernel::scene::{BodyBoundary, Dimension, PlaneCondition, Scene, Shape, Vertices};
+use proctor_kernel::simulation::{InitialState, Options, MortarError, SetupError, Simulation};
 use std::sync::Arc;
-
-const GAP: f64 = 0.04;
-
-fn contact(master: i64, slave: i64, friction: f64) -> MortarContact {
-    MortarContact {
-        name: "contact".into(),
-        id: 1,
-        master,
-        slave,
-        friction,
-        critical_gap: GAP,
-        normal_stiffness: 1.0e6,
-        tangential_stiffness: 1.0e7,
-        enforcement: Enforcement::Barrier,
-        detection: Detection::Mortar,
-    }
-}
 
 fn boundary(body: i64, follow: FollowMode) -> BodyBoundary {
     BodyBoundary {

@@ -1,8 +1,8 @@
 //! Mortar contact on a base that moves steadily: seen from the base, nothing has changed.
 
 use crate::common::simulation;
-use crate::mortar::{self, run_until};
-use crate::mortar_space;
+use crate::physics::mortar::{self, run_until};
+use crate::physics::mortar_space;
 use proctor_kernel::scene::{BaseMotion, History, Motion, PlaneCondition, Scene, TimeStep, Vector};
 use proctor_kernel::simulation::Simulation;
 

@@ -1,8 +1,8 @@
 //! Changes between the stages of one simulation.
 
 use crate::common::{block, run_towards, simulation};
-use crate::contact::{slope, until};
-use crate::mortar::{collision, run_until};
+use crate::physics::contact::{slope, until};
+use crate::physics::mortar::{collision, run_until};
 use proctor_kernel::scene::{Dimension, History};
 
 /// Settle the block on a held slope, then let it go.

@@ -1,7 +1,7 @@
 //! Bodies that move too far in a step to be seen by contact.
 
 use crate::common::{NEVER, SCHEMES, body, cuboid, empty, simulation};
-use crate::contact::{H, pair, still, two};
+use crate::physics::contact::{H, pair, still, two};
 use proctor_kernel::scene::Dimension;
 use proctor_kernel::simulation::Tunnelling;
 

@@ -7,7 +7,7 @@ use crate::common::{
     APIC, DIMENSIONS, FLIP, NEO_HOOKEAN, SCHEMES, WEIGHTINGS, body, calm, cuboid, empty, material,
     options, rough, run,
 };
-use crate::{contact, entry};
+use crate::plan::{contact, entry};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::scene::{

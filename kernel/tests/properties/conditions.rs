@@ -1,6 +1,6 @@
 //! A condition that a user adds acts as one of the scene does.
 
-use super::common::{SCHEMES, TRANSFERS, block, rough, run};
+use crate::common::{SCHEMES, TRANSFERS, block, rough, run};
 use proctor_kernel::prelude::*;
 use proctor_kernel::scene::HeldBox;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ impl Condition for Held {
 
 #[test]
 fn held_by_the_user_or_by_the_scene() {
-    for dimension in super::common::DIMENSIONS {
+    for dimension in crate::common::DIMENSIONS {
         let deep = if dimension == Dimension::Two {
             0.0
         } else {
@@ -97,7 +97,7 @@ fn pushed_by_the_user_or_by_gravity() {
         let at_end = |scene: &Scene, conditions: Vec<Arc<dyn Condition>>| {
             let options = Options {
                 conditions,
-                ..super::common::options()
+                ..crate::common::options()
             };
             let mut simulation = Simulation::new(scene, &options).expect("a sound scene");
             run(&mut simulation, 50);

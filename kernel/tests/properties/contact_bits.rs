@@ -1,7 +1,7 @@
 //! Equal bits of contact of every kind: whatever the number of threads and the lanes.
 
 use crate::common::{SCHEMES, TRANSFERS, WEIGHTINGS, lanes, options};
-use crate::touching::{Touching, touching};
+use crate::properties::touching::{Touching, touching};
 use proctor_kernel::lanes::LaneChoice;
 use proctor_kernel::scene::{StressScheme, Vector};
 use proctor_kernel::simulation::{Options, Simulation};

@@ -5,7 +5,7 @@ use crate::common::{
     DENSITY, DIMENSIONS, IDENTITY, NEVER, SCHEMES, TRANSFERS, WEIGHTINGS, body, calm, cases,
     cuboid, empty, options, run_towards,
 };
-use crate::touching::touching;
+use crate::properties::touching::touching;
 use proctor_kernel::scene::{
     BoxLoad, Dimension, HeldBox, ParticleSeed, PlaneCondition, PointLoad, Scene, Shape, Traction,
     Vector, Weighting,
@@ -187,7 +187,7 @@ fn moved(scene: &Scene, by: &Vector) -> Scene {
         shift(&mut held.p2);
     }
     for rigid in &mut scene.surfaces {
-        rigid.surface = Arc::new(crate::touching::moved(&rigid.surface, by));
+        rigid.surface = Arc::new(crate::properties::touching::moved(&rigid.surface, by));
     }
     scene
 }

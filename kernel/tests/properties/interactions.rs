@@ -1,6 +1,6 @@
 //! An interaction that a user adds acts in all schemes, on any number of threads, and is saved.
 
-use super::common::{DIMENSIONS, FLIP, SCHEMES, block, cuboid, options, rough, run};
+use crate::common::{DIMENSIONS, FLIP, SCHEMES, block, cuboid, options, rough, run};
 use proctor_kernel::prelude::*;
 use proctor_kernel::simulation::SavedArrays;
 

@@ -1,7 +1,7 @@
 //! A state that is saved and taken up again goes on with the same bits, and one of another scene is refused.
 
 use crate::common::{options, run, simulation};
-use crate::touching::{Touching, touching};
+use crate::properties::touching::{Touching, touching};
 use proctor_kernel::simulation::{Options, RestoreError, Saved, Simulation};
 
 /// Steps after the state was taken up, enough for a sort.

@@ -1,6 +1,6 @@
 //! Rigid surfaces beside contact between bodies, and bodies on surfaces that move.
 
-use crate::slide::start;
+use crate::surface::slide::start;
 use proctor_kernel::laws::LinearElastic;
 use proctor_kernel::scene::{
     Body, Contact, ContactNormal, Dimension, History, InitialStress, Material, Mesh, RigidSurface,

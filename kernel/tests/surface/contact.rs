@@ -1,7 +1,7 @@
 //! Contact with rigid surfaces in the cycle.
 
-use crate::slide::{raise, start};
-use crate::slope::{GRAVITY, H, Slope, dot};
+use crate::surface::slide::{raise, start};
+use crate::surface::slope::{GRAVITY, H, Slope, dot};
 use proctor_kernel::plan::{Plan, PlanOptions};
 use proctor_kernel::scene::{Damping, History, StressScheme, Transfer, TransferKind};
 use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, SurfaceContactError};

@@ -1,7 +1,7 @@
 //! The penalty force of a rigid surface.
 
-use crate::slide::{raise, start};
-use crate::slope::{H, Slope, dot};
+use crate::surface::slide::{raise, start};
+use crate::surface::slope::{H, Slope, dot};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::scene::{Scene, StressScheme};
 use proctor_kernel::stage::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};

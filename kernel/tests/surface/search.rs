@@ -51,7 +51,7 @@ fn to_box(x: &Point, size: &[f64; 3]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
 
     #[test]
     fn the_tree_finds_what_brute_force_finds(

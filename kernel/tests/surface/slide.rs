@@ -1,6 +1,6 @@
 //! How the block on the slope slides, where it starts, and simulations of it.
 
-use crate::slope::Slope;
+use crate::surface::slope::Slope;
 use proctor_kernel::scene::{ParticleSeed, Scene, Shape};
 use proctor_kernel::simulation::{Options, Simulation};
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! A half of a body beside a plane of symmetry, on a surface that crosses the plane.
 
-use crate::slope::{H, Slope};
+use crate::surface::slope::{H, Slope};
 use proctor_kernel::scene::{
     Mesh, ParticleSeed, PlaneCondition, Scene, Shape, StressScheme, Vector, Weighting,
 };

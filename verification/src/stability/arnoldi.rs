@@ -113,6 +113,8 @@ fn pair(square: &DMatrix<f64>, value: f64, basis: &[Vec<f64>]) -> Pair {
     Pair { value, vector }
 }
 
+/// The product of two vectors.
+#[must_use]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -128,37 +130,11 @@ fn noise(size: usize) -> Vec<f64> {
 }
 
 /// A number from -1 to 1 that belongs to `seed` (splitmix64).
+#[must_use]
 pub fn uniform(seed: u64) -> f64 {
     let mut z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^= z >> 31;
     (z >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_largest_eigenvalue_of_a_chain() {
-        // Masses on springs between two walls: 2 - 2 cos(pi n/(n+1)).
-        let n = 40;
-        let chain = |x: &[f64]| {
-            let at = |i: usize| x.get(i).copied().unwrap_or(0.0);
-            Ok((0..n)
-                .map(|i| 2.0 * x[i] - at(i + 1) - at(i.wrapping_sub(1)))
-                .collect())
-        };
-        let found = largest(n, n, chain).expect("an eigenvalue").expect("one");
-        let exact = 2.0 - 2.0 * (std::f64::consts::PI * 40.0 / 41.0).cos();
-        assert!((found.value - exact).abs() < 1e-6 * exact, "{found:?}");
-        assert!(dot(&found.vector, &found.vector) > 0.999);
-    }
-
-    #[test]
-    fn a_map_that_gives_nothing_has_none() {
-        let none = largest(10, 5, |x| Ok(vec![0.0; x.len()]));
-        assert!(none.expect("no error").is_none());
-    }
 }

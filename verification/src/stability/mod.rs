@@ -9,10 +9,10 @@
 //!
 //! A Courant number is c dt / min(h), c the speed of the fastest wave at rest.
 
-mod arnoldi;
+pub mod arnoldi;
 pub mod block;
 pub mod extreme;
-mod frozen;
+pub mod frozen;
 pub mod map;
 pub mod measured;
 pub mod nonlinear;

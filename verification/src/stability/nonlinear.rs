@@ -3,7 +3,7 @@
 //! Nothing is predicted here. The kernel's own step is held against a run with half of it, and the steps at which energy
 //! begins to come from nowhere are closed in on.
 
-mod scenes;
+pub mod scenes;
 
 use proctor_kernel::scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
@@ -297,49 +297,7 @@ fn run(
 }
 
 /// Kinetic and strain energy, and what contact stores \[J\].
-fn energy(simulation: &Simulation) -> f64 {
+#[must_use]
+pub fn energy(simulation: &Simulation) -> f64 {
     simulation.kinetic_energy() + simulation.strain_energy() + simulation.mortar_energy()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proctor_kernel::simulation::Bound;
-
-    fn start(set: fn() -> Set) -> (Simulation, f64) {
-        let Set {
-            mut scene,
-            initial,
-            time,
-        } = set();
-        Settings::new(Method::DEFAULT).apply(&mut scene);
-        scene.time = time;
-        let options = Options {
-            threads: Some(1),
-            initial,
-            ..Options::default()
-        };
-        (scene.simulate(&options).expect("a simulation"), time)
-    }
-
-    /// Without this they would be rows of elasticity.
-    #[test]
-    fn laws_that_yield_do_so() {
-        for set in [scenes::von_mises, scenes::mohr_coulomb] {
-            let (mut simulation, time) = start(set);
-            let begin = energy(&simulation);
-            while simulation.time() < 0.1 * time {
-                simulation.step(time).expect("a step");
-            }
-            let share = simulation.plastic_work() / begin;
-            assert!((0.5..1.0).contains(&share), "{share} of the energy");
-        }
-    }
-
-    #[test]
-    fn viscosity_bounds_the_step_of_the_fluid() {
-        let (mut simulation, time) = start(scenes::newtonian);
-        let info = simulation.step(time).expect("a step");
-        assert_eq!(info.bound, Bound::Viscosity);
-    }
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::derivative;
 use approx::assert_relative_eq;
 use proctor_verification::exact::axis_aligned_mms::{AxisAlignedMms, Law};
 
@@ -24,11 +25,6 @@ fn nominal<const D: usize>(s: &AxisAlignedMms<D>, x: [f64; D], t: f64) -> [f64; 
     let j: f64 = f.iter().product();
     let sigma = s.stress(x, t);
     std::array::from_fn(|i| sigma[i] * j / f[i])
-}
-
-/// Derivative by central differences of fourth order.
-fn derivative(f: impl Fn(f64) -> f64, h: f64) -> f64 {
-    (f(-2.0 * h) - 8.0 * f(-h) + 8.0 * f(h) - f(2.0 * h)) / (12.0 * h)
 }
 
 fn check_balance<const D: usize>(law: Law, wave_number: f64) {

@@ -1,8 +1,6 @@
 //! The box on rollers: tabulated values, limits and refusals; its fields and its two summations in the submodules.
 
-#[path = "boussinesq_box/balance.rs"]
 mod balance;
-#[path = "boussinesq_box/summation.rs"]
 mod summation;
 
 use approx::assert_relative_eq;

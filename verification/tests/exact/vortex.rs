@@ -1,5 +1,6 @@
 //! The vortex against its balance of momentum, by finite differences, and what wrong signs leave in it.
 
+use super::derivative;
 use approx::assert_relative_eq;
 use proctor_verification::exact::vortex::{RADII, Vortex};
 
@@ -14,11 +15,6 @@ const LAMBDA: f64 = 600.0;
 /// Points and times away from zeros of the profile and of the sine.
 const POINTS: [[f64; 2]; 4] = [[0.8, 0.1], [-0.3, 0.9], [0.2, -1.1], [-0.7, -0.9]];
 const TIMES: [f64; 3] = [0.1, 0.37, 0.8];
-
-/// Derivative by central differences of fourth order.
-fn derivative(f: impl Fn(f64) -> f64, h: f64) -> f64 {
-    (f(-2.0 * h) - 8.0 * f(-h) + 8.0 * f(h) - f(2.0 * h)) / (12.0 * h)
-}
 
 /// Derivative along an axis of the initial position.
 fn along(f: impl Fn([f64; 2]) -> f64, x: [f64; 2], axis: usize) -> f64 {

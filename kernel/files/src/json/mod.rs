@@ -17,7 +17,7 @@ mod method;
 mod mortar;
 mod own;
 mod parse;
-mod position;
+pub mod position;
 mod shapes;
 mod source;
 mod surfaces;

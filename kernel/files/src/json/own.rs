@@ -7,10 +7,10 @@ use super::write::{NotWritten, SceneWriter, refuse, word, write};
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{BodyBoundary, Mortar, MortarContact, RigidLine, Scene, Vertices};
 
-/// The scene as a scene file of this program has it: as [`write`], and rigid lines, boundaries and mortar contact in the plane.
+/// The scene as a scene file of this program has it: as [`fn@write`], and rigid lines, boundaries and mortar contact in the plane.
 ///
 /// # Errors
-/// [`NotWritten`]: as [`write`] but for these; rigid surfaces of mortar contact, boundaries of triangles or of several
+/// [`NotWritten`]: as [`fn@write`] but for these; rigid surfaces of mortar contact, boundaries of triangles or of several
 /// polylines, and lines that move.
 pub fn write_own(scene: &Scene) -> Result<SceneWriter, NotWritten> {
     let mut plain = scene.clone();

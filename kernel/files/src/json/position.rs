@@ -7,7 +7,7 @@ use proctor_kernel::scene::Location;
 
 /// Place of a path in the text, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct SourceSpan {
+pub struct SourceSpan {
     /// Start of the key; of the value for entries of a list and for the whole.
     pub key: usize,
     /// Start of the value.
@@ -20,7 +20,8 @@ pub(super) struct SourceSpan {
 
 /// Finds `path`, written as in messages (`body.column.point_p1[2]`), in a text that is JSON at least up to there.
 /// Of equal keys the last is found. `None` if the text does not start as JSON.
-pub(super) fn find(text: &str, path: &str) -> Option<SourceSpan> {
+#[must_use]
+pub fn find(text: &str, path: &str) -> Option<SourceSpan> {
     let mut walk = Walk {
         text,
         at: 0,
@@ -43,7 +44,8 @@ pub(super) fn find(text: &str, path: &str) -> Option<SourceSpan> {
 }
 
 /// Line and column of a byte offset.
-pub(super) fn location(file: &str, text: &str, offset: usize) -> Location {
+#[must_use]
+pub fn location(file: &str, text: &str, offset: usize) -> Location {
     let before = &text[..floor(text, offset)];
     let line_start = before.rfind('\n').map_or(0, |at| at + 1);
     Location {
@@ -54,7 +56,8 @@ pub(super) fn location(file: &str, text: &str, offset: usize) -> Location {
 }
 
 /// Byte offset of a line and column as the JSON parser gives them: line from 1, column in bytes.
-pub(super) fn offset(text: &str, line: usize, column: usize) -> usize {
+#[must_use]
+pub fn offset(text: &str, line: usize, column: usize) -> usize {
     let start = match line {
         0 | 1 => 0,
         _ => text
@@ -202,53 +205,5 @@ impl Walk<'_> {
         }
         self.at += 1;
         serde_json::from_str(self.text.get(start..self.at)?).ok()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{find, location};
-
-    const TEXT: &str =
-        "{\n  \"a\": {\"é\": 1, \"b.c\": [10, {\"d\": \"x\\\"}\"}]},\n  \"a2\": true\n}";
-
-    fn shown(path: &str) -> (&str, usize, usize, bool) {
-        let place = find(TEXT, path).expect("JSON");
-        let at = location("f", TEXT, place.key);
-        (
-            &TEXT[place.value..place.end],
-            at.line,
-            at.column,
-            place.exact,
-        )
-    }
-
-    #[test]
-    fn paths_are_found() {
-        assert_eq!(shown("a.é"), ("1", 2, 9, true));
-        assert_eq!(shown("a.b.c[0]"), ("10", 2, 25, true));
-        assert_eq!(shown("a.b.c[1].d"), ("\"x\\\"}\"", 2, 30, true));
-        assert_eq!(shown("a2"), ("true", 3, 3, true));
-    }
-
-    #[test]
-    fn a_missing_path_gives_what_encloses_it() {
-        assert_eq!(shown("a.b.c[1].e"), ("{\"d\": \"x\\\"}\"}", 2, 29, false));
-        assert_eq!(shown("a.é.x"), ("1", 2, 9, false));
-        assert_eq!(shown("zzz"), (TEXT, 1, 1, false));
-    }
-
-    #[test]
-    fn the_last_of_equal_keys_is_found() {
-        let text = r#"{"a": 1, "a": 2}"#;
-        assert_eq!(find(text, "a").map(|p| p.key), Some(9));
-    }
-
-    #[test]
-    fn text_that_stops_being_json_gives_what_was_read() {
-        let text = r#"{"a": [1, "#;
-        assert_eq!(find(text, "a[0]").map(|p| (p.value, p.end)), Some((7, 8)));
-        assert_eq!(find("", "a"), None);
-        assert!(find(&"[".repeat(1_000_000), "").is_some());
     }
 }

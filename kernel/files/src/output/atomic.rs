@@ -172,29 +172,12 @@ fn check_writable(folder: &Path) -> io::Result<()> {
     probe.close()
 }
 
-fn is_temporary(name: &str) -> bool {
+/// True of the names that [`OutputFolder`] and [`fn@write`] give to files until they are whole.
+#[must_use]
+pub fn is_temporary(name: &str) -> bool {
     name.strip_prefix(TEMPORARY_PREFIX)
         .and_then(|rest| rest.strip_suffix(TEMPORARY_SUFFIX))
         .is_some_and(|random| {
             !random.is_empty() && random.bytes().all(|b| b.is_ascii_alphanumeric())
         })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_our_temporaries_are_recognised() {
-        assert!(is_temporary(".proctor-a8Xk2Q.tmp"));
-        for name in [
-            ".proctor-.tmp",
-            ".proctor-notes",
-            "proctor-a.tmp",
-            ".proctor-my file.tmp",
-            "x.proctor-a.tmp",
-        ] {
-            assert!(!is_temporary(name), "{name}");
-        }
-    }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use proctor_files::json::from_json;
 use proctor_kernel::scene::SceneError;
 
-use crate::bad_cases::{CASES, SOUND};
+use crate::scene::bad_cases::{CASES, SOUND};
 
 fn parse(text: &str) -> Result<(), SceneError> {
     from_json(text, "bad.json", Path::new("../../fixtures/records")).map(|_| ())

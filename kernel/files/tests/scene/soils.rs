@@ -1,6 +1,6 @@
 //! Materials that yield: their keys, what they are where a scene does not say, and what does not go together.
 
-use crate::written::back;
+use crate::scene::written::back;
 use proctor_files::json::from_json;
 use proctor_kernel::laws::{
     AnyLaw, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, ObjectiveRate, Residual,

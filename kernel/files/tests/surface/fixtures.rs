@@ -1,6 +1,6 @@
 //! The surfaces of the fixtures: made from formulas, byte for byte; and the scenes that use them.
 
-use crate::slope::{Slope, dot};
+use crate::surface::slope::{Slope, dot};
 use proctor_files::json::read;
 use proctor_files::stl;
 use proctor_kernel::scene::{Scene, StressScheme, Vector};

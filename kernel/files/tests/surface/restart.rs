@@ -1,6 +1,6 @@
 //! A run that is interrupted and goes on has the bits of one that is not.
 
-use crate::slope::Slope;
+use crate::surface::slope::Slope;
 use proctor_files::run::{Run, RunControl};
 use proctor_kernel::scene::{Results, Scene, StressScheme};
 use proctor_kernel::simulation::Options;

@@ -9,4 +9,4 @@ mod refine;
 mod ridges;
 mod skin;
 mod slab;
-mod support;
+pub mod support;

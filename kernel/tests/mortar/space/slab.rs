@@ -1,7 +1,7 @@
 //! A slab of one layer of triangles gives the numbers of the plane.
 
 use super::support::{GC, KAPPA, law};
-use crate::support::{ceiling, floor, point};
+use crate::mortar::support::{ceiling, floor, point};
 use proctor_kernel::mortar::Point as PlanePoint;
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::outline::outline;

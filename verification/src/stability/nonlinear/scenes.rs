@@ -43,7 +43,9 @@ const PENALTY: f64 = 1e3 * YOUNG;
 
 /// A scene with its state at the start.
 pub struct Set {
+    /// The scene.
     pub scene: Scene,
+    /// The state of its particles at the start, where it is not at rest.
     pub initial: Option<InitialField>,
     /// Time of the full run \[s\].
     pub time: f64,
@@ -91,18 +93,26 @@ fn spinning(x: &Vector) -> Vector {
     [-spin * (x[1] - CENTER), spin * (x[0] - CENTER), 0.0]
 }
 
+/// A neo-Hookean block that breathes by large strains.
+#[must_use]
 pub fn large_strain() -> Set {
     lone(NeoHookean::new(YOUNG, POISSON).into(), breathing, 200.0)
 }
 
+/// The same with the elastic law of Hughes and Winget.
+#[must_use]
 pub fn hypoelastic() -> Set {
     lone(elastic(), breathing, 200.0)
 }
 
+/// A block that spins, with the law of Hughes and Winget.
+#[must_use]
 pub fn rotation() -> Set {
     lone(elastic(), spinning, 200.0)
 }
 
+/// A block that spins, with Jaumann's forward rate.
+#[must_use]
 pub fn rotation_jaumann() -> Set {
     let law = LinearElastic::with_rate(YOUNG, POISSON, ObjectiveRate::JaumannForward);
     lone(law.into(), spinning, 200.0)
@@ -112,17 +122,23 @@ fn shearing(x: &Vector) -> Vector {
     [0.06 * (x[0] - CENTER), -0.06 * (x[1] - CENTER), 0.0]
 }
 
+/// A block of von Mises' law, sheared until it yields.
+#[must_use]
 pub fn von_mises() -> Set {
     let law = VonMises::new(YOUNG, POISSON, YIELD, 0.0);
     lone(law.into(), shearing, 200.0)
 }
 
+/// A block of Mohr-Coulomb's law, sheared until it yields.
+#[must_use]
 pub fn mohr_coulomb() -> Set {
     let [friction, dilation] = SOIL;
     let law = MohrCoulomb::new(YOUNG, POISSON, [friction, 0.5 * YIELD, dilation]);
     lone(law.into(), shearing, 200.0)
 }
 
+/// A viscous fluid that breathes.
+#[must_use]
 pub fn newtonian() -> Set {
     lone(Newtonian::new(BULK, VISCOSITY).into(), breathing, 200.0)
 }
@@ -138,6 +154,8 @@ fn pair() -> Scene {
     scene
 }
 
+/// Two bodies in contact on the grid.
+#[must_use]
 pub fn grid_contact() -> Set {
     let mut scene = pair();
     scene.contacts = vec![Contact {
@@ -189,14 +207,20 @@ fn mortar_pair(enforcement: Enforcement) -> Set {
     }
 }
 
+/// Two bodies in mortar contact by a barrier.
+#[must_use]
 pub fn mortar_barrier() -> Set {
     mortar_pair(Enforcement::Barrier)
 }
 
+/// Two bodies in mortar contact by a penalty.
+#[must_use]
 pub fn mortar_penalty() -> Set {
     mortar_pair(Enforcement::Penalty)
 }
 
+/// A body in mortar contact with a rigid line.
+#[must_use]
 pub fn mortar_line() -> Set {
     let mut scene = open(Dimension::Two, [12, 12, 1], elastic());
     let shape = cuboid([4.1, 2.6, 0.0], [8.1, 6.6, 0.0]);
@@ -253,14 +277,20 @@ fn on_triangles(penalty: Option<f64>) -> Set {
     }
 }
 
+/// A body on a rigid surface.
+#[must_use]
 pub fn rigid_surface() -> Set {
     on_triangles(None)
 }
 
+/// A body on a rigid surface by a penalty.
+#[must_use]
 pub fn rigid_penalty() -> Set {
     on_triangles(Some(PENALTY))
 }
 
+/// A body on a base that moves.
+#[must_use]
 pub fn moving_base() -> Set {
     let mut scene = open(Dimension::Two, [2, 12, 1], elastic());
     scene.mesh.planes[0] = [PlaneCondition::Sliding; 2];

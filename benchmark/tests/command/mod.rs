@@ -1,5 +1,4 @@
 //! The behaviour of the `proctor` command: exit codes, messages, files.
-#![allow(missing_docs)]
 
 mod accept;
 mod again;

@@ -1,15 +1,12 @@
 //! The plan's promises: what is left out does not exist and is not called; what does nothing changes no bit and
 //! costs no work.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod foreseen;
 mod nothing;
 mod steps;
 mod supported;
 
-use common::{
+use crate::common::{
     BLEND, DIMENSIONS, NEO_HOOKEAN, SCHEMES, WEIGHTINGS, block, body, cuboid, material, options,
     particles, rough, run,
 };
@@ -53,7 +50,7 @@ fn plain(dimension: Dimension) -> Scene {
 #[test]
 fn fields_that_are_left_out_do_not_exist() {
     for dimension in DIMENSIONS {
-        let simulation = common::simulation(&plain(dimension));
+        let simulation = crate::common::simulation(&plain(dimension));
         let set = &simulation.sets()[0];
         assert_eq!(set.columns.len(), bare(dimension.axes()));
         assert_eq!(
@@ -133,7 +130,7 @@ fn fields_that_are_kept_are_there_and_filled() {
     for (choose, name, columns) in cases {
         let mut scene = plain(Dimension::Three);
         choose(&mut scene);
-        let mut simulation = common::simulation(&scene);
+        let mut simulation = crate::common::simulation(&scene);
         assert!(entry(simulation.plan(), name).kept, "{name}");
         let set = &simulation.sets()[0];
         assert_eq!(set.columns.len(), bare(axes) + columns, "{name}");
@@ -197,7 +194,7 @@ fn stages_that_are_kept_act() {
         ),
     ];
     // The body fills the mesh, so that planes act.
-    let mut scene = common::empty(Dimension::Two, [6, 5, 1], 0.1);
+    let mut scene = crate::common::empty(Dimension::Two, [6, 5, 1], 0.1);
     scene.bodies = vec![body(1, cuboid([0.0; 3], [0.6, 0.5, 0.0]))];
     let without = after(&scene, &options());
     for (choose, name) in cases {
@@ -270,13 +267,13 @@ fn contact_of_bodies_that_never_meet_changes_no_bit() {
     for dimension in DIMENSIONS {
         for weighting in WEIGHTINGS {
             for scheme in SCHEMES {
-                let mut scene = common::empty(dimension, [24, 8, 7], 0.1);
+                let mut scene = crate::common::empty(dimension, [24, 8, 7], 0.1);
                 (scene.weighting, scene.scheme) = (weighting, scheme);
                 scene.bodies = vec![
                     body(1, cuboid([0.21, 0.22, 0.23], [0.61, 0.52, 0.53])),
                     body(2, cuboid([1.5, 0.22, 0.23], [1.9, 0.52, 0.53])),
                 ];
-                common::calm(&mut scene);
+                crate::common::calm(&mut scene);
                 let without = after(&scene, &options());
                 assert!(!entry(without.plan(), "contact").kept);
                 scene.contacts = vec![contact(2, 1)];
@@ -295,7 +292,7 @@ fn contact_of_bodies_that_never_meet_changes_no_bit() {
 
 #[test]
 fn only_bodies_near_a_partner_have_a_field_of_their_own() {
-    let mut scene = common::empty(Dimension::Two, [40, 8, 1], 0.1);
+    let mut scene = crate::common::empty(Dimension::Two, [40, 8, 1], 0.1);
     let at = |x: f64| cuboid([x, 0.2, 0.0], [x + 0.4, 0.5, 0.0]);
     scene.bodies = vec![
         body(1, at(0.2)),
@@ -310,7 +307,7 @@ fn only_bodies_near_a_partner_have_a_field_of_their_own() {
             ..contact(2, 3)
         },
     ];
-    let simulation = common::simulation(&scene);
+    let simulation = crate::common::simulation(&scene);
     // Bodies 3 and 4 touch, but are not a pair.
     assert_eq!(simulation.contact_layers(), 2);
     assert!(simulation.has_contact(2) && !simulation.has_contact(3));
@@ -329,7 +326,7 @@ fn contact_of_two_driven_bodies_is_left_out() {
         });
     }
     scene.contacts = vec![contact(1, 2)];
-    let simulation = common::simulation(&scene);
+    let simulation = crate::common::simulation(&scene);
     let entry = entry(simulation.plan(), "contact 4");
     assert!(!entry.kept && entry.because.contains("both bodies is prescribed"));
     assert_eq!(simulation.contact_layers(), 0);

@@ -1,8 +1,5 @@
 //! What simulations do: vibrate, settle, fall, push, break; and what they refuse.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod balance;
 mod bar;
 mod beside;

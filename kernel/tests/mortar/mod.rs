@@ -4,8 +4,6 @@
 mod bound;
 mod boundary;
 mod broad;
-#[path = "../common/mod.rs"]
-mod common;
 mod law;
 mod motion;
 mod outline;

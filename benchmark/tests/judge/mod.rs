@@ -1,5 +1,4 @@
 //! The judge, on records made by hand and by dice.
-#![allow(missing_docs)]
 
 mod accuracy;
 mod cannot_compare;

@@ -1,8 +1,5 @@
 //! What holds for every scene, whatever the weighting function, the scheme and the dimension.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod bits;
 mod conditions;
 mod conservation;

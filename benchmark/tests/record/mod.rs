@@ -1,5 +1,4 @@
 //! Records: what is written is what is read, and what is no record is refused with place and reason.
-#![allow(missing_docs)]
 
 mod context;
 mod foreign;

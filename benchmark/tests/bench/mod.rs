@@ -5,3 +5,4 @@ mod config;
 mod frames;
 mod peers;
 mod scenes;
+mod sources;

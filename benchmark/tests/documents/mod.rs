@@ -1,12 +1,12 @@
 //! What the documents say: their figures are those of the kept record, their commands exist, take their arguments and run,
 //! what they print of an output is in it, their links lead somewhere and their names are in the sources.
-#![allow(missing_docs)]
 
 mod commands;
 mod figures;
 mod found;
 mod links;
 mod names;
+mod scripts;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,0 +1,14 @@
+//! The tests of the verification in one program, so that the kernel is linked once.
+//!
+//! `cargo test --test verification cases::bar` runs those of one file.
+
+mod cases;
+mod convergence;
+mod element;
+mod exact;
+mod generated;
+mod guest;
+mod mill;
+mod sensitivity;
+mod stability;
+mod study;
