@@ -30,7 +30,7 @@ pub fn moving(weighting: &str, scheme: &str, transfer: &str) -> (Scene, Options)
     (scene, options)
 }
 
-/// How long a figure takes: all figures of both benches come within five minutes. Criterion's options set it otherwise.
+/// Time for a figure: all figures of both benches come within five minutes. Criterion's options set it otherwise.
 pub fn within_minutes() -> Criterion {
     Criterion::default()
         .sample_size(20)

@@ -58,7 +58,7 @@ struct Counter {
     folder: tempfile::TempDir,
 }
 
-/// What a run said.
+/// Output of a run.
 pub struct Count {
     instructions: u64,
     pub particles: u64,
@@ -109,7 +109,7 @@ impl Counter {
     }
 }
 
-/// What was counted now, and what was taken from the record of before.
+/// Counts of this run, and those taken from the earlier record.
 pub struct Counts {
     /// By the name of the item.
     pub counted: BTreeMap<String, Count>,

@@ -1,4 +1,4 @@
-//! What is counted: scenes, methods, parts of a step, laws, and features that do nothing.
+//! Counted items: scenes, methods, parts of a step, laws, and features that do nothing.
 
 use proctor_benchmark::bench::scenes;
 use proctor_kernel::simulation::Part;
@@ -7,7 +7,7 @@ use std::error::Error;
 
 /// Particles of a scene: enough that a step is the work on particles.
 const PARTICLES: usize = 8000;
-/// How scenes begin whose rows are those of laws.
+/// Start of the names of scenes whose rows are those of laws.
 const SLABS: &str = "slabs-";
 
 /// Something that is counted: a scene, and `step` or the part of a step that is played.

@@ -37,7 +37,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What was asked for.
+/// The request.
 #[derive(Default)]
 struct Asked {
     only_features: bool,

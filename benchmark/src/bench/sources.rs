@@ -221,7 +221,7 @@ impl Kept {
         self.0.insert(of.into(), digest.to_string());
     }
 
-    /// Whether a digest is that which is kept.
+    /// True if a digest is that which is kept.
     #[must_use]
     pub fn has(&self, of: &str, digest: Digest) -> bool {
         self.0

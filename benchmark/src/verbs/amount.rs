@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-/// How much of a judgement is printed.
+/// Verbosity of a judgement.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Amount {
     /// Print every run, every table, and every gate with its reason

@@ -1,4 +1,4 @@
-//! Which counts of instructions must be made again after a change of the sources.
+//! Counts of instructions that must be made again after a change of the sources.
 
 use proctor_benchmark::bench::sources::{Digest, Kept, Sources};
 use serde_json::{Value, json};
@@ -23,7 +23,7 @@ const FILES: [&str; 14] = [
     "kernel/files/src/json/mod.rs",
     "kernel/files/examples/counted.rs",
 ];
-/// How the scenes of the test are counted.
+/// Counting of the scenes of the test.
 const HOW: &str = "step 12";
 
 fn write(root: &Path, file: &str, text: &str) {

@@ -35,7 +35,7 @@ impl Printed {
     }
 }
 
-/// How a line of a document is read.
+/// Reading of a line of a document.
 #[derive(Clone, Copy)]
 enum Block {
     /// As prose, or as a command where it is indented.

@@ -1,4 +1,4 @@
-//! What the documents say: their figures are those of the kept record, their commands exist, take their arguments and run,
+//! Documents: their figures are those of the kept record, their commands exist, take their arguments and run,
 //! what they print of an output is in it, their links lead somewhere and their names are in the sources.
 
 mod commands;

@@ -62,7 +62,7 @@ fn is_path(word: &str) -> bool {
     plain && (in_sources || word.contains('/') && is_source(word))
 }
 
-/// Whether `proctor keys` has an answer for a word.
+/// True if `proctor keys` has an answer for a word.
 fn is_known(word: &str) -> bool {
     let mut command = Command::new(env!("CARGO_BIN_EXE_proctor"));
     let output = command.args(["keys", word]).output().expect("an answer");

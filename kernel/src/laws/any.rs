@@ -42,7 +42,7 @@ impl AnyLaw {
         self.0.pressed().map(Self)
     }
 
-    /// What strains particles by it.
+    /// Velocity that strains particles.
     pub(super) fn into_strain(self) -> Arc<dyn Strain> {
         self.0
     }

@@ -104,7 +104,7 @@ impl Simulation {
         self.each(Interaction::fields_given);
     }
 
-    /// Which fields share their velocity; `owners` have one each, after that of the phase.
+    /// Fields that share their velocity; `owners` have one each, after that of the phase.
     fn join_fields(&mut self, owners: &[usize]) {
         let number = |body: usize| {
             owners
@@ -135,7 +135,7 @@ impl Simulation {
         self.work.grid.joined = joined;
     }
 
-    /// Whether gaps and forces are sought between the mapping and the choice of the time step.
+    /// True if gaps and forces are sought between the mapping and the choice of the time step.
     pub(super) fn detects(&self) -> bool {
         self.interactions().any(Interaction::detects)
     }

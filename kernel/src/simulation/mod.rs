@@ -226,7 +226,7 @@ impl Simulation {
         self.model.lanes
     }
 
-    /// What happened so far.
+    /// Events so far.
     #[must_use]
     pub fn events(&self) -> &[Event] {
         &self.state.events

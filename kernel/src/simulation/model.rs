@@ -16,14 +16,14 @@ pub(crate) struct Model {
     pub(crate) lanes: Selected,
     /// The bodies, in the order of the scene.
     pub(crate) bodies: Vec<BodyRun>,
-    /// What acts at the nodes from outside; those of the user come last.
+    /// Conditions at the nodes; those of the user come last.
     pub(crate) conditions: Vec<Arc<dyn Condition>>,
     pub(crate) own_conditions: Vec<Arc<dyn Condition>>,
-    /// Whether the user has added conditions or interactions.
+    /// True if the user has added conditions or interactions.
     pub(crate) has_own: bool,
     pub(crate) base: Option<BaseVelocity>,
     pub(crate) body_force: Option<BodyForce>,
-    /// What box loads accelerate a particle by, at most \[m/s²\].
+    /// Largest acceleration of a particle by box loads \[m/s²\].
     pub(crate) load_acceleration: f64,
 }
 

@@ -31,7 +31,7 @@ fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usiz
 
 /// The parts of a simulation in a visit of the slabs.
 pub(super) struct VisitParts<'a> {
-    /// What the visit reads.
+    /// Input of the visit.
     pub(super) context: StepContext<'a>,
     /// The grid.
     pub(super) grid: &'a mut Grid,
@@ -100,7 +100,7 @@ impl Simulation {
         stale
     }
 
-    /// Whether P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
+    /// True if P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
     /// Elsewhere one visit of each slab does both.
     pub(super) fn has_separate_p2g(&self) -> bool {
         self.detects() || self.model.conditions.iter().any(|one| one.reads_masses())

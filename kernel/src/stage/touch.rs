@@ -282,7 +282,14 @@ impl SurfaceTouches {
         self.resolve(lanes, tolerance, most);
         let mut taken = 0.0;
         for node in &mut self.nodes {
-            let mut change = [0.0; 4];
+            // What no impulse moves keeps the velocity that it was given.
+            let mut change: [f64; 4] = std::array::from_fn(|axis| {
+                if node.mobility[axis] > 0.0 {
+                    0.0
+                } else {
+                    node.change[axis]
+                }
+            });
             for axis in 0..3 {
                 if let Some((dv, before)) = damped(node, axis) {
                     let unbalanced = dv + node.change[axis];

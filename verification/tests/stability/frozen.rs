@@ -1,4 +1,4 @@
-//! What a frozen scene is reduced to.
+//! Reductions of a frozen scene.
 
 use proctor_verification::stability::frozen::poisson;
 

@@ -131,7 +131,7 @@ pub struct SummaryEnergy {
     /// method. Negative where energy came from nowhere.
     #[serde(default, skip_serializing_if = "no_number")]
     pub remainder: Option<f64>,
-    /// What returns to yield surfaces leave of the work of the strain, which the remainder has; left out where no body yields.
+    /// Rest that returns to yield surfaces leave of the work of the strain, which the remainder has; left out where no body yields.
     #[serde(default, skip_serializing_if = "no_number")]
     pub algorithmic: Option<f64>,
 }
@@ -141,7 +141,7 @@ pub struct SummaryEnergy {
 pub struct YieldingBody {
     /// Identifier of the body.
     pub body: i64,
-    /// What its stress stores.
+    /// Energy that its stress stores.
     #[serde(default, skip_serializing_if = "no_number")]
     pub stored: Option<f64>,
     /// Plastic work.

@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// once by several threads, and their number must not change a result: what is done at a node may depend on that node
 /// alone. A body whose motion is prescribed has no equation of motion, and no condition is asked about its field.
 pub trait Condition: Send + Sync {
-    /// Whether [`Condition::prescribe`] looks at the masses of the nodes: mapping and equation of motion take two visits of the
+    /// True if [`Condition::prescribe`] looks at the masses of the nodes: mapping and equation of motion take two visits of the
     /// slabs then.
     fn reads_masses(&self) -> bool {
         false
@@ -56,7 +56,7 @@ pub struct NodalConditions {
     pub prescribed: Vec<Option<[Vector; 2]>>,
     /// Forces of loads on nodes that change with time, with those that do not, in order of the nodes \[N\].
     pub loads: Vec<NodeForce>,
-    /// Whether those are all that act in this step, in place of those that stay what they are.
+    /// True if those are all that act in this step, in place of those that stay what they are.
     pub(super) spread: bool,
     /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
     pub driven: Vec<DrivenNode>,
@@ -118,9 +118,9 @@ pub struct StepContext<'a> {
     pub(super) prescribed: &'a [Option<[Vector; 2]>],
     /// The second mapping that the velocities are of, if they are of one.
     pub(super) remap: Option<Remap>,
-    /// Whether kinetic energy and residual are measured.
+    /// True if kinetic energy and residual are measured.
     pub(super) measure: bool,
-    /// Whether velocities still change when all slabs are done, and sums are taken after that.
+    /// True if velocities still change when all slabs are done, and sums are taken after that.
     pub(super) settles: bool,
 }
 

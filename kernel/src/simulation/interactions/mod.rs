@@ -61,7 +61,7 @@ pub trait Interaction: Any + Send + Sync {
     /// The motion of a body, by its place in the scene, is now prescribed in another way, or no longer.
     fn motion_changed(&mut self, _view: &StepView<'_>, _body: usize) {}
 
-    /// Whether [`Interaction::detect`] is to be called: mapping and equation of motion take two visits of the slabs then.
+    /// True if [`Interaction::detect`] is to be called: mapping and equation of motion take two visits of the slabs then.
     fn detects(&self) -> bool {
         false
     }
@@ -105,7 +105,7 @@ pub trait Interaction: Any + Send + Sync {
     ) {
     }
 
-    /// Whether [`Interaction::settle`] changes velocities: the sums over the nodes are taken after it then.
+    /// True if [`Interaction::settle`] changes velocities: the sums over the nodes are taken after it then.
     fn settles(&self) -> bool {
         false
     }

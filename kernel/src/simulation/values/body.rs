@@ -21,7 +21,7 @@ pub struct BodyRun {
     pub domain_update: Option<DomainUpdate>,
     /// Its prescribed velocity, where it has one.
     pub motion: Option<History>,
-    /// Whether its motion has been prescribed since the start, so that its shape has only moved.
+    /// True if its motion has been prescribed since the start, so that its shape has only moved.
     pub keeps_shape: bool,
     /// Rate of viscous damping \[1/s\].
     pub viscous_rate: f64,

@@ -17,7 +17,7 @@ pub struct Clock {
     pub dt_critical: f64,
 }
 
-/// What decided the time step.
+/// Rule that decided the time step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
     /// The stability bound of the scheme, C min(h)/(c + |v|).
@@ -51,7 +51,7 @@ pub struct StepInfo {
     pub dt: f64,
     /// Critical time step \[s\].
     pub dt_critical: f64,
-    /// What decided the time step.
+    /// Rule that decided the time step.
     pub bound: Bound,
     /// Kinetic energy at the nodes \[J\] and norm of the unbalanced nodal forces \[N\], where measured.
     pub measured: Option<(f64, f64)>,
@@ -66,6 +66,6 @@ pub struct Drift {
     pub time: f64,
     /// Displacement increment of the mesh, to which positions are relative \[m\].
     pub mesh_shift: [f64; 3],
-    /// Whether velocities are set to zero after it.
+    /// True if velocities are set to zero after it.
     pub reset: bool,
 }

@@ -7,26 +7,26 @@ pub struct Energy {
     pub kinetic: f64,
     /// Strain energy.
     pub strain: f64,
-    /// What interactions store, such as the normal laws of mortar contact.
+    /// Energy that interactions store, such as the normal laws of mortar contact.
     pub contact: f64,
     /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
     pub external_work: f64,
-    /// What is missing: the energy of the start plus external work less what is there now. It is the sum of the six that
+    /// Missing energy: that of the start plus external work less what is there now. It is the sum of the six that
     /// follow.
     pub dissipated: f64,
-    /// What local, viscous and kinetic damping took.
+    /// Energy taken by local, viscous and kinetic damping.
     pub damping: f64,
-    /// What friction took, of contact on the grid and of rigid surfaces.
+    /// Energy taken by friction, of contact on the grid and of rigid surfaces.
     pub friction: f64,
-    /// What the same contacts took along their normals, where bodies meet: at a node they meet without bouncing.
+    /// Energy that the same contacts took along their normals, where bodies meet: at a node they meet without bouncing.
     pub impact: f64,
     /// Plastic work, and whatever else laws dissipate.
     pub plastic: f64,
-    /// What removed particles took along, and what had been dissipated in them.
+    /// Energy that left with removed particles, with what had been dissipated in them.
     pub removed: f64,
-    /// What no channel accounts for; negative where energy came from nowhere.
+    /// Energy that no channel accounts for; negative where energy came from nowhere.
     pub remainder: f64,
-    /// What returns to yield surfaces leave of the work of the strain of the particles that are there, stored and plastic work
+    /// Rest that returns to yield surfaces leave of the work of the strain of the particles that are there, stored and plastic work
     /// apart: see [`Law::algorithmic`](crate::laws::Law::algorithmic). It is no channel of its own: the remainder has it.
     pub algorithmic: f64,
 }
@@ -34,10 +34,10 @@ pub struct Energy {
 /// Where the work of the strain of a body that yields went \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyEnergy {
-    /// What its stress stores.
+    /// Energy that its stress stores.
     pub stored: f64,
     /// Plastic work, which never falls.
     pub plastic: f64,
-    /// What the finite step leaves of neither: see [`Law::algorithmic`](crate::laws::Law::algorithmic).
+    /// Rest of the finite step that is neither: see [`Law::algorithmic`](crate::laws::Law::algorithmic).
     pub algorithmic: f64,
 }

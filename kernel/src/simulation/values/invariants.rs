@@ -46,9 +46,9 @@ pub struct Violation {
     pub step: u64,
     /// Time \[s\].
     pub time: f64,
-    /// What was out of balance.
+    /// The invariant that is out of balance.
     pub reason: Invariant,
-    /// How far.
+    /// Its distance from balance.
     pub value: f64,
 }
 

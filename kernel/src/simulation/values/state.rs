@@ -20,7 +20,7 @@ pub struct State {
     /// Particle sets, one per body, in the order of the scene. The order of particles in a set decides in which order sums
     /// are formed.
     pub sets: Vec<ParticleSet>,
-    /// What the last step found in each set: the next time step is chosen by it.
+    /// Maxima over each set in the last step: the next time step is chosen by it.
     pub found: Vec<ParticleMaxima>,
     /// Step counter, time, and the time steps so far.
     pub clock: Clock,
@@ -36,9 +36,9 @@ pub struct State {
     pub kinetic: [f64; 2],
     /// The energy balance.
     pub ledger: EnergyLedger,
-    /// What happened so far.
+    /// Events so far.
     pub events: Vec<Event>,
-    /// What the balances were seen to do so far.
+    /// Extremes of the balances so far.
     pub invariants: InvariantMonitor,
     /// Largest deformations so far.
     pub extremes: Extremes,
@@ -55,13 +55,13 @@ pub struct EnergyLedger {
     pub dead_load_origin: f64,
     /// Kinetic and strain energy at the start, and from the first step on that of mortar contact \[J\].
     pub initial_energy: f64,
-    /// What damping took so far \[J\].
+    /// Energy taken by damping so far \[J\].
     pub damping: f64,
-    /// What friction of contact took so far \[J\].
+    /// Energy taken by friction of contact so far \[J\].
     pub friction: f64,
-    /// What contact took along its normal so far \[J\].
+    /// Energy that contact took along its normal so far \[J\].
     pub impact: f64,
-    /// What removed particles took along so far \[J\].
+    /// Energy that left with removed particles so far \[J\].
     pub removed: f64,
 }
 
@@ -73,7 +73,7 @@ pub type SavedArrays = Vec<(String, Vec<f64>)>;
 pub struct Saved {
     /// The state.
     pub state: State,
-    /// What each interaction remembers, in the order in which they act.
+    /// Saved arrays of each interaction, in the order in which they act.
     pub interactions: Vec<SavedArrays>,
 }
 
@@ -82,7 +82,7 @@ pub struct Saved {
 pub enum RestoreError {
     /// A list is longer or shorter than the scene makes it.
     Length {
-        /// Which one.
+        /// Its name or place.
         what: String,
         /// Values that the simulation has there.
         expected: usize,
@@ -91,7 +91,7 @@ pub enum RestoreError {
     },
     /// Particles of a body lie outside the mesh, or its layers are not those of so many particles.
     Places {
-        /// Which body, by its place in the scene.
+        /// Place of the body in the scene.
         body: usize,
         /// Particles that were saved.
         particles: usize,

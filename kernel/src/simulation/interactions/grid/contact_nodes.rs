@@ -38,9 +38,9 @@ pub(crate) struct ContactNodes {
 pub(crate) struct ContactNode {
     /// Index of the node in the grid.
     pub node: usize,
-    /// Which of [`ContactNodes::fields`] meet here.
+    /// Places in [`ContactNodes::fields`] of those that meet here.
     pub fields: Range<usize>,
-    /// Which of [`ContactNodes::touches`] meet here.
+    /// Places in [`ContactNodes::touches`] of those that meet here.
     pub touches: Range<usize>,
 }
 

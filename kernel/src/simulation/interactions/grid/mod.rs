@@ -392,19 +392,12 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
 
 /// True where the first body is driven and its shape acts on the second.
 ///
-/// Nodes do as well where a body stands still and ends on lines of the mesh. With MUSL they do it better: what rests on such a line
-/// has its end now before, now behind it, and the node behind comes and goes with each step. With USF, whose strain is that of
-/// velocities at the new positions, a block that a shape moves loses energy.
+/// With USF, whose strain is that of velocities at the new positions, a block that a shape moves loses energy: there nodes act.
 pub(super) fn acts_by_shape(scene: &Scene, bodies: &[BodyRun], pair: [usize; 2]) -> bool {
     let driven = pair[0];
-    let within = || bonds::ends_within_cells(scene, bodies, pair);
     bodies[driven].keeps_shape
         && !matches!(scene.bodies[driven].shape, Shape::Particles(_))
-        && match scene.scheme {
-            StressScheme::Usl => true,
-            StressScheme::Musl => !bonds::stands(bodies, driven) || within(),
-            StressScheme::Usf => bonds::stands(bodies, driven) && within(),
-        }
+        && (scene.scheme != StressScheme::Usf || bonds::stands(bodies, driven))
 }
 
 impl Simulation {

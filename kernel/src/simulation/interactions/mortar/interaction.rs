@@ -98,7 +98,7 @@ impl Interaction for MortarState {
         self.space.advance(view, drift, half_step);
     }
 
-    /// What the normal laws store.
+    /// Energy that the normal laws store.
     fn energy(&self) -> f64 {
         self.plane.energy() + self.space.energy()
     }

@@ -129,7 +129,7 @@ fn largest<const D: usize>(vectors: &[PointIn<D>]) -> f64 {
         .sqrt()
 }
 
-/// Whether vertices carried so stay on the material.
+/// True if vertices carried so stay on the material.
 pub(super) fn stays(carrier: &BoundaryCarrier) -> bool {
     let BoundaryCarrier::Body { follow, .. } = carrier else {
         return false;

@@ -23,7 +23,7 @@ pub(super) struct TiedParticles<const D: usize> {
     pub(super) ties: Arc<VertexTies<D>>,
     /// Where the tied particles are in their set.
     pub(super) places: Vec<Option<usize>>,
-    /// What they reach, as of the last mapping; empty where vertices follow otherwise.
+    /// Nodes that they reach, as of the last mapping; empty where vertices follow otherwise.
     pub(super) reached: Vec<StencilReach<D>>,
     /// Nodes of the stencil.
     pub(super) stencil: Vec<StencilNode<D>>,
@@ -50,7 +50,7 @@ pub(super) struct Stiffness<const D: usize> {
     /// The nodes that pressed vertices reach, and the weights of one vertex on them.
     pub(super) reached: Vec<usize>,
     pub(super) weights: Vec<PointIn<D>>,
-    /// Which of them one vertex has.
+    /// Those of one vertex.
     pub(super) touched: Vec<usize>,
     /// The sizes of the weights of each pressed vertex, by the places of the nodes.
     pub(super) sizes: Vec<(usize, f64)>,

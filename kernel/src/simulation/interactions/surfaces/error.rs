@@ -12,7 +12,7 @@ pub enum SurfaceContactError {
         particle: ParticleAt,
         /// Name of the surface.
         surface: String,
-        /// How far behind \[m\].
+        /// Distance behind it \[m\].
         depth: f64,
     },
     /// A particle would come closer to a rigid surface in one step than its distance threshold, and reach it.

@@ -3,6 +3,7 @@
 mod error;
 mod fields;
 mod gap;
+mod light_nodes;
 mod near_particles;
 mod nodes;
 mod obstacle;
@@ -436,6 +437,12 @@ fn touches(
             places.push(*place);
         }
     }
+    let velocity = |t: &TouchedNode| {
+        let line = &fields.lines(t.field)[t.node];
+        std::array::from_fn(|axis| line[lane + axis])
+    };
+    let of_surfaces = places.iter().map(|place| near.now[place.surface].velocity);
+    light_nodes::follow(touches, velocity, of_surfaces);
     Ok(())
 }
 

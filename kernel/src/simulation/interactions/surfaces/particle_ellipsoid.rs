@@ -7,7 +7,7 @@ use crate::simulation::step_view::StepView;
 use crate::simulation::values::BodyRun;
 use crate::surface::NearestPoint;
 
-/// How far the ellipsoid with these half-lengths reaches along a unit normal \[m\].
+/// Reach of the ellipsoid with these half-lengths along a unit normal \[m\].
 pub(super) fn reach(half: &Vector, normal: &Vector) -> f64 {
     length(&std::array::from_fn(|axis| half[axis] * normal[axis]))
 }
