@@ -7,7 +7,7 @@ use crate::common::{
 use crate::physics::mortar::{GAP, contact};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::scene::{BodyBoundary, Dimension, PlaneCondition, Scene, Shape, Vertices};
-use proctor_kernel::simulation::{InitialState, Options, MortarError, SetupError, Simulation};
+use proctor_kernel::simulation::{InitialState, MortarError, Options, SetupError, Simulation};
 use std::sync::Arc;
 
 fn boundary(body: i64, follow: FollowMode) -> BodyBoundary {
