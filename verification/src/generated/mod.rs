@@ -6,6 +6,7 @@
 //!
 //! Known limits of the method stay out of the scenes by construction; a comment at the choice has the reason.
 
+mod cause;
 mod change;
 mod column;
 mod compare;
@@ -22,6 +23,7 @@ mod pressed;
 mod seen;
 mod units;
 
+pub use cause::cause;
 pub use dice::Dice;
 pub use seen::{Particle, Seen};
 

@@ -136,9 +136,11 @@ impl Generated<'_> {
             (Err(error), _) => (error.clone(), None, None),
         };
         let file = scene_file(self.folder, &answer.scene)?;
+        let cause = generated::cause(self.seed, answer);
         Ok(json!({
             "question": answer.question.name, "holds": answer.question.holds, "number": answer.number,
             "what": what, "value": value, "bound": bound, "scene": file.ok().map(|p| p.display().to_string()),
+            "holds_with": cause,
         }))
     }
 }
@@ -218,6 +220,9 @@ fn told(found: &Value, out: &mut dyn Write) -> std::io::Result<()> {
     )?;
     if let (Some(value), Some(bound)) = (found["value"].as_f64(), found["bound"].as_f64()) {
         write!(out, " {value:.3e}, bound {bound:.3e}")?;
+    }
+    if let Some(cause) = found["holds_with"].as_str() {
+        write!(out, "; holds with {cause}")?;
     }
     match found["scene"].as_str() {
         Some(path) => writeln!(out, "; scene in {path}")?,

@@ -7,11 +7,8 @@ use crate::weights::ROUND_OFF;
 /// The support of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Support {
-    /// A driven body that stands still; in contact on the grid, or joined.
-    Driven {
-        /// Contact between the two is given.
-        contact: bool,
-    },
+    /// A driven body that stands still.
+    Driven,
     /// A rigid line in mortar contact.
     Line,
     /// A plane of the mesh.
@@ -147,10 +144,8 @@ fn support(
         let beside = |a: usize| a == axis || gap(bounds, &below, a) < -scene.mesh.tolerance(a);
         between.abs() < scene.mesh.tolerance(axis) && (0..axes).all(beside)
     };
-    if let Some(driven) = scene.bodies.iter().find(carries) {
-        let mut contacts = scene.contacts.iter();
-        let contact = contacts.any(|c| meet(c.master, c.slave, driven.id));
-        return Some(Support::Driven { contact });
+    if scene.bodies.iter().any(|other| carries(&other)) {
+        return Some(Support::Driven);
     }
     let lies = |contact: &crate::scene::MortarContact| {
         let mut lines = scene.mortar.lines.iter();
