@@ -35,6 +35,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(layer::layers_off(scene));
     all.extend(rows::uneven(scene));
     all.extend(light::on_lines(scene));
+    all.extend(light::at_sides(scene));
     all.extend(light::swings(scene));
     all.extend(strain::large_strain(scene));
     all.extend(super::tension::warnings(scene));

@@ -106,3 +106,11 @@ pub enum Damping {
         alpha: f64,
     },
 }
+
+impl Damping {
+    /// True where velocities lose energy in each step, so that a body comes to rest: local or viscous damping with a factor.
+    #[must_use]
+    pub fn slows(&self) -> bool {
+        matches!(*self, Self::Local { alpha } | Self::Viscous { alpha } if alpha != 0.0)
+    }
+}

@@ -168,8 +168,8 @@ impl SurfaceTouches {
     }
 
     /// Finds the impulses of all touches, from those that they have; returns the number of sweeps. Sweeps end when none changes a
-    /// velocity by more than `tolerance` times the largest that an impulse gives, or after `most`. Where penalty forces act beside
-    /// them, they go on from there, for as many again.
+    /// velocity by more than `tolerance` times the largest that an impulse gave before or in the first sweep, or after `most`. Where
+    /// penalty forces act beside them, they go on from there, for as many again.
     pub fn resolve(&mut self, lanes: Selected, tolerance: f64, most: usize) -> usize {
         for touch in self.list.iter_mut().filter(|t| t.penalty > 0.0) {
             touch.floor = 0.0;
@@ -179,17 +179,16 @@ impl SurfaceTouches {
             let response = self.response(touch);
             self.responses.push(response);
         }
-        for touch in &self.list {
+        let mut scale = 0.0_f64;
+        for (touch, response) in self.list.iter().zip(&self.responses) {
             let impulse = touch.impulse();
             if impulse != [0.0; 3] {
-                give(
-                    &mut self.nodes,
-                    &self.weights[touch.weights.clone()],
-                    &impulse,
-                );
+                let weights = &self.weights[touch.weights.clone()];
+                give(&mut self.nodes, weights, &impulse);
+                scale = scale.max(touch.normal_impulse.abs() * response.along[0]);
             }
         }
-        let sweeps = self.sweep(lanes, tolerance, most);
+        let sweeps = self.sweep(lanes, [tolerance, scale], most);
         let mut pushed = false;
         for touch in &mut self.list {
             if touch.penalty > 0.0 && touch.normal_impulse <= 0.0 {
@@ -205,7 +204,7 @@ impl SurfaceTouches {
             }
         }
         if pushed {
-            sweeps + self.sweep(lanes, tolerance, most)
+            sweeps + self.sweep(lanes, [tolerance, 0.0], most)
         } else {
             sweeps
         }
@@ -237,13 +236,15 @@ impl SurfaceTouches {
         }
     }
 
-    fn sweep(&mut self, lanes: Selected, tolerance: f64, most: usize) -> usize {
+    /// Sweeps with a tolerance and the largest velocity that an impulse gave before them \[m/s\].
+    fn sweep(&mut self, lanes: Selected, [tolerance, scale]: [f64; 2], most: usize) -> usize {
         lanes.run(Sweeps {
             list: &mut self.list,
             responses: &self.responses,
             weights: &self.weights,
             nodes: &mut self.nodes,
             tolerance,
+            scale,
             most,
         })
     }
@@ -282,14 +283,7 @@ impl SurfaceTouches {
         self.resolve(lanes, tolerance, most);
         let mut taken = 0.0;
         for node in &mut self.nodes {
-            // What no impulse moves keeps the velocity that it was given.
-            let mut change: [f64; 4] = std::array::from_fn(|axis| {
-                if node.mobility[axis] > 0.0 {
-                    0.0
-                } else {
-                    node.change[axis]
-                }
-            });
+            let mut change = [0.0; 4];
             for axis in 0..3 {
                 if let Some((dv, before)) = damped(node, axis) {
                     let unbalanced = dv + node.change[axis];
@@ -343,6 +337,8 @@ struct Sweeps<'a> {
     weights: &'a [Weight],
     nodes: &'a mut [TouchedNode],
     tolerance: f64,
+    /// Largest velocity that an impulse gave before \[m/s\].
+    scale: f64,
     most: usize,
 }
 
@@ -351,7 +347,7 @@ impl Kernel for Sweeps<'_> {
 
     #[inline(always)]
     fn run<B: Backend>(self) -> usize {
-        let mut scale = 0.0_f64;
+        let mut scale = self.scale;
         for sweep in 1..=self.most {
             let mut largest = 0.0_f64;
             for (touch, response) in self.list.iter_mut().zip(self.responses) {
@@ -359,10 +355,6 @@ impl Kernel for Sweeps<'_> {
                 let changed = correct::<B::Half>(touch, response, weights, self.nodes);
                 if changed > largest {
                     largest = changed;
-                }
-                let given = touch.normal_impulse.abs() * response.along[0];
-                if given > scale {
-                    scale = given;
                 }
             }
             if sweep == 1 && largest > scale {

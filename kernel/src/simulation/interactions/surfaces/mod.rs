@@ -3,7 +3,6 @@
 mod error;
 mod fields;
 mod gap;
-mod light_nodes;
 mod near_particles;
 mod nodes;
 mod obstacle;
@@ -41,13 +40,14 @@ pub(super) const SURFACES: InteractionType = InteractionType {
     make: SurfaceContact::of,
 };
 
-/// Sweeps end when none changes a velocity by more than this share of the largest that an impulse gives.
+/// Sweeps end when none changes a velocity by more than this share of the largest that an impulse gave before or in the first one.
 const TOLERANCE: f64 = 1e-6;
-/// Most sweeps of a step. The next step goes on from there: see [`PushedParticle::impulse`].
+/// Most sweeps of a step. What is left then is made good in the next step: see [`SurfaceTouch::bound`] and
+/// [`PushedParticle::impulse`].
 const SWEEPS: usize = 50;
 
-/// Contact with rigid surfaces and driven shapes: its state in the cycle. The impulses of the pushed particles are the start of the
-/// next step; the list of particles near a surface only spares searches, and the sums of impulses are records.
+/// Contact with rigid surfaces and driven shapes: its state in the cycle. Under damping the impulses of the pushed particles are the
+/// start of the next step; the list of particles near a surface only spares searches, and the sums of impulses are records.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceContact {
     /// What pushes.
@@ -74,9 +74,11 @@ struct PushedParticle {
     held: bool,
     /// Normal impulse and tangential impulse of the last step \[N s\].
     ///
-    /// The sweeps of the next step start from it. Modes in which neighbours press in turn hardly change velocities of nodes, and
+    /// Under damping the sweeps of the next step start from it. Modes in which neighbours press in turn hardly change velocities of nodes, and
     /// sweeps that start from zero in each step leave the same rest of them in each: under USL, which strains particles with
     /// these velocities, the stress of the first row then wandered by up to 0.7 of the pressure.
+    /// Without damping bodies ring, and the modes are noise that adds up when it is carried on: a block that slid without friction
+    /// gained energy.
     impulse: (f64, Vector),
 }
 
@@ -268,6 +270,9 @@ impl SurfaceContact {
             (place.surface, place.set, id)
         };
         for (touch, place) in touches.list.iter_mut().zip(&*places) {
+            if !view.scene.damping.slows() {
+                break;
+            }
             if let Some(pushed) = PushedParticle::find(&self.pushed, key(place)) {
                 touch.start_from(pushed.impulse, nodal.kick / self.last_kick);
             }
@@ -437,12 +442,6 @@ fn touches(
             places.push(*place);
         }
     }
-    let velocity = |t: &TouchedNode| {
-        let line = &fields.lines(t.field)[t.node];
-        std::array::from_fn(|axis| line[lane + axis])
-    };
-    let of_surfaces = places.iter().map(|place| near.now[place.surface].velocity);
-    light_nodes::follow(touches, velocity, of_surfaces);
     Ok(())
 }
 
