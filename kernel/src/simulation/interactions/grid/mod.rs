@@ -392,12 +392,19 @@ fn pair(scene: &Scene, bodies: &[BodyRun], contact: &Contact, master: usize, sla
 
 /// True where the first body is driven and its shape acts on the second.
 ///
-/// With USF, whose strain is that of velocities at the new positions, a block that a shape moves loses energy: there nodes act.
+/// Nodes do as well where a body stands still and ends on lines of the mesh. With MUSL they do it better: what rests on such a line
+/// has its end now before, now behind it, and the node behind comes and goes with each step. With USF, whose strain is that of
+/// velocities at the new positions, a block that a shape moves loses energy.
 pub(super) fn acts_by_shape(scene: &Scene, bodies: &[BodyRun], pair: [usize; 2]) -> bool {
     let driven = pair[0];
+    let within = || bonds::ends_within_cells(scene, bodies, pair);
     bodies[driven].keeps_shape
         && !matches!(scene.bodies[driven].shape, Shape::Particles(_))
-        && (scene.scheme != StressScheme::Usf || bonds::stands(bodies, driven))
+        && match scene.scheme {
+            StressScheme::Usl => true,
+            StressScheme::Musl => !bonds::stands(bodies, driven) || within(),
+            StressScheme::Usf => bonds::stands(bodies, driven) && within(),
+        }
 }
 
 impl Simulation {
