@@ -8,7 +8,7 @@ use super::Simulation;
 use super::interactions::Interaction;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::simulation::values::{RestoreError, Saved, SavedArrays};
+use crate::simulation::values::{RestoreError, Saved};
 
 impl Simulation {
     /// The state: a simulation of the same scene that takes it up goes on with the same bits.
@@ -52,13 +52,16 @@ impl Simulation {
         for (body, (set, was)) in own.sets.iter().zip(&was.sets).enumerate() {
             self.particles_fit(body, set, was)?;
         }
-        let interactions: Vec<SavedArrays> = self.interactions().map(Interaction::save).collect();
-        let count = interactions.len();
+        let count = self.interactions().count();
         same("interactions", count, saved.interactions.len())?;
-        for (own, was) in interactions.iter().zip(&saved.interactions) {
+        for (interaction, was) in self.interactions().zip(&saved.interactions) {
+            let own = interaction.save();
             same("lists of an interaction", own.len(), was.len())?;
             for ((name, own), (_, was)) in own.iter().zip(was) {
-                same(name, own.len(), was.len())?;
+                match interaction.entry_length(name) {
+                    Some(entry) => same(name, 0, was.len() % entry)?,
+                    None => same(name, own.len(), was.len())?,
+                }
             }
         }
         Ok(())

@@ -273,6 +273,7 @@ impl SurfaceTouches {
             // A factor of 1 took everything; then there is nothing to give back.
             if kept > 0.0 { dv / kept } else { dv }
         };
+        let goes_on = self.list.iter().any(|t| t.normal_impulse != 0.0);
         for node in &mut self.nodes {
             for axis in 0..3 {
                 if let Some((dv, before)) = damped(node, axis) {
@@ -294,6 +295,12 @@ impl SurfaceTouches {
                 }
             }
             node.change = change;
+        }
+        if !goes_on {
+            for touch in &mut self.list {
+                touch.normal_impulse = 0.0;
+                touch.tangential_impulse = [0.0; 3];
+            }
         }
         self.resolve(lanes, tolerance, most);
         taken

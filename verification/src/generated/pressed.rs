@@ -45,7 +45,12 @@ pub static PLATE: Question = Question {
 };
 
 /// Warnings of layers on a driven body.
-const ON_DRIVEN: &[&str] = &[ROWS_OF_SPLINES, "to and fro", "keep swinging"];
+const ON_DRIVEN: &[&str] = &[
+    ROWS_OF_SPLINES,
+    "to and fro",
+    "its nodes are light",
+    "keep swinging",
+];
 /// Warning of rows of particles that are no whole number in a cell.
 pub const ROWS_OF_SPLINES: &str = "no whole number in one";
 

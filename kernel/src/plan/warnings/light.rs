@@ -64,22 +64,20 @@ pub(super) fn on_lines(scene: &Scene) -> Vec<String> {
     }
 }
 
-/// Bodies on driven ones whose free sides end a little beyond a line of the mesh, in runs that are long and not damped.
+/// Bodies on driven ones whose free sides end a little beyond a line of the mesh, in runs that are long.
 ///
 /// In the columns of nodes beside such a side stress of the first row drifts: with USL and domains that keep their length for as
 /// long as runs were taken, four times their own length, with MUSL and USF where domains stretch until it is off by some tenths of
 /// the pressure. Of 240 blocks 92 were off by more than 5 % after 75 to 330 cells that a wave crosses, by up to 0.7 of the
 /// pressure; of 431 with sides farther beyond a line 23. A
 /// block in space that is less than two cells wide has such nodes in every cell with B-splines, which reach half a cell further: 23
-/// of 54 were off, whatever their sides. All that was before contact went on from the impulses of the last step under damping, with
-/// which none of these is off; without damping it does not.
+/// of 54 were off, whatever their sides. Under USL and damping contact goes on from the impulses of the last step, and none of these is off
+/// any more.
 pub(super) fn at_sides(scene: &Scene) -> Vec<String> {
-    if scene.damping.slows() {
-        return vec![];
-    }
     let usl = scene.scheme == StressScheme::Usl;
     let stretches = matches!(scene.weighting, Weighting::ContiguousGimp(_));
-    if usl == stretches || scene.weighting == Weighting::Linear {
+    let goes_on = usl && scene.damping.slows();
+    if goes_on || usl == stretches || scene.weighting == Weighting::Linear {
         return vec![];
     }
     let wide = usl

@@ -163,6 +163,11 @@ pub trait Interaction: Any + Send + Sync {
         vec![]
     }
 
+    /// Numbers per entry of a saved array whose count of entries changes from step to step; `None` for a fixed length.
+    fn entry_length(&self, _name: &str) -> Option<usize> {
+        None
+    }
+
     /// Takes up what was saved; names and lengths are those that [`Interaction::save`] gives.
     fn restore(&mut self, _saved: &SavedArrays) {}
 }
