@@ -205,8 +205,15 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
     let mut interactions = like.interactions;
     for (i, lists) in interactions.iter_mut().enumerate() {
         for (name, values) in lists {
-            let found = checkpoint.array(&format!("interaction{i}/{name}"), values.len())?;
-            values.copy_from_slice(found);
+            let section = format!("interaction{i}/{name}");
+            // A list of entries that come and go is empty at the start; whether it fits is asked when it is taken up.
+            let found = if values.is_empty() {
+                checkpoint.values(&section)?
+            } else {
+                checkpoint.array(&section, values.len())?
+            };
+            values.clear();
+            values.extend_from_slice(found);
         }
     }
     Ok(Saved {
