@@ -79,15 +79,6 @@ pub struct SurfaceTouch {
 }
 
 impl SurfaceTouch {
-    /// Starts from the normal and tangential impulse of another step \[N s\] times a factor, which is that of the times of both. The
-    /// normal may have turned since: what is along it now is no friction.
-    pub fn start_from(&mut self, (normal, tangential): (f64, [f64; 3]), factor: f64) {
-        self.normal_impulse = factor * normal;
-        let along = dot(&tangential, &self.normal);
-        self.tangential_impulse =
-            std::array::from_fn(|axis| factor * (tangential[axis] - along * self.normal[axis]));
-    }
-
     /// Impulse on the body \[N s\].
     #[must_use]
     pub fn impulse(&self) -> [f64; 3] {

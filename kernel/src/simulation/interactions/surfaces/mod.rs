@@ -8,29 +8,27 @@ mod nodes;
 mod obstacle;
 mod particle_ellipsoid;
 mod plan_entries;
+mod pushed_particle;
 mod reached_nodes;
+mod touching_particles;
 
 use super::InteractionType;
-use crate::contact::Tunnelling;
 use crate::memory::Memory;
-use crate::scene::{Scene, StressScheme, Vector};
+use crate::scene::{Scene, Vector};
 use crate::simulation::Simulation;
 use crate::simulation::context::{NodalConditions, Remap, at_half_step_after};
 use crate::simulation::fields::Grid;
 use crate::simulation::interactions::{Interaction, InteractionResult};
-use crate::simulation::mapping::node_weights_touching;
 use crate::simulation::step_view::{StepUpdate, StepView};
 use crate::simulation::values::{BodyRun, InteractionError, SavedArrays, SetupError};
 use crate::stage::solve::Planes;
-use crate::stage::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
-use crate::surface::NearestPoint;
-use crate::team::ItemCost;
+use crate::stage::touch::TouchedNode;
 use fields::{Fields, change_velocities};
-use gap::{gap_to, refuse_overlap_with_surfaces};
+use gap::refuse_overlap_with_surfaces;
 use near_particles::{NearParticles, ParticlePlace};
 use obstacle::RigidObstacle;
-use particle_ellipsoid::{half_lengths, touching_point};
-use reached_nodes::{NodeNumbers, ReachedNodes};
+use pushed_particle::{PushedParticle, goes_on};
+use touching_particles::{TouchingParticles, touches};
 
 pub use error::SurfaceContactError;
 
@@ -42,8 +40,8 @@ pub(super) const SURFACES: InteractionType = InteractionType {
 
 /// Sweeps end when none changes a velocity by more than this share of the largest that an impulse gave before or in the first one.
 const TOLERANCE: f64 = 1e-6;
-/// Most sweeps of a step. What is left then is made good in the next step: see [`SurfaceTouch::bound`] and
-/// [`PushedParticle::impulse`].
+/// Most sweeps of a step. What is left then is made good in the next step: see [`bound`](crate::stage::touch::SurfaceTouch::bound) and
+/// [`goes_on`].
 const SWEEPS: usize = 50;
 
 /// Contact with rigid surfaces and driven shapes: its state in the cycle. Under damping and USL the impulses of the pushed particles are
@@ -63,68 +61,6 @@ pub(crate) struct SurfaceContact {
     pub(crate) last_kick: f64,
     /// The same summed since the start \[N s\].
     pub(crate) total: Vec<Vec<Vector>>,
-}
-
-/// A particle that a surface pushes.
-#[derive(Clone, Copy, Debug)]
-struct PushedParticle {
-    /// Places of the surface and of the set, and the identifier of the particle.
-    key: (usize, usize, u64),
-    /// True where friction holds it.
-    held: bool,
-    /// Normal impulse and tangential impulse of the last step \[N s\].
-    ///
-    /// Under damping and USL the sweeps of the next step start from it. Modes in which neighbours press in turn hardly change velocities of nodes, and
-    /// sweeps that start from zero in each step leave the same rest of them in each: under USL, which strains particles with
-    /// these velocities, the stress of the first row then wandered by up to 0.7 of the pressure.
-    /// Without damping bodies ring, and the modes are noise that adds up when it is carried on: a block that slid without friction
-    /// gained energy.
-    impulse: (f64, Vector),
-}
-
-impl PushedParticle {
-    /// Name of the saved array.
-    const NAME: &str = "impulses of pushed particles";
-    /// Numbers of a particle in it.
-    const SAVED: usize = 7;
-
-    /// The particle in numbers.
-    fn saved(&self) -> [f64; Self::SAVED] {
-        let ((surface, set, id), (normal, [x, y, z])) = (self.key, self.impulse);
-        [surface as f64, set as f64, id as f64, normal, x, y, z]
-    }
-
-    /// The particle of these numbers. Friction is found anew before it is asked.
-    fn restored(&[surface, set, id, normal, x, y, z]: &[f64; Self::SAVED]) -> Self {
-        Self {
-            key: (surface as usize, set as usize, id as u64),
-            held: false,
-            impulse: (normal, [x, y, z]),
-        }
-    }
-
-    /// The one of a key in a list.
-    fn find(list: &[Self], key: (usize, usize, u64)) -> Option<&Self> {
-        let found = list.binary_search_by_key(&key, |pushed| pushed.key);
-        found.ok().map(|at| &list[at])
-    }
-}
-
-/// True where contact goes on from the impulses of the last step: see [`PushedParticle::impulse`]. With MUSL and USF, which strain
-/// with velocities of a second mapping, walls that move under damping held the ground up by 2.4 % so. Nor with friction: a block that
-/// sticks to a slope on which it is put at once then crept with 0.5 % of the velocity of a free one.
-fn goes_on(scene: &Scene) -> bool {
-    scene.scheme == StressScheme::Usl && scene.damping.slows()
-}
-
-/// Particles that touch, with where they belong.
-#[derive(Clone, Debug, Default)]
-struct TouchingParticles {
-    touches: SurfaceTouches,
-    places: Vec<ParticlePlace>,
-    known: NodeNumbers,
-    /// Gap and nearest point of each particle near a surface.
-    gaps: Vec<Option<(f64, NearestPoint)>>,
 }
 
 impl SurfaceContact {
@@ -282,15 +218,13 @@ impl SurfaceContact {
             let id = view.particles[place.set].id[place.p];
             (place.surface, place.set, id)
         };
-        for (touch, place) in touches.list.iter_mut().zip(&*places) {
-            if !goes_on(view.scene) {
-                break;
-            }
-            if touch.friction != 0.0 {
-                continue;
-            }
-            if let Some(pushed) = PushedParticle::find(&self.pushed, key(place)) {
-                touch.start_from(pushed.impulse, nodal.kick / self.last_kick);
+        if goes_on(view.scene) {
+            let factor = nodal.kick / self.last_kick;
+            for (touch, place) in touches.list.iter_mut().zip(&*places) {
+                let pushed = PushedParticle::find(&self.pushed, key(place));
+                if let (Some(pushed), true) = (pushed, touch.friction == 0.0) {
+                    touch.normal_impulse = factor * pushed.impulse;
+                }
             }
         }
         let lanes = view.lanes;
@@ -317,7 +251,7 @@ impl SurfaceContact {
                 self.pushed.push(PushedParticle {
                     key: key(place),
                     held,
-                    impulse: (touch.normal_impulse, touch.tangential_impulse),
+                    impulse: touch.normal_impulse,
                 });
                 by_bodies += usize::from(matches!(
                     self.rigid[place.surface],
@@ -406,148 +340,4 @@ impl SurfaceContact {
         update.grid.visit(|mut slab| slab.planes().for_each(keep));
         Ok(())
     }
-}
-
-/// Finds the particles within the threshold of a surface, with their velocities over it from the lanes of the nodes
-/// that begin at `lane`, and the nodes that they reach. After an error `found` holds those found before it,
-/// which no one looks at.
-fn touches(
-    view: &StepView<'_>,
-    rigid: &[RigidObstacle],
-    near: &mut NearParticles,
-    (nodal, lane): (&NodalConditions, usize),
-    found: &mut TouchingParticles,
-) -> Result<(), InteractionError> {
-    let TouchingParticles {
-        touches,
-        places,
-        known,
-        gaps,
-    } = found;
-    places.clear();
-    near.find(view, rigid, nodal);
-    let fields = Fields::of_step(view);
-    let mut reached = known.begin(touches);
-    // Each search by whatever thread; nodes are numbered by one, in the order of the particles.
-    let gap = |i: usize| {
-        let place = near.particles[i];
-        let (rigid, shift) = (&rigid[place.surface], &near.now[place.surface].shift);
-        let margin = rigid.widest_threshold(view) + view.smallest_cell();
-        let triangle = Some(near.triangles[i]);
-        gap_to(view, rigid, [place.set, place.p], shift, margin, triangle)
-    };
-    let team = view.team();
-    team.fill(0..near.particles.len(), ItemCost::Search, gap, &None, gaps);
-    for (i, place) in near.particles.iter().enumerate() {
-        let Some(gap) = gaps[i] else {
-            continue;
-        };
-        near.triangles[i] = gap.1.triangle;
-        let (rigid, v_s) = (&rigid[place.surface], &near.now[place.surface].velocity);
-        let touch = touch(
-            view,
-            (rigid, *place),
-            gap,
-            v_s,
-            (nodal, lane),
-            &fields,
-            &mut reached,
-        )?;
-        if let Some(touch) = touch {
-            reached.touches.list.push(touch);
-            places.push(*place);
-        }
-    }
-    Ok(())
-}
-
-/// The touch of one particle with this gap, if it is within the threshold; `v_s` is the velocity of the surface \[m/s\].
-fn touch(
-    view: &StepView<'_>,
-    (rigid, place): (&RigidObstacle, ParticlePlace),
-    (gap, nearest): (f64, NearestPoint),
-    v_s: &Vector,
-    (nodal, lane): (&NodalConditions, usize),
-    fields: &Fields<'_>,
-    reached: &mut ReachedNodes<'_>,
-) -> Result<Option<SurfaceTouch>, InteractionError> {
-    let ParticlePlace { set, p, .. } = place;
-    if let (RigidObstacle::Surface(surface), true) = (rigid, nearest.distance < 0.0) {
-        return Err(SurfaceContactError::ThroughSurface {
-            particle: view.particle_at(set, p),
-            surface: view.scene.surfaces[surface.place].name.clone(),
-            depth: -nearest.distance,
-        }
-        .into());
-    }
-    let shape = &view.grid.shape;
-    let (particles, body) = (&view.particles[set], &view.bodies[set]);
-    let normal = nearest.normal;
-    let half = half_lengths(particles, body, p);
-    let touching = [&touching_point(&half, &nearest), &half];
-    let weights = node_weights_touching(particles, body, shape, view.stencil, p, touching);
-    let field = fields.of(set);
-    let lines = fields.lines(field);
-    let mut relative = v_s.map(|v| -v);
-    for &(node, w) in weights.iter() {
-        for axis in 0..3 {
-            relative[axis] += w * lines[node][lane + axis];
-        }
-    }
-    let approach = -nodal.drift
-        * (0..3)
-            .map(|axis| normal[axis] * relative[axis])
-            .sum::<f64>();
-    let threshold = rigid.threshold(view, &normal);
-    if approach > gap.max(0.0) && approach > threshold && !rigid.is_bonded() {
-        return Err(match rigid {
-            RigidObstacle::Surface(surface) => SurfaceContactError::TooFastForSurface {
-                particle: view.particle_at(set, p),
-                surface: view.scene.surfaces[surface.place].name.clone(),
-                approach,
-                threshold,
-            }
-            .into(),
-            RigidObstacle::Driven(driven) => Tunnelling {
-                bodies: [driven.pair.master, driven.pair.slave].map(|b| view.bodies[b].id),
-                position: Some(nearest.point),
-                approach,
-                distance: threshold,
-            }
-            .into(),
-        });
-    }
-    if !rigid.touches(view, gap, &normal) {
-        return Ok(None);
-    }
-    let weights = reached.reach(shape, nodal, fields, field, &weights);
-    let m_p = view.mass(set, p);
-    let stiffness = match rigid {
-        RigidObstacle::Surface(surface) => view.scene.surfaces[surface.place].penalty_stiffness,
-        RigidObstacle::Driven(_) => None,
-    };
-    let penalty = penalty_impulse(stiffness.unwrap_or(0.0), m_p, -gap, nodal);
-    Ok(Some(SurfaceTouch {
-        weights,
-        normal,
-        relative,
-        gap,
-        bound: rigid.bound(gap, nearest.distance, nodal.drift),
-        floor: if rigid.is_bonded() {
-            f64::NEG_INFINITY
-        } else {
-            0.0
-        },
-        penalty,
-        friction: rigid.friction(view),
-        normal_impulse: 0.0,
-        tangential_impulse: [0.0; 3],
-    }))
-}
-
-/// Impulse of the penalty force on a particle of mass `m_p` \[kg\] that reaches through by `depth` \[m\] \[N s\]: k depth dt,
-/// but no more than what brings it out within the step, so that no stiffness makes a step unstable. Particles that share a
-/// node push it with the sum of both over the same weights.
-fn penalty_impulse(stiffness: f64, m_p: f64, depth: f64, nodal: &NodalConditions) -> f64 {
-    (stiffness * nodal.kick).min(m_p / nodal.drift) * depth.max(0.0)
 }
