@@ -4,6 +4,7 @@
 //! deviator decays as exp(-t/tau). The energy that it loses is kept by each particle.
 
 use proctor_kernel::prelude::*;
+use proctor_laws::LinearElastic;
 use std::sync::Arc;
 
 /// Linear elasticity, its shear in series with a dashpot: s' = 2 G d - s/tau for the deviator s.

@@ -6,6 +6,7 @@
 //!
 //! ```
 //! use proctor_kernel::prelude::*;
+//! use proctor_laws::LinearElastic;
 //!
 //! // A block of 0.2 m falls freely for a tenth of a second.
 //! let mut scene = Scene::plane([8, 16], 0.05).with_gravity([0.0, -10.0, 0.0]);

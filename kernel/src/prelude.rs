@@ -1,9 +1,7 @@
 //! Prelude for a program that simulates a scene of its own: `use proctor_kernel::prelude::*;`.
 
 pub use crate::lanes::Lanes;
-pub use crate::laws::{
-    AnyLaw, Hencky, Increment, Law, LinearElastic, NeoHookean, ObjectiveRate, Particle,
-};
+pub use crate::laws::{AnyLaw, Increment, Law, Particle};
 pub use crate::layout::Variable;
 pub use crate::scene::{
     Body, Contact, ContactNormal, Damping, Dimension, History, Mesh, PlaneCondition, Scene, Shape,

@@ -4,13 +4,13 @@ use crate::common::{
     APIC, DENSITY, DIMENSIONS, FLIP, NEVER, TPIC, body, cuboid, empty, material, run, simulation,
     simulation_from,
 };
-use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::plan::PlanOptions;
 use proctor_kernel::scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
     Traction, Weighting,
 };
 use proctor_kernel::simulation::{InitialState, MOST_UNSEEN, Simulation, StepErrorKind, plan};
+use proctor_laws::NeoHookean;
 use std::sync::Arc;
 
 const YOUNG: f64 = 1.0e5;

@@ -7,7 +7,7 @@ pub mod path;
 
 pub use closed_form::{exact_deviator, exact_pressure};
 
-use proctor_kernel::laws::{
+use proctor_laws::{
     AnyLaw, DruckerPrager, MohrCoulomb, Point, PointFault, Softening, Tresca, VonMises,
 };
 use std::fmt;

@@ -1,6 +1,6 @@
 //! Paths of the laboratory against closed forms.
 
-use proctor_kernel::laws::{
+use proctor_laws::{
     AnyLaw, Bingham, ConeMatch, DruckerPrager, EquationOfState, LinearElastic, MohrCoulomb,
     Newtonian, Residual, Softening, Tresca, VonMises,
 };

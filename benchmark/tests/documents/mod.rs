@@ -21,6 +21,7 @@ const DOCUMENTS: [&str; 11] = [
     "kernel/README.md",
     "kernel/files/README.md",
     "kernel/geometry/README.md",
+    "kernel/laws/README.md",
     "verification/README.md",
     "benchmark/README.md",
     "scripts/README.md",

@@ -1,70 +1,32 @@
 //! Constitutive laws: stress and internal variables after a strain increment, wave speeds, energies.
 //!
-//! A law is a type with the trait [`Law`], written once for all lanes and dimensions. Those that scene files name stand in
-//! one list; a program adds its own by handing it to [`Scene::add_material`](crate::scene::Scene::add_material).
+//! A law is a type with the trait [`Law`], written once for all lanes and dimensions. The cycle knows it as [`AnyLaw`] and
+//! names none: those that scene files name are in the package `proctor-laws`, and implement the trait as a program's own do.
 
 mod any;
-mod band;
 mod constants;
-mod gap;
-mod marks;
-pub mod plastic;
 mod point;
-mod pressurized_fluid;
-pub mod principal;
-mod state;
 mod stored_particle;
 mod strain;
-mod strength;
 pub mod tensor;
 
 pub use any::{AnyLaw, LawType, Readable};
-pub use band::Band;
-pub use constants::{
-    Accepted, Choice, Constant, ConstantDefault, Curve, InvalidConstant, Isotropic, Rows,
-};
-pub use drucker_prager::ConeMatch;
-pub use gap::{GAP, TensionApex};
-pub use linear_elastic::ObjectiveRate;
-pub use mohr_coulomb::{Residual, Softening};
-pub use plastic::{ReturnedStress, Yielding};
+pub use constants::{Accepted, Choice, Constant, ConstantDefault, Curve, InvalidConstant, Rows};
 pub use point::{Point, PointFault};
-pub use pressurized_fluid::{PressurizedFluid, UNPRESSED};
-pub use state::EquationOfState;
 pub use stored_particle::StoredParticle;
 pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 
 use crate::lanes::Lanes;
 use crate::layout::Variable;
-use constants::{POISSON, YOUNG};
 use std::fmt;
 use tensor::{Configuration, Matrix};
 
-/// Laws, each in the file of that name, in the order in which messages list them.
-macro_rules! list {
-    ($($file:ident: $law:ident,)*) => {
-        $(
-            pub mod $file;
-            pub use $file::$law;
-        )*
-
-        /// The laws that scene files name.
-        pub static ALL: &[LawType] = &[$(LawType::of::<$law>()),*];
-    };
-}
-
-list! {
-    linear_elastic: LinearElastic,
-    neo_hookean: NeoHookean,
-    hencky: Hencky,
-    von_mises: VonMises,
-    tresca: Tresca,
-    mohr_coulomb: MohrCoulomb,
-    drucker_prager: DruckerPrager,
-    newtonian: Newtonian,
-    bingham: Bingham,
-}
+/// Volume without pressure over the volume at the start: the variable of a law that is pressed at the start ([`Law::pressed`]).
+pub const UNPRESSED: Variable = Variable {
+    initial: 1.0,
+    ..Variable::scalar("volume without pressure", "")
+};
 
 /// A constitutive law.
 ///
@@ -111,7 +73,7 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
         vec![]
     }
 
-    /// The law in cells of that size \[m\], where it depends on it ([`Band`]).
+    /// The law in cells of that size \[m\], where softening gathers in a band of a given width.
     fn in_cells(&self, _cell: f64) -> Option<Self>
     where
         Self: Sized,
@@ -138,8 +100,13 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// The law of a body that has a stress at the start, for one whose stress follows from the volume: it remembers the volume
-    /// that each particle has without pressure ([`PressurizedFluid`]). Particles of a law without one weigh what is pressed into them.
+    /// that each particle has without pressure ([`UNPRESSED`]). Particles of a law without one weigh what is pressed into them.
     fn pressed(&self) -> Option<AnyLaw> {
+        None
+    }
+
+    /// Strains up to which it may be taken for a law with an energy; `None` for one that has an energy at any strain.
+    fn strain_range(&self) -> Option<StrainRange> {
         None
     }
 
@@ -174,6 +141,36 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// (sigma_n - sigma)/2 : de_p, which is of the order of the step.
     fn algorithmic(&self, _particle: &Particle<'_>) -> f64 {
         0.0
+    }
+}
+
+/// Strains up to which a law without an energy may be taken for one with an energy, with the words of warnings beyond.
+#[derive(Clone, Copy, Debug)]
+pub struct StrainRange {
+    /// Largest |J - 1|.
+    pub most_volume_change: f64,
+    /// The share by which the strain energy of a pure change of volume is off, as a function of J.
+    pub energy_error: fn(f64) -> f64,
+    /// Name of the law in scene files.
+    pub law: &'static str,
+    /// Laws that have an energy at any strain: "`a` and `b` have an energy at any strain".
+    pub instead: &'static str,
+    /// The law as the cause of energy that is missing or came from nowhere, with what to do.
+    pub cause: &'static str,
+}
+
+impl PartialEq for StrainRange {
+    /// Ranges of laws of one name.
+    fn eq(&self, other: &Self) -> bool {
+        self.law == other.law && self.most_volume_change == other.most_volume_change
+    }
+}
+
+impl StrainRange {
+    /// True for a change of volume J - 1 beyond the range.
+    #[must_use]
+    pub fn is_exceeded(&self, volume_change: f64) -> bool {
+        volume_change.abs() > self.most_volume_change
     }
 }
 

@@ -4,7 +4,9 @@
 use super::tensor::{
     Configuration, Matrix, determinant, product, relative_deformation, volume_ratio,
 };
-use super::{Constant, Curve, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle};
+use super::{
+    Constant, Curve, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle, StrainRange,
+};
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
@@ -121,6 +123,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn initial_volume_ratio(&self, mean_stress: f64) -> f64;
     /// See [`Law::pressed`].
     fn pressed(&self) -> Option<Arc<dyn Strain>>;
+    /// See [`Law::strain_range`].
+    fn strain_range(&self) -> Option<StrainRange>;
     /// See [`Law::parts`].
     fn parts(&self) -> bool;
     /// See [`Law::energy`].
@@ -183,6 +187,9 @@ impl<M: Law> Strain for M {
     fn pressed(&self) -> Option<Arc<dyn Strain>> {
         let law = Law::pressed(self)?;
         Some(law.into_strain())
+    }
+    fn strain_range(&self) -> Option<StrainRange> {
+        Law::strain_range(self)
     }
     fn parts(&self) -> bool {
         Law::parts(self)

@@ -241,7 +241,8 @@ pub fn left_stretch_diagonal<L: Lanes, const D: usize>(f: &Matrix<L>) -> [L; 3] 
 
 /// Mean stress and deviator of a stress, ordered as a law is given it.
 #[inline(always)]
-pub(super) fn deviator<L: Lanes, const D: usize>(s: &[L; 6]) -> (L, [L; 6]) {
+#[must_use]
+pub fn deviator<L: Lanes, const D: usize>(s: &[L; 6]) -> (L, [L; 6]) {
     let mean = (s[0] + s[1] + s[2]) * L::splat(1.0 / 3.0);
     let mut deviator = *s;
     for entry in &mut deviator[..3] {
@@ -252,7 +253,8 @@ pub(super) fn deviator<L: Lanes, const D: usize>(s: &[L; 6]) -> (L, [L; 6]) {
 
 /// The second invariant of a deviator, s : s / 2.
 #[inline(always)]
-pub(super) fn second_invariant<L: Lanes, const D: usize>(s: &[L; 6]) -> L {
+#[must_use]
+pub fn second_invariant<L: Lanes, const D: usize>(s: &[L; 6]) -> L {
     let half = L::splat(0.5);
     let mut sum = half * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
     for entry in &s[3..components(D)] {

@@ -4,7 +4,7 @@
 //! deformation harms.
 
 use super::Simulation;
-use crate::laws::LinearElastic;
+use crate::laws::StrainRange;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::scene::{DomainUpdate, Weighting};
@@ -19,7 +19,7 @@ impl Simulation {
             if body.motion.is_some() {
                 continue;
             }
-            if body.law.downcast::<LinearElastic>().is_some() {
+            if body.law.strain_range().is_some() {
                 let change = volume_change(set, body.density);
                 if change.abs() > all.volume_change.abs() {
                     all.volume_change = change;
@@ -42,6 +42,16 @@ impl Simulation {
             }
         }
         all
+    }
+
+    /// The range of the first law that has no energy at large strain, where the largest change of volume lies beyond it.
+    pub(super) fn exceeded_range(&self, extremes: &Extremes) -> Option<StrainRange> {
+        let mut ranges = self
+            .model
+            .bodies
+            .iter()
+            .filter_map(|body| body.law.strain_range());
+        ranges.find(|range| range.is_exceeded(extremes.volume_change))
     }
 
     /// Notes them in the state, which a checkpoint keeps.

@@ -7,7 +7,7 @@
 //! what hits them explain; nothing explains more of it than there was.
 
 use super::Simulation;
-use crate::laws::LinearElastic;
+use crate::laws::StrainRange;
 use crate::scene::{Damping, StressScheme, Transfer, TransferKind, Weighting};
 use crate::simulation::values::{Energy, Extremes, MOST_LOST_SPIN, MOST_STRETCH_RATIO, ROUND_OFF};
 use std::fmt;
@@ -34,10 +34,12 @@ pub enum ResultWarning {
         /// Probable causes, each with what to use.
         causes: Vec<&'static str>,
     },
-    /// Incremental elasticity at large strain.
+    /// A law without an energy at large strain.
     Strain {
         /// J - 1 where its magnitude was largest.
         volume_change: f64,
+        /// Strains up to which the law holds.
+        range: StrainRange,
     },
     /// A traction that its body has left behind.
     Traction {
@@ -91,7 +93,7 @@ impl ResultWarning {
             Self::Energy {
                 remainder, scale, ..
             } => remainder.abs() / scale,
-            Self::Strain { volume_change } => volume_change.abs(),
+            Self::Strain { volume_change, .. } => volume_change.abs(),
             Self::Traction { share, .. } => *share,
             Self::Stretch { ratio, .. } => *ratio,
             Self::Spin { lost } => *lost,
@@ -122,12 +124,17 @@ impl fmt::Display for ResultWarning {
                 )?;
                 f.write_str(&causes.join("; or "))
             }
-            Self::Strain { volume_change } => write!(
+            Self::Strain {
+                volume_change,
+                range,
+            } => write!(
                 f,
-                "`elastic` was strained to J - 1 = {volume_change:.3}, beyond {}: the stress of increments has no energy there, and \
-                 what is stored is off by {:.0} %; `neo_hookean` and `hencky` have an energy at any strain",
-                LinearElastic::MOST_VOLUME_CHANGE,
-                100.0 * LinearElastic::energy_error(1.0 + volume_change)
+                "`{}` was strained to J - 1 = {volume_change:.3}, beyond {}: the stress of increments has no energy there, and \
+                 what is stored is off by {:.0} %; {}",
+                range.law,
+                range.most_volume_change,
+                100.0 * (range.energy_error)(1.0 + volume_change),
+                range.instead
             ),
             Self::Traction { index, share } => write!(
                 f,
@@ -178,9 +185,10 @@ impl Simulation {
         let extremes = self.extremes();
         let mut all = vec![];
         all.extend(self.energy_caution(energy, &extremes));
-        if extremes.volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE {
+        if let Some(range) = self.exceeded_range(&extremes) {
             all.push(ResultWarning::Strain {
                 volume_change: extremes.volume_change,
+                range,
             });
         }
         if let Some(lost) = self.lost_spin().filter(|lost| *lost > MOST_LOST_SPIN) {
@@ -275,10 +283,8 @@ impl Simulation {
     fn causes(&self, remainder: f64, extremes: &Extremes) -> Vec<&'static str> {
         let scene = &self.model.scene;
         let mut all = vec![];
-        if extremes.volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE {
-            all.push(
-                "`elastic` at large strain, which has no energy: use `neo_hookean` or `hencky`",
-            );
+        if let Some(range) = self.exceeded_range(extremes) {
+            all.push(range.cause);
         }
         if remainder > 0.0 {
             all.push("contact or damping that gave energy which the transfer took again: look at each channel");

@@ -13,7 +13,6 @@
 //! functions, whose particles cross cells, and steps beyond the critical one. The sums are in no checkpoint: they begin anew.
 
 use super::Simulation;
-use crate::laws::LinearElastic;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::plan::loses_tension;
@@ -177,7 +176,7 @@ impl Simulation {
     /// Energy from nowhere over the energy that there was to turn over; 0 where not all work is known, and where incremental
     /// elasticity at large strain makes it.
     fn created_share(&mut self) -> f64 {
-        let strained = self.extremes().volume_change.abs() > LinearElastic::MOST_VOLUME_CHANGE;
+        let strained = self.exceeded_range(&self.extremes()).is_some();
         if strained || !self.knows_all_work() {
             return 0.0;
         }

@@ -4,13 +4,13 @@
 #![allow(dead_code)]
 
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::scene::{
     Body, Damping, Dimension, DomainUpdate, InitialStress, Material, Mesh, Mortar, OnImbalance,
     Outside, PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
     Vector, VolumetricStrain, Weighting,
 };
 use proctor_kernel::simulation::{InitialField, InitialState, Options, Phase, Simulation};
+use proctor_laws::{AnyLaw, LinearElastic, NeoHookean};
 use std::sync::{Arc, Mutex};
 
 pub const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];

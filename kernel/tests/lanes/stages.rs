@@ -2,8 +2,6 @@
 
 use proctor_kernel::grid::{ActiveRows, GridShape, Line, Nodes};
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::laws::tensor::Configuration;
-use proctor_kernel::laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
@@ -13,6 +11,8 @@ use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task, dilation};
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::{Family, base_offset};
+use proctor_laws::tensor::Configuration;
+use proctor_laws::{AnyLaw, LinearElastic, NeoHookean};
 
 const CELLS: usize = 4;
 const PARTICLES: usize = 150;

@@ -1,7 +1,7 @@
 //! Softening that scales with the cell.
 
 use crate::laws::support::{DENSITY, close};
-use proctor_kernel::laws::{AnyLaw, Band, MohrCoulomb, Point, Residual, Softening, VonMises};
+use proctor_laws::{AnyLaw, Band, MohrCoulomb, Point, Residual, Softening, VonMises};
 
 const YOUNG: f64 = 1.0e6;
 const STRENGTH: f64 = 100.0;

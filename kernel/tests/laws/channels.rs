@@ -2,7 +2,7 @@
 
 use crate::laws::returned::laws;
 use crate::laws::support::{DENSITY, first_order, numbers, shear, strain};
-use proctor_kernel::laws::{AnyLaw, LinearElastic, Point, VonMises};
+use proctor_laws::{AnyLaw, LinearElastic, Point, VonMises};
 
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;

@@ -2,7 +2,7 @@
 
 use crate::laws::support::{DENSITY, close, numbers, point, shear, strain, uniaxial};
 use nalgebra::{Matrix3, Vector3};
-use proctor_kernel::laws::{AnyLaw, ConeMatch, DruckerPrager, Point};
+use proctor_laws::{AnyLaw, ConeMatch, DruckerPrager, Point};
 
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.2;

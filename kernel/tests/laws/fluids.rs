@@ -2,9 +2,7 @@
 
 use crate::laws::support::{DENSITY, close, first_order, midpoint, numbers, point, strain, tensor};
 use nalgebra::Matrix3;
-use proctor_kernel::laws::{
-    AnyLaw, Bingham, EquationOfState, Newtonian, Particle, Point, UNDEFORMED,
-};
+use proctor_laws::{AnyLaw, Bingham, EquationOfState, Newtonian, Particle, Point, UNDEFORMED};
 
 const BULK: f64 = 2.0e5;
 const VISCOSITY: f64 = 3.0;

@@ -2,7 +2,7 @@
 
 use crate::laws::support::{DENSITY, close, numbers, point};
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::laws::{
+use proctor_laws::{
     AnyLaw, ConeMatch, DruckerPrager, GAP, LinearElastic, MohrCoulomb, Particle, Point, Softening,
     Tresca, UNDEFORMED,
 };
@@ -264,7 +264,7 @@ fn all_lanes_have_the_same_bits() {
         .collect();
     let softens = MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e3, 10.0]).softening(
         Softening::Exponential { eta: 3.0 },
-        proctor_kernel::laws::Residual {
+        proctor_laws::Residual {
             cohesion: Some(0.0),
             ..Default::default()
         },

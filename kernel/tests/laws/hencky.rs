@@ -3,8 +3,8 @@
 use crate::laws::support::{DENSITY, close, midpoint, numbers, point, shear, strain, uniaxial};
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, Vector3};
 use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Selected};
-use proctor_kernel::laws::tensor::{Configuration, determinant};
-use proctor_kernel::laws::{AnyLaw, Hencky, Increment, Law};
+use proctor_laws::tensor::{Configuration, determinant};
+use proctor_laws::{AnyLaw, Hencky, Increment, Law};
 
 const YOUNG: f64 = 2.6;
 const POISSON: f64 = 0.3;

@@ -2,7 +2,7 @@
 
 use crate::laws::support::{DENSITY, close, midpoint, numbers, point, strain, uniaxial};
 use nalgebra::Matrix3;
-use proctor_kernel::laws::{AnyLaw, Band, Point, VonMises};
+use proctor_laws::{AnyLaw, Band, Point, VonMises};
 
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;

@@ -4,7 +4,7 @@ use crate::laws::support::{
     DENSITY, close, first_order, numbers, point, shear, strain, tensor, uniaxial,
 };
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
-use proctor_kernel::laws::{AnyLaw, MohrCoulomb, Point, Tresca};
+use proctor_laws::{AnyLaw, MohrCoulomb, Point, Tresca};
 
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;

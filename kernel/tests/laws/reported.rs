@@ -16,7 +16,7 @@ use crate::laws::returned::laws;
 use crate::laws::support::{DENSITY, close, point, shear, strain, tensor};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::laws::{
+use proctor_laws::{
     AnyLaw, ConeMatch, DruckerPrager, EquationOfState, LinearElastic, MohrCoulomb, Newtonian,
     Point, Tresca,
 };

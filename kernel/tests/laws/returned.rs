@@ -2,7 +2,7 @@
 
 use crate::laws::support::{DENSITY, midpoint, numbers, tensor};
 use nalgebra::Matrix3;
-use proctor_kernel::laws::{
+use proctor_laws::{
     AnyLaw, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, Point, Residual, Softening,
     Tresca, VonMises,
 };

@@ -2,7 +2,7 @@
 
 use crate::laws::support::{DENSITY, close, first_order, point, shear, strain, tensor};
 use nalgebra::Matrix3;
-use proctor_kernel::laws::{AnyLaw, MohrCoulomb, Point, Residual, Softening};
+use proctor_laws::{AnyLaw, MohrCoulomb, Point, Residual, Softening};
 
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;

@@ -1,7 +1,7 @@
 //! Paths of strain at a material point.
 
 use nalgebra::Matrix3;
-use proctor_kernel::laws::{AnyLaw, Point};
+use proctor_laws::{AnyLaw, Point};
 
 /// Initial density of the points \[kg/m³\]; no stress depends on it.
 pub(crate) const DENSITY: f64 = 2000.0;

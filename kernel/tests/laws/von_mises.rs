@@ -2,7 +2,7 @@
 
 use crate::laws::support::{close, first_order, point, shear, strain, tensor, uniaxial};
 use nalgebra::{Matrix3, Vector3};
-use proctor_kernel::laws::{AnyLaw, Point, VonMises};
+use proctor_laws::{AnyLaw, Point, VonMises};
 
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;

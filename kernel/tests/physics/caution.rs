@@ -3,11 +3,11 @@
 use crate::common::{
     APIC, FLIP, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
 };
-use proctor_kernel::laws::{AnyLaw, NeoHookean};
 use proctor_kernel::scene::{
     Damping, Dimension, DomainUpdate, PlaneCondition, Scene, StressScheme, Transfer, Weighting,
 };
 use proctor_kernel::simulation::{InitialState, ResultWarning, Simulation};
+use proctor_laws::{AnyLaw, NeoHookean};
 use std::sync::Arc;
 
 /// An elastic block that falls 1.5 m; the reported scene with cells of 0.5 m in place of 0.25 m.
@@ -48,7 +48,7 @@ fn energy_from_nowhere_and_large_strain_of_incremental_elasticity_are_told() {
             scale,
             causes,
         },
-        ResultWarning::Strain { volume_change },
+        ResultWarning::Strain { volume_change, .. },
     ] = &all[..]
     else {
         panic!("{all:?} {energy:?}");

@@ -3,12 +3,12 @@
 use crate::common::{
     APIC, DENSITY, DIMENSIONS, IDENTITY, SCHEMES, body, cuboid, elastic, empty, material, options,
 };
-use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::scene::{
     Contact, ContactNormal, Damping, Dimension, DomainUpdate, PlaneCondition, Scene, Shape,
     StressScheme, Weighting,
 };
 use proctor_kernel::simulation::{EventKind, InitialState, Options, Simulation};
+use proctor_laws::NeoHookean;
 use std::sync::Arc;
 
 const NORMALS: [ContactNormal; 3] = [

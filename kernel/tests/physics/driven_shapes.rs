@@ -4,12 +4,12 @@ use crate::common::{
     APIC, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
 };
 use crate::physics::contact::pair;
-use proctor_kernel::laws::Tresca;
 use proctor_kernel::scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
     Weighting,
 };
 use proctor_kernel::simulation::Simulation;
+use proctor_laws::Tresca;
 
 /// Edge of a cell \[m\], Young's modulus and pressure \[Pa\], cells of the block.
 const H: f64 = 0.05;

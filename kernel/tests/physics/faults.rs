@@ -4,7 +4,6 @@ use crate::common::{
     DIMENSIONS, NEO_HOOKEAN, NEVER, SCHEMES, block, body, cuboid, empty, first_error, material,
     options, rough, run, simulation, simulation_from,
 };
-use proctor_kernel::laws::AnyLaw;
 use proctor_kernel::scene::{
     BoxLoad, Dimension, DomainUpdate, History, Outside, ParticleSeed, PlaneCondition, Scene, Shape,
     StressScheme, TimeStep, Weighting,
@@ -12,6 +11,7 @@ use proctor_kernel::scene::{
 use proctor_kernel::simulation::{
     EventKind, InitialState, Options, SetupError, Simulation, StepErrorKind,
 };
+use proctor_laws::AnyLaw;
 use std::sync::Arc;
 
 /// One body at rest and a second one that flies out through a free plane.

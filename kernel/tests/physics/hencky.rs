@@ -1,9 +1,9 @@
 //! A column of Hencky's law under its own weight.
 
 use crate::common::{APIC, body, cuboid, empty, material, options};
-use proctor_kernel::laws::Hencky;
 use proctor_kernel::scene::{Damping, Dimension, DomainUpdate, PlaneCondition, Weighting};
 use proctor_kernel::simulation::{Options, Simulation};
+use proctor_laws::Hencky;
 
 /// Lambert's w e^w = x for x >= 0, by Newton's method.
 fn lambert(x: f64) -> f64 {

@@ -1,11 +1,11 @@
 //! Bodies that have a stress at the start.
 
 use crate::common::{body, cuboid, empty, material, options};
-use proctor_kernel::laws::{LinearElastic, MohrCoulomb, NeoHookean, VonMises};
 use proctor_kernel::scene::{
     Dimension, InitialStress, PlaneCondition, Scene, StressScheme, Weighting,
 };
 use proctor_kernel::simulation::{SetupError, Simulation};
+use proctor_laws::{LinearElastic, MohrCoulomb, NeoHookean, VonMises};
 
 const RATIO: f64 = 0.5;
 const GRAVITY: f64 = 10.0;

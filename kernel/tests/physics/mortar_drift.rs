@@ -2,7 +2,6 @@
 
 use crate::common::{APIC, FLIP, body, cuboid, empty, material, options, run_towards, simulation};
 use crate::physics::mortar::{boundary, collision, contact, disc, line};
-use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
@@ -10,6 +9,7 @@ use proctor_kernel::scene::{
     Damping, Dimension, History, MortarContact, Scene, StressScheme, Vertices,
 };
 use proctor_kernel::simulation::{SetupError, Simulation};
+use proctor_laws::NeoHookean;
 use std::f64::consts::PI;
 
 const RADIUS: f64 = 1.5;

@@ -5,8 +5,8 @@ use crate::common::{
     distance, elastic, empty, light_nodes_act, material, particles, run, simulation,
     weightings_and_schemes,
 };
-use proctor_kernel::laws::{AnyLaw, NeoHookean};
 use proctor_kernel::scene::{Dimension, Field, Scene, TimeStep};
+use proctor_laws::{AnyLaw, NeoHookean};
 
 /// Time step of these tests \[s\]: below the critical one of every method (linear functions with USF: 0.217 * 0.1 m / 46 m/s).
 const STEP: TimeStep = TimeStep::Fixed {

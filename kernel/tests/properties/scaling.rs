@@ -5,11 +5,11 @@ use crate::common::{
     DIMENSIONS, NEO_HOOKEAN, NEVER, TRANSFERS, block, elastic, options, rough,
     weightings_and_schemes,
 };
-use proctor_kernel::laws::{LinearElastic, NeoHookean};
 use proctor_kernel::scene::{
     Damping, PlaneCondition, PointLoad, Scene, Shape, TimeStep, Traction, Vector,
 };
 use proctor_kernel::simulation::{InitialField, Options, Simulation};
+use proctor_laws::{LinearElastic, NeoHookean};
 use proptest::prelude::*;
 use std::sync::Arc;
 

@@ -331,7 +331,7 @@ impl Study for Cantilever {
             p1: [-h, -h, 0.0],
             p2: [0.0, HEIGHT + h, 0.0],
         }];
-        let law = proctor_kernel::laws::NeoHookean::new(YOUNG, POISSON);
+        let law = proctor_laws::NeoHookean::new(YOUNG, POISSON);
         scene.materials = material("soft", DENSITY, law);
         scene.bodies = vec![body("beam", 1, cuboid([0.0; 3], [LENGTH, HEIGHT, 0.0]))];
         settings.apply(&mut scene);

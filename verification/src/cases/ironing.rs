@@ -25,13 +25,13 @@
 mod judge;
 mod pressed;
 
-use proctor_kernel::laws::NeoHookean;
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::scene::{
     Damping, Dimension, History, MortarContact, PlaneCondition, Scene, Vertices,
 };
 use proctor_kernel::simulation::Simulation;
+use proctor_laws::NeoHookean;
 use std::f64::consts::PI;
 
 use super::dynamics::at_intervals;

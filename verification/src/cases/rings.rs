@@ -336,7 +336,7 @@ impl Study for Rings {
         scene.name.clone_from(&rung.label);
         scene.time_step = settings.multiplier();
         scene.results = NO_RESULTS;
-        let law = proctor_kernel::laws::NeoHookean::new(
+        let law = proctor_laws::NeoHookean::new(
             9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
             (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
         );

@@ -14,11 +14,11 @@
 
 use std::f64::consts::PI;
 
-use proctor_kernel::laws::{Band, MohrCoulomb, Residual, Softening};
 use proctor_kernel::scene::{
     Body, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene,
 };
 use proctor_kernel::simulation::{Options, Simulation};
+use proctor_laws::{Band, MohrCoulomb, Residual, Softening};
 
 use super::dynamics::step;
 use super::judging::{error_of, of_variant, table, value_of};

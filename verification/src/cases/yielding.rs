@@ -3,7 +3,7 @@
 //! All of them yield at about the same compression. Those with friction have a Poisson's ratio of 0.2: with a larger one
 //! the stress across the axis holds them below the surface for ever (K_0 = nu/(1 - nu) must be less than K_a).
 
-use proctor_kernel::laws::{AnyLaw, ConeMatch, DruckerPrager, MohrCoulomb, Tresca, VonMises};
+use proctor_laws::{AnyLaw, ConeMatch, DruckerPrager, MohrCoulomb, Tresca, VonMises};
 
 use crate::case::Rung;
 use crate::exact::homogeneous::Surface;

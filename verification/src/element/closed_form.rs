@@ -1,7 +1,7 @@
 //! Curves of the paths of the laboratory in closed form.
 
 use super::{Control, Test};
-use proctor_kernel::laws::{AnyLaw, Bingham, LinearElastic, Newtonian, VonMises};
+use proctor_laws::{AnyLaw, Bingham, LinearElastic, Newtonian, VonMises};
 
 /// Halvings of an interval in which a plastic strain is looked for.
 const HALVINGS: usize = 100;

@@ -7,7 +7,7 @@
 
 use super::closed_form::constant;
 use nalgebra::{DMatrix, DVector};
-use proctor_kernel::laws::{AnyLaw, Isotropic, Point, PointFault};
+use proctor_laws::{AnyLaw, Isotropic, Point, PointFault};
 
 /// Most corrections by Newton's method from one start.
 const CORRECTIONS: usize = 60;

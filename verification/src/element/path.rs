@@ -2,7 +2,7 @@
 
 use super::held::{self, Driven};
 use super::{ElementError, State};
-use proctor_kernel::laws::{AnyLaw, Point};
+use proctor_laws::{AnyLaw, Point};
 
 /// A row of a path: the time \[s\], and of components xx, yy, zz, yz, xz, xy the logarithmic strain or the stress \[Pa\].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Laws of a given stiffness, and the same in other units.
 
-use proctor_kernel::laws::{
+use proctor_laws::{
     self, AnyLaw, Bingham, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, NeoHookean,
     Newtonian, Tresca, VonMises,
 };
@@ -59,7 +59,7 @@ pub fn scaled(law: &AnyLaw, units: &Units) -> AnyLaw {
             }
     });
     let scaled: Vec<f64> = scaled.collect();
-    for kind in laws::ALL {
+    for kind in proctor_laws::ALL {
         // Words: three of each choice are more than any has here.
         for word in 0..3 {
             let words = vec![word; kind.choices.len()];

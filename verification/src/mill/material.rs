@@ -3,7 +3,7 @@
 //! Neo-Hookean and Hencky's elasticity are functions of F and stand here once more, in other forms than the kernel's. Laws with
 //! a memory are integrated along the exact motion by their own update ([`path`](super::path)).
 
-use proctor_kernel::laws::{
+use proctor_laws::{
     AnyLaw, ConeMatch, DruckerPrager, Hencky, Isotropic, LinearElastic, NeoHookean, VonMises,
 };
 

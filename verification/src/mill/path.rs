@@ -4,8 +4,8 @@
 //! and derivatives of the stress come together. What a step of the law leaves is taken out by Richardson's extrapolation of
 //! whole and half steps.
 
-use proctor_kernel::laws::tensor::Configuration;
-use proctor_kernel::laws::{Increment, Law};
+use proctor_laws::tensor::Configuration;
+use proctor_laws::{Increment, Law};
 
 use super::material::{determinant_of, divergence, inverse_of, product_of};
 use super::motion::{Matrix, Moment, Place, matrix};

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use proctor_kernel::laws::Law;
 use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation};
+use proctor_laws::Law;
 
 use super::material::{Kind, determinant_of, divergence};
 use super::motion::{Moment, Place, Vector, apply};
@@ -204,7 +204,7 @@ fn follow_all(
         Kind::VonMises => of_law(problem, &material.von_mises(), 1, places, moments, dt),
         Kind::DruckerPrager => of_law(problem, &material.drucker_prager(), 1, places, moments, dt),
         _ => {
-            let law = proctor_kernel::laws::LinearElastic::new(material.young, material.poisson);
+            let law = proctor_laws::LinearElastic::new(material.young, material.poisson);
             of_law(problem, &law, 2, places, moments, dt)
         }
     }

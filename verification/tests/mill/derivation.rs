@@ -1,7 +1,7 @@
 //! Motions, stresses and forces against differences and against the kernel's laws.
 
-use proctor_kernel::laws::{Hencky, Law, NeoHookean, Point};
 use proctor_kernel::scene::{StressScheme, TransferKind};
+use proctor_laws::{Hencky, Law, NeoHookean, Point};
 use proctor_verification::mill::check::{Derivation, derivation};
 use proctor_verification::mill::draw::{self, Choice};
 use proctor_verification::mill::judge;
@@ -107,7 +107,7 @@ fn stresses_are_those_of_the_kernel() {
             stress: [0.0; 6],
         };
         let mut point = Point::new(&material.law(), 1000.0, [0.0; 6]);
-        let mut f = proctor_kernel::laws::UNDEFORMED;
+        let mut f = proctor_laws::UNDEFORMED;
         for gradient in &gradients {
             point.step(gradient, 1.0).expect("a finite stress");
             let mut relative = *gradient;

@@ -3,9 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use proctor_kernel::laws::{
-    ALL, Accepted, Choice, Constant, ConstantDefault, Curve, LawType, Rows,
-};
+use proctor_laws::{ALL, Accepted, Choice, Constant, ConstantDefault, Curve, LawType, Rows};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};

@@ -1,11 +1,11 @@
 //! Strain that can be foreseen to be too large for incremental elasticity.
 
 use super::places::{free_box, from_plane, gap, name};
-use crate::laws::LinearElastic;
 use crate::scene::{Body, Scene, Vector};
 
-/// Strain that is foreseen from which a run will be off by more than a few percent: what it strains is known to a third.
-const LARGE: f64 = 1.5 * LinearElastic::MOST_VOLUME_CHANGE;
+/// Strain that is foreseen over the largest of the law, from which a run will be off by more than a few percent: what it
+/// strains is known to a third.
+const LARGE: f64 = 1.5;
 
 /// A strain, and the words for where it comes from.
 type Part = (f64, String);
@@ -16,16 +16,19 @@ type Part = (f64, String);
 pub(super) fn large_strain(scene: &Scene) -> Vec<String> {
     let of = |body: &Body| {
         let material = scene.materials.get(body.material)?;
-        material.law.downcast::<LinearElastic>()?;
+        let range = material.law.strain_range()?;
         let bounds = free_box(body)?;
         let (young, density) = (material.law.young(), material.density);
         let mut parts: Vec<Part> = vec![];
+        let large = LARGE * range.most_volume_change;
         parts.extend(blow(scene, body, &bounds, (young / density).sqrt()));
         parts.extend(weight(scene, &bounds, density, young));
         parts.extend(load(scene, &bounds, young));
+        // Less is part of any strain that waves carry.
+        parts.retain(|(strain, _)| *strain > 0.1 * large);
         let strain: f64 = parts.iter().map(|(strain, _)| strain).sum();
         let words: Vec<String> = parts.into_iter().map(|(_, words)| words).collect();
-        (strain > LARGE).then(|| {
+        (strain > large).then(|| {
             format!(
                 "{}: strains of about {strain:.2} are to be expected ({}); `elastic` adds up increments of stress and has no energy \
                  there, so that what it gives back is not what it took; `neo_hookean` and `hencky` have one",
@@ -80,8 +83,7 @@ fn blow(scene: &Scene, body: &Body, bounds: &[Vector; 2], wave_speed: f64) -> Op
     let height = fall(scene, body, bounds).unwrap_or(0.0);
     let speed = (begins + 2.0 * square(&scene.gravity).sqrt() * height).sqrt();
     let strain = speed / wave_speed;
-    // Less is part of any strain that waves carry.
-    (strain > 0.1 * LARGE).then(|| (strain, format!("stopped from {speed:.3} m/s: {strain:.2}")))
+    Some((strain, format!("stopped from {speed:.3} m/s: {strain:.2}")))
 }
 
 /// The strain under its own weight of a body that rests on something.
@@ -92,7 +94,7 @@ fn weight(scene: &Scene, bounds: &[Vector; 2], density: f64, young: f64) -> Opti
         .any(|side| scene.mesh.planes[axis][*side].prescribes(axis, axis));
     let height = bounds[1][axis] - bounds[0][axis];
     let strain = density * scene.gravity[axis].abs() * height / young;
-    (held && strain > 0.1 * LARGE).then(|| (strain, format!("its own weight: {strain:.2}")))
+    held.then(|| (strain, format!("its own weight: {strain:.2}")))
 }
 
 /// The strain under box loads and tractions that lie on a body.
@@ -126,5 +128,5 @@ fn load(scene: &Scene, bounds: &[Vector; 2], young: f64) -> Option<Part> {
         .filter(|stress| stress.is_finite())
         .fold(0.0, f64::max);
     let strain = most / young;
-    (strain > 0.1 * LARGE).then(|| (strain, format!("loads on it: {strain:.2}")))
+    Some((strain, format!("loads on it: {strain:.2}")))
 }

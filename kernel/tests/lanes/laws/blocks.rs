@@ -1,13 +1,13 @@
 //! Blocks of particles have the same bits for all lanes, and internal variables follow their particles.
 
 use proctor_kernel::lanes::{LaneChoice, Lanes, Selected};
-use proctor_kernel::laws::tensor::Configuration;
-use proctor_kernel::laws::{
+use proctor_kernel::layout::{Layout, Optional, Variable};
+use proctor_kernel::particles::ParticleSet;
+use proctor_laws::tensor::Configuration;
+use proctor_laws::{
     Block, ConeMatch, DruckerPrager, GAP, Gradients, Hencky, Increment, Law, LinearElastic,
     MohrCoulomb, NeoHookean, Particle, Residual, Softening, Strained, Tresca, VonMises,
 };
-use proctor_kernel::layout::{Layout, Optional, Variable};
-use proctor_kernel::particles::ParticleSet;
 
 const PARTICLES: usize = 43;
 const DT: f64 = 1.0e-3;
@@ -122,7 +122,7 @@ fn strained<M: Law>(
 }
 
 fn check<M: Law>(law: &M) {
-    use proctor_kernel::laws::Strain;
+    use proctor_laws::Strain;
     for axes in [2, 3] {
         let whole = strained::<M>(axes, &|block| law.strain(Selected::plain(), block));
         assert!(whole.1.fault.is_none() && whole.1.speed_squared > 0.0);
@@ -179,7 +179,7 @@ fn blocks_have_the_same_bits_for_all_lanes() {
 
 #[test]
 fn internal_variables_begin_and_go_on_as_their_law_says() {
-    use proctor_kernel::laws::Strain;
+    use proctor_laws::Strain;
     let law = Counting(LinearElastic::new(1.0e3, 0.3));
     let (mut set, gradients) = particles::<Counting>(2);
     assert_eq!(set.column("steps"), Some(&[2.0; PARTICLES][..]));

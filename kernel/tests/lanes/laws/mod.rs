@@ -2,12 +2,12 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
-use proctor_kernel::laws::tensor::{Configuration, Matrix};
-use proctor_kernel::laws::tensor::{
+use proctor_laws::tensor::{Configuration, Matrix};
+use proctor_laws::tensor::{
     determinant, inverse, left_stretch_diagonal, relative_deformation, stretch_diagonal,
     volume_ratio,
 };
-use proctor_kernel::laws::{Increment, Law, LinearElastic, NeoHookean, ObjectiveRate};
+use proctor_laws::{Increment, Law, LinearElastic, NeoHookean, ObjectiveRate};
 use std::f64::consts::PI;
 
 mod blocks;

@@ -2,9 +2,7 @@
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::laws::{
-    AnyLaw, ConeMatch, DruckerPrager, MohrCoulomb, Point, Tresca, VonMises,
-};
+use proctor_laws::{AnyLaw, ConeMatch, DruckerPrager, MohrCoulomb, Point, Tresca, VonMises};
 
 use super::super::judging::error_at_most;
 use super::{DENSITY, POISSON, YOUNG};

@@ -2,9 +2,6 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::laws::{
-    AnyLaw, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, ObjectiveRate, VonMises,
-};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
@@ -15,6 +12,9 @@ use proctor_kernel::scene::{
 };
 use proctor_kernel::simulation::{InitialField, InitialState};
 use proctor_kernel::surface::Surface;
+use proctor_laws::{
+    AnyLaw, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, ObjectiveRate, VonMises,
+};
 
 use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, material};
 

@@ -6,8 +6,8 @@ use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
 use super::tensor::components;
 use super::tensor::{deviator, second_invariant};
 use super::{Choice, Constant, InvalidConstant, LinearElastic, Readable};
-use crate::lanes::Lanes;
-use crate::layout::Variable;
+use proctor_kernel::lanes::Lanes;
+use proctor_kernel::layout::Variable;
 
 /// Where the cone of Drucker and Prager touches the pyramid of Mohr and Coulomb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,6 +111,8 @@ impl DruckerPrager {
         self.cone
     }
 }
+
+crate::yielding_law!(DruckerPrager);
 
 impl Yielding for DruckerPrager {
     const CONSTANTS: &'static [Constant] = &[

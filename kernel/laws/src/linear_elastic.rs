@@ -1,8 +1,8 @@
 //! Linear elasticity in the rate of deformation (hypoelastic).
 
 use super::tensor::{Configuration, Matrix, VOIGT, inverse, one_plus, product, rotate};
-use super::{Choice, Constant, Increment, Isotropic, Law, Particle, Readable};
-use crate::lanes::Lanes;
+use super::{Choice, Constant, Increment, Isotropic, Law, Particle, Readable, StrainRange};
+use proctor_kernel::lanes::Lanes;
 
 /// Objective stress rate of the hypoelastic law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,6 +94,16 @@ impl LinearElastic {
 }
 
 impl Law for LinearElastic {
+    fn strain_range(&self) -> Option<StrainRange> {
+        Some(StrainRange {
+            most_volume_change: Self::MOST_VOLUME_CHANGE,
+            energy_error: Self::energy_error,
+            law: Self::NAME,
+            instead: "`neo_hookean` and `hencky` have an energy at any strain",
+            cause: "`elastic` at large strain, which has no energy: use `neo_hookean` or `hencky`",
+        })
+    }
+
     const CONSTANTS: &'static [Constant] = &[super::YOUNG, super::POISSON];
 
     fn name(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! A yield stress along straight lines between marks of plastic strain, as tests of the laboratory give it.
 
 use super::{Curve, InvalidConstant};
-use crate::lanes::Lanes;
+use proctor_kernel::lanes::Lanes;
 
 /// Most marks of a curve: each costs a comparison in every return.
 pub const MOST: usize = 16;

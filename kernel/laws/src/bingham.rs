@@ -11,8 +11,8 @@ use super::{
     Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, LinearElastic, Particle,
     PressurizedFluid, Readable,
 };
-use crate::lanes::Lanes;
-use crate::layout::Variable;
+use proctor_kernel::lanes::Lanes;
+use proctor_kernel::layout::Variable;
 
 /// Bingham's fluid as a visco-plastic solid without regularisation: elastic in shear with a modulus G up to
 /// tau = sqrt(J_2) = tau_y, above it flowing at (tau - tau_y)/mu, implicitly in time. Steady shear at a rate g' carries

@@ -8,10 +8,10 @@ use super::linear_elastic::strain;
 use super::tensor::components;
 use super::{
     Constant, ConstantDefault, Curve, Increment, InvalidConstant, Isotropic, Law, LinearElastic,
-    Particle, Rows,
+    Rows,
 };
-use crate::lanes::Lanes;
-use crate::layout::Variable;
+use proctor_kernel::lanes::Lanes;
+use proctor_kernel::layout::Variable;
 use std::fmt;
 
 /// Plastic deviatoric strain, the sum of sqrt(2/3 e : e) over the deviators e of plastic strain increments.
@@ -43,7 +43,8 @@ pub struct ReturnedStress<L: Lanes> {
     pub opened: L,
 }
 
-/// A law with a yield surface. Whoever has it is a [`Law`]: elastic until its trial stress lies beyond the surface.
+/// A yield surface. The macro [`yielding_law`](crate::yielding_law) makes a [`Law`] of a type that has it: elastic until its
+/// trial stress lies beyond the surface.
 pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// See [`Law::CONSTANTS`].
     const CONSTANTS: &'static [Constant];
@@ -109,144 +110,164 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     }
 }
 
-impl<Y: Yielding> Law for Y {
-    const CONSTANTS: &'static [Constant] = Y::CONSTANTS;
-    const CURVES: &'static [Curve] = Y::CURVES;
-    const VARIABLES: &'static [Variable] = Y::VARIABLES;
-    const YIELDS: bool = true;
+/// Makes a type with a yield surface ([`Yielding`]) a [`Law`].
+///
+/// Elastic until the trial stress lies beyond the surface, and then as [`update`] returns it.
+#[macro_export]
+macro_rules! yielding_law {
+    ($law:ty) => {
+        impl $crate::Law for $law {
+            const CONSTANTS: &'static [$crate::Constant] = <Self as $crate::Yielding>::CONSTANTS;
+            const CURVES: &'static [$crate::Curve] = <Self as $crate::Yielding>::CURVES;
+            const VARIABLES: &'static [$crate::kernel::layout::Variable] =
+                <Self as $crate::Yielding>::VARIABLES;
+            const YIELDS: bool = true;
 
-    fn name(&self) -> &'static str {
-        Yielding::name(self)
-    }
+            fn name(&self) -> &'static str {
+                $crate::Yielding::name(self)
+            }
 
-    fn values(&self) -> Vec<f64> {
-        Yielding::values(self)
-    }
+            fn values(&self) -> Vec<f64> {
+                $crate::Yielding::values(self)
+            }
 
-    fn curves(&self) -> Vec<Rows> {
-        Yielding::curves(self)
-    }
+            fn curves(&self) -> Vec<$crate::Rows> {
+                $crate::Yielding::curves(self)
+            }
 
-    fn problems(&self) -> Vec<InvalidConstant> {
-        Yielding::problems(self)
-    }
+            fn problems(&self) -> Vec<$crate::InvalidConstant> {
+                $crate::Yielding::problems(self)
+            }
 
-    fn warnings(&self) -> Vec<String> {
-        Yielding::warnings(self)
-    }
+            fn warnings(&self) -> Vec<String> {
+                $crate::Yielding::warnings(self)
+            }
 
-    fn in_cells(&self, cell: f64) -> Option<Self> {
-        Yielding::in_cells(self, cell)
-    }
+            fn in_cells(&self, cell: f64) -> Option<Self> {
+                $crate::Yielding::in_cells(self, cell)
+            }
 
-    fn young(&self) -> f64 {
-        self.elastic().young()
-    }
+            fn young(&self) -> f64 {
+                $crate::Law::young($crate::Yielding::elastic(self))
+            }
 
-    fn wave_speed(&self, density: f64) -> f64 {
-        self.elastic().wave_speed(density)
-    }
+            fn wave_speed(&self, density: f64) -> f64 {
+                $crate::Law::wave_speed($crate::Yielding::elastic(self), density)
+            }
 
-    fn parts(&self) -> bool {
-        Y::GAP.is_some()
-    }
+            fn parts(&self) -> bool {
+                <Self as $crate::Yielding>::GAP.is_some()
+            }
 
-    /// The square of the elastic wave speed, which is the fastest; of a material that has parted that of the volume at which
-    /// its gap closes.
-    #[inline(always)]
-    fn update<L: Lanes, const D: usize>(
-        &self,
-        increment: &Increment<L>,
-        stress: &mut [L; 6],
-        variables: &mut [L],
-    ) -> L {
-        let zero = L::splat(0.0);
-        let elasticity = self.elastic().elasticity();
-        let mut speed_squared = self.elastic().update::<L, D>(increment, stress, &mut []);
-        let parted = parted::<L, Y>(variables);
-        let (mut closed, mut before) = (zero, zero);
-        if let (true, Some(gap)) = (parted, Y::GAP) {
-            before = (stress[0] + stress[1] + stress[2]) * L::splat(1.0 / 3.0);
-            closed = gap::close(stress, variables[gap], elasticity.bulk());
-            variables[gap] = variables[gap] - closed;
+            #[inline(always)]
+            fn update<L: $crate::kernel::lanes::Lanes, const D: usize>(
+                &self,
+                increment: &$crate::Increment<L>,
+                stress: &mut [L; 6],
+                variables: &mut [L],
+            ) -> L {
+                $crate::plastic::update::<Self, L, D>(self, increment, stress, variables)
+            }
+
+            #[inline]
+            fn energy(&self, particle: &$crate::Particle<'_>) -> f64 {
+                $crate::Law::energy($crate::Yielding::elastic(self), particle)
+            }
+
+            /// The plastic work.
+            fn dissipated(&self, particle: &$crate::Particle<'_>) -> f64 {
+                particle.variables[1] * particle.mass / particle.density
+            }
+
+            fn algorithmic(&self, particle: &$crate::Particle<'_>) -> f64 {
+                particle.variables[2] * particle.mass / particle.density
+            }
         }
-        let mut returned = self.returned::<L, D>(stress, variables);
-        if let (true, Some(gap)) = (parted, Y::GAP) {
-            returned = Some(opened::<L, Y, D>(self, stress, variables, gap, returned));
-        }
-        let volume = increment.volume / increment.mass * L::splat(increment.density);
-        if let Some(ReturnedStress {
-            stress: mut after,
-            yields,
-            mut opened,
-        }) = returned
-        {
-            let tau = self.relaxation();
-            if tau > 0.0 {
-                // Implicit in time: sigma = (sigma_trial + (dt/tau) sigma_returned)/(1 + dt/tau).
-                let share = L::splat(increment.dt / (tau + increment.dt));
-                opened = share * opened;
-                for slot in 0..components(D) {
-                    after[slot] = share.mul_add(after[slot] - stress[slot], stress[slot]);
-                }
-            }
-            let mut strain = strain::<L, D>(increment);
-            if parted {
-                // The strain without that of the gap that closed.
-                for entry in &mut strain[..3] {
-                    *entry = closed.mul_add(L::splat(1.0 / 3.0), *entry);
-                }
-            }
-            let way = way_back::<L, D>(&elasticity, stress, &after, &strain);
-            variables[0] = variables[0] + L::select(yields, way.strain, zero);
-            variables[1] = variables[1] + L::select(yields, way.work * volume, zero);
-            variables[2] = variables[2] + L::select(yields, way.algorithmic * volume, zero);
-            if let Some(dilation) = Y::VOLUME {
-                variables[dilation] = variables[dilation] + L::select(yields, way.dilation, zero);
-            }
-            if let Some(gap) = Y::GAP {
-                // Shear of what is afloat is no flow along the surface: all of its volume is that of the gap.
-                let afloat = zero.lt(variables[gap]);
-                let more = L::select(afloat, way.dilation.max(-variables[gap]), opened);
-                variables[gap] = variables[gap] + L::select(yields, more, zero);
-            }
+    };
+}
+
+/// Stress and internal variables of a law with a yield surface after a strain increment: see [`Law::update`]. Returns the square of the
+/// elastic wave speed, which is the fastest; of a material that has parted that of the volume at which
+/// its gap closes.
+#[inline(always)]
+pub fn update<Y: Yielding, L: Lanes, const D: usize>(
+    law: &Y,
+    increment: &Increment<L>,
+    stress: &mut [L; 6],
+    variables: &mut [L],
+) -> L {
+    let zero = L::splat(0.0);
+    let elasticity = law.elastic().elasticity();
+    let mut speed_squared = law.elastic().update::<L, D>(increment, stress, &mut []);
+    let begins_parted = parted::<L, Y>(variables);
+    let (mut closed, mut before) = (zero, zero);
+    if let (true, Some(gap)) = (begins_parted, Y::GAP) {
+        before = (stress[0] + stress[1] + stress[2]) * L::splat(1.0 / 3.0);
+        closed = gap::close(stress, variables[gap], elasticity.bulk());
+        variables[gap] = variables[gap] - closed;
+    }
+    let mut returned = law.returned::<L, D>(stress, variables);
+    if let (true, Some(gap)) = (begins_parted, Y::GAP) {
+        returned = Some(opened::<L, Y, D>(law, stress, variables, gap, returned));
+    }
+    let volume = increment.volume / increment.mass * L::splat(increment.density);
+    if let Some(ReturnedStress {
+        stress: mut after,
+        yields,
+        mut opened,
+    }) = returned
+    {
+        let tau = law.relaxation();
+        if tau > 0.0 {
+            // Implicit in time: sigma = (sigma_trial + (dt/tau) sigma_returned)/(1 + dt/tau).
+            let share = L::splat(increment.dt / (tau + increment.dt));
+            opened = share * opened;
             for slot in 0..components(D) {
-                stress[slot] = L::select(yields, after[slot], stress[slot]);
+                after[slot] = share.mul_add(after[slot] - stress[slot], stress[slot]);
             }
         }
-        if parted {
-            // A gap closes under no pressure: nothing is dissipated, and the trapezoidal work of its strain is algorithmic.
-            let e = strain::<L, D>(increment);
-            let trace = e[0] + e[1] + e[2];
-            let turned = before - L::splat(elasticity.bulk()) * trace;
-            let after = (stress[0] + stress[1] + stress[2]) * L::splat(1.0 / 3.0);
-            let work = L::splat(0.5) * closed * (turned + after) * volume;
-            variables[2] = variables[2] - work;
-            if let Some(dilation) = Y::VOLUME {
-                variables[dilation] = variables[dilation] - closed;
+        let mut strain = strain::<L, D>(increment);
+        if begins_parted {
+            // The strain without that of the gap that closed.
+            for entry in &mut strain[..3] {
+                *entry = closed.mul_add(L::splat(1.0 / 3.0), *entry);
             }
         }
-        if let (true, Some(gap)) = (self::parted::<L, Y>(variables), Y::GAP) {
-            let confined = elasticity.lambda + 2.0 * elasticity.shear;
-            let at_rest = speed_squared.min(L::splat(confined / increment.density));
-            speed_squared = L::select(zero.lt(variables[gap]), at_rest, speed_squared);
+        let way = way_back::<L, D>(&elasticity, stress, &after, &strain);
+        variables[0] = variables[0] + L::select(yields, way.strain, zero);
+        variables[1] = variables[1] + L::select(yields, way.work * volume, zero);
+        variables[2] = variables[2] + L::select(yields, way.algorithmic * volume, zero);
+        if let Some(dilation) = Y::VOLUME {
+            variables[dilation] = variables[dilation] + L::select(yields, way.dilation, zero);
         }
-        speed_squared
+        if let Some(gap) = Y::GAP {
+            // Shear of what is afloat is no flow along the surface: all of its volume is that of the gap.
+            let afloat = zero.lt(variables[gap]);
+            let more = L::select(afloat, way.dilation.max(-variables[gap]), opened);
+            variables[gap] = variables[gap] + L::select(yields, more, zero);
+        }
+        for slot in 0..components(D) {
+            stress[slot] = L::select(yields, after[slot], stress[slot]);
+        }
     }
-
-    #[inline]
-    fn energy(&self, particle: &Particle<'_>) -> f64 {
-        self.elastic().energy(particle)
+    if begins_parted {
+        // A gap closes under no pressure: nothing is dissipated, and the trapezoidal work of its strain is algorithmic.
+        let e = strain::<L, D>(increment);
+        let trace = e[0] + e[1] + e[2];
+        let turned = before - L::splat(elasticity.bulk()) * trace;
+        let after = (stress[0] + stress[1] + stress[2]) * L::splat(1.0 / 3.0);
+        let work = L::splat(0.5) * closed * (turned + after) * volume;
+        variables[2] = variables[2] - work;
+        if let Some(dilation) = Y::VOLUME {
+            variables[dilation] = variables[dilation] - closed;
+        }
     }
-
-    /// The plastic work.
-    fn dissipated(&self, particle: &Particle<'_>) -> f64 {
-        particle.variables[1] * particle.mass / particle.density
+    if let (true, Some(gap)) = (parted::<L, Y>(variables), Y::GAP) {
+        let confined = elasticity.lambda + 2.0 * elasticity.shear;
+        let at_rest = speed_squared.min(L::splat(confined / increment.density));
+        speed_squared = L::select(zero.lt(variables[gap]), at_rest, speed_squared);
     }
-
-    fn algorithmic(&self, particle: &Particle<'_>) -> f64 {
-        particle.variables[2] * particle.mass / particle.density
-    }
+    speed_squared
 }
 
 /// Whether a gap of a group is open.

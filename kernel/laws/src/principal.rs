@@ -6,7 +6,7 @@
 //! state, where the trigonometric form loses half of the digits.
 
 use super::tensor::{VOIGT, components};
-use crate::lanes::Lanes;
+use proctor_kernel::lanes::Lanes;
 
 /// A symmetric tensor as the sum of its principal values times the squares n n^T of their directions.
 #[derive(Clone, Copy, Debug)]

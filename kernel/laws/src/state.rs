@@ -1,7 +1,7 @@
 //! The pressure of a fluid as a function of its volume.
 
 use super::{Accepted, Constant, ConstantDefault, Increment};
-use crate::lanes::{Lanes, functions};
+use proctor_kernel::lanes::{Lanes, functions};
 
 /// Bulk modulus of a fluid.
 pub(super) const BULK: Constant = Constant {

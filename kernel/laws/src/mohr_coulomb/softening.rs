@@ -1,7 +1,7 @@
 //! Strength that falls with plastic strain, and how scene files say it.
 
-use crate::lanes::{Lanes, functions};
-use crate::laws::{Accepted, Choice, Constant, ConstantDefault, InvalidConstant};
+use crate::{Accepted, Choice, Constant, ConstantDefault, InvalidConstant};
+use proctor_kernel::lanes::{Lanes, functions};
 
 /// How strength falls from its peak to what is left of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

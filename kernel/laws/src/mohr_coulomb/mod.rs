@@ -17,8 +17,8 @@ use super::{
     Accepted, Band, Choice, Constant, ConstantDefault, InvalidConstant, LinearElastic, Readable,
     band,
 };
-use crate::lanes::{Lanes, functions};
-use crate::layout::Variable;
+use proctor_kernel::lanes::{Lanes, functions};
+use proctor_kernel::layout::Variable;
 use region::Strength;
 
 /// Mohr-Coulomb: (1 + sin phi) s_1 - (1 - sin phi) s_3 <= 2 c cos phi and s_1 <= t for principal stresses s_1 >= s_2 >= s_3,
@@ -206,6 +206,8 @@ fn between<L: Lanes>(peak: f64, residual: Option<f64>, left: L) -> L {
         Some(residual) => L::splat(peak - residual).mul_add(left, L::splat(residual)),
     }
 }
+
+crate::yielding_law!(MohrCoulomb);
 
 impl Yielding for MohrCoulomb {
     const CONSTANTS: &'static [Constant] = &[

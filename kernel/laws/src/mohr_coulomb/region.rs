@@ -2,8 +2,8 @@
 //! form, chosen by comparison; the map from trial to returned stress is continuous, so that round-off moves nothing between
 //! regions.
 
-use crate::lanes::Lanes;
-use crate::laws::Isotropic;
+use crate::Isotropic;
+use proctor_kernel::lanes::Lanes;
 
 /// Strength of a group of particles.
 #[derive(Clone, Copy, Debug)]

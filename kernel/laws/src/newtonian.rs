@@ -9,8 +9,8 @@ use super::{
     Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, Particle,
     PressurizedFluid, Readable,
 };
-use crate::lanes::Lanes;
-use crate::layout::Variable;
+use proctor_kernel::lanes::Lanes;
+use proctor_kernel::layout::Variable;
 
 /// Viscosity.
 pub(super) const VISCOSITY: Constant = Constant {

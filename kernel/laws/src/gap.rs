@@ -6,8 +6,8 @@
 
 use super::tensor::components;
 use super::tensor::{deviator, second_invariant};
-use crate::lanes::Lanes;
-use crate::layout::Variable;
+use proctor_kernel::lanes::Lanes;
+use proctor_kernel::layout::Variable;
 
 /// Volume strain of the gap that is open.
 pub const GAP: Variable = Variable::scalar("gap", "");

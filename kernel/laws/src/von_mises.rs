@@ -8,7 +8,7 @@ use super::{
     Accepted, Band, Choice, Constant, ConstantDefault, Curve, InvalidConstant, LinearElastic,
     Readable, Rows, band,
 };
-use crate::lanes::{Lanes, functions};
+use proctor_kernel::lanes::{Lanes, functions};
 
 /// Von Mises: sqrt(3 J_2) <= Y(k) with the yield stress Y(k) = Y_0 + H k + Q (1 - exp(-b k)) of the plastic strain k
 /// (Voce 1955 where Q > 0), or along straight lines between marks. It is zero where softening would make it less.
@@ -134,6 +134,8 @@ impl VonMises {
 /// Steps of Newton's method for a yield stress that is curved. It approaches the root from one side, and a step of the
 /// cycle strains so little that the third changes nothing.
 const ITERATIONS: usize = 3;
+
+crate::yielding_law!(VonMises);
 
 impl Yielding for VonMises {
     const CONSTANTS: &'static [Constant] = &[

@@ -2,7 +2,7 @@
 
 use super::tensor::{Matrix, inner};
 use super::{Constant, Increment, Isotropic, Law, Particle, Readable};
-use crate::lanes::Lanes;
+use proctor_kernel::lanes::Lanes;
 
 /// Compressible neo-Hookean elasticity: sigma = (mu (F F^T - 1) + lambda ln J 1) / J.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@ use super::gap::TensionApex;
 use super::plastic::{RELAXATION, ReturnedStress, Yielding};
 use super::strength::{COHESION, TENSILE};
 use super::{Constant, InvalidConstant, LinearElastic, MohrCoulomb, Readable};
-use crate::lanes::Lanes;
-use crate::layout::Variable;
+use proctor_kernel::lanes::Lanes;
+use proctor_kernel::layout::Variable;
 
 /// Tresca: s_1 - s_3 <= 2 c and s_1 <= t, for clay that is not drained; c is its shear strength s_u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +36,8 @@ impl Tresca {
         Self(self.0.relaxing(relaxation))
     }
 }
+
+crate::yielding_law!(Tresca);
 
 impl Yielding for Tresca {
     const CONSTANTS: &'static [Constant] =

@@ -4,15 +4,9 @@
 //! from its volume; so each particle remembers the volume that it has without pressure, and its law sees that volume as the
 //! one at the start.
 
-use super::{Constant, Increment, Law, Particle};
-use crate::lanes::Lanes;
-use crate::layout::Variable;
-
-/// Volume without pressure over the volume at the start.
-pub const UNPRESSED: Variable = Variable {
-    initial: 1.0,
-    ..Variable::scalar("volume without pressure", "")
-};
+use super::{Constant, Increment, Law, Particle, UNPRESSED};
+use proctor_kernel::lanes::Lanes;
+use proctor_kernel::layout::Variable;
 
 /// Work that viscosity has dissipated, per initial volume.
 pub(super) const VISCOUS_WORK: Variable = Variable::scalar("viscous work", "J/m³");

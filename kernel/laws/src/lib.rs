@@ -1,0 +1,66 @@
+//! The constitutive laws that scene files name.
+//!
+//! Each is a type with the trait [`Law`](proctor_kernel::laws::Law) of the kernel, in the file of its name, and stands in
+//! one list, [`ALL`]. A law of a program's own does the same outside of this package, and is handed to a scene.
+//!
+//! The trait and what belongs to it are handed on under the same names, so that a program names one package.
+
+#![deny(unsafe_code)]
+// What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
+mod band;
+mod elasticity;
+mod gap;
+mod marks;
+pub mod plastic;
+mod pressurized_fluid;
+pub mod principal;
+mod state;
+mod strength;
+
+pub use band::Band;
+pub use drucker_prager::ConeMatch;
+pub use elasticity::Isotropic;
+pub use gap::{GAP, TensionApex};
+pub use linear_elastic::ObjectiveRate;
+pub use mohr_coulomb::{Residual, Softening};
+pub use plastic::{ReturnedStress, Yielding};
+pub use pressurized_fluid::PressurizedFluid;
+pub use proctor_kernel::laws::{
+    Accepted, AnyLaw, BLOCK, Block, Choice, Constant, ConstantDefault, Curve, Gradients, Increment,
+    InvalidConstant, Law, LawType, Particle, Point, PointFault, Readable, Rows, StoredParticle,
+    Strain, StrainRange, Strained, UNDEFORMED, UNPRESSED, tensor,
+};
+pub use state::EquationOfState;
+
+// Of the macro `yielding_law`, for programs that do not name the kernel.
+#[doc(hidden)]
+pub use proctor_kernel as kernel;
+
+use elasticity::{POISSON, YOUNG};
+
+/// Laws, each in the file of that name, in the order in which messages list them.
+macro_rules! list {
+    ($($file:ident: $law:ident,)*) => {
+        $(
+            pub mod $file;
+            pub use $file::$law;
+        )*
+
+        /// The laws that scene files name.
+        pub static ALL: &[LawType] = &[$(LawType::of::<$law>()),*];
+    };
+}
+
+list! {
+    linear_elastic: LinearElastic,
+    neo_hookean: NeoHookean,
+    hencky: Hencky,
+    von_mises: VonMises,
+    tresca: Tresca,
+    mohr_coulomb: MohrCoulomb,
+    drucker_prager: DruckerPrager,
+    newtonian: Newtonian,
+    bingham: Bingham,
+}
