@@ -9,7 +9,7 @@ use common::{WEIGHTINGS, moving, within_minutes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
-use proctor_kernel::simulation::{Part, Simulation};
+use proctor_scene::simulation::{Part, Simulation};
 use std::time::{Duration, Instant};
 
 /// Steps before the rehearsals, so that particles lie as they do in a run.

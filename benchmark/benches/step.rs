@@ -10,7 +10,7 @@ use common::{WEIGHTINGS, moving, within_minutes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 const METHODS: [(&str, &str); 5] = [
     ("USL", "FLIP"),

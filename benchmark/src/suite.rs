@@ -1,7 +1,7 @@
 //! Cases, run and timed.
 
 use crate::measure::{Spent, Stopwatch};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, CaseError, Rung, Size, Solved, Verdict};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

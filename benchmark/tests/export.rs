@@ -3,7 +3,7 @@
 use proctor_benchmark::measure::Spent;
 use proctor_benchmark::record::export::{ExportError, Format, text};
 use proctor_benchmark::record::{Record, Row};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use serde_json::Value;
 use std::time::Duration;
 

@@ -2,8 +2,7 @@
 //!
 //!     cargo run --release --package proctor-kernel --example own_condition
 
-use proctor_kernel::prelude::*;
-use proctor_laws::LinearElastic;
+use proctor_scene::prelude::*;
 use std::error::Error;
 use std::sync::Arc;
 

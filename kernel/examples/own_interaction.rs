@@ -3,8 +3,7 @@
 //!
 //!     cargo run --release --package proctor-kernel --example own_interaction
 
-use proctor_kernel::prelude::*;
-use proctor_laws::LinearElastic;
+use proctor_scene::prelude::*;
 use std::error::Error;
 
 /// Speed of the first body, and less that of the second \[m/s\]: so slow that they stay where they are.

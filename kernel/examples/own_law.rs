@@ -3,8 +3,7 @@
 //! A block fills its mesh between fixed walls, under a stress that is the same everywhere, so nothing moves and the
 //! deviator decays as exp(-t/tau). The energy that it loses is kept by each particle.
 
-use proctor_kernel::prelude::*;
-use proctor_laws::LinearElastic;
+use proctor_scene::prelude::*;
 use std::sync::Arc;
 
 /// Linear elasticity, its shear in series with a dashpot: s' = 2 G d - s/tau for the deviator s.

@@ -2,8 +2,7 @@
 //!
 //!     cargo run --release --package proctor-kernel --example without_json
 
-use proctor_kernel::prelude::*;
-use proctor_laws::LinearElastic;
+use proctor_scene::prelude::*;
 use std::error::Error;
 
 const HEIGHT: f64 = 1.0;

@@ -4,7 +4,7 @@
 //! above the upper ones, where the stencil of a particle beside the boundary reaches. The slowest axis is x;
 //! in two dimensions the middle axis has length 1.
 
-use crate::scene::{Dimension, Mesh};
+use crate::model::{Dimension, Mesh};
 use std::ops::Range;
 
 /// What a node holds. Lanes 0 to 3: mass and momentum, after the solve mass and velocity; lanes 4 to 6: force,
@@ -51,24 +51,28 @@ impl GridShape {
 
     /// Direction of storage of an axis of the scene: 0 slow, 1 middle, 2 fast.
     #[must_use]
+    #[inline]
     pub fn direction(&self, axis: usize) -> usize {
         if self.axes == 2 && axis == 1 { 2 } else { axis }
     }
 
     /// Nodes in a plane of the slow axis.
     #[must_use]
+    #[inline]
     pub fn plane_nodes(&self) -> usize {
         self.nodes[1] * self.nodes[2]
     }
 
     /// Index of the node at the storage indices.
     #[must_use]
+    #[inline]
     pub fn index(&self, at: [usize; 3]) -> usize {
         (at[0] * self.nodes[1] + at[1]) * self.nodes[2] + at[2]
     }
 
     /// Storage indices of a node.
     #[must_use]
+    #[inline]
     pub fn indices(&self, node: usize) -> [usize; 3] {
         let fast = node % self.nodes[2];
         let row = node / self.nodes[2];
@@ -77,6 +81,7 @@ impl GridShape {
 
     /// Storage indices of the mesh node with the given index per axis (ghosts not counted).
     #[must_use]
+    #[inline]
     pub fn mesh_node(&self, at: [usize; 3]) -> [usize; 3] {
         let mut storage = [0; 3];
         for axis in 0..self.axes {
@@ -87,12 +92,14 @@ impl GridShape {
 
     /// Position of a node relative to the mesh origin \[m\].
     #[must_use]
+    #[inline]
     pub fn position(&self, node: usize) -> [f64; 3] {
         self.position_of(self.indices(node))
     }
 
     /// Position of the node at the storage indices, relative to the mesh origin \[m\].
     #[must_use]
+    #[inline]
     pub fn position_of(&self, storage: [usize; 3]) -> [f64; 3] {
         let mut x = [0.0; 3];
         for axis in 0..self.axes {
@@ -105,6 +112,7 @@ impl GridShape {
     /// Number of base positions per direction: a base node lies from the lower ghost to one below the upper
     /// plane.
     #[must_use]
+    #[inline]
     pub fn bases(&self) -> [usize; 3] {
         let mut bases = [1; 3];
         for axis in 0..self.axes {
@@ -128,6 +136,7 @@ pub struct Nodes {
 impl Nodes {
     /// `count` nodes, all zero.
     #[must_use]
+    #[inline]
     pub fn new(count: usize) -> Self {
         let data = vec![0.0; 8 * count + 8];
         let offset = data.as_ptr().align_offset(64).min(8);
@@ -140,6 +149,7 @@ impl Nodes {
 
     /// All nodes.
     #[must_use]
+    #[inline]
     pub fn lines(&self) -> &[Line] {
         self.data[self.offset..self.offset + 8 * self.count]
             .as_chunks()
@@ -147,6 +157,7 @@ impl Nodes {
     }
 
     /// All nodes, to change.
+    #[inline]
     pub fn lines_mut(&mut self) -> &mut [Line] {
         self.data[self.offset..self.offset + 8 * self.count]
             .as_chunks_mut()
@@ -233,6 +244,7 @@ impl ActiveRows {
     }
 
     /// Indices of the active nodes, row by row.
+    #[inline]
     pub fn nodes(&self, shape: &GridShape) -> impl Iterator<Item = Range<usize>> {
         let all =
             (0..shape.nodes[0]).flat_map(|plane| self.in_plane(plane).map(move |row| (plane, row)));
@@ -252,6 +264,7 @@ impl ActiveRows {
 
     /// Number of nodes in all active spans.
     #[must_use]
+    #[inline]
     pub fn count(&self) -> usize {
         self.spans
             .iter()

@@ -27,6 +27,7 @@ impl Variable {
 
     /// Name of a component: that of the variable, with a number from 1 where there are several.
     #[must_use]
+    #[inline]
     pub fn component(&self, i: usize) -> String {
         match self.components {
             1 => self.name.to_owned(),
@@ -143,11 +144,13 @@ impl Layout {
 
     /// Number of stress components.
     #[must_use]
+    #[inline]
     pub fn stress_components(&self) -> usize {
         Self::stress_components_of(self.axes)
     }
 
     /// The components of the internal variables: variable, component and column of each.
+    #[inline]
     pub fn components(&self) -> impl Iterator<Item = (&'static Variable, usize, usize)> + use<> {
         let all =
             |variable: &'static Variable| (0..variable.components).map(move |i| (variable, i));
@@ -159,6 +162,7 @@ impl Layout {
 
     /// Bytes of state per particle, identifier included.
     #[must_use]
+    #[inline]
     pub fn bytes_per_particle(&self) -> usize {
         8 * (self.columns + 1)
     }

@@ -37,6 +37,7 @@ impl ParticleSet {
 
     /// The internal variables of a particle, component after component.
     #[must_use]
+    #[inline]
     pub fn variables(&self, p: usize) -> Variables {
         (self.columns[self.layout.variables..].iter())
             .map(|column| column[p])
@@ -46,6 +47,7 @@ impl ParticleSet {
     /// The column of an internal variable by its name (with the number of the component where there are several), a value
     /// for each particle in the order of [`ParticleSet::id`]; `None` where the law has no such variable.
     #[must_use]
+    #[inline]
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         (self.layout.components())
             .find(|(variable, i, _)| match variable.components {
@@ -58,12 +60,14 @@ impl ParticleSet {
 
     /// Number of particles.
     #[must_use]
+    #[inline]
     pub fn len(&self) -> usize {
         self.id.len()
     }
 
     /// Whether there is no particle.
     #[must_use]
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.id.is_empty()
     }
@@ -123,6 +127,7 @@ impl ParticleSet {
 
     /// Particles of the base layers `layers`, as of the last sort.
     #[must_use]
+    #[inline]
     pub fn in_layers(&self, layers: Range<usize>) -> Range<usize> {
         let last = self.layers.len() - 1;
         self.layers[layers.start.min(last)]..self.layers[layers.end.min(last)]

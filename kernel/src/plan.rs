@@ -1,40 +1,17 @@
-//! The plan: what this scene needs, and nothing else.
+//! The plan: what a simulation needs, and nothing else.
 //!
 //! It is decided once. What is left out is never called and its fields are never allocated.
 
-mod entries;
 mod stability;
-mod tension;
-mod warnings;
 
-use crate::layout::{Layout, Optional};
-use crate::scene::{
-    Damping, DomainUpdate, Field, Scene, StressScheme, VolumetricStrain, Weighting,
-};
+use crate::layout::Layout;
+use crate::model::{DomainUpdate, StressScheme, Transfer, TransferKind};
 use crate::stage::g2p::Affine;
 use crate::weights::Family;
-pub(crate) use entries::PlanEntries;
-use entries::is_list;
 pub use stability::{AUTOMATIC_SHARE, has_safe_step, stability_number};
 use std::fmt;
-pub use tension::{ForeseenTension, foreseen_tension};
-pub(crate) use tension::{loses_tension, scheme_word};
 
-/// Options of a plan beyond the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct PlanOptions {
-    /// Keep the initial positions, for displacements.
-    pub displacement: bool,
-    /// Measure kinetic energy and unbalanced force at the nodes in every step.
-    pub measure: bool,
-    /// A body force is given as a function.
-    pub body_force: bool,
-}
-
-/// Says what it makes of a scene.
-pub(crate) type Feature = fn(&Scene, &mut PlanEntries);
-
-/// Decisions for one scene.
+/// Decisions for one simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Number of axes, 2 or 3.
@@ -79,65 +56,6 @@ pub struct PlanEntry {
 }
 
 impl Plan {
-    /// Decides what the scene needs; `features` say what they make of it, in their order.
-    #[must_use]
-    pub(crate) fn of(scene: &Scene, demands: PlanOptions, features: &[Feature]) -> Self {
-        let axes = scene.dimension.axes();
-        let domain_update = scene.weighting.domain_update();
-        let family = scene.weighting.kind().family;
-        let affine = scene.transfer.kind.kind().affine;
-        let viscous_damping = match scene.damping {
-            Damping::Viscous { alpha } if alpha != 0.0 => Some(alpha),
-            _ => None,
-        };
-        let kinetic_damping = scene.damping == Damping::Kinetic;
-        let own_force = !scene.box_loads.is_empty() || demands.body_force;
-        let written =
-            |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
-        let displacement = demands.displacement
-            || written(Field::Displacement)
-            || (scene.results.print > 0 && !scene.probes.is_empty());
-        let layouts = scene
-            .bodies
-            .iter()
-            .map(|body| {
-                let law = scene.law_of(body);
-                Layout::new(
-                    axes,
-                    Optional {
-                        displacement_origin: displacement || demands.body_force,
-                        deformation: law.needs_deformation()
-                            || domain_update.is_some()
-                            || written(Field::DeformationGradient),
-                        affine: affine != Affine::Leave,
-                        half_length: domain_update.is_some()
-                            || (scene.weighting == Weighting::UniformGimp && is_list(body)),
-                        initial_half_length: domain_update.is_some(),
-                        force: own_force,
-                    },
-                    law.variables(),
-                )
-            })
-            .collect();
-        let mut plan = Self {
-            axes,
-            family,
-            domain_update,
-            scheme: scene.scheme,
-            affine,
-            cell_average: scene.volumetric_strain == VolumetricStrain::CellAverage,
-            full_mapping: affine != Affine::Leave || own_force || viscous_damping.is_some(),
-            kinetic_damping,
-            viscous_damping,
-            measure: demands.measure || kinetic_damping,
-            layouts,
-            entries: vec![],
-            warnings: warnings::warnings(scene),
-        };
-        plan.entries = plan.describe(scene, demands, features);
-        plan
-    }
-
     /// Bytes of state per particle, the largest over the bodies.
     #[must_use]
     pub fn bytes_per_particle(&self) -> usize {
@@ -183,5 +101,64 @@ impl fmt::Display for Plan {
         }
         writeln!(f, "bytes per particle  {}", self.bytes_per_particle())?;
         write!(f, "bytes per node      {}", self.bytes_per_node())
+    }
+}
+
+/// The entries of a plan, as the list grows.
+#[derive(Clone, Debug, Default)]
+pub struct PlanEntries(pub Vec<PlanEntry>);
+
+impl PlanEntries {
+    /// Adds what is kept.
+    pub fn keep(&mut self, group: &'static str, name: &str, because: &str) {
+        self.0.push(PlanEntry {
+            group,
+            name: name.into(),
+            kept: true,
+            because: because.into(),
+        });
+    }
+
+    /// Adds what is left out.
+    pub fn leave(&mut self, group: &'static str, name: &str, because: &str) {
+        self.0.push(PlanEntry {
+            group,
+            name: name.into(),
+            kept: false,
+            because: because.into(),
+        });
+    }
+
+    /// Adds what is kept or left out, with the reason for either.
+    pub fn choose(
+        &mut self,
+        group: &'static str,
+        name: &str,
+        kept: bool,
+        why: &str,
+        why_not: &str,
+    ) {
+        if kept {
+            self.keep(group, name, why);
+        } else {
+            self.leave(group, name, why_not);
+        }
+    }
+}
+
+/// True where the method lets displacements grow that no strain sees, which a body in tension does not bear: FLIP with MUSL or USF.
+#[must_use]
+pub fn loses_tension(transfer: Transfer, scheme: StressScheme) -> bool {
+    let flip = transfer.kind == TransferKind::Flip && transfer.pic_fraction < 1.0;
+    flip && scheme != StressScheme::Usl
+}
+
+/// A scheme by its word in scenes.
+#[must_use]
+pub fn scheme_word(scheme: StressScheme) -> &'static str {
+    match scheme {
+        StressScheme::Usl => "USL",
+        StressScheme::Usf => "USF",
+        StressScheme::Musl => "MUSL",
     }
 }

@@ -7,8 +7,8 @@ use common::{
     DIMENSIONS, SCHEMES, TRANSFERS, WEIGHTINGS, body, calm, cuboid, empty, options, run, simulation,
 };
 use proctor_kernel::layout::Layout;
-use proctor_kernel::scene::{Dimension, Scene, StressScheme, TimeStep};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Dimension, Scene, StressScheme, TimeStep};
 
 /// A block that flies across cells, so that it is sorted again and again. Its length along y (2D) or z (3D), the axes along
 /// which nodes follow each other in memory, is given: the planes and rows that it reaches are the same whatever it is.

@@ -1,11 +1,11 @@
 //! Scenes that a library user fills by hand.
 
-use proctor_kernel::scene::{
+use proctor_kernel::{transfers, weighting};
+use proctor_laws::LinearElastic;
+use proctor_scene::{
     Body, Dimension, DomainUpdate, History, InitialStress, Material, Mesh, PointLoad, Scene, Shape,
     TimeStep, Traction, TransferKind, Weighting,
 };
-use proctor_kernel::{transfers, weighting};
-use proctor_laws::LinearElastic;
 
 fn sound() -> Scene {
     let mesh = Mesh::new(Dimension::Two, [0.0, 0.0, 7.0], [0.5; 3], [4; 3]);

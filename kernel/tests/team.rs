@@ -1,7 +1,7 @@
 //! The threads that share the work: the same answers for any number, and nobody else woken by one alone.
 
-use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::team::{ItemCost, Team};
+use proctor_scene::simulation::{Options, Simulation};
 use std::collections::HashSet;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Mutex;

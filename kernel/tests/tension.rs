@@ -4,13 +4,13 @@ use crate::common::{
     APIC, DENSITY, DIMENSIONS, FLIP, NEVER, TPIC, body, cuboid, empty, material, run, simulation,
     simulation_from,
 };
-use proctor_kernel::plan::PlanOptions;
-use proctor_kernel::scene::{
+use proctor_laws::NeoHookean;
+use proctor_scene::plan::PlanOptions;
+use proctor_scene::simulation::{InitialState, MOST_UNSEEN, Simulation, StepErrorKind, plan};
+use proctor_scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
     Traction, Weighting,
 };
-use proctor_kernel::simulation::{InitialState, MOST_UNSEEN, Simulation, StepErrorKind, plan};
-use proctor_laws::NeoHookean;
 use std::sync::Arc;
 
 const YOUNG: f64 = 1.0e5;
@@ -64,7 +64,7 @@ fn driven(dimension: Dimension) -> Scene {
     scene.time = 1.6;
     let mut puller = body(2, scene.bodies[0].shape.clone());
     puller.shape = match scene.bodies[0].shape {
-        proctor_kernel::scene::Shape::Cuboid { p2, .. } => {
+        proctor_scene::Shape::Cuboid { p2, .. } => {
             cuboid([LENGTH, 0.0, 0.0], [LENGTH + 0.3, p2[1], p2[2]])
         }
         _ => unreachable!("a cuboid"),

@@ -5,8 +5,8 @@
 
 use std::fmt;
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::Scene;
+use proctor_scene::simulation::{Options, Simulation};
 
 use crate::convergence::ConvergenceTable;
 use crate::study::Study;

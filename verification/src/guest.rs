@@ -4,7 +4,7 @@
 //! Solvers get the language of the manuals: three dimensions, one velocity for a body, loads on nodes. Plane strain becomes
 //! a slab one cell thick between rollers, and a traction the nodal loads that it is integrated to. Both are exact.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Dimension, Field, Mesh, PlaneCondition, PointLoad, Results, Scene, Shape, TimeStep, Traction,
     Vector,
 };

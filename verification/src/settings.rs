@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use proctor_kernel::plan::{AUTOMATIC_SHARE, has_safe_step, stability_number};
-use proctor_kernel::scene::{Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting};
+use proctor_scene::plan::{AUTOMATIC_SHARE, has_safe_step, stability_number};
+use proctor_scene::{Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting};
 
 /// Weighting function, stress scheme and transfer: a line of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 //! A case says what it needs ([`Study::scene_with`], [`Study::options`]) and what it does ([`Study::run`]); what comes before
 //! and after is the same for all and stands here, in [`Study::solve_with`].
 
-use proctor_kernel::scene::{OnImbalance, Scene, StressScheme, TransferKind, Weighting};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{OnImbalance, Scene, StressScheme, TransferKind, Weighting};
 
 use std::error::Error;
 

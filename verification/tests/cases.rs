@@ -42,7 +42,7 @@ mod tilted_incline;
 mod vortex;
 mod yielding_column;
 
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};
 use proctor_verification::sensitivity::{Number, Reaction, reactions};
 

@@ -2,8 +2,8 @@
 //! this kernel comes near.
 
 use proctor_files::json::{from_json, write};
-use proctor_kernel::scene::{Dimension, Mesh, OnImbalance, Scene, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Dimension, Mesh, OnImbalance, Scene, Vector};
 use proctor_verification::case::{Rung, Size};
 use proctor_verification::guest::{Compared, Guest, Norm, Snapshot};
 use proctor_verification::study::{self, Study};

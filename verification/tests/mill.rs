@@ -4,7 +4,7 @@ mod derivation;
 mod families;
 mod faults;
 
-use proctor_kernel::scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
+use proctor_scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
 use proctor_verification::mill::draw::{self, Choice};
 use proctor_verification::mill::material::Kind;
 use proctor_verification::mill::problem::{Family, Problem};

@@ -1,7 +1,7 @@
 //! What gates react to, on cases made up for it.
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
+use proctor_scene::Scene;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{
     Case, CaseError, Gate, Quantity, Relation, Rung, Size, Solved, Verdict,
 };

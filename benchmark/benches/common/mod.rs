@@ -3,8 +3,8 @@
 use criterion::Criterion;
 use proctor_benchmark::bench::config::{Method, SceneChoice};
 use proctor_benchmark::bench::scenes;
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
+use proctor_scene::Scene;
+use proctor_scene::simulation::Options;
 use std::time::Duration;
 
 pub const WEIGHTINGS: [&str; 4] = ["linear", "uGIMP", "cpGIMP", "quadratic_bspline"];

@@ -1,7 +1,7 @@
 //! Counted items: scenes, methods, parts of a step, laws, and features that do nothing.
 
 use proctor_benchmark::bench::scenes;
-use proctor_kernel::simulation::Part;
+use proctor_scene::simulation::Part;
 use serde_json::{Value, json};
 use std::error::Error;
 

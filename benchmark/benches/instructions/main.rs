@@ -18,7 +18,7 @@ use items::{Group, Item, features, scenes_and_parts};
 use proctor_benchmark::bench::sources::Kept;
 use proctor_benchmark::record::{Record, Row};
 use proctor_benchmark::show::{Table, grouped};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};

@@ -1,7 +1,7 @@
 //! Least work of a particle in a step, to compare with what the machine can do.
 
-use proctor_kernel::plan::Plan;
-use proctor_kernel::scene::{StressScheme, Weighting};
+use proctor_scene::plan::Plan;
+use proctor_scene::{StressScheme, Weighting};
 
 /// Floating-point operations of a particle in a step, 3D, 27 nodes, one mapping and one interpolation, linear
 /// elastic: a count whose floor is 27 ns on a core with 75 GFLOP/s of multiply-adds (AVX-512: 2025 operations) and

@@ -2,8 +2,8 @@
 
 use super::config::Config;
 use super::sample::{Kind, Work};
-use proctor_kernel::scene::{Scene, SceneError, StressScheme, Weighting};
 use proctor_kernel::weighting;
+use proctor_scene::{Scene, SceneError, StressScheme, Weighting};
 
 /// A combination that is sampled, with what tables say of it.
 pub struct Slot {

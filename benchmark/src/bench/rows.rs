@@ -4,7 +4,7 @@ use super::machine::Peaks;
 use super::plan::Slot;
 use super::sample::Sample;
 use crate::record::Row;
-use proctor_kernel::simulation::Phase;
+use proctor_scene::simulation::Phase;
 
 /// The name of a slot in a record, which tells it from all others.
 pub(super) fn name(slot: &Slot) -> String {

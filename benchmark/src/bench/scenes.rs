@@ -6,7 +6,7 @@
 mod touching;
 mod yielding;
 
-use proctor_kernel::scene::Vector;
+use proctor_scene::Vector;
 use proctor_verification::exact::sudden_weight::SuddenWeight;
 use proctor_verification::random::Random;
 use serde_json::{Value, json};

@@ -9,7 +9,7 @@ use super::sample::Settings;
 use crate::progress::Progress;
 use crate::record::{Record, Row};
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::scene::SceneError;
+use proctor_scene::SceneError;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -16,10 +16,9 @@ const CYCLE: &str = "cycle";
 /// The part of every scene with any contact.
 const CONTACT: &str = "contact";
 /// Folders and the parts that they are; the innermost decides.
-const FOLDERS: [(&str, &str); 6] = [
+const FOLDERS: [(&str, &str); 5] = [
     ("/laws/", "laws"),
     ("/contact/", CONTACT),
-    ("/interactions/grid/", CONTACT),
     ("/mortar/", "mortar"),
     ("/surface/", "surfaces"),
     ("/surfaces/", "surfaces"),

@@ -8,7 +8,7 @@ use super::session::Session;
 use crate::record::{Record, Row};
 use crate::show::{Table, bytes, filled, grouped, number, seconds};
 use crate::statistics::{Summary, median};
-use proctor_kernel::simulation::Phase;
+use proctor_scene::simulation::Phase;
 use std::collections::BTreeSet;
 use std::fmt;
 

@@ -1,6 +1,6 @@
 //! Which runs make the chart of a case: lines of methods, points of refinement and sweeps.
 
-use proctor_kernel::scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
+use proctor_scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
 use proctor_verification::case::{Rung, Size};
 use proctor_verification::settings::{Method, Settings};
 use proctor_verification::study::Study;

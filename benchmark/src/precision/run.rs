@@ -5,7 +5,7 @@ use super::peers::PeerLine;
 use crate::measure::Spent;
 use crate::show::percent;
 use cpu_time::ProcessTime;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::Size;
 use proctor_verification::study::{Observer, Phase, Study};
 use std::sync::atomic::{AtomicBool, Ordering};

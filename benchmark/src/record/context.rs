@@ -2,7 +2,7 @@
 
 use super::machine;
 use proctor_kernel::lanes::Selected;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use serde_json::{Value, json};
 use std::time::{SystemTime, UNIX_EPOCH};
 

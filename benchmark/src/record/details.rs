@@ -9,7 +9,7 @@ use crate::show::{figures, precision as show};
 use crate::stability::StabilityDetail;
 use crate::suite::Ran;
 use proctor_files::run::plan_value;
-use proctor_kernel::plan::Plan;
+use proctor_scene::plan::Plan;
 use proctor_verification::case::{Curve, Gate, Relation};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;

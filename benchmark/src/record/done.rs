@@ -138,7 +138,7 @@ mod tests {
     use super::*;
     use crate::measure::Spent;
     use crate::suite::{Ran, RanRung};
-    use proctor_kernel::simulation::Options;
+    use proctor_scene::simulation::Options;
     use proctor_verification::case::{self, CaseError, Gate, Solved, Verdict};
 
     fn of(name: &str) -> &'static dyn Case {

@@ -24,7 +24,7 @@ pub use row::{BY_SCENE, Kind, Row, key};
 pub use series::{CaseKey, Cases, Series};
 
 use proctor_files::output::{OutputError, atomic};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::Size;
 use serde_json::{Value, json};
 use std::path::Path;

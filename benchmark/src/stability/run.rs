@@ -2,7 +2,7 @@
 
 use super::side_by_side::side_by_side;
 use crate::measure::{Spent, Stopwatch};
-use proctor_kernel::scene::{Dimension, StressScheme};
+use proctor_scene::{Dimension, StressScheme};
 use proctor_verification::case::{Gate, Size};
 use proctor_verification::settings::Method;
 use proctor_verification::stability::block::Choice;

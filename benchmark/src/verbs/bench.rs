@@ -11,7 +11,7 @@ use crate::record::Record;
 use crate::say::say;
 use clap::Args;
 use proctor_kernel::lanes::Selected;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};

@@ -7,7 +7,7 @@ use crate::exit::{Failure, Outcome};
 use crate::show::{Table, figures, number};
 use clap::Args;
 use proctor_files::output::atomic;
-use proctor_kernel::scene::{Material, Scene};
+use proctor_scene::{Material, Scene};
 use proctor_verification::case::{Curve, CurvePoint};
 use proctor_verification::element::path::{Path as Steps, follow};
 use proctor_verification::element::{

@@ -19,8 +19,8 @@ use crate::stability::{Asked as AskedOfStability, Done, jobs};
 use crate::suite::{self, Ran};
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::plan::PlanOptions;
-use proctor_kernel::simulation::Options;
+use proctor_scene::plan::PlanOptions;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{self, Gate, Size};
 use proctor_verification::stability::{map, nonlinear};
 use proctor_verification::study;
@@ -210,7 +210,7 @@ impl Job<'_> {
             })?;
             if let Some(rung) = ran.rungs.last() {
                 let scene = ran.case.scene(&rung.rung);
-                let plan = proctor_kernel::simulation::plan(&scene, PlanOptions::default());
+                let plan = proctor_scene::simulation::plan(&scene, PlanOptions::default());
                 record
                     .details
                     .push_plan(&format!("{}, {}", ran.case.name(), rung.rung.label), &plan);

@@ -26,7 +26,7 @@ use crate::say::say;
 pub use amount::Amount;
 use clap::Subcommand;
 use proctor_files::json::{SceneSource, SourceMap};
-use proctor_kernel::scene::Scene;
+use proctor_scene::Scene;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 

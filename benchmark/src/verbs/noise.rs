@@ -11,7 +11,7 @@ use crate::show::Table;
 use crate::suite;
 use clap::Args;
 use proctor_kernel::lanes::Selected;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
 use std::path::PathBuf;

@@ -6,7 +6,7 @@ use crate::say::say;
 use crate::show::{Table, bytes, grouped};
 use clap::Args;
 use proctor_kernel::memory::{Memory, words};
-use proctor_kernel::simulation::{Options, Simulation, estimate_memory};
+use proctor_scene::simulation::{Options, Simulation, estimate_memory};
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -14,7 +14,7 @@ use proctor_files::json::SourceMap;
 use proctor_files::output::summary::{SUMMARY, Status};
 use proctor_files::output::{OutputFolder, Summary};
 use proctor_files::run::{Run as KernelRun, RunControl, RunError};
-use proctor_kernel::simulation::{Bound, StepInfo};
+use proctor_scene::simulation::{Bound, StepInfo};
 use report::Report;
 use std::collections::BTreeMap;
 use std::io::Write;

@@ -4,7 +4,7 @@ use crate::exit::Failure;
 use crate::say::say;
 use clap::{Args, ValueEnum};
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use std::num::NonZeroUsize;
 
 /// How the cycle is run. Neither changes a bit of the result.

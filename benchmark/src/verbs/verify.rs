@@ -20,7 +20,7 @@ use earlier::Earlier;
 use generated::Generated;
 use mill::Mill;
 use proctor_kernel::lanes::Selected;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use proctor_benchmark::bench::config::{Asked, Config, TimeLabel};
 use proctor_benchmark::bench::slots;
-use proctor_kernel::scene::SceneError;
+use proctor_scene::SceneError;
 use std::path::{Path, PathBuf};
 
 fn fixture(name: &str) -> PathBuf {

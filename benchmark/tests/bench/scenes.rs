@@ -2,7 +2,7 @@
 
 use proctor_benchmark::bench::config::{Method, SceneChoice};
 use proctor_benchmark::bench::scenes::{find, names};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
 
 fn run(name: &str, particles: usize) -> Simulation {
     let (scene, axes) = find(name).expect("a built-in scene");

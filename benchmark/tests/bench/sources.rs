@@ -13,11 +13,11 @@ const FILES: [&str; 14] = [
     "benchmark/benches/instructions/main.rs",
     "kernel/Cargo.toml",
     "kernel/src/grid.rs",
-    "kernel/src/scene/mortar.rs",
-    "kernel/src/laws/plastic.rs",
-    "kernel/src/contact/surface.rs",
-    "kernel/src/simulation/interactions/grid/meeting.rs",
-    "kernel/src/simulation/interactions/mortar/pair.rs",
+    "kernel/scene/src/values/mortar.rs",
+    "kernel/laws/src/plastic.rs",
+    "kernel/contact/src/pairs/surface.rs",
+    "kernel/contact/src/grid/faces.rs",
+    "kernel/contact/src/mortar/pair.rs",
     "kernel/geometry/src/mortar/space/clip.rs",
     "kernel/geometry/src/surface/tree.rs",
     "kernel/files/src/json/mod.rs",
@@ -99,7 +99,7 @@ fn a_file_that_comes_goes_or_moves_is_a_change() {
         again(|root| fs::remove_file(root.join("kernel/src/grid.rs")).expect("it was there"));
     assert_eq!(removed, ALL);
     let moved = again(|root| {
-        let (from, to) = ("kernel/src/contact", "kernel/src/touching");
+        let (from, to) = ("kernel/contact", "kernel/touching");
         fs::rename(root.join(from), root.join(to)).expect("it was there");
     });
     assert_eq!(moved, ALL, "a folder of no known name is of every scene");

@@ -12,16 +12,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The documents outside the book.
-const DOCUMENTS: [&str; 12] = [
+const DOCUMENTS: [&str; 14] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "SECURITY.md",
     "docs/README.md",
     "kernel/README.md",
+    "kernel/contact/README.md",
     "kernel/files/README.md",
     "kernel/geometry/README.md",
     "kernel/laws/README.md",
+    "kernel/scene/README.md",
     "verification/README.md",
     "benchmark/README.md",
     "scripts/README.md",

@@ -4,7 +4,7 @@ use oorandom::Rand64;
 use proctor_benchmark::judge::{self, CaseVerdict, Comparison, Rules};
 use proctor_benchmark::measure::Spent;
 use proctor_benchmark::record::{Record, Row};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use std::time::Duration;
 
 /// Passes and repetitions of `scripts/compare-commits`.

@@ -1,7 +1,7 @@
 //! The context says where and how it was measured.
 
 use proctor_benchmark::record::context;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 
 #[test]
 fn a_context_names_build_and_machine_but_no_host_and_no_user() {

@@ -2,7 +2,7 @@
 
 use proctor_benchmark::measure::Spent;
 use proctor_benchmark::record::{Record, Row};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proptest::prelude::*;
 use std::time::Duration;
 use tempfile::TempDir;

@@ -4,7 +4,7 @@
 //! `counted SCENE.json step|PART TIMES` prints the number of particles and the hash of their state.
 
 use proctor_files::json;
-use proctor_kernel::simulation::{Options, Part, Simulation, StepError};
+use proctor_scene::simulation::{Options, Part, Simulation, StepError};
 use std::path::Path;
 
 /// Steps before the first that is played: the first one starts the leapfrog.

@@ -11,7 +11,7 @@
 //! and nothing of simulations; [`run`] drives a simulation from output time to output time and hands its state over.
 //!
 //! The kernel knows nothing of this package. What a checkpoint holds it gives as one plain value,
-//! [`Saved`](proctor_kernel::simulation::Saved), and everything else through what any user of the library can ask.
+//! [`Saved`](proctor_scene::simulation::Saved), and everything else through what any user of the library can ask.
 //!
 //! ```
 //! use proctor_files::json;
@@ -27,7 +27,7 @@
 //!
 //! let error = json::from_json(&scene.replace("young", "jung"), "column.json", Path::new("")).unwrap_err();
 //! println!("{error}"); // column.json, line, column, the key, what was found, what is accepted
-//! # Ok::<(), proctor_kernel::scene::SceneError>(())
+//! # Ok::<(), proctor_scene::SceneError>(())
 //! ```
 
 #![forbid(unsafe_code)]

@@ -2,7 +2,7 @@
 //! moves, laws that yield, contact on the grid, of boundaries and on surfaces.
 
 use proctor_files::json;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
 use std::path::{Path, PathBuf};
 
 /// Steps that are counted together.

@@ -2,9 +2,9 @@
 
 use crate::common::{options, run};
 use proctor_files::json::from_json;
-use proctor_kernel::plan::{Plan, PlanEntry};
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::Scene;
+use proctor_scene::plan::{Plan, PlanEntry};
+use proctor_scene::simulation::Simulation;
 use std::path::Path;
 
 /// A key with what is off and what is on, its entry in the plan, and whether what is on changes this scene.

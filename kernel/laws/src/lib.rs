@@ -1,6 +1,6 @@
 //! The constitutive laws that scene files name.
 //!
-//! Each is a type with the trait [`Law`](proctor_kernel::laws::Law) of the kernel, in the file of its name, and stands in
+//! Each is a type with the trait [`Law`] of the kernel, in the file of its name, and stands in
 //! one list, [`ALL`]. A law of a program's own does the same outside of this package, and is handed to a scene.
 //!
 //! The trait and what belongs to it are handed on under the same names, so that a program names one package.

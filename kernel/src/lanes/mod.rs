@@ -111,7 +111,7 @@ pub trait Lanes:
 
 /// Loads up to `L::WIDTH` values; the common full case is a plain load.
 #[inline(always)]
-pub(crate) fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
+pub fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
     if count == L::WIDTH {
         L::load(&column[at..at + L::WIDTH])
     } else {
@@ -121,7 +121,7 @@ pub(crate) fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
 
 /// Stores up to `L::WIDTH` values.
 #[inline(always)]
-pub(crate) fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
+pub fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
     if count == L::WIDTH {
         value.store(&mut column[at..at + L::WIDTH]);
     } else {

@@ -1,4 +1,4 @@
-//! Laws of any type, and those that scene files name.
+//! Laws of any type, and types of laws that scene files name.
 
 use super::{Choice, Constant, Curve, Law, Rows, Strain};
 use std::fmt;

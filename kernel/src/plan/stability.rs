@@ -2,7 +2,7 @@
 
 mod table;
 
-use crate::scene::{StressScheme, TransferKind, Weighting};
+use crate::model::{StressScheme, TransferKind, Weighting};
 
 /// Share of the critical step that an automatic step takes.
 pub const AUTOMATIC_SHARE: f64 = 0.8;

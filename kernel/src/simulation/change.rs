@@ -2,11 +2,10 @@
 //!
 //! A block that is to slide from rest, for example: run with `set_motion` holding the base, gravity normal to it and
 //! local damping until the block is at rest, then `set_local_damping(None)`, `set_gravity` to the inclined one and go
-//! on. The scene of the simulation changes with it, so a checkpoint of a later stage belongs to the changed scene.
+//! on.
 
 use super::Simulation;
-use super::setup::fastest;
-use crate::scene::{Damping, History, Vector};
+use crate::model::{Damping, History, Vector};
 use crate::simulation::values::SetupError;
 
 impl Simulation {
@@ -25,75 +24,9 @@ impl Simulation {
         }
         let before = self.dead_load_potential();
         self.state.ledger.external_work += before - self.state.ledger.dead_load_origin;
-        self.model.scene.gravity = gravity;
+        self.model.settings.gravity = gravity;
         self.set_conditions()?;
         self.state.ledger.dead_load_origin = self.dead_load_potential();
-        Ok(())
-    }
-
-    /// Sets the coefficient of friction of the contact with identifier `contact` from here on, on the grid or by mortar.
-    ///
-    /// # Errors
-    /// No such contact, or a coefficient that is negative or not a number; for mortar contact also an infinite one.
-    pub fn set_friction(&mut self, contact: i64, friction: f64) -> Result<(), SetupError> {
-        if friction.is_nan() || friction < 0.0 {
-            return Err(refused(
-                "friction",
-                &format!("{friction}; accepted: a number, 0 or greater"),
-            ));
-        }
-        if let Some(entry) = self
-            .model
-            .scene
-            .contacts
-            .iter_mut()
-            .find(|c| c.id == contact)
-        {
-            entry.friction = friction;
-            self.each(|one, view| one.friction_changed(view.scene, contact));
-            return Ok(());
-        }
-        let mut contacts = self.model.scene.mortar.contacts.iter_mut();
-        let Some(entry) = contacts.find(|c| c.id == contact) else {
-            return Err(refused(
-                "contact",
-                &format!("{contact}, which no contact has as its id"),
-            ));
-        };
-        if friction.is_infinite() {
-            return Err(refused(
-                "friction",
-                &format!("{friction}; accepted: a finite number, 0 or greater"),
-            ));
-        }
-        entry.friction = friction;
-        self.each(|one, view| one.friction_changed(view.scene, contact));
-        Ok(())
-    }
-
-    /// Sets the coefficient of friction of a rigid surface, by its place in the scene, from here on.
-    ///
-    /// # Errors
-    /// No such surface, or a coefficient that is negative or not finite.
-    pub fn set_surface_friction(
-        &mut self,
-        surface: usize,
-        friction: f64,
-    ) -> Result<(), SetupError> {
-        if !friction.is_finite() || friction < 0.0 {
-            return Err(refused(
-                "friction",
-                &format!("{friction}; accepted: a finite number, 0 or greater"),
-            ));
-        }
-        let count = self.model.scene.surfaces.len();
-        let Some(entry) = self.model.scene.surfaces.get_mut(surface) else {
-            return Err(refused(
-                "surface",
-                &format!("{surface}; accepted: below {count}, the number of surfaces"),
-            ));
-        };
-        entry.friction = friction;
         Ok(())
     }
 
@@ -122,12 +55,12 @@ impl Simulation {
                 ));
             }
         }
-        self.model.scene.bodies[index].motion.clone_from(&motion);
         self.model.bodies[index].keeps_shape &= motion.is_some();
         self.model.bodies[index].motion = motion;
         self.state.start_spin = None;
+        self.model.settings.drives_bodies = self.model.bodies.iter().any(|b| b.motion.is_some());
         let found = &mut self.state.found[index];
-        let fastest = fastest(&self.model.scene.bodies[index]);
+        let fastest = self.model.bodies[index].fastest();
         found.speed_squared = found.speed_squared.max(fastest);
         self.each(|one, view| one.motion_changed(view, index));
         self.sorted();
@@ -140,7 +73,7 @@ impl Simulation {
     /// A factor outside 0 to 1, or a scene with another kind of damping.
     pub fn set_local_damping(&mut self, alpha: Option<f64>) -> Result<(), SetupError> {
         if matches!(
-            self.model.scene.damping,
+            self.model.settings.damping,
             Damping::Kinetic | Damping::Viscous { .. }
         ) {
             return Err(refused("damping", "the scene has another kind of damping"));
@@ -152,7 +85,7 @@ impl Simulation {
             ));
         }
         self.state.start_spin = None;
-        self.model.scene.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
+        self.model.settings.damping = alpha.map_or(Damping::None, |alpha| Damping::Local { alpha });
         self.set_conditions()
     }
 }

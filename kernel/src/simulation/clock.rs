@@ -5,11 +5,11 @@ use super::interactions::Interaction;
 use super::phase::Phase;
 use crate::laws::UNPRESSED;
 use crate::layout::Layout;
+use crate::model::{Damping, TimeStep, Vector};
 use crate::plan::{AUTOMATIC_SHARE, stability_number};
-use crate::scene::{Damping, TimeStep, Vector};
 use crate::simulation::values::{Bound, StepError, StepErrorKind, StepInfo, TimeStepAboveCritical};
 
-/// Share of the step in which a gap of mortar contact closes as far as it may: surfaces speed up within a step, most of
+/// Share of the step in which a gap of contact closes as far as it may: surfaces speed up within a step, most of
 /// all where light nodes carry them.
 const CLOSING_SHARE: f64 = 0.5;
 /// Share of the critical step under damping that an automatic step takes at most.
@@ -111,14 +111,14 @@ impl Limits {
 impl Simulation {
     /// The shortest side of a cell \[m\].
     pub(super) fn smallest_cell(&self) -> f64 {
-        let cell = &self.model.scene.mesh.cell[..self.model.plan.axes];
+        let cell = &self.model.settings.mesh.cell[..self.model.plan.axes];
         cell.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// The step that would be taken now if nothing interacted \[s\].
     pub(super) fn free_step(&self) -> f64 {
         let limits = self.free_limits();
-        match self.model.scene.time_step {
+        match self.model.settings.time_step {
             TimeStep::Automatic => limits.automatic(),
             TimeStep::Multiplier { multiplier, .. } => limits.multiple(multiplier, self),
             TimeStep::Fixed { dt, .. } => dt,
@@ -183,7 +183,7 @@ impl Simulation {
 
     /// Factor of local damping; 0 without.
     fn local_damping(&self) -> f64 {
-        match self.model.scene.damping {
+        match self.model.settings.damping {
             Damping::Local { alpha } => alpha,
             Damping::None | Damping::Viscous { .. } | Damping::Kinetic => 0.0,
         }
@@ -213,7 +213,7 @@ impl Simulation {
 
     /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
     fn acceleration(&self) -> f64 {
-        length(&self.model.scene.gravity) + self.model.load_acceleration
+        length(&self.model.settings.gravity) + self.work.load_acceleration
     }
 
     /// [`stability_number`] of the scene.
@@ -227,9 +227,9 @@ impl Simulation {
             .copied()
             .fold(f64::INFINITY, f64::min);
         stability_number(
-            self.model.scene.weighting,
-            self.model.scene.scheme,
-            self.model.scene.transfer.kind,
+            self.model.settings.weighting,
+            self.model.settings.scheme,
+            self.model.settings.transfer.kind,
             smallest,
         )
     }
@@ -250,7 +250,7 @@ impl Simulation {
         let (critical, automatic) = (limits.critical(), limits.automatic());
         let steps = self.interactions().map(Interaction::closing_step);
         let closing = CLOSING_SHARE * steps.fold(f64::INFINITY, f64::min);
-        let (dt, bound, allow) = match self.model.scene.time_step {
+        let (dt, bound, allow) = match self.model.settings.time_step {
             TimeStep::Automatic if closing < automatic => (closing, Bound::Closing, false),
             TimeStep::Automatic if self.grown(closing) < automatic => {
                 (self.grown(closing), Bound::Contact, false)

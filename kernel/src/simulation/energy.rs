@@ -7,7 +7,7 @@
 //!
 //! What takes energy is summed where it acts, as impulse times the mean of the velocities before and after it: damping at
 //! the nodes, contact at the nodes where bodies meet, what laws dissipate in particles, and what particles took along that
-//! were removed. What no channel accounts for is the remainder: the transfer between particles and nodes, friction of mortar contact,
+//! were removed. What no channel accounts for is the remainder: the transfer between particles and nodes, friction of some contacts,
 //! velocities that boundary planes stop, and errors of the time integration.
 
 use super::interactions::{Interaction, Interactions};

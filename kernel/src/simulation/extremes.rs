@@ -6,8 +6,8 @@
 use super::Simulation;
 use crate::laws::StrainRange;
 use crate::layout::Layout;
+use crate::model::{DomainUpdate, Weighting};
 use crate::particles::ParticleSet;
-use crate::scene::{DomainUpdate, Weighting};
 use crate::simulation::values::{Extremes, MOST_STRETCH_RATIO};
 
 impl Simulation {
@@ -62,7 +62,7 @@ impl Simulation {
     /// Whether particle domains, or what a weighting function has in their place, keep the ratio of their sides.
     fn domains_do_not_follow(&self) -> bool {
         matches!(
-            self.model.scene.weighting,
+            self.model.settings.weighting,
             Weighting::ContiguousGimp(DomainUpdate::Determinant) | Weighting::QuadraticBSpline
         )
     }

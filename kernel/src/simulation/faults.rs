@@ -2,8 +2,8 @@
 
 use super::Simulation;
 use crate::layout::Layout;
+use crate::model::Outside;
 use crate::particles::ParticleSet;
-use crate::scene::Outside;
 use crate::simulation::values::{Event, EventKind, ParticleAt, StepError, StepErrorKind};
 use crate::stage::g2p::FaultKind;
 
@@ -15,7 +15,7 @@ impl Simulation {
             match kind {
                 FaultKind::NotFinite => return Err(self.error(self.not_finite(set, p))),
                 FaultKind::Inverted => return Err(self.error(StepErrorKind::Inverted(at))),
-                FaultKind::Outside if self.model.scene.outside == Outside::Stop => {
+                FaultKind::Outside if self.model.settings.outside == Outside::Stop => {
                     return Err(self.error(StepErrorKind::Outside(at)));
                 }
                 FaultKind::Outside => self.remove_outside(set)?,
@@ -25,7 +25,7 @@ impl Simulation {
     }
 
     pub(super) fn remove_outside(&mut self, set: usize) -> Result<(), StepError> {
-        let mesh = &self.model.scene.mesh;
+        let mesh = &self.model.settings.mesh;
         let mut gone = vec![];
         for p in 0..self.state.sets[set].len() {
             let x = self.state.sets[set].position(p);

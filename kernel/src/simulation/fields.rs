@@ -45,6 +45,7 @@ pub enum Owner {
 impl Owner {
     /// The body, if it is one.
     #[must_use]
+    #[inline]
     pub fn body(self) -> Option<usize> {
         match self {
             Self::Phase => None,
@@ -67,6 +68,7 @@ pub struct VelocityField {
 impl VelocityField {
     /// Mass at a node \[kg\]; zero outside the rows in use, where old values lie.
     #[must_use]
+    #[inline]
     pub fn mass(&self, shape: &GridShape, node: usize) -> f64 {
         let [plane, row, k] = shape.indices(node);
         if self.rows.span(plane, row).contains(&k) {
@@ -121,24 +123,28 @@ pub struct Slab<'a> {
 impl<'a> Slab<'a> {
     /// Shape of the grid.
     #[must_use]
+    #[inline]
     pub fn shape(&self) -> &'a GridShape {
         self.fields[0].planes.shape
     }
 
     /// Indices of the planes.
     #[must_use]
+    #[inline]
     pub fn range(&self) -> Range<usize> {
         self.fields[0].planes.range.clone()
     }
 
     /// Number of the field of a body.
     #[must_use]
+    #[inline]
     pub fn number_of(&self, body: usize) -> Option<usize> {
         let of_body = |field: &SlabField<'_>| field.owner == Owner::Body(body);
         self.fields.iter().position(of_body)
     }
 
     /// The planes of all fields.
+    #[inline]
     pub fn planes(&mut self) -> impl Iterator<Item = &mut Planes<'a>> {
         self.fields.iter_mut().map(|field| &mut field.planes)
     }
@@ -179,6 +185,7 @@ impl Grid {
     }
 
     /// Takes up sets in the order in which they are, after a restart.
+    #[inline]
     pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
         let rows = &mut self.fields[0].rows;
         rows_of(sets, &self.shape, stencil, rows);
@@ -211,6 +218,7 @@ impl Grid {
 
     /// Whose fields there are, and their rows in use.
     #[must_use]
+    #[inline]
     pub fn rows(&self) -> Vec<(Owner, ActiveRows)> {
         let fields = self.fields.iter();
         fields.map(|f| (f.owner, f.rows.clone())).collect()
@@ -248,6 +256,7 @@ impl Grid {
 
     /// Number of the field in which a body moves.
     #[must_use]
+    #[inline]
     pub fn number_of(&self, body: usize) -> usize {
         let of_body = |field: &VelocityField| field.owner == Owner::Body(body);
         self.fields.iter().position(of_body).unwrap_or(0)
@@ -255,6 +264,7 @@ impl Grid {
 
     /// The field of a body alone, if it has one.
     #[must_use]
+    #[inline]
     pub fn own_field(&self, body: usize) -> Option<&VelocityField> {
         let number = self.number_of(body);
         (number > 0).then(|| &self.fields[number])
@@ -262,6 +272,7 @@ impl Grid {
 
     /// Who shares the particles: the caller alone where they are too few to be worth a second thread.
     #[must_use]
+    #[inline]
     pub fn team_of_particles(&self) -> &Team {
         if self.slabs.len() == 1 {
             &ALONE
@@ -272,6 +283,7 @@ impl Grid {
 
     /// Most particles that one thread takes at once in a pass over particles, of so many.
     #[must_use]
+    #[inline]
     pub fn share_of_particles(&self, particles: usize) -> usize {
         if self.slabs.len() == 1 {
             return particles;
@@ -312,6 +324,7 @@ impl Grid {
     }
 
     /// Calls `act` for every slab with all its fields, shared out among the team.
+    #[inline]
     pub fn visit(&mut self, act: impl Fn(Slab<'_>) + Send + Sync) {
         self.visit_with(std::iter::repeat(()), |slab, ()| act(slab));
     }

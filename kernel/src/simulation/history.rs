@@ -1,6 +1,6 @@
 //! Histories in time: prescribed velocities and accelerations, and their integrals.
 
-use crate::scene::{History, Motion, Vector};
+use crate::model::{History, Motion, Vector};
 
 /// Value of a history, linear between its times and constant outside.
 #[must_use]
@@ -87,6 +87,7 @@ impl Displacement {
 
     /// Mean velocity from a time on, over `dt` \[m/s\].
     #[must_use]
+    #[inline]
     pub fn mean_velocity(&self, time: f64, dt: f64) -> Vector {
         let (from, to) = (self.at(time), self.at(time + dt));
         std::array::from_fn(|axis| (to[axis] - from[axis]) / dt)
@@ -158,6 +159,7 @@ impl BaseVelocity {
 
     /// Last time of the record \[s\].
     #[must_use]
+    #[inline]
     pub fn end(&self) -> f64 {
         let (Motion::Acceleration(history) | Motion::Velocity(history)) = &self.motion;
         history.times.last().copied().unwrap_or(0.0)

@@ -6,7 +6,6 @@
 use super::Simulation;
 use super::energy::NodalSnapshot;
 use crate::layout::Layout;
-use crate::scene::InitialStress;
 use crate::simulation::values::StepError;
 use crate::stage::solve::is_ghost;
 
@@ -17,8 +16,7 @@ const MOST: f64 = 0.05;
 impl Simulation {
     /// A warning where stress at the start is out of balance; `None` where there is none, or where it cannot be measured.
     pub(super) fn initial_imbalance(&mut self) -> Option<String> {
-        let stressed = |body: &crate::scene::Body| body.initial_stress != InitialStress::None;
-        if !self.model.scene.bodies.iter().any(stressed) {
+        if !self.model.settings.starts_stressed {
             return None;
         }
         let kept = NodalSnapshot::take(self);
@@ -53,7 +51,7 @@ impl Simulation {
             .filter(|(node, _)| !is_ghost(&grid.shape, &nodal.walls, grid.shape.indices(*node)));
         // A fluid that is to flow out of a side has the pressure of its weight at the start: its balance is that along gravity.
         let fluid = self.model.bodies.iter().all(|body| body.law.is_fluid());
-        let gravity = self.model.scene.gravity;
+        let gravity = self.model.settings.gravity;
         let counts = |axis: usize| !fluid || gravity == [0.0; 3] || gravity[axis] != 0.0;
         let force = |line: &crate::grid::Line| {
             let along = (0..3).filter(|axis| counts(*axis));
@@ -66,7 +64,13 @@ impl Simulation {
     /// The weight of the bodies, or the force of the largest stress on one side of them where nothing weighs \[N\], and its
     /// name.
     fn force_of_start(&self) -> (f64, &'static str) {
-        let gravity = self.model.scene.gravity.iter().map(|g| g * g).sum::<f64>();
+        let gravity = self
+            .model
+            .settings
+            .gravity
+            .iter()
+            .map(|g| g * g)
+            .sum::<f64>();
         if gravity > 0.0 {
             return (self.mass() * gravity.sqrt(), "weight");
         }

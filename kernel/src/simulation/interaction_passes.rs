@@ -1,7 +1,7 @@
 //! Passes of a step over its interactions.
 
 use super::Simulation;
-use super::interactions::{BodyList, Interaction};
+use super::interactions::{BalanceTraits, BodyList, Interaction};
 use super::phase::Phase;
 use crate::simulation::context::{NodalConditions, Remap};
 use crate::simulation::fields::Grid;
@@ -16,7 +16,7 @@ impl<'a> StepView<'a> {
     /// That of a simulation in parts.
     pub(super) fn of(model: &'a Model, state: &'a State, grid: &'a Grid) -> Self {
         Self {
-            scene: &model.scene,
+            settings: &model.settings,
             bodies: &model.bodies,
             particles: &state.sets,
             maxima: &state.found,
@@ -43,7 +43,7 @@ impl<'a> StepUpdate<'a> {
             grid,
             sums,
             events: &mut state.events,
-            scene: &model.scene,
+            settings: &model.settings,
             bodies: &model.bodies,
             particles: &state.sets,
             maxima: &state.found,
@@ -63,6 +63,18 @@ impl Simulation {
         self.work.interactions.iter().map(|one| &**one)
     }
 
+    /// Traits of all interactions in the energy balance.
+    pub(super) fn balance_traits(&self) -> BalanceTraits {
+        self.interactions()
+            .fold(BalanceTraits::default(), |all, one| all.and(one.balance()))
+    }
+
+    /// The interaction of a kind, to be changed between two stages.
+    pub fn interaction_mut<T: Interaction>(&mut self) -> Option<&mut T> {
+        let mut all = self.work.interactions.iter_mut();
+        all.find_map(|one| (&mut **one as &mut dyn Any).downcast_mut())
+    }
+
     /// The interaction of a kind, for what it tells of itself.
     #[must_use]
     pub fn interaction<T: Interaction>(&self) -> Option<&T> {
@@ -71,7 +83,8 @@ impl Simulation {
     }
 
     /// The view of this step.
-    pub(crate) fn view(&self) -> StepView<'_> {
+    #[must_use]
+    pub fn view(&self) -> StepView<'_> {
         StepView::of(&self.model, &self.state, &self.work.grid)
     }
 

@@ -14,7 +14,7 @@
 
 use super::Simulation;
 use crate::layout::Layout;
-use crate::scene::{OnImbalance, Vector};
+use crate::model::{OnImbalance, Vector};
 use crate::simulation::values::{
     Drift, Event, EventKind, Invariant, InvariantMonitor, MOST_GAIN, MOST_INCREMENT,
     MOST_LOST_MOMENTUM, MOST_VOLUME_RATIO, ROUND_OFF, StepError, StepErrorKind, StepInfo,
@@ -80,7 +80,7 @@ impl Simulation {
             }
         }
         match self.state.invariants.violation {
-            Some(violation) if self.model.scene.on_imbalance == OnImbalance::Stop => {
+            Some(violation) if self.model.settings.on_imbalance == OnImbalance::Stop => {
                 Err(self.error(StepErrorKind::NotTrusted(violation)))
             }
             _ => Ok(()),
@@ -217,11 +217,11 @@ impl Simulation {
 
     /// Whether a particle is so near a boundary plane with a condition that its mirror image takes part in the mapping.
     fn near_a_plane(&self) -> bool {
-        let scene = &self.model.scene;
-        let mesh = &scene.mesh;
+        let settings = &self.model.settings;
+        let mesh = &settings.mesh;
         let axes = self.model.plan.axes;
         (0..axes).any(|axis| {
-            let acts = [0, 1].map(|side| scene.plane_acts(axis, side));
+            let acts = [0, 1].map(|side| settings.plane_acts(axis, side));
             if acts == [false; 2] {
                 return false;
             }

@@ -1,13 +1,12 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
 use super::fields::{Owner, Slab, SlabField};
-use crate::contact::interface::Interface;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
 use crate::layout::Layout;
+use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::plan::Plan;
-use crate::scene::Vector;
 use crate::simulation::values::BodyRun;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
@@ -77,7 +76,7 @@ pub(super) struct ParticleToGrid<'a> {
     free: P2gInstance,
     /// Of bodies with a field of their own whose motion is prescribed: their mass alone counts.
     driven: P2gInstance,
-    /// Of particles near a partner of contact.
+    /// Of the mass gradient of some particles.
     gradient: P2gInstance,
     /// What changes the force of the mean stress of bodies that move freely, where its strain is a mean over cells.
     mean_stress: Option<[P2gInstance; 2]>,
@@ -148,14 +147,13 @@ impl ParticleToGrid<'_> {
         self.map_runs(index, &mut layers(), planes, self.free)
     }
 
-    /// Maps the mass gradient of the particles of one body that are near its partners of contact.
+    /// Maps the mass gradient of some particles of one body.
     pub(super) fn map_gradient(
         &self,
         index: usize,
-        interface: &Interface,
+        runs: &mut dyn Iterator<Item = Range<usize>>,
         planes: &mut Planes<'_>,
     ) {
-        let runs = interface.in_layers(self.layers_onto(planes));
         self.map_runs(
             index,
             &mut runs.map(|run| (run, false)),
@@ -168,7 +166,7 @@ impl ParticleToGrid<'_> {
     }
 
     /// Layers of particles that reach planes. A particle may have left its layer by one cell since the last sort.
-    fn layers_onto(&self, planes: &Planes<'_>) -> Range<usize> {
+    pub(super) fn layers_onto(&self, planes: &Planes<'_>) -> Range<usize> {
         planes.range.start.saturating_sub(self.stencil)..planes.range.end + 1
     }
 
@@ -209,26 +207,28 @@ pub(super) fn fold(slab: &mut Slab<'_>, walls: &[Wall]) {
 }
 
 /// Nodes that one particle reaches by more than round-off, increasing, with their weights.
-pub(super) struct NodeWeights {
+pub struct NodeWeights {
     entries: [(usize, f64); Self::MOST],
     count: usize,
 }
 
 impl NodeWeights {
     /// Nodes of the widest stencil in space.
-    pub(super) const MOST: usize = 64;
+    pub const MOST: usize = 64;
 }
 
 impl Deref for NodeWeights {
     type Target = [(usize, f64)];
 
+    #[inline]
     fn deref(&self) -> &[(usize, f64)] {
         &self.entries[..self.count]
     }
 }
 
 /// Those of the centre of a particle, of nodes that it reaches by more than round-off.
-pub(super) fn node_weights(
+#[must_use]
+pub fn node_weights(
     set: &ParticleSet,
     body: &BodyRun,
     shape: &GridShape,
@@ -261,7 +261,8 @@ fn axis_weights_of(family: Family, stencil: usize, xi: f64, l: f64) -> [f64; 4] 
 /// particles is the weight where the row ends. That weight is the mean over the part of the domain around the point that has
 /// the point in its middle: on a face nothing but the point. A domain that is longer than the particle, as that of the
 /// B-spline, is as many domains side by side. All nodes are nodes of the particle. Without a domain it is the particle.
-pub(super) fn node_weights_touching(
+#[must_use]
+pub fn node_weights_touching(
     set: &ParticleSet,
     body: &BodyRun,
     shape: &GridShape,

@@ -4,8 +4,8 @@
 use super::Simulation;
 use crate::laws::{Particle, StoredParticle};
 use crate::layout::Layout;
+use crate::model::Vector;
 use crate::particles::ParticleSet;
-use crate::scene::Vector;
 use crate::simulation::values::BodyEnergy;
 use crate::team::ItemCost;
 use std::sync::{MutexGuard, PoisonError};
@@ -215,7 +215,7 @@ impl Simulation {
     }
 
     fn dead_load(&self, set: &ParticleSet, p: usize) -> f64 {
-        let g = self.model.scene.gravity;
+        let g = self.model.settings.gravity;
         let x: Vector =
             std::array::from_fn(|axis| set.position(p)[axis] + self.state.mesh_shift[axis]);
         let m = set.columns[Layout::MASS][p];

@@ -1,4 +1,4 @@
-//! A scene in motion: state, explicit cycle, and what can be asked of it.
+//! A simulation: state, explicit cycle, and what can be asked of it.
 
 mod change;
 mod clock;
@@ -10,14 +10,11 @@ mod faults;
 pub(crate) mod fields;
 mod history;
 mod initial_imbalance;
-mod initial_stress;
 mod interaction_passes;
 pub(crate) mod interactions;
 mod invariants;
 mod mapping;
 mod measure;
-mod memory_budget;
-mod memory_estimate;
 mod model;
 mod motion;
 mod nodes;
@@ -26,7 +23,6 @@ mod phase;
 mod rehearsal;
 mod relaxation;
 mod result_warnings;
-mod setup;
 mod spin;
 mod start;
 mod state;
@@ -37,128 +33,50 @@ mod traction_cover;
 mod values;
 mod work_state;
 
-pub use crate::contact::Tunnelling;
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
+pub use conditions::{describe as describe_conditions, of as conditions};
 pub use context::{
     Condition, FieldNodes, NodalConditions, Node, Remap, StepContext, VelocityMapping,
+    at_half_step_after,
 };
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
-pub use interactions::mortar::{BoundaryDrift, BoundaryVertex, MortarError, VertexState};
-pub use interactions::surfaces::SurfaceContactError;
-pub use interactions::{BodyList, Interaction, PairList, SlabInteraction, SlabPart};
+pub use interactions::{
+    BalanceTraits, BodyList, Interaction, Interactions, OwnLines, PairList, SharedSlabInteraction,
+    SlabInteraction, SlabMemory, SlabPart,
+};
+pub use mapping::{NodeWeights, node_weights, node_weights_touching};
 pub use measure::state_hash;
-pub use memory_estimate::{MemoryEstimate, estimate_memory};
 pub use nodes::NodeValues;
 pub use phase::{Phase, PhaseObserver};
 pub use rehearsal::{Part, Rehearsal};
 pub use result_warnings::{MOST_REMAINDER, ResultWarning};
-pub use start::{StartError, plan};
+pub use start::Start;
 pub use step_view::{StepUpdate, StepView};
 pub use values::{
     BodyEnergy, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger, Event, EventKind, Extremes,
     Groups, InitialOverlap, InteractionError, InteractionFault, Invariant, InvariantMonitor,
-    LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_LOST_SPIN,
+    LEAST_VOLUME_RATIO, MESH, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_LOST_SPIN,
     MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO, ParticleAt, RestoreError, Saved,
     SavedArrays, SetupError, Spin, State, StepError, StepErrorKind, StepInfo, Tension,
     TimeStepAboveCritical, Violation,
 };
 
-pub(crate) use model::Model;
+pub use model::Model;
 use work_state::WorkState;
 
-use crate::lanes::{LaneChoice, Selected};
-use crate::laws::UNDEFORMED;
+use crate::lanes::Selected;
 use crate::layout::Layout;
-use crate::memory::Memory;
+use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::plan::Plan;
-use crate::scene::{Scene, Vector};
-use crate::team::Team;
-use std::fmt;
 use std::sync::Arc;
 
 /// Body force per mass \[m/s²\] of a particle that began at `x_0` and is at `x` at time `t`.
 pub type BodyForce = Arc<dyn Fn(&Vector, &Vector, f64) -> Vector + Send + Sync>;
 
-/// State of a particle at the start, by its position \[m\].
-pub type InitialField = Arc<dyn Fn(&Vector) -> InitialState + Send + Sync>;
-
-/// What an [`InitialField`] gives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InitialState {
-    /// Velocity \[m/s\].
-    pub velocity: Vector,
-    /// Velocity gradient \[1/s\], `[a][b]` = dv_a/dx_b: the affine velocity of APIC and TPIC at the start. Without
-    /// it their first mapping loses what the velocity varies by within a cell, a body's spin for one. FLIP has no
-    /// use for it.
-    pub velocity_gradient: [[f64; 3]; 3],
-    /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy. The neo-Hookean law computes it from F after the first
-    /// step.
-    pub stress: [f64; 6],
-    /// Deformation gradient; the volume becomes V_0 det F.
-    pub deformation: [[f64; 3]; 3],
-}
-
-impl Default for InitialState {
-    /// At rest, without stress or deformation.
-    fn default() -> Self {
-        Self {
-            velocity: [0.0; 3],
-            velocity_gradient: [[0.0; 3]; 3],
-            stress: [0.0; 6],
-            deformation: UNDEFORMED,
-        }
-    }
-}
-
-/// How a scene is run, and what a library user adds to it.
-#[derive(Clone, Default)]
-pub struct Options {
-    /// Number of threads; else what the scene says, else one for every 8192 particles, at most all of the machine.
-    pub threads: Option<usize>,
-    /// Threads that are there already, those of another simulation ([`Simulation::team`]); `threads` is of no account then.
-    pub team: Option<Arc<Team>>,
-    /// Fewest particles that are worth a second thread in a step, where there are several; else 2048. No bit depends on it.
-    pub least_share: Option<usize>,
-    /// Lanes.
-    pub lanes: LaneChoice,
-    /// Keep displacements even where nothing is written.
-    pub displacement: bool,
-    /// Measure kinetic energy and residual at the nodes in every step.
-    pub measure: bool,
-    /// Body force, for manufactured solutions.
-    pub body_force: Option<BodyForce>,
-    /// Initial state, for manufactured solutions.
-    pub initial: Option<InitialField>,
-    /// Conditions at the nodes beside those of the scene. They act after those.
-    pub conditions: Vec<Arc<dyn Condition>>,
-    /// Interactions of velocity fields beside those of the scene. They act after those.
-    pub interactions: Vec<Box<dyn Interaction>>,
-    /// Memory that the scene may need; else all that the machine has free.
-    pub memory: Option<Memory>,
-}
-
-impl fmt::Debug for Options {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Options")
-            .field("threads", &self.threads)
-            .field("team", &self.team.as_ref().map(|team| team.count()))
-            .field("least_share", &self.least_share)
-            .field("lanes", &self.lanes)
-            .field("displacement", &self.displacement)
-            .field("measure", &self.measure)
-            .field("body_force", &self.body_force.is_some())
-            .field("initial", &self.initial.is_some())
-            .field("conditions", &self.conditions.len())
-            .field("interactions", &self.interactions.len())
-            .field("memory", &self.memory)
-            .finish()
-    }
-}
-
-/// A scene in motion: what was decided of it, its state, and what a step works with.
+/// A simulation: its model, its state, and the work state of a step.
 pub struct Simulation {
     pub(crate) model: Model,
     pub(crate) state: State,
@@ -166,10 +84,10 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// The scene.
+    /// The model.
     #[must_use]
-    pub fn scene(&self) -> &Scene {
-        &self.model.scene
+    pub fn model(&self) -> &Model {
+        &self.model
     }
 
     /// The plan.
@@ -194,6 +112,12 @@ impl Simulation {
     #[must_use]
     pub fn nodes_active(&self) -> usize {
         self.work.grid.fields[0].rows.count()
+    }
+
+    /// Number of velocity fields beside that of the phase: bodies with a boundary, or near a partner of contact.
+    #[must_use]
+    pub fn contact_layers(&self) -> usize {
+        self.work.grid.fields.len() - 1
     }
 
     /// Time of positions and stresses \[s\].
@@ -244,7 +168,9 @@ impl Simulation {
     /// Lower corner of the mesh now \[m\]. A base that moves along its normal takes the mesh with it.
     #[must_use]
     pub fn origin(&self) -> Vector {
-        std::array::from_fn(|axis| self.model.scene.mesh.origin[axis] + self.state.mesh_shift[axis])
+        std::array::from_fn(|axis| {
+            self.model.settings.mesh.origin[axis] + self.state.mesh_shift[axis]
+        })
     }
 
     /// Position of a particle in the coordinates of the scene \[m\].
@@ -288,7 +214,7 @@ impl Simulation {
     pub fn initial_position(&self, set: usize, p: usize) -> Option<Vector> {
         let x = self.state.sets[set].vector(self.state.sets[set].layout.displacement_origin?, p);
         Some(std::array::from_fn(|axis| {
-            x[axis] + self.model.scene.mesh.origin[axis]
+            x[axis] + self.model.settings.mesh.origin[axis]
         }))
     }
 
@@ -314,6 +240,6 @@ impl Simulation {
             .force
             .map_or([0.0; 3], |first| particles.vector(first, p));
         let m = particles.columns[Layout::MASS][p];
-        std::array::from_fn(|axis| m * self.model.scene.gravity[axis] + own[axis])
+        std::array::from_fn(|axis| m * self.model.settings.gravity[axis] + own[axis])
     }
 }

@@ -1,35 +1,40 @@
-//! The model of a scene: immutable in a step, changed only between two stages.
+//! The model of a simulation: immutable in a step, changed only between two stages.
 
 use super::{BaseVelocity, BodyForce};
 use crate::lanes::Selected;
+use crate::model::CycleSettings;
 use crate::plan::Plan;
-use crate::scene::Scene;
 use crate::simulation::context::Condition;
 use crate::simulation::values::BodyRun;
 use crate::weights::Family;
 use std::sync::Arc;
 
 /// The model: a step reads it and leaves it as it is.
-pub(crate) struct Model {
-    pub(crate) scene: Scene,
-    pub(crate) plan: Plan,
-    pub(crate) lanes: Selected,
-    /// The bodies, in the order of the scene.
-    pub(crate) bodies: Vec<BodyRun>,
-    /// Conditions at the nodes; those of the user come last.
-    pub(crate) conditions: Vec<Arc<dyn Condition>>,
-    pub(crate) own_conditions: Vec<Arc<dyn Condition>>,
+#[derive(Clone)]
+pub struct Model {
+    /// Mesh, method, loads and boundary conditions.
+    pub settings: CycleSettings,
+    /// What the simulation needs.
+    pub plan: Plan,
+    /// Lanes in use.
+    pub lanes: Selected,
+    /// The bodies.
+    pub bodies: Vec<BodyRun>,
+    /// Conditions at the nodes; those of the user come last. See [`conditions`](super::conditions).
+    pub conditions: Vec<Arc<dyn Condition>>,
+    /// Those of the user alone.
+    pub own_conditions: Vec<Arc<dyn Condition>>,
     /// True if the user has added conditions or interactions.
-    pub(crate) has_own: bool,
-    pub(crate) base: Option<BaseVelocity>,
-    pub(crate) body_force: Option<BodyForce>,
-    /// Largest acceleration of a particle by box loads \[m/s²\].
-    pub(crate) load_acceleration: f64,
+    pub has_own: bool,
+    /// Velocity of the base, where one moves.
+    pub base: Option<BaseVelocity>,
+    /// Body force as a function, where one is given.
+    pub body_force: Option<BodyForce>,
 }
 
 impl Model {
     /// Weighting functions of all bodies.
     pub(crate) fn family(&self) -> Family {
-        self.scene.weighting.kind().family
+        self.settings.weighting.kind().family
     }
 }

@@ -5,7 +5,7 @@ use super::interactions::{SlabInteraction, SlabPart};
 use super::mapping::fold;
 use super::phase::{Phase, PhaseTimer};
 use crate::grid::Line;
-use crate::scene::Vector;
+use crate::model::Vector;
 use crate::simulation::context::{FieldNodes, Remap, StepContext, at_half_step_after};
 use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
 

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
-use crate::scene::Vector;
+use crate::model::Vector;
 use std::collections::HashMap;
 
 /// One velocity field at a node.
@@ -18,7 +18,7 @@ pub struct NodeValues {
     pub velocity: Vector,
     /// Contact force on the body in the last step \[N\], in the common field on all bodies there.
     pub contact_force: Vector,
-    /// Smallest distance to a partner of contact less that at which they touch, or smallest gap between a rigid surface
+    /// Smallest distance to a partner of contact less that at which they touch, or smallest gap between an obstacle
     /// and a particle that reaches the node \[m\]; not a number where neither is near or its distance is not looked for.
     pub contact_gap: f64,
 }
@@ -108,7 +108,7 @@ impl Simulation {
         (0..shape.axes).any(|axis| {
             let index = at[shape.direction(axis)];
             let upper = GHOSTS_BELOW + shape.cells[axis];
-            let wall = |side| self.model.scene.plane_acts(axis, side);
+            let wall = |side| self.model.settings.plane_acts(axis, side);
             (index < GHOSTS_BELOW && wall(0)) || (index > upper && wall(1))
         })
     }

@@ -159,7 +159,7 @@ impl Simulation {
         with_p2g: bool,
     ) -> Result<usize, StepError> {
         for one in &mut self.work.interactions {
-            one.add_forces(&mut self.work.grid, &self.model.scene);
+            one.add_forces(&mut self.work.grid, &self.model.settings);
             if one.detects() {
                 self.work.phase_timer.end(Phase::Contact);
             }
@@ -234,7 +234,7 @@ impl Simulation {
     fn load_on_empty_node(&self, node: usize) -> StepError {
         let local = self.work.grid.shape.position(node);
         let position = std::array::from_fn(|axis| local[axis] + self.origin()[axis]);
-        let load = load_on(&self.model.scene, &self.work.grid.shape, node);
+        let load = load_on(&self.model.settings, &self.work.grid.shape, node);
         self.error(StepErrorKind::LoadOnEmptyNode { load, position })
     }
 
@@ -290,7 +290,7 @@ impl Simulation {
     pub(super) fn run_g2p(&mut self, task: Task) -> Result<(), StepError> {
         let nodes = self.model.family().stage_nodes(self.state.stencil);
         let call = g2p::instance(self.model.plan.axes, nodes, &task);
-        let mesh = &self.model.scene.mesh;
+        let mesh = &self.model.settings.mesh;
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());
         let (lanes, stencil) = (self.model.lanes, self.state.stencil);

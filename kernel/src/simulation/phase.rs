@@ -6,7 +6,7 @@ use std::fmt;
 /// ([`Simulation::observe_phases`](super::Simulation::observe_phases)) gets each phase when it has ended and may read its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Phase {
-    /// Contact: of boundaries (weights, gaps and forces, motion of vertices), of rigid surfaces, and on the grid. The last
+    /// Contact: of boundaries (weights, gaps and forces, motion of vertices), and at the nodes. The last
     /// acts slab by slab amid the equation of motion and the second mapping, and is told apart where there is one slab, as
     /// with one thread; of several slabs at once no clock says when their contact ended, and it is a part of those phases.
     Contact,

@@ -3,12 +3,12 @@
 //!
 //! The scale of the energy balance is the largest energy that there was to turn over: what the start and the work done have
 //! given at most, or what moves and is strained now. A negative remainder is energy from nowhere, which no transfer explains.
-//! A positive one is dissipation, which affine transfers, a share of PIC, USL, friction of mortar contact and planes that stop
+//! A positive one is dissipation, which affine transfers, a share of PIC, USL, friction of some contacts and planes that stop
 //! what hits them explain; nothing explains more of it than there was.
 
 use super::Simulation;
 use crate::laws::StrainRange;
-use crate::scene::{Damping, StressScheme, Transfer, TransferKind, Weighting};
+use crate::model::{Damping, StressScheme, Transfer, TransferKind, Weighting};
 use crate::simulation::values::{Energy, Extremes, MOST_LOST_SPIN, MOST_STRETCH_RATIO, ROUND_OFF};
 use std::fmt;
 
@@ -200,7 +200,7 @@ impl Simulation {
             all.push(ResultWarning::Stretch {
                 ratio: extremes.stretch_ratio,
                 share: extremes.stretched_share,
-                bspline: self.model.scene.weighting == Weighting::QuadraticBSpline,
+                bspline: self.model.settings.weighting == Weighting::QuadraticBSpline,
             });
         }
         all
@@ -224,9 +224,9 @@ impl Simulation {
         let scale = self.scale_of_energy(energy);
         // Local damping is booked with the velocities that bodies would have without each other; what contact makes of them moves
         // between damping and remainder.
-        let scene = &self.model.scene;
-        let meets = !(scene.contacts.is_empty() && scene.surfaces.is_empty());
-        let remainder = if meets && matches!(scene.damping, Damping::Local { .. }) {
+        let settings = &self.model.settings;
+        let meets = self.balance_traits().moves_damping;
+        let remainder = if meets && matches!(settings.damping, Damping::Local { .. }) {
             energy.remainder + energy.damping
         } else {
             energy.remainder
@@ -265,23 +265,22 @@ impl Simulation {
 
     /// Whether the method takes energy that no channel has.
     fn dissipates(&self) -> bool {
-        let scene = &self.model.scene;
-        let Transfer { kind, pic_fraction } = scene.transfer;
+        let settings = &self.model.settings;
+        let Transfer { kind, pic_fraction } = settings.transfer;
         let planes = (0..self.model.plan.axes)
-            .any(|axis| [0, 1].iter().any(|side| scene.plane_acts(axis, *side)));
+            .any(|axis| [0, 1].iter().any(|side| settings.plane_acts(axis, *side)));
         kind != TransferKind::Flip
             || pic_fraction > HARDLY_PIC
-            || scene.scheme != StressScheme::Usf
+            || settings.scheme != StressScheme::Usf
             || planes
-            || !scene.held_boxes.is_empty()
-            || !scene.mortar.contacts.is_empty()
-            || !scene.surfaces.is_empty()
-            || scene.bodies.len() > 1
+            || !settings.held_boxes.is_empty()
+            || self.balance_traits().dissipates
+            || self.model.bodies.len() > 1
     }
 
     /// Probable causes of a remainder, the likeliest first.
     fn causes(&self, remainder: f64, extremes: &Extremes) -> Vec<&'static str> {
-        let scene = &self.model.scene;
+        let settings = &self.model.settings;
         let mut all = vec![];
         if let Some(range) = self.exceeded_range(extremes) {
             all.push(range.cause);
@@ -293,22 +292,22 @@ impl Simulation {
         if extremes.stretched_share > MOST_STRETCHED {
             all.push("particle domains that do not follow their stretch: use \"domain_update\": \"stretch\"");
         }
-        let damped = scene.damping != Damping::None;
-        let flip = scene.transfer.kind == TransferKind::Flip;
-        if flip && scene.scheme != StressScheme::Usl {
+        let damped = settings.damping != Damping::None;
+        let flip = settings.transfer.kind == TransferKind::Flip;
+        if flip && settings.scheme != StressScheme::Usl {
             all.push(
                 "FLIP with MUSL or USF, which lets motion that nodes do not see grow, in tension above all: use \"APIC\" or USL",
             );
         } else if flip {
             all.push("FLIP, which lets motion that nodes do not see grow: use \"APIC\"");
         }
-        if scene.weighting == Weighting::Linear {
+        if settings.weighting == Weighting::Linear {
             all.push("particles that cross cells with linear functions: use \"GIMP\" or B-splines");
         }
-        if !(scene.point_loads.is_empty() && scene.tractions.is_empty()) {
+        if !(settings.point_loads.is_empty() && settings.tractions.is_empty()) {
             all.push("a load fixed in space that its body leaves: use \"box_load\", which moves with the particles");
         }
-        if !scene.contacts.is_empty() || !scene.mortar.contacts.is_empty() {
+        if self.balance_traits().may_be_stiff {
             all.push(
                 "contact that is too stiff or meets too fast for the step: use a smaller step",
             );

@@ -6,13 +6,13 @@
 
 use super::Simulation;
 use crate::layout::Layout;
-use crate::scene::{Damping, Scene, TransferKind, Vector};
+use crate::model::{Damping, TransferKind, Vector};
 use crate::simulation::values::{EventKind, Spin};
 
 impl Simulation {
     /// Angular momentum of the particles, where nothing outside can turn them and FLIP moves them.
     pub(super) fn spin(&self) -> Option<Spin> {
-        is_left_alone(&self.model.scene).then_some(())?;
+        self.is_left_alone().then_some(())?;
         let (mut mass, mut center, mut momentum) = (0.0, [0.0; 3], [0.0; 3]);
         self.each_particle(|m, x, v| {
             mass += m;
@@ -63,21 +63,24 @@ impl Simulation {
     }
 }
 
-/// True for a scene with FLIP in which gravity and the bodies alone act. Mortar contact may lose angular momentum.
-fn is_left_alone(scene: &Scene) -> bool {
-    let planes = (0..scene.dimension.axes())
-        .any(|axis| [0, 1].iter().any(|side| scene.plane_acts(axis, *side)));
-    let loads =
-        scene.point_loads.is_empty() && scene.tractions.is_empty() && scene.box_loads.is_empty();
-    scene.transfer.kind == TransferKind::Flip
-        && scene.transfer.pic_fraction == 0.0
-        && scene.damping == Damping::None
-        && !planes
-        && loads
-        && scene.held_boxes.is_empty()
-        && scene.surfaces.is_empty()
-        && scene.mortar.contacts.is_empty()
-        && scene.bodies.iter().all(|body| body.motion.is_none())
+impl Simulation {
+    /// True with FLIP, where gravity and the bodies alone act. Contact may lose angular momentum.
+    fn is_left_alone(&self) -> bool {
+        let settings = &self.model.settings;
+        let planes = (0..settings.dimension.axes())
+            .any(|axis| [0, 1].iter().any(|side| settings.plane_acts(axis, *side)));
+        let loads = settings.point_loads.is_empty()
+            && settings.tractions.is_empty()
+            && settings.box_loads.is_empty();
+        settings.transfer.kind == TransferKind::Flip
+            && settings.transfer.pic_fraction == 0.0
+            && settings.damping == Damping::None
+            && !planes
+            && loads
+            && settings.held_boxes.is_empty()
+            && !self.balance_traits().dissipates
+            && !settings.drives_bodies
+    }
 }
 
 fn length_squared(v: &Vector) -> f64 {

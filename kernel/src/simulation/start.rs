@@ -1,55 +1,83 @@
-//! From a scene to a simulation.
+//! The start of a simulation: from a model and its particles to time zero.
 
-use super::{Options, Simulation, conditions, interactions};
-use crate::plan::{Plan, PlanOptions};
-use crate::scene::{Scene, SceneError};
-use crate::simulation::values::SetupError;
-use std::fmt;
+use super::Simulation;
+use super::clock::length;
+use super::interactions::Interactions;
+use super::tension::TensionWatch;
+use crate::grid::GridShape;
+use crate::layout::Layout;
+use crate::particles::ParticleSet;
+use crate::simulation::fields::Grid;
+use crate::simulation::model::Model;
+use crate::simulation::values::{MOST_VOLUME_RATIO, SetupError, State};
+use crate::simulation::work_state::WorkState;
+use crate::stage::g2p::ParticleMaxima;
+use crate::team::Team;
+use std::sync::Arc;
 
-impl Scene {
-    /// Checks the scene and sets it in motion.
+/// The start of a simulation: particles, interactions and threads.
+pub struct Start {
+    /// Particle sets, one per body of the model.
+    pub sets: Vec<ParticleSet>,
+    /// Maxima over the particles of each body, on which the first time step depends.
+    pub maxima: Vec<ParticleMaxima>,
+    /// Interactions, in the order in which they act; those of the user come last.
+    pub interactions: Interactions,
+    /// The threads.
+    pub team: Arc<Team>,
+    /// Fewest particles that are worth a second thread in a step, where there are several; else 2048. No bit depends on it.
+    pub least_share: Option<usize>,
+    /// True where no volume has changed yet.
+    pub is_undeformed: bool,
+}
+
+impl Simulation {
+    /// A simulation at time zero: particles sorted, fields given, the first time step chosen.
     ///
     /// # Errors
-    /// What is wrong with the scene, every problem with the path of its value, or why it cannot be set up.
-    pub fn simulate(&self, options: &Options) -> Result<Simulation, StartError> {
-        self.check().map_err(StartError::Scene)?;
-        Simulation::new(self, options).map_err(StartError::Setup)
-    }
-}
-
-/// What a scene needs, and nothing else.
-#[must_use]
-pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
-    Plan::of(
-        scene,
-        demands,
-        &[conditions::describe, interactions::describe],
-    )
-}
-
-/// Why a scene does not start.
-#[derive(Debug)]
-pub enum StartError {
-    /// The scene is not sound.
-    Scene(SceneError),
-    /// It cannot be set up.
-    Setup(SetupError),
-}
-
-impl fmt::Display for StartError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Scene(error) => error.fmt(f),
-            Self::Setup(error) => error.fmt(f),
+    /// Input that shows its fault only here: see [`SetupError`].
+    pub fn new(model: Model, start: Start) -> Result<Self, SetupError> {
+        let shape = GridShape::new(&model.settings.mesh, model.settings.dimension);
+        let mut work = WorkState::new(
+            Grid::new(shape, start.team, start.least_share),
+            start.interactions,
+            model.bodies.len(),
+        );
+        let accelerations = start.sets.iter().map(largest_acceleration);
+        work.load_acceleration = accelerations.fold(0.0, f64::max);
+        let mut simulation = Self {
+            state: State::new(start.sets, start.maxima),
+            work,
+            model,
+        };
+        for set in &mut simulation.state.sets {
+            set.sort_by_position(&simulation.work.grid.team);
         }
+        let settings = &simulation.model.settings;
+        simulation.work.tension = TensionWatch::new(settings, &simulation.state.sets);
+        simulation.sort_if_stale();
+        simulation.require_carried()?;
+        let view = simulation.view();
+        for one in simulation.interactions() {
+            one.start(&view)?;
+        }
+        simulation.open_ledger();
+        if start.is_undeformed {
+            simulation.state.invariants.volume_left = libm::log(MOST_VOLUME_RATIO);
+        }
+        simulation.propose().map_err(SetupError::UnstableTimeStep)?;
+        let imbalance = simulation.initial_imbalance();
+        simulation.model.plan.warnings.extend(imbalance);
+        Ok(simulation)
     }
 }
 
-impl std::error::Error for StartError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::Scene(error) => Some(error),
-            Self::Setup(error) => Some(error),
-        }
-    }
+/// What its own force accelerates a particle of a set by, at most \[m/s²\].
+fn largest_acceleration(set: &ParticleSet) -> f64 {
+    let Some(first) = set.layout.force else {
+        return 0.0;
+    };
+    let mass = set.columns[Layout::MASS].iter().enumerate();
+    mass.map(|(p, m)| length(&set.vector(first, p)) / m)
+        .fold(0.0, f64::max)
 }

@@ -22,7 +22,7 @@ impl Simulation {
 
     /// Takes up a state that was saved of a simulation of the same scene. That the scene is the same is for the caller
     /// to know. What the last step found on the way and the next one finds anew, such as gaps, pressures and energy of
-    /// mortar contact, is known again after a step.
+    /// an interaction, is known again after a step.
     ///
     /// # Errors
     /// A state that is not one of such a scene, by the lengths of its lists and the places of its particles. The
@@ -83,7 +83,7 @@ impl Simulation {
         same(layers, set.layers.len(), was.layers.len())?;
         let in_layers = was.layers.last().copied().unwrap_or(0);
         let ordered = was.layers.is_sorted() && in_layers == was.id.len();
-        let mesh = &self.model.scene.mesh;
+        let mesh = &self.model.settings.mesh;
         let inside = (0..set.layout.axes).all(|axis| {
             let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
             let x = &was.columns[Layout::POSITION + axis];

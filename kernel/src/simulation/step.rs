@@ -5,7 +5,7 @@ use super::interactions::Interaction;
 use super::phase::{Phase, PhaseObserver, PhaseTimer};
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
-use crate::scene::StressScheme;
+use crate::model::StressScheme;
 use crate::simulation::context::Remap;
 use crate::simulation::values::{Drift, StepError, StepInfo};
 use crate::stage::g2p::{Affine, Task};
@@ -146,7 +146,7 @@ impl Simulation {
     pub(super) fn g2p_task(&self, drift: Option<f64>, strain: Option<f64>) -> Task {
         Task {
             kick: false,
-            pic_fraction: self.model.scene.transfer.pic_fraction,
+            pic_fraction: self.model.settings.transfer.pic_fraction,
             drift,
             mesh_shift: [0.0; 3],
             strain: strain.map(|dt| (dt, Configuration::Beginning)),
@@ -178,7 +178,7 @@ impl Simulation {
         };
         let (time, start_origin, origin) = (
             self.state.clock.time,
-            self.model.scene.mesh.origin,
+            self.model.settings.mesh.origin,
             self.origin(),
         );
         for set in &mut self.state.sets {

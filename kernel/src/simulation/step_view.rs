@@ -3,8 +3,8 @@
 use super::BaseVelocity;
 use crate::lanes::Selected;
 use crate::layout::Layout;
+use crate::model::{CycleSettings, Vector};
 use crate::particles::ParticleSet;
-use crate::scene::{Scene, Vector};
 use crate::simulation::fields::Grid;
 use crate::simulation::values::{BodyRun, Clock, Event, EventKind, ParticleAt};
 use crate::stage::g2p::ParticleMaxima;
@@ -14,8 +14,8 @@ use crate::team::Team;
 /// A simulation in a step, as an interaction reads it.
 #[derive(Clone, Copy)]
 pub struct StepView<'a> {
-    /// The scene.
-    pub scene: &'a Scene,
+    /// Settings of the cycle.
+    pub settings: &'a CycleSettings,
     /// The bodies, in the order of the scene.
     pub bodies: &'a [BodyRun],
     /// Particle sets, one per body; positions are relative to the origin of the mesh.
@@ -41,26 +41,30 @@ pub struct StepView<'a> {
 impl<'a> StepView<'a> {
     /// The threads.
     #[must_use]
+    #[inline]
     pub fn team(&self) -> &'a Team {
         &self.grid.team
     }
 
     /// Lower corner of the mesh now, in the coordinates of the scene \[m\].
     #[must_use]
+    #[inline]
     pub fn origin(&self) -> Vector {
-        let start = &self.scene.mesh.origin;
+        let start = &self.settings.mesh.origin;
         std::array::from_fn(|axis| start[axis] + self.mesh_shift[axis])
     }
 
     /// The shortest side of a cell \[m\].
     #[must_use]
+    #[inline]
     pub fn smallest_cell(&self) -> f64 {
-        let cell = &self.scene.mesh.cell[..self.grid.shape.axes];
+        let cell = &self.settings.mesh.cell[..self.grid.shape.axes];
         cell.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// Position of a particle in the coordinates of the scene \[m\].
     #[must_use]
+    #[inline]
     pub fn position(&self, set: usize, p: usize) -> Vector {
         let (x, origin) = (self.particles[set].position(p), self.origin());
         std::array::from_fn(|axis| x[axis] + origin[axis])
@@ -68,12 +72,14 @@ impl<'a> StepView<'a> {
 
     /// Mass of a particle \[kg\].
     #[must_use]
+    #[inline]
     pub fn mass(&self, set: usize, p: usize) -> f64 {
         self.particles[set].columns[Layout::MASS][p]
     }
 
     /// A particle and where it is, for an error.
     #[must_use]
+    #[inline]
     pub fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
         let particles = &self.particles[set];
         ParticleAt {
@@ -93,7 +99,7 @@ pub struct StepUpdate<'a> {
     /// Sums over the nodes of this step.
     pub sums: &'a mut PlaneSums,
     pub(super) events: &'a mut Vec<Event>,
-    pub(super) scene: &'a Scene,
+    pub(super) settings: &'a CycleSettings,
     pub(super) bodies: &'a [BodyRun],
     pub(super) particles: &'a [ParticleSet],
     pub(super) maxima: &'a [ParticleMaxima],
@@ -110,7 +116,7 @@ impl StepUpdate<'_> {
     #[must_use]
     pub fn view(&self) -> StepView<'_> {
         StepView {
-            scene: self.scene,
+            settings: self.settings,
             bodies: self.bodies,
             particles: self.particles,
             maxima: self.maxima,
@@ -125,6 +131,7 @@ impl StepUpdate<'_> {
     }
 
     /// Notes an event of this step.
+    #[inline]
     pub fn note(&mut self, kind: EventKind) {
         self.events.push(Event {
             step: self.clock.step + 1,

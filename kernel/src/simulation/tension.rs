@@ -14,9 +14,9 @@
 
 use super::Simulation;
 use crate::layout::Layout;
+use crate::model::{CycleSettings, StressScheme, Weighting};
 use crate::particles::ParticleSet;
 use crate::plan::loses_tension;
-use crate::scene::{Scene, StressScheme, Weighting};
 use crate::simulation::values::{MOST_UNSEEN, StepError, StepErrorKind, StepInfo, Tension};
 use nalgebra::Matrix3;
 
@@ -92,12 +92,13 @@ impl LeastShares {
 
 impl TensionWatch {
     /// The watch of bodies at the start; `None` where the method holds, and with linear functions.
-    pub(super) fn new(scene: &Scene, sets: &[ParticleSet]) -> Option<Self> {
+    pub(super) fn new(settings: &CycleSettings, sets: &[ParticleSet]) -> Option<Self> {
         let of = |set: &ParticleSet| Growth {
             first: set.id.iter().copied().min().unwrap_or(0),
             logarithm: vec![0.0; set.len()],
         };
-        let watched = loses_tension(scene) && scene.weighting != Weighting::Linear;
+        let watched = loses_tension(settings.transfer, settings.scheme)
+            && settings.weighting != Weighting::Linear;
         watched.then(|| Self {
             bodies: sets.iter().map(of).collect(),
             tension: f64::INFINITY,
@@ -173,8 +174,8 @@ impl Simulation {
         })))
     }
 
-    /// Energy from nowhere over the energy that there was to turn over; 0 where not all work is known, and where incremental
-    /// elasticity at large strain makes it.
+    /// Energy from nowhere over the energy that there was to turn over; 0 where not all work is known, and where a law without an energy
+    /// at large strain makes it.
     fn created_share(&mut self) -> f64 {
         let strained = self.exceeded_range(&self.extremes()).is_some();
         if strained || !self.knows_all_work() {

@@ -6,8 +6,8 @@
 use super::Simulation;
 use super::conditions::nodes_of_traction;
 use super::mapping::node_weights;
+use crate::model::{Shape, Traction, Vector};
 use crate::number::Number;
-use crate::scene::{Shape, Traction, Vector};
 use crate::simulation::values::{BodyRun, SetupError};
 
 /// Lengths below this share of a cell are round-off.
@@ -31,8 +31,8 @@ impl Simulation {
     /// [`SetupError::Load`] by the path of a traction that lies over no body or only partly over one, or that acts on a node
     /// that no particle reaches.
     pub(super) fn require_carried(&self) -> Result<(), SetupError> {
-        let scene = &self.model.scene;
-        for (i, traction) in scene.tractions.iter().enumerate() {
+        let settings = &self.model.settings;
+        for (i, traction) in settings.tractions.iter().enumerate() {
             let refused = |reason| {
                 Err(SetupError::Load {
                     path: format!("traction[{i}]"),
@@ -40,13 +40,13 @@ impl Simulation {
                 })
             };
             if let Some(gap) = self.gap(traction) {
-                return refused(gap.told(traction, scene.dimension.axes()));
+                return refused(gap.told(traction, settings.dimension.axes()));
             }
             if let Some(x) = self.node_out_of_reach(i, traction)? {
                 return refused(format!(
                     "it acts at the node {} m, which no particle reaches: particles end before the rectangle does; accepted: a \
                      rectangle on a plane of nodes, or on the outermost particles of a body",
-                    point(&x, scene.dimension.axes())
+                    point(&x, settings.dimension.axes())
                 ));
             }
         }
@@ -55,12 +55,12 @@ impl Simulation {
 
     /// The part of a rectangle that lies over no body.
     fn gap(&self, traction: &Traction) -> Option<Gap> {
-        let scene = &self.model.scene;
-        let axes = scene.dimension.axes();
-        let cell = &scene.mesh.cell;
+        let settings = &self.model.settings;
+        let axes = settings.dimension.axes();
+        let cell = &settings.mesh.cell;
         let normal = (0..axes).find(|&axis| traction.p1[axis] == traction.p2[axis])?;
-        let tolerance = |axis: usize| NEAR * cell[axis] + scene.mesh.tolerance(axis);
-        let boxes: Vec<[Vector; 2]> = (scene.bodies.iter())
+        let tolerance = |axis: usize| NEAR * cell[axis] + settings.mesh.tolerance(axis);
+        let boxes: Vec<[Vector; 2]> = (self.model.bodies.iter())
             .filter_map(|body| match body.shape {
                 Shape::Cuboid { p1, p2 } => Some([p1, p2]),
                 _ => None,
@@ -89,15 +89,14 @@ impl Simulation {
         for [low, high] in &boxes {
             covered.add(&|axis| [low[axis], high[axis]]);
         }
-        let bodies = scene.bodies.iter().zip(&self.model.bodies);
-        for ((body, run), set) in bodies.zip(&self.state.sets) {
-            if matches!(body.shape, Shape::Cuboid { .. }) {
+        for (run, set) in self.model.bodies.iter().zip(&self.state.sets) {
+            if matches!(run.shape, Shape::Cuboid { .. }) {
                 continue;
             }
             let reach = run.particle_half_length.map(|l| STAIRCASE * l);
             for p in 0..set.len() {
                 let x = set.position(p);
-                let at = |axis: usize| x[axis] + scene.mesh.origin[axis];
+                let at = |axis: usize| x[axis] + settings.mesh.origin[axis];
                 if (at(normal) - traction.p1[normal]).abs() <= reach[normal] {
                     covered.add(&|axis| [at(axis) - reach[axis], at(axis) + reach[axis]]);
                 }
@@ -112,17 +111,17 @@ impl Simulation {
         i: usize,
         traction: &Traction,
     ) -> Result<Option<Vector>, SetupError> {
-        let scene = &self.model.scene;
+        let settings = &self.model.settings;
         let shape = &self.work.grid.shape;
-        let mut nodes: Vec<(usize, bool)> = nodes_of_traction(scene, shape, i, traction)?
+        let mut nodes: Vec<(usize, bool)> = nodes_of_traction(settings, shape, i, traction)?
             .into_iter()
             .map(|(node, _)| (node, false))
             .collect();
         nodes.sort_unstable();
-        let origin = &scene.mesh.origin;
+        let origin = &settings.mesh.origin;
         let is_near = |x: &Vector| {
             (0..shape.axes).all(|axis| {
-                let (at, far) = (x[axis] + origin[axis], REACH * scene.mesh.cell[axis]);
+                let (at, far) = (x[axis] + origin[axis], REACH * settings.mesh.cell[axis]);
                 (traction.p1[axis] - far..=traction.p2[axis] + far).contains(&at)
             })
         };

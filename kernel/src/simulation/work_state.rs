@@ -24,6 +24,8 @@ pub(crate) struct WorkState {
     pub(crate) phase_timer: PhaseTimer,
     /// Sums over the nodes of the last step.
     pub(crate) sums: PlaneSums,
+    /// Largest acceleration of a particle by box loads \[m/s²\].
+    pub(crate) load_acceleration: f64,
     /// Why a step left particles where no step can go on.
     pub(crate) failed: Option<StepError>,
     /// What acted in the last step: its lists are filled again in the next.
@@ -51,6 +53,7 @@ impl WorkState {
             interactions,
             phase_timer: PhaseTimer::default(),
             sums: PlaneSums::default(),
+            load_acceleration: 0.0,
             failed: None,
             nodal: NodalConditions::default(),
             solved: vec![],

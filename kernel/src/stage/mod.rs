@@ -5,7 +5,6 @@
 pub mod g2p;
 pub mod p2g;
 pub mod solve;
-pub mod touch;
 pub mod weigh;
 
 use crate::grid::{GHOSTS_BELOW, GridShape};

@@ -29,12 +29,16 @@ pub struct Wall {
 }
 
 impl Wall {
-    pub(crate) fn prescribes(&self, axis: usize) -> bool {
+    #[must_use]
+    #[inline]
+    pub fn prescribes(&self, axis: usize) -> bool {
         self.prescribed[axis]
     }
 
     /// Storage indices along the direction of the normal: ghost, plane, mirror.
-    pub(crate) fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
+    #[must_use]
+    #[inline]
+    pub fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
         if self.side == 0 {
             (GHOSTS_BELOW - 1, GHOSTS_BELOW, GHOSTS_BELOW + 1)
         } else {
@@ -125,12 +129,13 @@ impl Planes<'_> {
     }
 
     /// Sets the active nodes to zero.
+    #[inline]
     pub fn clear(&mut self) {
         self.for_rows(|row| row.fill([0.0; 8]));
     }
 
     #[inline(always)]
-    pub(crate) fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
+    pub fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
         for plane in self.range.clone() {
             for row in self.rows.in_plane(plane) {
                 let span = self.rows.span(plane, row);
@@ -207,6 +212,7 @@ impl Planes<'_> {
     }
 
     /// v_I = p_I / m_I in the lower lanes.
+    #[inline]
     pub fn velocities(&mut self) {
         if self.shape.axes == 2 {
             self.divide_by_mass::<2>();
@@ -353,6 +359,7 @@ impl Planes<'_> {
     }
 
     /// Adds the power of nodal loads to the sums of the owned planes, after the solve.
+    #[inline]
     pub fn add_power_of_loads(&self, loads: &[NodeForce], sums: &mut [PlaneSums]) {
         let first = self.first();
         for load in owned(loads, |l| l.node, first, self.nodes.len()) {
@@ -396,7 +403,7 @@ impl Planes<'_> {
     /// Calls `act(nodes, a, b)` for every active pair of nodes in the layers `a` and `b` of the direction of
     /// an axis that lies in the owned planes.
     #[inline(always)]
-    pub(crate) fn for_pairs(
+    pub fn for_pairs(
         &mut self,
         axis: usize,
         a: usize,
@@ -440,7 +447,9 @@ impl Planes<'_> {
 }
 
 /// Whether storage indices are those of a ghost of a wall, which mirrors what lies inside.
-pub(crate) fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {
+#[must_use]
+#[inline]
+pub fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {
     walls
         .iter()
         .any(|wall| at[shape.direction(wall.axis)] == wall.layers(shape).0)

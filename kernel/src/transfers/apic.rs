@@ -1,7 +1,7 @@
 //! APIC (Jiang et al. 2015): particles carry `B_p D_p^-1 (x_I - x_p)` beside the mean velocity around them.
 
 use super::TransferType;
-use crate::scene::TransferKind;
+use crate::model::TransferKind;
 use crate::stage::g2p::Affine;
 
 pub(super) const APIC: TransferType = TransferType {

@@ -1,7 +1,7 @@
 //! FLIP: particles keep their velocity and take the change at the nodes.
 
 use super::TransferType;
-use crate::scene::TransferKind;
+use crate::model::TransferKind;
 use crate::stage::g2p::Affine;
 
 pub(super) const FLIP: TransferType = TransferType {

@@ -2,7 +2,7 @@
 //!
 //! Each stands in one list, under the file that it is in.
 
-use crate::scene::{Transfer, TransferKind};
+use crate::model::{Transfer, TransferKind};
 use crate::stage::g2p::Affine;
 
 /// A kind of transfer.

@@ -1,7 +1,7 @@
 //! TPIC: particles carry the velocity gradient beside the mean velocity around them.
 
 use super::TransferType;
-use crate::scene::TransferKind;
+use crate::model::TransferKind;
 use crate::stage::g2p::Affine;
 
 pub(super) const TPIC: TransferType = TransferType {

@@ -1,7 +1,7 @@
 //! B-splines.
 
 use super::WeightingType;
-use crate::scene::Weighting;
+use crate::model::Weighting;
 use crate::weights::Family;
 
 /// The quadratic one, which is GIMP with domains of one cell.

@@ -1,7 +1,7 @@
 //! GIMP: the hat averaged over the domain of the particle.
 
 use super::WeightingType;
-use crate::scene::{DomainUpdate, Weighting};
+use crate::model::{DomainUpdate, Weighting};
 use crate::weights::Family;
 
 /// Domains keep their size.

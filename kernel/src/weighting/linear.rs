@@ -1,7 +1,7 @@
 //! Linear functions.
 
 use super::WeightingType;
-use crate::scene::Weighting;
+use crate::model::Weighting;
 use crate::weights::Family;
 
 /// The hat at the position of the particle.

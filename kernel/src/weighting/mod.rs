@@ -2,7 +2,7 @@
 //!
 //! Each stands in one list, under the file that it is in. The functions themselves are in [`crate::weights`].
 
-use crate::scene::{DomainUpdate, Weighting};
+use crate::model::{DomainUpdate, Weighting};
 use crate::weights::Family;
 
 /// A kind of weighting function.

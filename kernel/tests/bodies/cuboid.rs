@@ -2,7 +2,7 @@
 
 use crate::bodies::support::{Setting, cases, points, settings};
 use proctor_kernel::bodies::HalfLength;
-use proctor_kernel::scene::{Dimension, Shape, Vector};
+use proctor_scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;
 
 fn cuboid(p1: Vector, p2: Vector) -> Shape {

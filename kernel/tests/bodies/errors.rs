@@ -2,7 +2,7 @@
 
 use crate::bodies::support::Setting;
 use proctor_kernel::bodies::FillError;
-use proctor_kernel::scene::{ParticleSeed, Shape, Vector};
+use proctor_scene::{ParticleSeed, Shape, Vector};
 use std::sync::Arc;
 
 fn error(setting: &Setting, shape: Shape) -> FillError {

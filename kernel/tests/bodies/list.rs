@@ -2,7 +2,7 @@
 
 use crate::bodies::support::Setting;
 use proctor_kernel::bodies::HalfLength;
-use proctor_kernel::scene::{ParticleSeed, Shape};
+use proctor_scene::{ParticleSeed, Shape};
 use std::sync::Arc;
 
 fn list(seeds: &[([f64; 3], f64)]) -> Shape {

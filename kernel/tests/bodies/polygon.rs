@@ -1,7 +1,7 @@
 //! Polygons, flat and extruded.
 
 use crate::bodies::support::{Setting, cases, image, points, settings};
-use proctor_kernel::scene::{Dimension, Shape, Vector};
+use proctor_scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

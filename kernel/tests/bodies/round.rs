@@ -1,7 +1,7 @@
 //! Spheres, discs, rings and cylinders.
 
 use crate::bodies::support::{Setting, cases, image, origins, settings};
-use proctor_kernel::scene::{Dimension, Shape, Vector};
+use proctor_scene::{Dimension, Shape, Vector};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 

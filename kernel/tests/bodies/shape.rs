@@ -2,7 +2,7 @@
 
 use crate::bodies::support::Setting;
 use proctor_kernel::bodies::{expected, fill};
-use proctor_kernel::scene::{Dimension, ParticleSeed, Shape};
+use proctor_scene::{Dimension, ParticleSeed, Shape};
 use std::sync::Arc;
 
 #[test]

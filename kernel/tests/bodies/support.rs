@@ -1,7 +1,7 @@
 //! Meshes, bodies and measures that the tests share.
 
 use proctor_kernel::bodies::{FillError, FilledBody, HalfLength, fill};
-use proctor_kernel::scene::{Body, Dimension, InitialStress, Mesh, PlaneCondition, Shape, Vector};
+use proctor_scene::{Body, Dimension, InitialStress, Mesh, PlaneCondition, Shape, Vector};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

@@ -4,13 +4,13 @@
 #![allow(dead_code)]
 
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::scene::{
+use proctor_laws::{AnyLaw, LinearElastic, NeoHookean};
+use proctor_scene::simulation::{InitialField, InitialState, Options, Phase, Simulation};
+use proctor_scene::{
     Body, Damping, Dimension, DomainUpdate, InitialStress, Material, Mesh, Mortar, OnImbalance,
     Outside, PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
     Vector, VolumetricStrain, Weighting,
 };
-use proctor_kernel::simulation::{InitialField, InitialState, Options, Phase, Simulation};
-use proctor_laws::{AnyLaw, LinearElastic, NeoHookean};
 use std::sync::{Arc, Mutex};
 
 pub const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
@@ -312,7 +312,7 @@ pub fn cases(count: u32) -> proptest::prelude::ProptestConfig {
 pub fn first_error(
     simulation: &mut Simulation,
     most: usize,
-) -> proctor_kernel::simulation::StepError {
+) -> proctor_scene::simulation::StepError {
     for _ in 0..most {
         if let Err(e) = simulation.step(NEVER) {
             assert_eq!(e.step, simulation.steps() + 1);

@@ -4,7 +4,6 @@ use proctor_kernel::grid::{ActiveRows, GridShape, Line, Nodes};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
 use proctor_kernel::sorting::Sorter;
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::g2p::{self, Affine, FaultKind, G2p, Task, dilation};
@@ -13,6 +12,7 @@ use proctor_kernel::team::Team;
 use proctor_kernel::weights::{Family, base_offset};
 use proctor_laws::tensor::Configuration;
 use proctor_laws::{AnyLaw, LinearElastic, NeoHookean};
+use proctor_scene::{Dimension, DomainUpdate, Mesh, PlaneCondition};
 
 const CELLS: usize = 4;
 const PARTICLES: usize = 150;

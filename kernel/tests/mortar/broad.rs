@@ -5,7 +5,7 @@ use crate::mortar::support::{moved, point};
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::broad::{Bounds, NearElements};
 use proctor_kernel::mortar::outline::outline;
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 use proptest::prelude::*;
 
 fn disc(radius: f64, segment: f64) -> Boundary {

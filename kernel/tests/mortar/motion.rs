@@ -2,11 +2,11 @@
 
 use crate::mortar::support::point;
 use nalgebra::Matrix2;
+use proctor_contact::mortar::weighting::vertex_weights;
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::motion::{FollowMode, NodalGradient, vertex_velocity};
 use proctor_kernel::mortar::weights::VertexWeights;
 use proctor_kernel::weights::Family;
-use proctor_kernel::weights::vertex_weights;
 
 const CELL: [f64; 2] = [0.25, 0.5];
 

@@ -2,7 +2,7 @@
 
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::outline::{OutlineError, outline};
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 use std::f64::consts::PI;
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use crate::mortar::support::{moved, open, point};
 use proctor_kernel::mortar::boundary::Boundary;
 use proctor_kernel::mortar::outline::{distance_to_outline, outline};
 use proctor_kernel::mortar::overlap::{BoundaryOverlap, overlap};
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 use std::sync::Arc;
 
 fn of(shape: &Shape) -> Boundary {

@@ -11,7 +11,7 @@ use proctor_kernel::mortar::pair::{
     PairForces, PairLaw, PairSurfaces, Slip, StepAhead, contact_forces, resultant,
 };
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 use proptest::prelude::*;
 use std::ops::Range;
 

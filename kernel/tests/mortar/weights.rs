@@ -2,9 +2,9 @@
 
 use crate::common::cases;
 use crate::mortar::support::point;
+use proctor_contact::mortar::weighting::{face_weights, vertex_weights};
 use proctor_kernel::mortar::weights::LostVertex;
 use proctor_kernel::weights::Family;
-use proctor_kernel::weights::{face_weights, vertex_weights};
 use proptest::prelude::*;
 
 fn family() -> impl Strategy<Value = (Family, f64)> {

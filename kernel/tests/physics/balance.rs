@@ -2,12 +2,12 @@
 
 use crate::common::{FLIP, SCHEMES, block, body, cuboid, empty, run_towards, simulation};
 use crate::physics::mortar::collision;
-use proctor_kernel::scene::{
+use proctor_laws::VonMises;
+use proctor_scene::simulation::{Energy, Simulation};
+use proctor_scene::{
     BaseMotion, Contact, ContactNormal, Damping, Dimension, History, Motion, Outside,
     PlaneCondition, Scene, Weighting,
 };
-use proctor_kernel::simulation::{Energy, Simulation};
-use proctor_laws::VonMises;
 
 const G: f64 = 10.0;
 

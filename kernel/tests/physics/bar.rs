@@ -3,8 +3,8 @@
 use crate::common::{
     FLIP, SCHEMES, body, cuboid, elastic, empty, material, run, simulation, simulation_from,
 };
-use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep, Weighting};
-use proctor_kernel::simulation::{InitialState, Simulation};
+use proctor_scene::simulation::{InitialState, Simulation};
+use proctor_scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep, Weighting};
 use std::f64::consts::PI;
 use std::sync::Arc;
 

@@ -2,10 +2,10 @@
 
 use crate::common::{SCHEMES, block, body, cuboid, empty, run_towards, simulation};
 use crate::physics::mortar::{collision, contact, line, run_until};
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     BaseMotion, Dimension, History, Motion, PlaneCondition, Scene, StressScheme, Weighting,
 };
-use proctor_kernel::simulation::Simulation;
 
 /// The work of gravity is the weight times the way in the scene, whatever way the mesh takes meanwhile.
 #[test]

@@ -1,8 +1,8 @@
 //! Tractions that no body carries, all over or in part, are refused by their name.
 
 use crate::common::{DIMENSIONS, WEIGHTINGS, body, cuboid, empty, options, simulation};
-use proctor_kernel::scene::{Dimension, ParticleSeed, Scene, Shape, Traction, Vector};
-use proctor_kernel::simulation::{ResultWarning, SetupError, Simulation};
+use proctor_scene::simulation::{ResultWarning, SetupError, Simulation};
+use proctor_scene::{Dimension, ParticleSeed, Scene, Shape, Traction, Vector};
 use std::sync::Arc;
 
 fn traction(p1: Vector, p2: Vector) -> Traction {
@@ -153,7 +153,7 @@ fn a_node_beyond_the_last_particle() {
     let block = [cuboid([0.2, 0.2, 0.2], [0.8, 0.61, 0.6])];
     let mut scene = scene(Dimension::Two, &block, [0.3, 0.61, 0.0], [0.5, 0.61, 0.0]);
     // The row of particles that ends at 0.61 m is 0.046 m high: its centres at 0.587 m do not reach the node at 0.7 m.
-    scene.weighting = proctor_kernel::scene::Weighting::Linear;
+    scene.weighting = proctor_scene::Weighting::Linear;
     let reason = refused(&scene).expect("no particle reaches it");
     assert!(reason.contains("no particle reaches"), "{reason}");
 }

@@ -3,11 +3,11 @@
 use crate::common::{
     APIC, FLIP, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
 };
-use proctor_kernel::scene::{
+use proctor_laws::{AnyLaw, NeoHookean};
+use proctor_scene::simulation::{InitialState, ResultWarning, Simulation};
+use proctor_scene::{
     Damping, Dimension, DomainUpdate, PlaneCondition, Scene, StressScheme, Transfer, Weighting,
 };
-use proctor_kernel::simulation::{InitialState, ResultWarning, Simulation};
-use proctor_laws::{AnyLaw, NeoHookean};
 use std::sync::Arc;
 
 /// An elastic block that falls 1.5 m; the reported scene with cells of 0.5 m in place of 0.25 m.

@@ -4,11 +4,11 @@ use crate::common::{
     APIC, DENSITY, DIMENSIONS, FLIP, IDENTITY, NEVER, SCHEMES, TPIC, body, cuboid, elastic, empty,
     material, momentum_scale, options, particles, run, simulation,
 };
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialState, Options, SetupError, Simulation};
+use proctor_scene::{
     Contact, ContactNormal, Damping, Dimension, DomainUpdate, History, Scene, Shape, StressScheme,
     TimeStep, Transfer, Weighting,
 };
-use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation};
 use std::sync::Arc;
 
 pub const H: f64 = 0.1;

@@ -3,12 +3,12 @@
 use crate::common::{
     APIC, DENSITY, DIMENSIONS, IDENTITY, SCHEMES, body, cuboid, elastic, empty, material, options,
 };
-use proctor_kernel::scene::{
+use proctor_laws::NeoHookean;
+use proctor_scene::simulation::{EventKind, InitialState, Options, Simulation};
+use proctor_scene::{
     Contact, ContactNormal, Damping, Dimension, DomainUpdate, PlaneCondition, Scene, Shape,
     StressScheme, Weighting,
 };
-use proctor_kernel::simulation::{EventKind, InitialState, Options, Simulation};
-use proctor_laws::NeoHookean;
 use std::sync::Arc;
 
 const NORMALS: [ContactNormal; 3] = [
@@ -75,7 +75,7 @@ fn check_geostatic(scene: &Scene, foot: f64) {
     let up = scene.dimension.axes() - 1;
     let top = 12.0 * 0.08;
     let weight = move |z: f64| -DENSITY * 10.0 * (top - z);
-    let initial = move |x: &proctor_kernel::scene::Vector| {
+    let initial = move |x: &proctor_scene::Vector| {
         let mut stress = [0.0; 6];
         if x[0] > 0.0 && x[0] < 0.4 && x[up] < top {
             stress[up] = weight(x[up]);

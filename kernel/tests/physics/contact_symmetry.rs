@@ -2,10 +2,10 @@
 //! and bodies beside which another one flies.
 
 use crate::common::elastic;
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     Contact, ContactNormal, ParticleSeed, PlaneCondition, Scene, Shape, Vector, Weighting,
 };
-use proctor_kernel::simulation::{Options, Simulation};
 
 /// Distance of particles \[m\]; cells of 1 m.
 const STEP: f64 = 0.5;

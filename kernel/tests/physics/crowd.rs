@@ -2,7 +2,7 @@
 
 use crate::common::{DIMENSIONS, NEVER, SCHEMES, body, cuboid, empty, particles, run, simulation};
 use crate::physics::contact::{H, pair, two};
-use proctor_kernel::scene::{
+use proctor_scene::{
     Damping, Dimension, History, PlaneCondition, PointLoad, Scene, StressScheme, Vector,
 };
 

@@ -4,10 +4,8 @@ use crate::common::{
     BLEND, DIMENSIONS, FLIP, SCHEMES, body, cuboid, elastic, empty, material, options, run,
     simulation_from,
 };
-use proctor_kernel::scene::{
-    Damping, Dimension, PlaneCondition, Scene, StressScheme, Transfer, Weighting,
-};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Damping, Dimension, PlaneCondition, Scene, StressScheme, Transfer, Weighting};
 use std::f64::consts::PI;
 use std::sync::Arc;
 

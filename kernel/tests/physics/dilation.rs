@@ -4,12 +4,10 @@ use crate::common::{
     DENSITY, DIMENSIONS, NEVER, TRANSFERS, body, calm, cuboid, distance, elastic, empty, material,
     momentum_scale, options, particles, rough, run, simulation_from, weightings_and_schemes,
 };
-use proctor_kernel::plan::PlanOptions;
-use proctor_kernel::scene::{
-    Dimension, Scene, StressScheme, TimeStep, VolumetricStrain, Weighting,
-};
-use proctor_kernel::simulation::{InitialField, InitialState, Options, Simulation, plan};
 use proctor_laws::AnyLaw;
+use proctor_scene::plan::PlanOptions;
+use proctor_scene::simulation::{InitialField, InitialState, Options, Simulation, plan};
+use proctor_scene::{Dimension, Scene, StressScheme, TimeStep, VolumetricStrain, Weighting};
 use std::sync::Arc;
 
 const YOUNG: f64 = 1.0e6;

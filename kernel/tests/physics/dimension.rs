@@ -4,11 +4,11 @@ use crate::common::{
     APIC, DIMENSIONS, FLIP, NEO_HOOKEAN, block, body, cuboid, distance, elastic, empty, material,
     particles, run, simulation_from, weightings_and_schemes,
 };
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialState, Simulation};
+use proctor_scene::{
     Damping, Dimension, DomainUpdate, PlaneCondition, PointLoad, Scene, TimeStep, Traction,
     Weighting,
 };
-use proctor_kernel::simulation::{InitialState, Simulation};
 use std::collections::HashMap;
 use std::sync::Arc;
 

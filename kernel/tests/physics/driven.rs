@@ -3,8 +3,8 @@
 use crate::common::{
     DENSITY, IDENTITY, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
 };
-use proctor_kernel::scene::{Contact, ContactNormal, Dimension, History};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Contact, ContactNormal, Dimension, History};
 use std::sync::Arc;
 
 const H: f64 = 0.1;

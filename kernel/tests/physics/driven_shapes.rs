@@ -4,12 +4,12 @@ use crate::common::{
     APIC, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options, simulation,
 };
 use crate::physics::contact::pair;
-use proctor_kernel::scene::{
+use proctor_laws::Tresca;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
     Weighting,
 };
-use proctor_kernel::simulation::Simulation;
-use proctor_laws::Tresca;
 
 /// Edge of a cell \[m\], Young's modulus and pressure \[Pa\], cells of the block.
 const H: f64 = 0.05;
@@ -238,7 +238,7 @@ fn pile(h: f64, depths: &[f64]) -> (f64, Vec<f64>) {
     let mut scene = Scene::plane([(2.0 / h) as usize, (2.2 / h) as usize], h);
     scene.mesh.planes[0] = [PlaneCondition::Sliding; 2];
     scene.mesh.planes[1][0] = PlaneCondition::Fixed;
-    scene.volumetric_strain = proctor_kernel::scene::VolumetricStrain::CellAverage;
+    scene.volumetric_strain = proctor_scene::VolumetricStrain::CellAverage;
     let law = Tresca::new(1e6, 0.45, COHESION);
     scene.materials = vec![material(law)];
     scene.materials[0].density = 1700.0;

@@ -4,14 +4,14 @@ use crate::common::{
     DIMENSIONS, NEO_HOOKEAN, NEVER, SCHEMES, block, body, cuboid, empty, first_error, material,
     options, rough, run, simulation, simulation_from,
 };
-use proctor_kernel::scene::{
+use proctor_laws::AnyLaw;
+use proctor_scene::simulation::{
+    EventKind, InitialState, Options, SetupError, Simulation, StepErrorKind,
+};
+use proctor_scene::{
     BoxLoad, Dimension, DomainUpdate, History, Outside, ParticleSeed, PlaneCondition, Scene, Shape,
     StressScheme, TimeStep, Weighting,
 };
-use proctor_kernel::simulation::{
-    EventKind, InitialState, Options, SetupError, Simulation, StepErrorKind,
-};
-use proctor_laws::AnyLaw;
 use std::sync::Arc;
 
 /// One body at rest and a second one that flies out through a free plane.

@@ -1,12 +1,12 @@
 //! Fluids in the cycle: at rest under their weight, and the step that viscosity leaves.
 
 use crate::common::{SCHEMES, body, cuboid, empty, material, options, rough, simulation};
-use proctor_kernel::scene::{
+use proctor_laws::{Bingham, EquationOfState, Newtonian};
+use proctor_scene::simulation::{Bound, Simulation};
+use proctor_scene::{
     Dimension, DomainUpdate, InitialStress, PlaneCondition, Scene, StressScheme, TimeStep,
     Weighting,
 };
-use proctor_kernel::simulation::{Bound, Simulation};
-use proctor_laws::{Bingham, EquationOfState, Newtonian};
 
 const DENSITY: f64 = 1000.0;
 const BULK: f64 = 1.0e6;

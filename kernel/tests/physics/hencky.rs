@@ -1,9 +1,9 @@
 //! A column of Hencky's law under its own weight.
 
 use crate::common::{APIC, body, cuboid, empty, material, options};
-use proctor_kernel::scene::{Damping, Dimension, DomainUpdate, PlaneCondition, Weighting};
-use proctor_kernel::simulation::{Options, Simulation};
 use proctor_laws::Hencky;
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Damping, Dimension, DomainUpdate, PlaneCondition, Weighting};
 
 /// Lambert's w e^w = x for x >= 0, by Newton's method.
 fn lambert(x: f64) -> f64 {

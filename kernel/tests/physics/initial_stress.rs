@@ -1,11 +1,9 @@
 //! Bodies that have a stress at the start.
 
 use crate::common::{body, cuboid, empty, material, options};
-use proctor_kernel::scene::{
-    Dimension, InitialStress, PlaneCondition, Scene, StressScheme, Weighting,
-};
-use proctor_kernel::simulation::{SetupError, Simulation};
 use proctor_laws::{LinearElastic, MohrCoulomb, NeoHookean, VonMises};
+use proctor_scene::simulation::{SetupError, Simulation};
+use proctor_scene::{Dimension, InitialStress, PlaneCondition, Scene, StressScheme, Weighting};
 
 const RATIO: f64 = 0.5;
 const GRAVITY: f64 = 10.0;

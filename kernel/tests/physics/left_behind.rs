@@ -3,8 +3,8 @@
 use crate::common::{
     APIC, DIMENSIONS, FLIP, SCHEMES, body, cuboid, elastic, empty, material, simulation,
 };
-use proctor_kernel::scene::{Dimension, Scene, StressScheme, Traction, Transfer};
-use proctor_kernel::simulation::{ResultWarning, Simulation};
+use proctor_scene::simulation::{ResultWarning, Simulation};
+use proctor_scene::{Dimension, Scene, StressScheme, Traction, Transfer};
 
 /// Density, size along the motion, traction, speed at the start, and the cell.
 const DENSITY: f64 = 1000.0;

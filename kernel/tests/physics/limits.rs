@@ -3,12 +3,12 @@
 use crate::common::{
     SCHEMES, block, body, cuboid, elastic, empty, material, rough, simulation, simulation_from,
 };
-use proctor_kernel::scene::{
-    Damping, Dimension, Outside, PlaneCondition, Scene, StressScheme, TimeStep, Weighting,
-};
-use proctor_kernel::simulation::{
+use proctor_scene::simulation::{
     Bound, EventKind, InitialState, LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO, Options, SetupError,
     Simulation, StepErrorKind,
+};
+use proctor_scene::{
+    Damping, Dimension, Outside, PlaneCondition, Scene, StressScheme, TimeStep, Weighting,
 };
 use std::sync::Arc;
 

@@ -4,12 +4,12 @@ use crate::common::{
     DIMENSIONS, NEVER, SCHEMES, WEIGHTINGS, block, body, cuboid, elastic, empty, material, options,
     particles, run, simulation,
 };
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{
+    BaseVelocity, EventKind, Options, SetupError, Simulation, StepErrorKind,
+};
+use proctor_scene::{
     BaseMotion, BoxLoad, Dimension, HeldBox, History, Motion, Outside, PlaneCondition, PointLoad,
     Scene, TimeStep, Traction, Vector, Weighting,
-};
-use proctor_kernel::simulation::{
-    BaseVelocity, EventKind, Options, SetupError, Simulation, StepErrorKind,
 };
 use proptest::prelude::*;
 
@@ -55,7 +55,7 @@ proptest! {
                 };
                 scene.mesh.origin = [shift, -shift, if three { shift } else { 0.0 }];
                 let origin = scene.mesh.origin;
-                let proctor_kernel::scene::Shape::Cuboid { p1, p2 } = &mut scene.bodies[0].shape else {
+                let proctor_scene::Shape::Cuboid { p1, p2 } = &mut scene.bodies[0].shape else {
                     unreachable!("a cuboid")
                 };
                 for corner in [p1, p2, &mut load.p1, &mut load.p2] {

@@ -8,11 +8,11 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{
     BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, PlaneCondition,
     RigidLine, Scene, Shape, StressScheme, TimeStep, Transfer, Vertices, Weighting,
 };
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

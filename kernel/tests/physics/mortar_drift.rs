@@ -5,11 +5,9 @@ use crate::physics::mortar::{boundary, collision, contact, disc, line};
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::scene::{
-    Damping, Dimension, History, MortarContact, Scene, StressScheme, Vertices,
-};
-use proctor_kernel::simulation::{SetupError, Simulation};
 use proctor_laws::NeoHookean;
+use proctor_scene::simulation::{SetupError, Simulation};
+use proctor_scene::{Damping, Dimension, History, MortarContact, Scene, StressScheme, Vertices};
 use std::f64::consts::PI;
 
 const RADIUS: f64 = 1.5;
@@ -145,7 +143,7 @@ fn a_motion_without_strain_has_no_drift() {
         assert!((drift.in_cells - drift.distance / CELL).abs() < 1e-15);
     }
     let mut without = collision(0.0);
-    without.mortar = proctor_kernel::scene::Mortar::default();
+    without.mortar = proctor_scene::Mortar::default();
     assert!(simulation(&without).boundary_drift().is_none());
 }
 

@@ -3,12 +3,12 @@
 use crate::common::{APIC, TPIC, body, cuboid, elastic, empty, material, simulation};
 use crate::physics::mortar::{contact, line, run_until};
 use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     BodyBoundary, BoxLoad, Damping, Dimension, DomainUpdate, MortarContact, PlaneCondition,
     RigidFacets, Scene, StressScheme, Vertices, Weighting,
 };
-use proctor_kernel::simulation::Simulation;
-use proctor_kernel::surface::Surface;
 use std::sync::Arc;
 
 const PRESSURE: f64 = 2000.0;

@@ -7,11 +7,11 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::law::NormalLaw;
 use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{Bound, MortarError, SetupError, Simulation};
+use proctor_scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape,
     StressScheme, TimeStep, Vertices,
 };
-use proctor_kernel::simulation::{Bound, MortarError, SetupError, Simulation};
 
 #[test]
 fn surfaces_that_overlap_are_refused() {

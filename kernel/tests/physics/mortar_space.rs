@@ -6,8 +6,8 @@ use crate::common::{
 };
 use crate::physics::mortar::{GAP, contact};
 use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::scene::{BodyBoundary, Dimension, PlaneCondition, Scene, Shape, Vertices};
-use proctor_kernel::simulation::{InitialState, MortarError, Options, SetupError, Simulation};
+use proctor_scene::simulation::{InitialState, MortarError, Options, SetupError, Simulation};
+use proctor_scene::{BodyBoundary, Dimension, PlaneCondition, Scene, Shape, Vertices};
 use std::sync::Arc;
 
 fn boundary(body: i64, follow: FollowMode) -> BodyBoundary {

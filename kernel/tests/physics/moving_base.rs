@@ -3,8 +3,8 @@
 use crate::common::simulation;
 use crate::physics::mortar::{self, run_until};
 use crate::physics::mortar_space;
-use proctor_kernel::scene::{BaseMotion, History, Motion, PlaneCondition, Scene, TimeStep, Vector};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{BaseMotion, History, Motion, PlaneCondition, Scene, TimeStep, Vector};
 
 /// The scene with everything in it on a base that moves.
 fn carried(scene: &Scene, base: Vector) -> Scene {
@@ -89,11 +89,11 @@ fn a_collision_in_space_is_the_same_on_a_moving_base() {
 fn vertices_in_a_wall_that_moves_stay_in_it() {
     let mut scene = mortar_space::collision(0.0);
     scene.mesh.planes[0] = [PlaneCondition::Fixed, PlaneCondition::Sliding];
-    scene.bodies[0].shape = proctor_kernel::scene::Shape::Cuboid {
+    scene.bodies[0].shape = proctor_scene::Shape::Cuboid {
         p1: [0.0, 0.2, 0.2],
         p2: [0.4, 0.7, 0.7],
     };
-    scene.bodies[1].shape = proctor_kernel::scene::Shape::Cuboid {
+    scene.bodies[1].shape = proctor_scene::Shape::Cuboid {
         p1: [0.43, 0.2, 0.2],
         p2: [0.8, 0.7, 0.7],
     };

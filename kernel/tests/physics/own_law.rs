@@ -3,9 +3,9 @@
 use crate::common::{DENSITY, block, first_error, material, options, rough_drift};
 use proctor_kernel::lanes::{LaneChoice, Lanes};
 use proctor_kernel::layout::Variable;
-use proctor_kernel::scene::{Dimension, Scene, StressScheme};
-use proctor_kernel::simulation::{Options, Simulation, StepErrorKind};
 use proctor_laws::{Increment, Law, LinearElastic, Particle};
+use proctor_scene::simulation::{Options, Simulation, StepErrorKind};
+use proctor_scene::{Dimension, Scene, StressScheme};
 
 const ELASTIC: LinearElastic = LinearElastic::new(1.0e4, 0.3);
 

@@ -2,9 +2,9 @@
 
 use crate::common::{APIC, body, cuboid, empty, material, options};
 use proctor_kernel::layout::Layout;
-use proctor_kernel::scene::{Dimension, DomainUpdate, PlaneCondition, Scene, Weighting};
-use proctor_kernel::simulation::Simulation;
 use proctor_laws::{AnyLaw, ConeMatch, DruckerPrager, EquationOfState, MohrCoulomb, Newtonian};
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Dimension, DomainUpdate, PlaneCondition, Scene, Weighting};
 
 const BULK: f64 = 2e6;
 const DENSITY: f64 = 1000.0;

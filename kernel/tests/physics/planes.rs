@@ -1,8 +1,8 @@
 //! Antisymmetric planes: a layer between them shears as an endless one.
 
 use crate::common::{SCHEMES, WEIGHTINGS, body, cuboid, elastic, empty, material, simulation_from};
-use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, Vector, Weighting};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Dimension, PlaneCondition, Scene, Vector, Weighting};
 use std::f64::consts::PI;
 use std::sync::Arc;
 

@@ -1,15 +1,15 @@
 //! Which bodies may meet before the next sort: the broad phase of contact on the grid.
 
-use proctor_kernel::contact::Pair;
-use proctor_kernel::contact::broad::{near, reach};
+use proctor_contact::pairs::Pair;
+use proctor_contact::pairs::broad::{near, reach};
 use proctor_kernel::grid::{ActiveRows, GridShape};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::scene::{ContactNormal, Dimension, Mesh, PlaneCondition};
 use proctor_kernel::sorting::Sorter;
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::{Family, base_node};
+use proctor_scene::{ContactNormal, Dimension, Mesh, PlaneCondition};
 use proptest::prelude::*;
 
 const CELLS: usize = 12;

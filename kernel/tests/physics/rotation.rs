@@ -3,8 +3,8 @@
 use crate::common::{
     APIC, FLIP, SCHEMES, TPIC, body, elastic, empty, material, run_towards, simulation_from,
 };
-use proctor_kernel::scene::{Dimension, DomainUpdate, Shape, StressScheme, Transfer, Weighting};
-use proctor_kernel::simulation::{InitialState, Simulation};
+use proctor_scene::simulation::{InitialState, Simulation};
+use proctor_scene::{Dimension, DomainUpdate, Shape, StressScheme, Transfer, Weighting};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 use crate::common::{block, run_towards, simulation};
 use crate::physics::contact::{slope, until};
 use crate::physics::mortar::{collision, run_until};
-use proctor_kernel::scene::{Dimension, History};
+use proctor_scene::{Dimension, History};
 
 /// Settle the block on a held slope, then let it go.
 #[test]

@@ -1,8 +1,8 @@
 //! The state at the start is the one that was given.
 
 use crate::common::{APIC, DIMENSIONS, FLIP, NEO_HOOKEAN, block, material, simulation_from};
-use proctor_kernel::scene::{Dimension, Vector};
-use proctor_kernel::simulation::InitialState;
+use proctor_scene::simulation::InitialState;
+use proctor_scene::{Dimension, Vector};
 use std::sync::Arc;
 
 /// A field in which no component is another one; out of the plane it is zero in two dimensions, but for the stress.

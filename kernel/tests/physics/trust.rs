@@ -3,10 +3,10 @@
 use crate::common::{
     APIC, FLIP, body, cuboid, elastic, empty, material, rough, simulation, simulation_from,
 };
-use proctor_kernel::scene::{Dimension, OnImbalance, Scene, Shape, StressScheme, TimeStep};
-use proctor_kernel::simulation::{
+use proctor_scene::simulation::{
     Condition, FieldNodes, Invariant, Options, Simulation, StepErrorKind,
 };
+use proctor_scene::{Dimension, OnImbalance, Scene, Shape, StressScheme, TimeStep};
 use std::sync::Arc;
 
 /// A disc in the air that swings, with steps of `multiplier` times h/(c + |v|).

@@ -2,8 +2,8 @@
 
 use crate::common::{NEVER, SCHEMES, body, cuboid, empty, simulation};
 use crate::physics::contact::{H, pair, still, two};
-use proctor_kernel::scene::Dimension;
-use proctor_kernel::simulation::Tunnelling;
+use proctor_scene::Dimension;
+use proctor_scene::simulation::Tunnelling;
 
 #[test]
 fn bodies_that_would_pass_through_each_other_are_refused() {

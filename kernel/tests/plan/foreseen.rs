@@ -5,7 +5,7 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_scene::{
     BaseMotion, BodyBoundary, BoxLoad, Contact, ContactNormal, Dimension, Enforcement, History,
     InitialStress, Material, MortarContact, Motion, PlaneCondition, RigidLine, Scene, Shape,
     Traction, Vector, Vertices, Weighting,

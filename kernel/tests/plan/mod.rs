@@ -11,12 +11,12 @@ use crate::common::{
     particles, rough, run,
 };
 use proctor_kernel::layout::Layout;
-use proctor_kernel::plan::{Plan, PlanEntry, PlanOptions};
-use proctor_kernel::scene::{
+use proctor_scene::plan::{Plan, PlanEntry, PlanOptions};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     BaseMotion, BoxLoad, Contact, ContactNormal, Damping, Dimension, Field, History, Motion,
     PlaneCondition, PointLoad, Results, Scene, Transfer, TransferKind, Weighting,
 };
-use proctor_kernel::simulation::{Options, Simulation};
 
 /// State after some steps from a rough start.
 fn after(scene: &Scene, add: &Options) -> Simulation {
@@ -85,8 +85,7 @@ fn fields_that_are_kept_are_there_and_filled() {
         ),
         (
             |s| {
-                s.weighting =
-                    Weighting::ContiguousGimp(proctor_kernel::scene::DomainUpdate::Stretch);
+                s.weighting = Weighting::ContiguousGimp(proctor_scene::DomainUpdate::Stretch);
             },
             "half-lengths",
             axes * axes + 2 * axes,
@@ -189,7 +188,7 @@ fn stages_that_are_kept_act() {
             "base motion",
         ),
         (
-            |s| s.scheme = proctor_kernel::scene::StressScheme::Musl,
+            |s| s.scheme = proctor_scene::StressScheme::Musl,
             "second mapping of momentum",
         ),
     ];
@@ -217,7 +216,7 @@ fn stages_that_are_kept_act() {
 #[test]
 fn the_plan_says_why() {
     let scene = plain(Dimension::Two);
-    let plan = proctor_kernel::simulation::plan(&scene, PlanOptions::default());
+    let plan = proctor_scene::simulation::plan(&scene, PlanOptions::default());
     assert_eq!(
         plan.layouts,
         vec![Layout::new(
@@ -239,7 +238,7 @@ fn the_plan_says_why() {
         kind: TransferKind::Apic,
         pic_fraction: 1.0,
     };
-    let plan = proctor_kernel::simulation::plan(
+    let plan = proctor_scene::simulation::plan(
         &Scene {
             transfer: with,
             ..scene

@@ -10,13 +10,13 @@ use crate::common::{
 use crate::plan::{contact, entry};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_scene::simulation::{InitialField, Options, Simulation};
+use proctor_scene::{
     BaseMotion, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Field, HeldBox, History,
     MortarContact, Motion, PlaneCondition, PointLoad, Probe, Results, RigidSurface, Scene,
     StressScheme, Traction, Vector, Vertices,
 };
-use proctor_kernel::simulation::{InitialField, Options, Simulation};
-use proctor_kernel::surface::Surface;
 use std::sync::Arc;
 
 type Give = fn(&mut Scene, &mut Options);

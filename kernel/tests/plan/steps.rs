@@ -1,8 +1,8 @@
 //! The largest stable step between the entries of its table.
 
 use crate::common::{SCHEMES, WEIGHTINGS};
-use proctor_kernel::plan::stability_number;
-use proctor_kernel::scene::{TransferKind, Weighting};
+use proctor_scene::plan::stability_number;
+use proctor_scene::{TransferKind, Weighting};
 
 /// Half-lengths of domains that are entries of the table \[cells\].
 const ENTRIES: [f64; 3] = [0.5, 0.25, 0.125];

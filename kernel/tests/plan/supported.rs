@@ -5,7 +5,7 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_scene::{
     BodyBoundary, Contact, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, History,
     InitialStress, MortarContact, PlaneCondition, RigidLine, Scene, StressScheme, Transfer,
     TransferKind, Vertices, Weighting,

@@ -5,12 +5,12 @@ use crate::common::{
     light_nodes_act, material, noise, options, particles, rough, rough_drift,
 };
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::scene::{
+use proctor_laws::NeoHookean;
+use proctor_scene::simulation::{InitialField, Options, Simulation};
+use proctor_scene::{
     BoxLoad, Contact, ContactNormal, Damping, Dimension, ParticleSeed, PlaneCondition, Scene,
     Shape, StressScheme, Transfer, Weighting,
 };
-use proctor_kernel::simulation::{InitialField, Options, Simulation};
-use proctor_laws::NeoHookean;
 use std::sync::Arc;
 
 /// A long strip, thick enough for five slabs of planes, that flies and breathes.

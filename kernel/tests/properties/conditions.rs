@@ -1,8 +1,8 @@
 //! A condition that a user adds acts as one of the scene does.
 
 use crate::common::{SCHEMES, TRANSFERS, block, rough, run};
-use proctor_kernel::prelude::*;
-use proctor_kernel::scene::HeldBox;
+use proctor_scene::HeldBox;
+use proctor_scene::prelude::*;
 use std::sync::Arc;
 
 const BELOW: f64 = 0.35;

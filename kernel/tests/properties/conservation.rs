@@ -4,7 +4,7 @@ use crate::common::{
     DIMENSIONS, FLIP, NEO_HOOKEAN, TRANSFERS, block, material, momentum_scale, rough, run,
     simulation_from, weightings_and_schemes,
 };
-use proctor_kernel::scene::Weighting;
+use proctor_scene::Weighting;
 use proptest::prelude::*;
 
 proptest! {
@@ -22,7 +22,7 @@ proptest! {
                 for axis in 0..2 {
                     scene.mesh.origin[axis] += origin;
                 }
-                let proctor_kernel::scene::Shape::Cuboid { p1, p2 } = &mut scene.bodies[0].shape else {
+                let proctor_scene::Shape::Cuboid { p1, p2 } = &mut scene.bodies[0].shape else {
                     unreachable!("block() is a cuboid")
                 };
                 for axis in 0..2 {

@@ -5,11 +5,11 @@ use crate::common::{
     material, momentum_scale, observe, options, particles, rough_drift,
 };
 use nalgebra::DMatrix;
-use proctor_kernel::contact::coulomb::{Coulomb, FieldTouch, FrictionLaw, Member};
-use proctor_kernel::scene::{
+use proctor_contact::pairs::coulomb::{Coulomb, FieldTouch, FrictionLaw, Member};
+use proctor_scene::simulation::{Options, Phase, Simulation};
+use proctor_scene::{
     Contact, ContactNormal, Dimension, PlaneCondition, Scene, StressScheme, Vector,
 };
-use proctor_kernel::simulation::{Options, Phase, Simulation};
 use proptest::prelude::*;
 
 const NORMALS: [ContactNormal; 3] = [

@@ -3,8 +3,8 @@
 use crate::common::{SCHEMES, TRANSFERS, WEIGHTINGS, lanes, options};
 use crate::properties::touching::{Touching, touching};
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::scene::{StressScheme, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{StressScheme, Vector};
 
 /// Numbers of threads; a machine need not have so many cores.
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];

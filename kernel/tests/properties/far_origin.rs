@@ -6,11 +6,11 @@ use crate::common::{
     cuboid, empty, options, run_towards,
 };
 use crate::properties::touching::touching;
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialField, InitialState, Options, Simulation};
+use proctor_scene::{
     BoxLoad, Dimension, HeldBox, ParticleSeed, PlaneCondition, PointLoad, Scene, Shape, Traction,
     Vector, Weighting,
 };
-use proctor_kernel::simulation::{InitialField, InitialState, Options, Simulation};
 use proptest::prelude::*;
 use std::sync::Arc;
 

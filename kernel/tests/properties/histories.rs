@@ -1,7 +1,7 @@
 //! Histories in time: their integrals, and how many rows a look-up reads.
 
-use proctor_kernel::scene::History;
-use proctor_kernel::simulation::{Displacement, history_value, rows_until};
+use proctor_scene::History;
+use proctor_scene::simulation::{Displacement, history_value, rows_until};
 
 /// A velocity with some rows, of which the first lies before, at or after time zero.
 fn swinging(rows: usize, begin: f64) -> History {

@@ -1,8 +1,8 @@
 //! An interaction that a user adds acts in all schemes, on any number of threads, and is saved.
 
 use crate::common::{DIMENSIONS, FLIP, SCHEMES, block, cuboid, options, rough, run};
-use proctor_kernel::prelude::*;
-use proctor_kernel::simulation::SavedArrays;
+use proctor_scene::prelude::*;
+use proctor_scene::simulation::SavedArrays;
 
 /// Gives two bodies fields of their own, and one velocity where both are: they move as if they shared one.
 #[derive(Clone)]

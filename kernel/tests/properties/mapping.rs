@@ -5,12 +5,12 @@ use proctor_kernel::grid::{ActiveRows, GridShape, Nodes};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::scene::{Dimension, Weighting};
 use proctor_kernel::sorting::Sorter;
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::Family;
+use proctor_scene::{Dimension, Weighting};
 use proptest::prelude::*;
 
 const CELLS: [usize; 3] = [6, 5, 4];

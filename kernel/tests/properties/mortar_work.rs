@@ -3,11 +3,11 @@
 use crate::common::{FLIP, body, calm, cuboid, elastic, empty, material, options};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape, Vector,
     Vertices, Weighting,
 };
-use proctor_kernel::simulation::Simulation;
 use proptest::prelude::*;
 
 const GAP: f64 = 0.04;

@@ -5,8 +5,8 @@ use crate::common::{
     distance, elastic, empty, light_nodes_act, material, particles, run, simulation,
     weightings_and_schemes,
 };
-use proctor_kernel::scene::{Dimension, Field, Scene, TimeStep};
 use proctor_laws::{AnyLaw, NeoHookean};
+use proctor_scene::{Dimension, Field, Scene, TimeStep};
 
 /// Time step of these tests \[s\]: below the critical one of every method (linear functions with USF: 0.217 * 0.1 m / 46 m/s).
 const STEP: TimeStep = TimeStep::Fixed {
@@ -83,7 +83,7 @@ fn a_free_body_falls_exactly() {
     }
 }
 
-fn run_to(simulation: &mut proctor_kernel::simulation::Simulation, time: f64) {
+fn run_to(simulation: &mut proctor_scene::simulation::Simulation, time: f64) {
     while simulation.time() < time * (1.0 - 1.0e-9) {
         simulation.step(time).expect("the step is sound");
     }

@@ -8,13 +8,13 @@ use proctor_kernel::grid::{ActiveRows, GridShape, Nodes};
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::scene::{Dimension, Scene, StressScheme, Traction, Vector};
-use proctor_kernel::simulation::{InitialField, InitialState};
 use proctor_kernel::sorting::Sorter;
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::p2g::{self, Carry, P2g};
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::Family;
+use proctor_scene::simulation::{InitialField, InitialState};
+use proctor_scene::{Dimension, Scene, StressScheme, Traction, Vector};
 use std::sync::Arc;
 
 /// Edges of a cell \[m\].

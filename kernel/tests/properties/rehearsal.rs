@@ -1,8 +1,8 @@
 //! Observing the phases of a step, or rehearsing a part of it, changes no bit of the result.
 
 use crate::common::{DIMENSIONS, NEVER, SCHEMES, block, observe, run};
-use proctor_kernel::scene::StressScheme;
-use proctor_kernel::simulation::{Options, Part, Phase, Simulation};
+use proctor_scene::StressScheme;
+use proctor_scene::simulation::{Options, Part, Phase, Simulation};
 
 #[test]
 fn an_observer_gets_the_phases_in_order_and_changes_nothing() {

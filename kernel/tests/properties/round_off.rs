@@ -4,7 +4,7 @@
 use crate::common::{
     APIC, DIMENSIONS, NEVER, body, cuboid, elastic, empty, material, run_towards, simulation,
 };
-use proctor_kernel::scene::{
+use proctor_scene::{
     Contact, ContactNormal, Dimension, History, Scene, StressScheme, TimeStep, Weighting,
 };
 

@@ -2,7 +2,7 @@
 
 use crate::common::{options, run, simulation};
 use crate::properties::touching::{Touching, touching};
-use proctor_kernel::simulation::{Options, RestoreError, Saved, Simulation};
+use proctor_scene::simulation::{Options, RestoreError, Saved, Simulation};
 
 /// Steps after the state was taken up, enough for a sort.
 const STEPS: usize = 10;

@@ -5,11 +5,9 @@ use crate::common::{
     DIMENSIONS, NEO_HOOKEAN, NEVER, TRANSFERS, block, elastic, options, rough,
     weightings_and_schemes,
 };
-use proctor_kernel::scene::{
-    Damping, PlaneCondition, PointLoad, Scene, Shape, TimeStep, Traction, Vector,
-};
-use proctor_kernel::simulation::{InitialField, Options, Simulation};
 use proctor_laws::{LinearElastic, NeoHookean};
+use proctor_scene::simulation::{InitialField, Options, Simulation};
+use proctor_scene::{Damping, PlaneCondition, PointLoad, Scene, Shape, TimeStep, Traction, Vector};
 use proptest::prelude::*;
 use std::sync::Arc;
 

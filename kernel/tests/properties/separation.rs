@@ -1,8 +1,8 @@
 //! The plane that separates the particles of two bodies near a node.
 
 use crate::common::cases;
-use proctor_kernel::contact::separation::Cloud;
-use proctor_kernel::scene::Vector;
+use proctor_contact::pairs::separation::Cloud;
+use proctor_scene::Vector;
 use proptest::prelude::*;
 
 fn dot(a: &Vector, b: &Vector) -> f64 {

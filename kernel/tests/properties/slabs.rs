@@ -1,9 +1,9 @@
 //! How planes and particles are shared out among threads.
 
 use crate::common::{DIMENSIONS, body, cuboid, empty, options, run};
-use proctor_kernel::prelude::*;
-use proctor_kernel::scene::Dimension;
 use proctor_kernel::team::Team;
+use proctor_scene::Dimension;
+use proctor_scene::prelude::*;
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
 

@@ -4,10 +4,10 @@ use proctor_kernel::grid::{ActiveRows, GridShape};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition};
 use proctor_kernel::sorting::{Sorter, rows_of};
 use proctor_kernel::team::Team;
 use proctor_kernel::weights::Family;
+use proctor_scene::{Dimension, Mesh, PlaneCondition};
 use proptest::prelude::*;
 
 const CELL: [f64; 3] = [0.25, 0.5, 0.125];

@@ -8,8 +8,8 @@ use crate::common::{
     APIC, DIMENSIONS, FLIP, NEVER, YOUNG, body, calm, cuboid, distance, empty, light_nodes_act,
     options, particles, weightings_and_schemes,
 };
-use proctor_kernel::scene::{Dimension, PlaneCondition, PointLoad, Scene, Shape, Vector};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Dimension, PlaneCondition, PointLoad, Scene, Shape, Vector};
 use std::sync::Arc;
 
 const H: f64 = 0.1;

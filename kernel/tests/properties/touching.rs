@@ -4,12 +4,12 @@
 use crate::common::{APIC, FLIP, NEVER, TPIC, body, cuboid, elastic, empty, material, run_towards};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, MortarContact,
     RigidSurface, Scene, Shape, StressScheme, Vector, Vertices,
 };
-use proctor_kernel::simulation::Simulation;
-use proctor_kernel::surface::Surface;
 use std::sync::Arc;
 
 /// Edge of a cell \[m\].

@@ -1,13 +1,13 @@
 //! Rigid surfaces beside contact between bodies, and bodies on surfaces that move.
 
 use crate::surface::slide::start;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_laws::LinearElastic;
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{
     Body, Contact, ContactNormal, Dimension, History, InitialStress, Material, Mesh, RigidSurface,
     Scene, Shape, StressScheme, Vector,
 };
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
-use proctor_kernel::surface::Surface;
-use proctor_laws::LinearElastic;
 use std::sync::Arc;
 
 const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];

@@ -2,9 +2,9 @@
 
 use crate::surface::slide::{raise, start};
 use crate::surface::slope::{GRAVITY, H, Slope, dot};
-use proctor_kernel::plan::{Plan, PlanOptions};
-use proctor_kernel::scene::{Damping, History, StressScheme, Transfer, TransferKind};
-use proctor_kernel::simulation::{Options, Part, SetupError, Simulation, SurfaceContactError};
+use proctor_scene::plan::{Plan, PlanOptions};
+use proctor_scene::simulation::{Options, Part, SetupError, Simulation, SurfaceContactError};
+use proctor_scene::{Damping, History, StressScheme, Transfer, TransferKind};
 
 const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
 
@@ -363,7 +363,7 @@ fn the_plan_keeps_it_or_says_why_not() {
             .find(|e| e.name == "contact with rigid surfaces");
         found.expect("an entry").clone()
     };
-    let with = entry(&proctor_kernel::simulation::plan(
+    let with = entry(&proctor_scene::simulation::plan(
         &scene,
         PlanOptions::default(),
     ));
@@ -372,7 +372,7 @@ fn the_plan_keeps_it_or_says_why_not() {
         "{with:?}"
     );
     scene.surfaces.clear();
-    let without = entry(&proctor_kernel::simulation::plan(
+    let without = entry(&proctor_scene::simulation::plan(
         &scene,
         PlanOptions::default(),
     ));

@@ -2,9 +2,9 @@
 
 use crate::surface::slide::{raise, start};
 use crate::surface::slope::{H, Slope, dot};
+use proctor_contact::surfaces::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
 use proctor_kernel::lanes::Selected;
-use proctor_kernel::scene::{Scene, StressScheme};
-use proctor_kernel::stage::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
+use proctor_scene::{Scene, StressScheme};
 
 /// A body at rest that was pressed into a slope without friction, and how deep \[m\].
 fn pressed_in(stiffness: f64) -> (Slope, Scene, f64) {

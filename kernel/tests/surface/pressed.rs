@@ -1,12 +1,12 @@
 //! A block that is pressed between two surfaces, wherever they lie against the mesh.
 
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_laws::LinearElastic;
+use proctor_scene::simulation::Options;
+use proctor_scene::{
     Damping, DomainUpdate, History, ParticleSeed, PlaneCondition, RigidSurface, Scene, Shape,
     StressScheme, Vector, Weighting,
 };
-use proctor_kernel::simulation::Options;
-use proctor_kernel::surface::Surface;
-use proctor_laws::LinearElastic;
 use std::sync::Arc;
 
 /// Young's modulus \[Pa\], Poisson's ratio and density \[kg/m³\]; cells of 1 m.

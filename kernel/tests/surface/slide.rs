@@ -1,8 +1,8 @@
 //! How the block on the slope slides, where it starts, and simulations of it.
 
 use crate::surface::slope::Slope;
-use proctor_kernel::scene::{ParticleSeed, Scene, Shape};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{ParticleSeed, Scene, Shape};
 use std::sync::Arc;
 
 impl Slope {

@@ -1,11 +1,11 @@
 //! A block on a plane that is tilted against the grid.
 
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_laws::LinearElastic;
+use proctor_scene::{
     Body, Dimension, InitialStress, Material, Mesh, ParticleSeed, RigidSurface, Scene, Shape,
     StressScheme, Vector,
 };
-use proctor_kernel::surface::Surface;
-use proctor_laws::LinearElastic;
 use std::sync::Arc;
 
 pub const GRAVITY: f64 = 10.0;

@@ -1,6 +1,6 @@
 //! Shapes as solids: nearest points, sides and normals.
 
-use proctor_kernel::scene::{Dimension, Shape, Vector};
+use proctor_scene::{Dimension, Shape, Vector};
 
 fn shapes() -> Vec<(Shape, Dimension)> {
     let hook = vec![

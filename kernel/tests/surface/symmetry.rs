@@ -1,10 +1,10 @@
 //! A half of a body beside a plane of symmetry, on a surface that crosses the plane.
 
 use crate::surface::slope::{H, Slope};
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{
     Mesh, ParticleSeed, PlaneCondition, Scene, Shape, StressScheme, Vector, Weighting,
 };
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use std::sync::Arc;
 
 /// The middle of the block of the slope, across it \[m\].

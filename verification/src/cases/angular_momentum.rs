@@ -15,8 +15,8 @@
 use std::f64::consts::{SQRT_2, TAU};
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, Scene, StressScheme, TransferKind, Weighting};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Dimension, Scene, StressScheme, TransferKind, Weighting};
 
 use super::dynamics::advance;
 use super::judging::{error_at_most, value_of};

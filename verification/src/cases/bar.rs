@@ -11,8 +11,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene};
 
 use super::dynamics::{DISPLACEMENT, STRESS, advance, along, errors};
 use super::judging::{error_gate, order_gate, table};

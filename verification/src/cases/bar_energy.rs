@@ -12,11 +12,11 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
+use proctor_laws::NeoHookean;
+use proctor_scene::simulation::{InitialState, Options, Simulation, StepError};
+use proctor_scene::{
     Dimension, DomainUpdate, Mesh, PlaneCondition, Scene, StressScheme, TransferKind, Weighting,
 };
-use proctor_kernel::simulation::{InitialState, Options, Simulation, StepError};
-use proctor_laws::NeoHookean;
 
 use super::dynamics::advance;
 use super::judging::{error_at_most, value_of};

@@ -21,8 +21,8 @@ mod column;
 mod judge;
 mod manual;
 
-use proctor_kernel::scene::{Dimension, Scene, StressScheme, TransferKind};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Dimension, Scene, StressScheme, TransferKind};
 
 use super::STRESS_MEASURE;
 use super::dynamics::{STRESS, ratio};

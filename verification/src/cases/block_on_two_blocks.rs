@@ -15,10 +15,10 @@
 //! these lie where the joint was before it sank by rho g (H + W/2) W/E, 2 mm, and cells are much larger, the block is off
 //! by 2 mm over H/2, 1.3 %, on any mesh. `precision` studies these means. `proctor verify block-on-two-blocks`.
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     Contact, ContactNormal, Damping, Dimension, Mesh, PlaneCondition, Scene, StressScheme, Vector,
 };
-use proctor_kernel::simulation::Simulation;
 
 use super::dynamics::run;
 use super::judging::error_at_most;

@@ -14,8 +14,8 @@
 pub(super) mod compare;
 pub(super) mod model;
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::Scene;
+use proctor_scene::simulation::{Options, Simulation};
 
 use super::STRESS_MEASURE;
 use super::dynamics::{STRESS, ratio};

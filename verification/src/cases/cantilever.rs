@@ -22,8 +22,8 @@ mod hanging;
 use std::sync::OnceLock;
 
 use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::scene::{BodyBoundary, Dimension, HeldBox, Scene, Vertices, Weighting};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{BodyBoundary, Dimension, HeldBox, Scene, Vertices, Weighting};
 
 use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
 use super::dynamics::{at_intervals, ratio};

@@ -10,11 +10,11 @@
 //! Sand: Mohr and Coulomb, 30°, no cohesion, no dilation, at rest between its walls before. E is 200 times the stress at the
 //! base, so that the column is strained by half a percent. `proctor verify collapse`.
 
-use proctor_kernel::scene::{
+use proctor_laws::{AnyLaw, EquationOfState, MohrCoulomb, Newtonian};
+use proctor_scene::simulation::Options;
+use proctor_scene::{
     Dimension, InitialStress, Mesh, PlaneCondition, Scene, TransferKind, VolumetricStrain,
 };
-use proctor_kernel::simulation::Options;
-use proctor_laws::{AnyLaw, EquationOfState, MohrCoulomb, Newtonian};
 
 use super::judging::{run_of, value_of};
 use super::run_out::{self, FRONT, RunOut, TOP};

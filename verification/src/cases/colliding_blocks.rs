@@ -18,8 +18,8 @@
 mod judge;
 mod scenes;
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::Scene;
+use proctor_scene::simulation::Simulation;
 
 use super::dynamics::run;
 use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};

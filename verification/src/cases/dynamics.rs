@@ -1,6 +1,6 @@
 //! Motion to a fixed time, and the fields at its end.
 
-use proctor_kernel::simulation::{Simulation, StepInfo};
+use proctor_scene::simulation::{Simulation, StepInfo};
 
 use crate::case::{CurvePoint, Quantity};
 use crate::convergence::relative_l2;

@@ -8,11 +8,11 @@
 
 mod returns;
 
-use proctor_kernel::scene::{Dimension, Mesh, Scene};
-use proctor_kernel::simulation::Options;
 use proctor_laws::{
     AnyLaw, Bingham, ConeMatch, DruckerPrager, MohrCoulomb, Point, Tresca, VonMises,
 };
+use proctor_scene::simulation::Options;
+use proctor_scene::{Dimension, Mesh, Scene};
 
 use super::judging::{error_at_most, of_variant, order_within, table};
 use super::{NO_RESULTS, body, cuboid, material};

@@ -15,8 +15,8 @@ mod flow;
 mod rest;
 mod sound;
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::Scene;
+use proctor_scene::simulation::{Options, Simulation};
 
 use super::judging::{error_gate, of_variant, order_gate, table};
 use super::solve_scene;

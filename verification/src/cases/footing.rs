@@ -23,11 +23,11 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
+use proctor_laws::{AnyLaw, MohrCoulomb, Tresca};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     Dimension, InitialStress, Mesh, PlaneCondition, Scene, Traction, VolumetricStrain, Weighting,
 };
-use proctor_kernel::simulation::{Options, Simulation};
-use proctor_laws::{AnyLaw, MohrCoulomb, Tresca};
 
 use super::dynamics::run;
 use super::judging::{of_variant, order_gate, run_of, table, value_of};

@@ -30,11 +30,11 @@ use std::fmt::Display;
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     Body, Damping, Dimension, History, Mesh, MortarContact, OnImbalance, PlaneCondition, RigidLine,
     Scene, Shape, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
 
 use super::judging::value_of;
 use super::mortar::{PAPER, barrier, boundary, rigid_line};

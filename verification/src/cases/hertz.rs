@@ -14,10 +14,8 @@
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::scene::{
-    BoxLoad, Damping, Dimension, Mortar, Scene, Shape, TransferKind, Vertices,
-};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{BoxLoad, Damping, Dimension, Mortar, Scene, Shape, TransferKind, Vertices};
 use std::f64::consts::PI;
 
 use super::judging::{error_at_most, table};

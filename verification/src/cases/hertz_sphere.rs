@@ -12,11 +12,11 @@ mod study;
 
 use libm::{asin, hypot, sin, sincos};
 use proctor_kernel::mortar::space::refine::fill;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::{Surface, SurfaceError};
+use proctor_scene::{
     BoxLoad, Damping, Dimension, Mesh, Mortar, ParticleSeed, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,
 };
-use proctor_kernel::surface::{Surface, SurfaceError};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 

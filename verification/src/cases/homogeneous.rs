@@ -14,10 +14,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
-    Dimension, InitialStress, Mesh, PlaneCondition, Scene, Traction, Weighting,
-};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Dimension, InitialStress, Mesh, PlaneCondition, Scene, Traction, Weighting};
 
 use super::dynamics::at_intervals;
 use super::judging::error_at_most;

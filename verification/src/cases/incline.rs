@@ -8,11 +8,11 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{
     Contact, ContactNormal, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene,
     Vector,
 };
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
 
 use super::dynamics::run;
 use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};

@@ -22,8 +22,8 @@
 
 mod judge;
 
-use proctor_kernel::scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep, Vector};
 
 use super::incline::{
     ACCELERATION, Block, COURANT, CREEP, DENSITY, GRAVITY, Incline, POISSON, Track, WAY, YOUNG,

@@ -9,8 +9,8 @@
 //!
 //! `precision` studies the block that rubs, in two dimensions. `proctor verify inclined-two-blocks`.
 
-use proctor_kernel::scene::{Dimension, Scene, StressScheme};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Dimension, Scene, StressScheme};
 
 use super::incline::{
     Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,

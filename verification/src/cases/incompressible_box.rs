@@ -9,8 +9,8 @@
 //! Expected: order 2 as at nu = 0.25, for every scheme; a locked box settles too little.
 //! `proctor verify incompressible-box`.
 
-use proctor_kernel::scene::{Damping, Scene, StressScheme, VolumetricStrain};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Damping, Scene, StressScheme, VolumetricStrain};
 
 use super::boussinesq::compare::{Comparison, LEFT_OUT};
 use super::boussinesq::model::{self, Loading, QUARTER_LOAD, SIDE, YOUNG};

@@ -27,11 +27,9 @@ mod pressed;
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::scene::{
-    Damping, Dimension, History, MortarContact, PlaneCondition, Scene, Vertices,
-};
-use proctor_kernel::simulation::Simulation;
 use proctor_laws::NeoHookean;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Damping, Dimension, History, MortarContact, PlaneCondition, Scene, Vertices};
 use std::f64::consts::PI;
 
 use super::dynamics::at_intervals;

@@ -11,7 +11,7 @@ macro_rules! with_own_settings {
         with_own_settings!(but studies);
     };
     (but studies) => {
-        fn scene(&self, rung: &$crate::case::Rung) -> proctor_kernel::scene::Scene {
+        fn scene(&self, rung: &$crate::case::Rung) -> proctor_scene::Scene {
             use $crate::study::Study;
             self.scene_with(rung, &self.own_settings(rung))
         }
@@ -19,7 +19,7 @@ macro_rules! with_own_settings {
         fn solve(
             &self,
             rung: &$crate::case::Rung,
-            options: &proctor_kernel::simulation::Options,
+            options: &proctor_scene::simulation::Options,
             progress: &mut dyn FnMut(f64),
         ) -> Result<$crate::case::Solved, $crate::case::CaseError> {
             $crate::cases::solve_own(self, rung, options, progress)
@@ -86,8 +86,8 @@ pub use run_out::outlines as cell_outlines;
 
 use std::sync::OnceLock;
 
-use proctor_kernel::scene::OnImbalance;
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::OnImbalance;
+use proctor_scene::simulation::{Options, Simulation};
 
 use crate::case::{Case, CaseError, CurvePoint, Found, Rung, Solved};
 use crate::study::{Failure, Measure, Study};

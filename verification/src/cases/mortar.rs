@@ -4,13 +4,13 @@
 use proctor_kernel::mortar::boundary::Chain;
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_scene::{
     BodyBoundary, DomainUpdate, Enforcement, History, MortarContact, RigidLine, Scene,
     StressScheme, TransferKind, Vertices, Weighting,
 };
 
 use crate::settings::{Method, Settings};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 /// Why no other solver can run a case.
 pub const NO_GUEST: &str = "mortar contact, which the manuals do not know, is what it is about";

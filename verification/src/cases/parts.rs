@@ -1,10 +1,10 @@
 //! What scenes are made of: materials, bodies and meshes as most cases have them.
 
-use proctor_kernel::scene::{
+use proctor_laws::{AnyLaw, LinearElastic};
+use proctor_scene::simulation::InitialState;
+use proctor_scene::{
     Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, Shape, Vector,
 };
-use proctor_kernel::simulation::InitialState;
-use proctor_laws::{AnyLaw, LinearElastic};
 
 /// Nothing is written: a case reads the simulation itself.
 pub const NO_RESULTS: Results = Results {

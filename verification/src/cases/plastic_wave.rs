@@ -13,10 +13,10 @@
 //! differences in one dimension are off by 0.6 % at 100 cells. Run with APIC: FLIP keeps the ringing behind the kinks,
 //! and is off by 1.9 to 2.1 % at 100 cells where APIC is off by 1.2 to 1.3 %, both of order 1. `proctor verify plastic-wave`.
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene, TransferKind,
 };
-use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{STRESS, advance, along, l2, ratio};
 use super::judging::{error_at_most, error_gate, of_variant, order_gate, table, value_of};

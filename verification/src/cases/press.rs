@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-use proctor_kernel::simulation::{Condition, FieldNodes};
+use proctor_scene::simulation::{Condition, FieldNodes};
 
 /// Nodes of one height that get one velocity along y, as those of a boundary plane do: particles feel how it changes, and
 /// the force of what is pressed works.

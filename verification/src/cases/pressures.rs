@@ -1,7 +1,7 @@
 //! Contact pressure at the vertices of a body that rests on its boundary, averaged over the end of a run.
 
-use proctor_kernel::scene::Vector;
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::Vector;
+use proctor_scene::simulation::Simulation;
 
 use super::dynamics::step;
 use crate::study::{Failure, Observer, Phase};

@@ -14,8 +14,8 @@
 
 use std::sync::OnceLock;
 
-use proctor_kernel::scene::{Body, Dimension, MortarContact, Scene, Shape, TransferKind, Vertices};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Body, Dimension, MortarContact, Scene, Shape, TransferKind, Vertices};
 
 use super::dynamics::at_intervals;
 use super::judging::{error_of, table, value_of};

@@ -20,10 +20,10 @@ mod turn;
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     Damping, Dimension, Mortar, MortarContact, Results, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::Simulation;
 use std::f64::consts::TAU;
 
 use super::dynamics::run;

@@ -11,8 +11,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme, TransferKind};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme, TransferKind};
 
 use super::dynamics::{DISPLACEMENT, advance, l2, ratio};
 use super::judging::{error_gate, table};

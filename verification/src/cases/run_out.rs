@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 use super::dynamics::step;
 use super::judging::value_of;

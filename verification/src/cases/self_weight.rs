@@ -8,11 +8,11 @@
 //! Expected: order 1 or better of GIMP ("approximately linear", AMPLE); 2 of cpGIMP, as its domains stay contiguous.
 //! Linear functions need not come to rest at all. `proctor verify self-weight`.
 
-use proctor_kernel::scene::{
+use proctor_laws::NeoHookean;
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     Damping, Dimension, DomainUpdate, Mesh, PlaneCondition, Scene, Vector, Weighting,
 };
-use proctor_kernel::simulation::{Options, Simulation};
-use proctor_laws::NeoHookean;
 
 use super::dynamics::{DISPLACEMENT, STRESS, along, errors};
 use super::judging::{error_gate, order_gate, table};

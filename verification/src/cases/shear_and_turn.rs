@@ -11,9 +11,9 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, TimeStep};
-use proctor_kernel::simulation::{Condition, FieldNodes, InitialState, Options, Simulation};
 use proctor_laws::{LinearElastic, ObjectiveRate};
+use proctor_scene::simulation::{Condition, FieldNodes, InitialState, Options, Simulation};
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, TimeStep};
 
 use super::dynamics::advance;
 use super::judging::{error_at_most, error_gate, of_variant, order_gate, table, value_of};

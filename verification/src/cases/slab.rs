@@ -7,12 +7,12 @@
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::outline::outline;
 use proctor_kernel::mortar::space::refine::fill;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::{Surface, SurfaceError};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     Body, BodyBoundary, BoxLoad, Dimension, Mesh, Mortar, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,
 };
-use proctor_kernel::simulation::{Options, Simulation};
-use proctor_kernel::surface::{Surface, SurfaceError};
 use std::fmt;
 use std::sync::Arc;
 

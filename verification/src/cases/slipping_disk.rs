@@ -12,10 +12,10 @@
 
 use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     Damping, Dimension, Mortar, MortarContact, Scene, Shape, TransferKind, Vertices,
 };
-use proctor_kernel::simulation::Simulation;
 use std::f64::consts::{PI, TAU};
 
 use super::dynamics::run;

@@ -11,11 +11,11 @@
 //!
 //! `proctor verify slope`; `proctor report RECORD` draws the frames.
 
-use proctor_kernel::scene::{
+use proctor_laws::{Band, MohrCoulomb, Residual, Softening};
+use proctor_scene::simulation::Options;
+use proctor_scene::{
     Dimension, InitialStress, Mesh, PlaneCondition, Scene, Shape, TransferKind, VolumetricStrain,
 };
-use proctor_kernel::simulation::Options;
-use proctor_laws::{Band, MohrCoulomb, Residual, Softening};
 
 use super::judging::{run_of, value_of};
 use super::run_out::{self, FRONT, TOP};

@@ -14,11 +14,9 @@
 
 use std::f64::consts::PI;
 
-use proctor_kernel::scene::{
-    Body, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene,
-};
-use proctor_kernel::simulation::{Options, Simulation};
 use proctor_laws::{Band, MohrCoulomb, Residual, Softening};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Body, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene};
 
 use super::dynamics::step;
 use super::judging::{error_of, of_variant, table, value_of};

@@ -16,9 +16,9 @@
 mod height;
 mod study;
 
-use proctor_kernel::scene::{StressScheme, Vector};
-use proctor_kernel::simulation::Simulation;
 use proctor_kernel::surface::Surface;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{StressScheme, Vector};
 
 use super::incline::dot;
 use super::judging::error_at_most;

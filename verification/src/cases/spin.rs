@@ -12,8 +12,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, TimeStep};
-use proctor_kernel::simulation::{Condition, FieldNodes, InitialState, Options, Simulation};
+use proctor_scene::simulation::{Condition, FieldNodes, InitialState, Options, Simulation};
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, TimeStep};
 
 use super::dynamics::step;
 use super::judging::error_at_most;

@@ -9,10 +9,10 @@
 //! follow the normals of the slave, and their resultant lies 0.1 % of R beside the line of the centres, which gives to one
 //! disk what it takes from the other. The order is therefore that of both together. `proctor verify spinning-collision`.
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     Dimension, Mortar, MortarContact, Scene, Shape, TransferKind, Vector, Vertices,
 };
-use proctor_kernel::simulation::Simulation;
 use std::f64::consts::TAU;
 
 use super::dynamics::run;

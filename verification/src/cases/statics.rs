@@ -1,6 +1,6 @@
 //! Equilibrium by dynamic relaxation: steps until the nodes are at rest.
 
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 use super::dynamics::step;
 use crate::settings::Settings;

@@ -12,10 +12,10 @@
 //! Expected: the displacement has a kink, which spreads to an L2 error of order 1; the stress a jump, order 1/3; the
 //! impact has order 2/3, as the last of the wave's impulse comes late.
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{
     Contact, ContactNormal, Dimension, History, Mesh, PlaneCondition, Scene, Traction, Vector,
 };
-use proctor_kernel::simulation::{Options, Simulation};
 
 use super::dynamics::{DISPLACEMENT, STRESS, along, errors, run};
 use super::judging::{error_gate, of_variant, order_gate, table};

@@ -9,8 +9,8 @@
 //! of order 1 of the stress and 5/3 of the displacement. The base is where two layers of particles are extrapolated to.
 //! `proctor verify sudden-weight`.
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, Vector};
 
 use super::dynamics::{ratio, step};
 use super::judging::{error_gate, order_gate, table};

@@ -23,11 +23,11 @@ mod frame;
 use std::sync::Arc;
 
 use proctor_files::stl::parse;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{
     Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
 };
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
-use proctor_kernel::surface::Surface;
 
 use super::dynamics::run;
 use super::incline::{

@@ -19,11 +19,9 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
-    Dimension, DomainUpdate, Mesh, Scene, StressScheme, TransferKind, Weighting,
-};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
 use proctor_laws::NeoHookean;
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Dimension, DomainUpdate, Mesh, Scene, StressScheme, TransferKind, Weighting};
 
 use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
 use super::judging::{error_gate, of_variant, order_gate, table};

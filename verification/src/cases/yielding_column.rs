@@ -17,8 +17,8 @@
 
 use std::f64::consts::PI;
 
-use proctor_kernel::scene::{Damping, Dimension, Mesh, PlaneCondition, Scene, Weighting};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Damping, Dimension, Mesh, PlaneCondition, Scene, Weighting};
 
 use super::dynamics::{DISPLACEMENT, along, l2, ratio, step};
 use super::judging::{error_gate, of_variant, order_gate, table};

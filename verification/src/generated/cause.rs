@@ -1,6 +1,6 @@
 //! Causes of a violation, by experiment: the choice of a scene in whose place another one lets its property hold.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Damping, DomainUpdate, Scene, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
 };
 

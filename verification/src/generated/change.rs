@@ -1,6 +1,6 @@
 //! The same scene in another frame: lengths along axes that are exchanged, turned round, scaled and shifted.
 
-use proctor_kernel::scene::{InitialStress, Mesh, Scene, Shape, Vector};
+use proctor_scene::{InitialStress, Mesh, Scene, Shape, Vector};
 
 /// A frame: axis `a` of a scene is axis `to[a]` of the other, in the direction `sign[a]`; coordinates are then shifted.
 #[derive(Clone, Copy, Debug, PartialEq)]

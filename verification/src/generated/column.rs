@@ -1,6 +1,6 @@
 //! Columns between smooth sides: layers above each other that come to rest.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Body, BoxLoad, Damping, Dimension, DomainUpdate, Material, Mesh, PlaneCondition, Scene,
     Transfer, TransferKind, Weighting,
 };

@@ -1,6 +1,6 @@
 //! Two runs of one scene in other words, compared particle by particle.
 
-use proctor_kernel::scene::{Scene, Vector};
+use proctor_scene::{Scene, Vector};
 
 use super::change::Frame;
 use super::seen::{Particle, Seen, largest};

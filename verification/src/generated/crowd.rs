@@ -1,6 +1,6 @@
 //! Bodies of all kinds that move, meet and rebound, for comparisons of two runs.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Body, BoxLoad, Contact, ContactNormal, Damping, Dimension, DomainUpdate, InitialStress,
     Material, Mesh, PlaneCondition, Scene, StressScheme, Transfer, TransferKind, Vector, Weighting,
 };
@@ -255,7 +255,7 @@ fn outside(dice: &mut Dice, scene: &mut Scene, allowed: Allowed, speed: f64) {
 /// Corners of the cuboid that a body is.
 pub fn corners(body: &Body) -> (Vector, Vector) {
     match body.shape {
-        proctor_kernel::scene::Shape::Cuboid { p1, p2 } => (p1, p2),
+        proctor_scene::Shape::Cuboid { p1, p2 } => (p1, p2),
         _ => unreachable!("a cuboid"),
     }
 }

@@ -1,6 +1,6 @@
 //! Free flight: what nothing touches moves as a point does.
 
-use proctor_kernel::scene::PlaneCondition;
+use proctor_scene::PlaneCondition;
 
 use super::dice::Dice;
 use super::seen::largest;
@@ -28,7 +28,7 @@ fn flight(dice: &mut Dice) -> Trial {
         },
     );
     for body in &mut scene.bodies {
-        body.initial_stress = proctor_kernel::scene::InitialStress::None;
+        body.initial_stress = proctor_scene::InitialStress::None;
     }
     debug_assert_eq!(scene.mesh.planes[0][0], PlaneCondition::Free);
     let speed = largest(scene.bodies[0].velocity);

@@ -1,6 +1,6 @@
 //! Ground under its weight: stress grows with depth.
 
-use proctor_kernel::scene::{Contact, Dimension, History, InitialStress, Shape, Weighting};
+use proctor_scene::{Contact, Dimension, History, InitialStress, Shape, Weighting};
 
 use super::column::{self, Column, Layer};
 use super::dice::Dice;

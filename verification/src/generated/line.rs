@@ -5,7 +5,7 @@ use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::law::NormalLaw;
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_scene::{
     BodyBoundary, Damping, Dimension, Enforcement, MortarContact, RigidLine, StressScheme, Vertices,
 };
 

@@ -27,9 +27,9 @@ pub use cause::cause;
 pub use dice::Dice;
 pub use seen::{Particle, Seen};
 
-use proctor_kernel::plan::PlanOptions;
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{Options, plan};
+use proctor_scene::Scene;
+use proctor_scene::plan::PlanOptions;
+use proctor_scene::simulation::{Options, plan};
 
 /// All questions; scene `k` of a seed asks the one of number `k` modulo their count.
 pub static QUESTIONS: &[&Question] = &[

@@ -1,6 +1,6 @@
 //! Balances of collisions: mass, momentum and, with an affine transfer, angular momentum.
 
-use proctor_kernel::scene::{Scene, Transfer, TransferKind, Vector, Weighting};
+use proctor_scene::{Scene, Transfer, TransferKind, Vector, Weighting};
 
 use super::dice::Dice;
 use super::seen::{Seen, largest};

@@ -1,6 +1,6 @@
 //! Order: neither that of bodies in the file, nor that of threads, nor that of particles in bodies changes a result.
 
-use proctor_kernel::scene::{Scene, Shape};
+use proctor_scene::{Scene, Shape};
 
 use super::change::Frame;
 use super::dice::Dice;

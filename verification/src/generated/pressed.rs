@@ -1,6 +1,6 @@
 //! Layers under one pressure: every row of particles carries it, wherever faces lie in their cells.
 
-use proctor_kernel::scene::{Contact, Dimension, History, Scene, Weighting};
+use proctor_scene::{Contact, Dimension, History, Scene, Weighting};
 
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
@@ -146,12 +146,12 @@ fn plate(dice: &mut Dice) -> Trial {
     // The plate reaches beyond the block; the block is of any width.
     let (h, up) = (column.h(), axes - 1);
     let mesh = column.scene.mesh.clone();
-    if let proctor_kernel::scene::Shape::Cuboid { p1, p2 } = &mut column.scene.bodies[0].shape {
+    if let proctor_scene::Shape::Cuboid { p1, p2 } = &mut column.scene.bodies[0].shape {
         for axis in 0..up {
             (p1[axis], p2[axis]) = (mesh.origin[axis], mesh.upper()[axis]);
         }
     }
-    if let proctor_kernel::scene::Shape::Cuboid { p1, p2 } = &mut column.scene.bodies[1].shape {
+    if let proctor_scene::Shape::Cuboid { p1, p2 } = &mut column.scene.bodies[1].shape {
         for axis in 0..up {
             p1[axis] -= dice.place() * h;
             p2[axis] += dice.place() * h;

@@ -1,7 +1,7 @@
 //! The particles of a run at its start and at its end.
 
-use proctor_kernel::scene::Vector;
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::Vector;
+use proctor_scene::simulation::Simulation;
 
 /// A particle of a run.
 #[derive(Clone, Debug, PartialEq)]

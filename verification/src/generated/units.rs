@@ -1,6 +1,6 @@
 //! Units of length, mass and time: the same scene told in others gives the same result.
 
-use proctor_kernel::scene::{InitialStress, Scene, Shape, Vector};
+use proctor_scene::{InitialStress, Scene, Shape, Vector};
 
 use super::change::Frame;
 use super::dice::Dice;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::StressScheme;
-use proctor_kernel::simulation::{Condition, FieldNodes};
+use proctor_scene::StressScheme;
+use proctor_scene::simulation::{Condition, FieldNodes};
 
 use super::motion::{Moment, Motion, Vector, apply, inverse};
 use super::problem::Problem;

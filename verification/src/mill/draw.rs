@@ -1,7 +1,7 @@
 //! Random problems: what is drawn, and what is refused.
 
-use proctor_kernel::scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
 use proctor_laws::Particle;
+use proctor_scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
 
 use super::material::{Kind, Material};
 use super::motion::{Bubble, Field, Matrix, Motion, TERMS, Vector, determinant, matrix, product};

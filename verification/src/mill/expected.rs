@@ -1,6 +1,6 @@
 //! Expectations of theory for a problem: orders and errors, as gates.
 
-use proctor_kernel::scene::{StressScheme, TransferKind, Weighting};
+use proctor_scene::{StressScheme, TransferKind, Weighting};
 
 use super::ladder::{Errors, order};
 use super::material::Kind;

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
-use proctor_kernel::simulation::{Condition, Options, Simulation};
 use proctor_laws::AnyLaw;
+use proctor_scene::simulation::{Condition, Options, Simulation};
 
 use super::boundary::Frame;
 use super::problem::Problem;

@@ -1,6 +1,6 @@
 //! A manufactured problem: a motion, a law, a method; its scene and the references that drive and judge it.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Body, Dimension, InitialStress, Mesh, OnImbalance, PlaneCondition, Results, Scene, Shape,
     TimeStep,
 };

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use proctor_kernel::simulation::{InitialState, Options, SetupError, Simulation};
 use proctor_laws::Law;
+use proctor_scene::simulation::{InitialState, Options, SetupError, Simulation};
 
 use super::material::{Kind, determinant_of, divergence};
 use super::motion::{Moment, Place, Vector, apply};

@@ -1,6 +1,6 @@
 //! Bodies that lie anywhere on the mesh: what a method is predicted and measured with.
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, Vector, Weighting};
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, Vector, Weighting};
 
 use super::StabilityError;
 use super::predicted::predict;

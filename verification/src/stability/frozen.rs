@@ -1,8 +1,8 @@
 //! One step of the kernel as a linear map of velocities and stresses, with particles that stay where they are.
 
 use proctor_kernel::layout::Layout;
-use proctor_kernel::scene::{Damping, InitialStress, Mortar, PlaneCondition, Scene, TimeStep};
-use proctor_kernel::simulation::{Options, Saved, Simulation};
+use proctor_scene::simulation::{Options, Saved, Simulation};
+use proctor_scene::{Damping, InitialStress, Mortar, PlaneCondition, Scene, TimeStep};
 
 use super::StabilityError;
 use crate::cases::{NO_RESULTS, elastic_law};
@@ -179,7 +179,7 @@ pub fn smallest_cell(scene: &Scene) -> f64 {
 /// Speed of the fastest wave at rest in any body \[m/s\].
 #[must_use]
 pub fn fastest_wave(scene: &Scene) -> f64 {
-    let of = |body: &proctor_kernel::scene::Body| {
+    let of = |body: &proctor_scene::Body| {
         let material = &scene.materials[body.material];
         material.law.wave_speed(material.density)
     };

@@ -1,7 +1,7 @@
 //! The map: every method and resolution with its predicted and measured limit.
 
-use proctor_kernel::plan::AUTOMATIC_SHARE;
-use proctor_kernel::scene::{Dimension, DomainUpdate, StressScheme, TransferKind, Weighting};
+use proctor_scene::plan::AUTOMATIC_SHARE;
+use proctor_scene::{Dimension, DomainUpdate, StressScheme, TransferKind, Weighting};
 
 use super::StabilityError;
 use super::block::{Choice, Form, Place, Worst};

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Scene, TimeStep, Vector};
-use proctor_kernel::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::{Scene, TimeStep, Vector};
 
 use super::arnoldi::uniform;
 use super::frozen::fastest_wave;

@@ -23,8 +23,8 @@ pub mod tension;
 
 use std::fmt;
 
-use proctor_kernel::scene::SceneError;
-use proctor_kernel::simulation::{RestoreError, SetupError, StartError, StepError};
+use proctor_scene::SceneError;
+use proctor_scene::simulation::{RestoreError, SetupError, StartError, StepError};
 
 /// Why a limit cannot be had.
 #[derive(Debug)]

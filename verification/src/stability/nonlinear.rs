@@ -5,8 +5,8 @@
 
 pub mod scenes;
 
-use proctor_kernel::scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
 
 use super::StabilityError;
 use super::measured::{Measured, bisect, courant_one};
@@ -253,7 +253,7 @@ struct Ran {
     energy: f64,
     /// Smallest step \[s\].
     dt: f64,
-    failed: Option<proctor_kernel::simulation::StepError>,
+    failed: Option<proctor_scene::simulation::StepError>,
 }
 
 /// Runs a scene to its end, or until it has more energy than `most` \[J\].

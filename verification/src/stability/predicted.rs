@@ -15,7 +15,7 @@
 //! pair of complex eigenvalues leaves the unit circle at -1, as long as T and the stiffness are symmetric in mass and
 //! energy, and `tests/stability` asks each method whether that is so.
 
-use proctor_kernel::scene::{Scene, Vector};
+use proctor_scene::{Scene, Vector};
 
 use super::StabilityError;
 use super::arnoldi::{dot, largest};

@@ -1,7 +1,7 @@
 //! The limit of a scene that a user gives, what rules it, and what would allow more.
 
-use proctor_kernel::scene::{Scene, Transfer};
-use proctor_kernel::simulation::{Bound, Options};
+use proctor_scene::simulation::{Bound, Options};
+use proctor_scene::{Scene, Transfer};
 
 use super::StabilityError;
 use super::frozen::fastest_wave;
@@ -140,7 +140,7 @@ pub fn predict_fields(scene: &Scene) -> Result<Option<Limit>, StabilityError> {
 fn without_loads(scene: &Scene) -> Scene {
     let mut part = scene.clone();
     part.contacts.clear();
-    part.mortar = proctor_kernel::scene::Mortar::default();
+    part.mortar = proctor_scene::Mortar::default();
     part.probes.clear();
     part.box_loads.clear();
     part.surfaces.clear();

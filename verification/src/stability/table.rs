@@ -2,12 +2,12 @@
 
 use std::fmt::{self, Write as _};
 
-use proctor_kernel::scene::{StressScheme, TransferKind, Weighting};
+use proctor_scene::{StressScheme, TransferKind, Weighting};
 
 use super::block::Choice;
 use super::map::{Entry, PARTICLES, SCHEMES, TRANSFERS, WEIGHTINGS};
 use crate::settings::Method;
-use proctor_kernel::plan::AUTOMATIC_SHARE;
+use proctor_scene::plan::AUTOMATIC_SHARE;
 
 /// A table entry may be this much smaller than what is found, relative.
 pub const TOO_CAREFUL: f64 = 0.15;

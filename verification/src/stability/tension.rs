@@ -6,12 +6,12 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::plan::{AUTOMATIC_SHARE, ForeseenTension, foreseen_tension, stability_number};
-use proctor_kernel::scene::{
+use proctor_scene::plan::{AUTOMATIC_SHARE, ForeseenTension, foreseen_tension, stability_number};
+use proctor_scene::simulation::{InitialState, Options};
+use proctor_scene::{
     Dimension, Material, Mesh, PlaneCondition, Scene, StressScheme, TimeStep, Transfer,
     TransferKind, Vector,
 };
-use proctor_kernel::simulation::{InitialState, Options};
 
 use super::StabilityError;
 use super::arnoldi::uniform;

@@ -1,7 +1,7 @@
 //! Colliding bodies.
 
 use super::{holds, solve};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, Gate, Rung, Size};
 use proctor_verification::cases::CollidingBlocks;
 

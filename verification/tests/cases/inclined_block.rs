@@ -1,7 +1,7 @@
 //! The block on an incline.
 
 use super::{failing, holds, solve};
-use proctor_kernel::scene::Scene;
+use proctor_scene::Scene;
 use proctor_verification::case::{Case, Size};
 use proctor_verification::cases::InclinedBlock;
 

@@ -143,7 +143,7 @@ fn the_scene_file_is_the_case_with_friction() {
     let rungs = Ironing::GIVEN.rungs(Size::Full);
     let rung = rungs.iter().find(|r| r.variant == "600 Pa, friction");
     let meant = Ironing::GIVEN.scene(rung.expect("a rung"));
-    let said = |scene: &proctor_kernel::scene::Scene| {
+    let said = |scene: &proctor_scene::Scene| {
         let contact = &scene.mortar.contacts[0];
         format!(
             "{} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",

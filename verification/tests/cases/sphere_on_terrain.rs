@@ -1,8 +1,8 @@
 //! The sphere on a terrain.
 
 use super::{failing, holds};
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
+use proctor_scene::Scene;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, Size};
 use proctor_verification::cases::SphereOnTerrain;
 

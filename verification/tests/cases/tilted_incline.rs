@@ -1,7 +1,7 @@
 //! The block on a tilted plane.
 
 use super::holds;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, Size};
 use proctor_verification::cases::TiltedIncline;
 

@@ -1,7 +1,7 @@
 //! Motions, stresses and forces against differences and against the kernel's laws.
 
-use proctor_kernel::scene::{StressScheme, TransferKind};
 use proctor_laws::{Hencky, Law, NeoHookean, Point};
+use proctor_scene::{StressScheme, TransferKind};
 use proctor_verification::mill::check::{Derivation, derivation};
 use proctor_verification::mill::draw::{self, Choice};
 use proctor_verification::mill::judge;

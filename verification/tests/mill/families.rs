@@ -1,6 +1,6 @@
 //! Three fixed families on short ladders: every gate holds.
 
-use proctor_kernel::scene::{StressScheme, TransferKind};
+use proctor_scene::{StressScheme, TransferKind};
 use proctor_verification::mill::judge;
 use proctor_verification::mill::ladder::Faults;
 use proctor_verification::mill::material::Kind;

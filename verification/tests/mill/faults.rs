@@ -1,10 +1,10 @@
 //! Seeded faults: each fails a gate of the problem that is to notice it, which holds without.
 
 use proctor_kernel::layout::Variable;
-use proctor_kernel::prelude::Lanes;
-use proctor_kernel::scene::{StressScheme, TransferKind};
 use proctor_laws::tensor::{determinant, product};
 use proctor_laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, Particle, VonMises};
+use proctor_scene::prelude::Lanes;
+use proctor_scene::{StressScheme, TransferKind};
 use proctor_verification::mill::expected::{self, Gate};
 use proctor_verification::mill::judge;
 use proctor_verification::mill::ladder::{Errors, Faults};

@@ -1,10 +1,10 @@
 //! Predictions against numbers of a laboratory that shares nothing with the kernel: dense matrices of the linearised step,
 //! their spectral radius by a library for eigenvalues, smallest and largest over offsets; and against closed forms.
 
-use proctor_kernel::scene::{
+use proctor_laws::LinearElastic;
+use proctor_scene::{
     Dimension, PlaneCondition, Scene, Shape, StressScheme, Transfer, TransferKind, Weighting,
 };
-use proctor_laws::LinearElastic;
 use proctor_verification::settings::Method;
 use proctor_verification::stability::block::{Choice, Form, HAIR, Place, offsets};
 use proctor_verification::stability::predicted::{grid_bound, predict};

@@ -1,6 +1,6 @@
 //! Predictions against the spectral radius of the linear step and against runs.
 
-use proctor_kernel::scene::{Dimension, StressScheme, TransferKind, Weighting};
+use proctor_scene::{Dimension, StressScheme, TransferKind, Weighting};
 use proctor_verification::case::{Gate, Size};
 use proctor_verification::settings::Method;
 use proctor_verification::stability::block::{Choice, Form, Place};

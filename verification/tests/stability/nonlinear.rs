@@ -1,6 +1,6 @@
 //! The scenes beyond small strain: what they are named for happens in them.
 
-use proctor_kernel::simulation::{Bound, Options, Simulation};
+use proctor_scene::simulation::{Bound, Options, Simulation};
 use proctor_verification::settings::{Method, Settings};
 use proctor_verification::stability::nonlinear::energy;
 use proctor_verification::stability::nonlinear::scenes::{self, Set};

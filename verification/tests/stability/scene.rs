@@ -1,7 +1,7 @@
 //! Scenes of a user.
 
-use proctor_kernel::scene::{Contact, ContactNormal, PlaneCondition, Scene, Shape};
 use proctor_laws::{LinearElastic, NeoHookean};
+use proctor_scene::{Contact, ContactNormal, PlaneCondition, Scene, Shape};
 use proctor_verification::stability::scene::{ask, predict_fields};
 
 /// A soft block beside a stiff one.

@@ -1,7 +1,7 @@
 //! What the kernel holds, against a sample that is measured anew.
 
-use proctor_kernel::plan::AUTOMATIC_SHARE;
-use proctor_kernel::scene::{Dimension, StressScheme, TransferKind, Weighting};
+use proctor_scene::plan::AUTOMATIC_SHARE;
+use proctor_scene::{Dimension, StressScheme, TransferKind, Weighting};
 use proctor_verification::settings::Method;
 use proctor_verification::stability::block::{Choice, Form};
 

@@ -1,10 +1,10 @@
 //! Growth of a stressed start.
 
-use proctor_kernel::scene::{
+use proctor_laws::NeoHookean;
+use proctor_scene::{
     BoxLoad, Dimension, DomainUpdate, PlaneCondition, Scene, Shape, StressScheme, Transfer,
     TransferKind, Weighting,
 };
-use proctor_laws::NeoHookean;
 use proctor_verification::settings::Method;
 use proctor_verification::stability::scene::ask;
 use proctor_verification::stability::tension::Stressed;

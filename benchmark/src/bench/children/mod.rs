@@ -24,7 +24,7 @@ use super::plan::words;
 use super::scenes::{Exact, Made};
 use crate::frames::{self, Frame};
 use crate::record::Row;
-use proctor_kernel::scene::{SceneError, TimeStep};
+use proctor_scene::{SceneError, TimeStep};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

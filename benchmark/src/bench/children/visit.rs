@@ -10,7 +10,7 @@ use crate::frames::{self, Frame};
 use crate::measure::Spent;
 use crate::show::number;
 use proctor_files::json::write;
-use proctor_kernel::scene::TimeStep;
+use proctor_scene::TimeStep;
 use proctor_verification::guest::{Compared, Guest, Snapshot};
 use serde_json::Value;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! A scene as other solvers get it: nothing left to a default that programs disagree about.
 
-use proctor_kernel::scene::{Scene, TimeStep};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Scene, TimeStep};
 use serde_json::{Value, json};
 
 /// Digits that every number of a scene is rounded to: as many as a decimal number keeps on its way through a binary one.

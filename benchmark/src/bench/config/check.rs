@@ -7,9 +7,9 @@ use crate::bench::children::OWN;
 use crate::bench::scenes;
 use proctor_files::json::{listed, nearest, words_of};
 use proctor_kernel::memory::{Memory, words};
-use proctor_kernel::scene::Problem;
-use proctor_kernel::simulation::Part;
 use proctor_kernel::team::Team;
+use proctor_scene::Problem;
+use proctor_scene::simulation::Part;
 use std::path::Path;
 use std::time::Duration;
 

@@ -8,12 +8,12 @@
 use super::check::Check;
 use super::raw::RawConfig;
 use oorandom::Rand64;
-use proctor_kernel::scene::{
+use proctor_laws::LinearElastic;
+use proctor_scene::simulation::{InitialField, InitialState, Part};
+use proctor_scene::{
     Body, BoxLoad, Dimension, InitialStress, Material, Mesh, ParticleSeed, Scene, Shape, TimeStep,
     Vector,
 };
-use proctor_kernel::simulation::{InitialField, InitialState, Part};
-use proctor_laws::LinearElastic;
 use std::sync::Arc;
 
 /// Default number of particles, that of the manual's program.

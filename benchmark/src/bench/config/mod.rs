@@ -14,8 +14,8 @@ pub use time_label::TimeLabel;
 
 use check::Check;
 use proctor_files::json::{parse, place, unreadable};
-use proctor_kernel::scene::SceneError;
-use proctor_kernel::simulation::Part;
+use proctor_scene::SceneError;
+use proctor_scene::simulation::Part;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 

@@ -2,7 +2,7 @@
 
 use crate::bench::scenes::{BuiltIn, Made};
 use proctor_files::json::{self, from_json, place};
-use proctor_kernel::scene::{Scene, SceneError};
+use proctor_scene::{Scene, SceneError};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 

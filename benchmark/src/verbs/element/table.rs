@@ -3,7 +3,7 @@
 use super::COMPONENTS;
 use crate::exit::Failure;
 use proctor_files::reading;
-use proctor_kernel::scene::{Location, Problem, SceneError};
+use proctor_scene::{Location, Problem, SceneError};
 use proctor_verification::element::path::{Path as Steps, Row};
 use std::path::Path;
 

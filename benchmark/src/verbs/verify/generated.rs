@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use crate::verbs::settings::processors;
 use proctor_files::json;
 use proctor_files::output::atomic;
-use proctor_kernel::scene::{Field, Scene};
+use proctor_scene::{Field, Scene};
 use proctor_verification::generated::{self, Answer, QUESTIONS};
 use serde_json::{Value, json};
 use std::io::Write;

@@ -5,7 +5,7 @@ use super::keys::{RawBody, RawInitialStress, RawScene};
 use super::lists::{Counts, VectorOrTable};
 use super::materials::entry_path;
 use super::words::listed;
-use proctor_kernel::scene::{Body, Dimension, History, InitialStress, Material};
+use proctor_scene::{Body, Dimension, History, InitialStress, Material};
 
 impl Build<'_> {
     pub(super) fn bodies(&mut self, raw: &RawScene, materials: &[Material]) -> Vec<Body> {

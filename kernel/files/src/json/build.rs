@@ -6,7 +6,7 @@ use std::path::Path;
 use super::elsewhere;
 use super::keys::RawScene;
 use super::words::{listed, meaning, nearest};
-use proctor_kernel::scene::{Dimension, Problem, Scene, SceneError, Vector};
+use proctor_scene::{Dimension, Problem, Scene, SceneError, Vector};
 
 /// A scene under construction.
 pub(super) struct Build<'a> {

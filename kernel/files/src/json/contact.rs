@@ -4,7 +4,7 @@ use super::build::{Build, join};
 use super::keys::RawScene;
 use super::lists::Contacts;
 use super::words::{CONTACT_METHODS, CONTACT_NORMALS, ContactMethod};
-use proctor_kernel::scene::{Contact, ContactNormal, Scene};
+use proctor_scene::{Contact, ContactNormal, Scene};
 
 impl Build<'_> {
     /// The contacts, unless the manager switches them off.

@@ -5,9 +5,7 @@ use super::keys::{RawEarthquake, RawScene};
 use super::lists::VectorOrTable;
 use super::words::{PLANES, QUANTITIES, Quantity};
 use crate::records;
-use proctor_kernel::scene::{
-    BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Scene, Traction,
-};
+use proctor_scene::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Scene, Traction};
 
 impl Build<'_> {
     pub(super) fn loads(&mut self, raw: &RawScene, scene: &mut Scene) {

@@ -5,8 +5,8 @@ use super::keys::RawScene;
 use super::material_keys::RawMaterial;
 use super::words::listed;
 use proctor_kernel::number::Number;
-use proctor_kernel::scene::Material;
 use proctor_laws::{ALL, ConstantDefault, LawType, Rows};
+use proctor_scene::Material;
 
 impl Build<'_> {
     pub(super) fn materials(&mut self, raw: &RawScene) -> Vec<Material> {

@@ -3,7 +3,7 @@
 use super::build::Build;
 use super::keys::{RawMesh, RawPlanes};
 use super::words::PLANE_CONDITIONS;
-use proctor_kernel::scene::Mesh;
+use proctor_scene::Mesh;
 
 impl Build<'_> {
     /// The mesh; without cells where a key is missing, so that no position is compared with it.

@@ -5,7 +5,7 @@ use serde_json::error::Category;
 use super::elsewhere;
 use super::position::{find, location, offset};
 use super::words::{listed, nearest};
-use proctor_kernel::scene::Problem;
+use proctor_scene::Problem;
 
 /// Longest piece of the text that a message shows, in characters.
 const LONGEST_PIECE: usize = 40;

@@ -6,7 +6,7 @@ use super::words::{
     DAMPINGS, DampingKind, FIELDS, NODAL_FIELDS, ON_IMBALANCE, OUTSIDES, SCHEMES,
     VOLUMETRIC_STRAINS, domain_updates, shape_functions, transfers,
 };
-use proctor_kernel::scene::{Damping, Probe, Scene, TimeStep, Transfer, Weighting};
+use proctor_scene::{Damping, Probe, Scene, TimeStep, Transfer, Weighting};
 
 impl Build<'_> {
     /// Time step, gravity, weighting, scheme, transfer, damping.

@@ -30,7 +30,7 @@ use std::path::Path;
 use self::build::Build;
 use self::keys::RawScene;
 use self::parse::ParseFailure;
-use proctor_kernel::scene::{Problem, Scene, SceneError};
+use proctor_scene::{Problem, Scene, SceneError};
 
 pub use self::elsewhere::{ForeignWord, all_elsewhere, elsewhere};
 pub use self::glossary::{Key, KeyBlock, KeyDefault, Range, blocks, schema};

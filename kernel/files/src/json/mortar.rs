@@ -8,7 +8,7 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_scene::{
     BodyBoundary, Enforcement, MortarContact, RigidFacets, RigidLine, Scene, Vertices,
 };
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use proctor_kernel::scene::{Problem, SceneError};
+use proctor_scene::{Problem, SceneError};
 use serde::de::DeserializeOwned;
 use serde_json::error::Category;
 use serde_path_to_error::Segment;

@@ -3,7 +3,7 @@
 //! A range error is found long after parsing, when only the path is known. Instead of carrying positions through
 //! every raw type, the text is walked again along the path; this costs nothing where nothing is wrong.
 
-use proctor_kernel::scene::Location;
+use proctor_scene::Location;
 
 /// Place of a path in the text, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

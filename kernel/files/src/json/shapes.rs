@@ -6,7 +6,7 @@ use super::build::Build;
 use super::keys::RawBody;
 use super::words::{AXES, ShapeKind, listed, meaning, shapes};
 use crate::records;
-use proctor_kernel::scene::{Dimension, ParticleSeed, Shape, Vector};
+use proctor_scene::{Dimension, ParticleSeed, Shape, Vector};
 
 /// Keys that describe a shape of this kind.
 fn keys_of(kind: ShapeKind) -> &'static [&'static str] {

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use super::build::as_in_file;
 use super::{placed, position};
 use crate::reading::{NotUtf8, read_to_string, stream_to_string};
-use proctor_kernel::scene::{Location, Problem, Scene, SceneError};
-use proctor_kernel::simulation::{SetupError, StepError, StepErrorKind};
+use proctor_scene::simulation::{SetupError, StepError, StepErrorKind};
+use proctor_scene::{Location, Problem, Scene, SceneError};
 
 /// What can stand where a scene is read.
 const ACCEPTED: &str = "a scene in JSON that can be read";

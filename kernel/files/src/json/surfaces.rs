@@ -4,8 +4,8 @@ use super::build::{Build, join};
 use super::keys::{RawScene, RawTerrainContact};
 use super::lists::Terrains;
 use crate::stl;
-use proctor_kernel::scene::{Mesh, RigidSurface};
 use proctor_kernel::surface::Surface;
+use proctor_scene::{Mesh, RigidSurface};
 use std::sync::Arc;
 
 impl Build<'_> {

@@ -2,11 +2,11 @@
 
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_kernel::{transfers, weighting};
+use proctor_scene::{
     ContactNormal, Dimension, Enforcement, Field, NodalField, OnImbalance, Outside, PlaneCondition,
     StressScheme, TransferKind, VolumetricStrain, Weighting,
 };
-use proctor_kernel::{transfers, weighting};
 
 /// A word and what it means.
 pub(super) type Words<T> = &'static [(&'static str, T)];

@@ -11,11 +11,11 @@ use super::words::{
     CONTACT_NORMALS, FIELDS, NODAL_FIELDS, PLANE_CONDITIONS, PLANES, SCHEMES, Words,
 };
 use crate::records;
-use proctor_kernel::scene::{
+use proctor_laws::{self as laws, AnyLaw, LawType};
+use proctor_scene::{
     BaseMotion, Body, Damping, Dimension, History, InitialStress, Mesh, Motion, OnImbalance,
     Outside, Scene, Shape, TimeStep, Transfer, Vector, VolumetricStrain,
 };
-use proctor_laws::{self as laws, AnyLaw, LawType};
 
 /// A scene in the language of scene files.
 #[derive(Clone, Debug, PartialEq)]

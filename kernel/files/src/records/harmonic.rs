@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-use proctor_kernel::scene::{History, Vector};
+use proctor_scene::{History, Vector};
 
 /// A harmonic base motion with velocity A sin(2 pi f t + alpha) along each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

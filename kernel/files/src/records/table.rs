@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use crate::json::unreadable;
-use proctor_kernel::scene::{Dimension, History, Location, ParticleSeed, Problem, SceneError};
+use proctor_scene::{Dimension, History, Location, ParticleSeed, Problem, SceneError};
 
 /// More problems than this in one file say the same again.
 const MOST_PROBLEMS: usize = 10;

@@ -1,7 +1,7 @@
 //! The boundaries of mortar contact as a frame.
 
 use crate::output::{Array, ArrayData, Frame};
-use proctor_kernel::simulation::{BoundaryVertex, Simulation};
+use proctor_scene::simulation::{BoundaryVertex, Simulation};
 
 /// The vertices of all boundaries and rigid lines, joined by their segments. What contact does to them is that of the
 /// last step, found where they were at its beginning.

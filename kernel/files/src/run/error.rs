@@ -1,7 +1,7 @@
 //! Why a run cannot start or go on.
 
 use crate::output::{CheckpointError, OutputError};
-use proctor_kernel::simulation::{SetupError, StepError};
+use proctor_scene::simulation::{SetupError, StepError};
 use std::fmt;
 
 /// A run cannot start or go on.

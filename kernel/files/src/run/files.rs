@@ -6,8 +6,8 @@ use crate::output::earlier;
 use crate::output::pvd::{BOUNDARIES, GRID};
 use crate::output::{Array, ArrayData, Compression, Frame, HistoryWriter, OutputFolder, Series};
 use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::scene::Field;
-use proctor_kernel::simulation::{ResultWarning, Simulation};
+use proctor_scene::Field;
+use proctor_scene::simulation::{ResultWarning, Simulation};
 
 /// The growing files of a run.
 pub(super) struct Files {

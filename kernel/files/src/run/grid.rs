@@ -1,8 +1,8 @@
 //! The nodes as a frame.
 
 use crate::output::{Array, ArrayData, Frame};
-use proctor_kernel::scene::NodalField;
-use proctor_kernel::simulation::{NodeValues, Simulation};
+use proctor_scene::NodalField;
+use proctor_scene::simulation::{NodeValues, Simulation};
 
 /// The fields of the nodes with mass that the scene asks for, as the last step left them; `None` before the first.
 pub(super) fn frame(simulation: &Simulation) -> Option<Frame> {

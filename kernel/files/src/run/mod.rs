@@ -24,11 +24,11 @@ use crate::output::summary::{
 };
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
-use proctor_kernel::plan::Plan;
-use proctor_kernel::scene::{Scene, TimeStep};
-use proctor_kernel::simulation::{
+use proctor_scene::plan::Plan;
+use proctor_scene::simulation::{
     BodyEnergy, Energy, Event, EventKind, Options, ResultWarning, Simulation, StepError, StepInfo,
 };
+use proctor_scene::{Scene, TimeStep};
 use serde_json::{Value, json};
 use std::path::Path;
 

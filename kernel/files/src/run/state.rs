@@ -2,12 +2,12 @@
 
 use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
-use proctor_kernel::scene::{Results, Scene};
-use proctor_kernel::simulation::{
+use proctor_kernel::stage::g2p::ParticleMaxima;
+use proctor_scene::simulation::{
     Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant, InvariantMonitor,
     ParticleAt, RestoreError, Saved, Simulation, State, Violation,
 };
-use proctor_kernel::stage::g2p::ParticleMaxima;
+use proctor_scene::{Results, Scene};
 
 /// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
 /// change.

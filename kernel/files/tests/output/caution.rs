@@ -5,8 +5,8 @@ use std::path::Path;
 use proctor_files::json::from_json;
 use proctor_files::output::Summary;
 use proctor_files::run::{Run, RunControl};
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::Options;
+use proctor_scene::Scene;
+use proctor_scene::simulation::Options;
 
 /// A soft elastic block that is thrown at a plane and parts from it again.
 fn thrown(time: f64) -> Scene {

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
-use proctor_kernel::scene::{Scene, StressScheme};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
+use proctor_scene::{Scene, StressScheme};
 
 fn scene(scheme: StressScheme) -> Scene {
     let mut scene = read(Path::new("../../fixtures/scenes/sliding_block_2d.json"))

@@ -6,7 +6,7 @@ use std::path::Path;
 use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
 use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 
 #[test]
 fn a_restart_keeps_vertices_and_slip() {

@@ -6,11 +6,11 @@ use std::path::Path;
 
 use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Options;
+use proctor_scene::{
     BaseMotion, Damping, DomainUpdate, Field, History, Motion, Probe, Scene, TimeStep, Transfer,
     TransferKind, Weighting,
 };
-use proctor_kernel::simulation::Options;
 
 fn scene(name: &str) -> Scene {
     let path = Path::new("../../fixtures/scenes").join(name);

@@ -7,7 +7,7 @@ use proctor_files::json::from_json;
 use proctor_files::output::Summary;
 use proctor_files::output::summary::YieldingBody;
 use proctor_files::run::{Run, RunControl};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 
 /// A soft block that hits a plane and a hard one behind it; columns of the history, its last row and the summary.
 fn ran(first: &str) -> (Vec<String>, Vec<f64>, Summary) {

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use proctor_files::json::from_json;
-use proctor_kernel::scene::SceneError;
+use proctor_scene::SceneError;
 
 use crate::scene::bad_cases::{CASES, SOUND};
 

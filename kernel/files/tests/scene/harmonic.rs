@@ -1,7 +1,7 @@
 //! Accelerograms of a harmonic motion, as the manual prints them.
 
 use proctor_files::records::{Harmonic, accelerogram, to_csv};
-use proctor_kernel::scene::History;
+use proctor_scene::History;
 
 #[test]
 fn numbers_are_spelt_as_in_the_manual() {

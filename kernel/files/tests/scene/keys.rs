@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use proctor_files::json::{from_json, schema};
-use proctor_kernel::scene::{
+use proctor_laws::{LinearElastic, NeoHookean, ObjectiveRate};
+use proctor_scene::{
     ContactNormal, Damping, Dimension, DomainUpdate, Field, Motion, NodalField, Outside,
     PlaneCondition, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
 };
-use proctor_laws::{LinearElastic, NeoHookean, ObjectiveRate};
 
 fn parse(text: &str) -> Scene {
     from_json(text, "keys.json", Path::new("../../fixtures/records"))

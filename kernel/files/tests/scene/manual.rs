@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use proctor_files::json::read;
 use proctor_files::records::{self, Harmonic};
-use proctor_kernel::scene::{
+use proctor_laws::{AnyLaw, LinearElastic};
+use proctor_scene::{
     ContactNormal, Damping, Dimension, Field, Motion, PlaneCondition, Scene, Shape, StressScheme,
     TimeStep, TransferKind, Weighting,
 };
-use proctor_laws::{AnyLaw, LinearElastic};
 
 fn file(name: &str) -> PathBuf {
     PathBuf::from("../../fixtures/scenes/manual").join(name)

@@ -4,10 +4,10 @@ use proctor_files::json::from_json;
 use proctor_kernel::mortar::boundary::BoundarySide;
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::plan::PlanOptions;
-use proctor_kernel::scene::{Contact, ContactNormal, Enforcement, Scene, SceneError, Vertices};
-use proctor_kernel::simulation::{Options, Simulation};
 use proctor_kernel::surface::Surface;
+use proctor_scene::plan::PlanOptions;
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Contact, ContactNormal, Enforcement, Scene, SceneError, Vertices};
 use std::path::Path;
 
 const FILE: &str = "../../fixtures/scenes/rolling_disc_2d.json";
@@ -72,7 +72,7 @@ fn the_tangential_spring_is_stiff_enough_by_default() {
     let usual = std::f64::consts::PI / 6.0 * 0.3 * 2.5e5 / 0.5 / 5e-3;
     assert!((contact.tangential_stiffness / usual - 1.0).abs() < 1e-14);
     let warnings = |scene: &Scene| -> Vec<String> {
-        let all = proctor_kernel::simulation::plan(scene, PlanOptions::default()).warnings;
+        let all = proctor_scene::simulation::plan(scene, PlanOptions::default()).warnings;
         all.into_iter()
             .filter(|w| w.contains("lag behind"))
             .collect()
@@ -338,7 +338,7 @@ fn coarse_and_stiff_contacts_are_warned_about() {
         let mut scene = changed(from, to).unwrap_or_else(|e| panic!("{e}"));
         // Stiff enough to be no reason of its own.
         scene.mortar.contacts[0].tangential_stiffness = 1.6e7;
-        proctor_kernel::simulation::plan(&scene, PlanOptions::default()).warnings
+        proctor_scene::simulation::plan(&scene, PlanOptions::default()).warnings
     };
     assert!(warnings("0.3", "0.3").is_empty());
     let wide = warnings(r#""critical_gap": 0.04"#, r#""critical_gap": 0.11"#);

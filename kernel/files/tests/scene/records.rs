@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use proctor_files::records::{read, read_particles};
-use proctor_kernel::scene::{Dimension, History};
+use proctor_scene::{Dimension, History};
 
 fn file(name: &str) -> PathBuf {
     Path::new("../../fixtures/records").join(name)

@@ -2,13 +2,13 @@
 
 use crate::scene::written::back;
 use proctor_files::json::from_json;
-use proctor_kernel::plan::PlanOptions;
-use proctor_kernel::scene::{Scene, SceneError};
-use proctor_kernel::simulation::plan;
 use proctor_laws::{
     AnyLaw, ConeMatch, DruckerPrager, LinearElastic, MohrCoulomb, ObjectiveRate, Residual,
     Softening, Tresca, VonMises,
 };
+use proctor_scene::plan::PlanOptions;
+use proctor_scene::simulation::plan;
+use proctor_scene::{Scene, SceneError};
 use std::path::Path;
 
 const YOUNG: f64 = 1e7;

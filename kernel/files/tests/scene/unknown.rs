@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use proctor_files::json::{all_elsewhere, blocks, from_json};
-use proctor_kernel::scene::{Problem, Scene};
+use proctor_scene::{Problem, Scene};
 use serde_json::{Value, json};
 
 fn read(text: &str) -> Result<Scene, Vec<Problem>> {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use proctor_files::json::{from_json, read, write, write_own};
-use proctor_kernel::scene::{ContactNormal, Scene, TimeStep};
+use proctor_scene::{ContactNormal, Scene, TimeStep};
 
 /// Writes a scene and reads it back, in a folder with the files that it names.
 pub(crate) fn back(scene: &Scene) -> Scene {

@@ -3,8 +3,8 @@
 use crate::surface::slope::{Slope, dot};
 use proctor_files::json::read;
 use proctor_files::stl;
-use proctor_kernel::scene::{Scene, StressScheme, Vector};
-use proctor_kernel::simulation::{Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{Scene, StressScheme, Vector};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

@@ -2,8 +2,8 @@
 
 use crate::surface::slope::Slope;
 use proctor_files::run::{Run, RunControl};
-use proctor_kernel::scene::{Results, Scene, StressScheme};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
+use proctor_scene::{Results, Scene, StressScheme};
 use std::path::Path;
 
 fn run(scene: &Scene, folder: &Path, restart: Option<&Path>) -> (u64, [f64; 3]) {

@@ -2,7 +2,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::scene::{PlaneCondition, Scene, Vector};
+use crate::model::{CycleSettings, PlaneCondition, Vector};
 use crate::simulation::Simulation;
 use crate::simulation::context::{Condition, NodalConditions};
 use crate::simulation::step_view::StepView;
@@ -18,8 +18,8 @@ struct MovingBase {
 
 /// A moving base.
 pub(super) const MOVING_BASE: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
-        let acts = scene.base_motion.is_some();
+    plan_entries: |settings, list| {
+        let acts = settings.base_motion.is_some();
         list.choose(
             "stage",
             "base motion",
@@ -32,8 +32,8 @@ pub(super) const MOVING_BASE: ConditionType = ConditionType {
     planes: true,
 };
 
-fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
-    let base = scene.base_motion.as_ref()?;
+fn of(settings: &CycleSettings, _: &GridShape) -> Option<ConditionResult> {
+    let base = settings.base_motion.as_ref()?;
     Some(Ok(Arc::new(MovingBase {
         axis: base.axis,
         side: base.side,
@@ -48,8 +48,8 @@ impl Condition for MovingBase {
         };
         let [before, after] = nodal.half_steps.map(|time| base.at(time));
         for wall in &mut nodal.walls {
-            wall.before = mesh_part(view.scene, before);
-            wall.after = mesh_part(view.scene, after);
+            wall.before = mesh_part(view.settings, before);
+            wall.after = mesh_part(view.settings, after);
         }
         let own = Wall {
             axis: self.axis,
@@ -72,7 +72,7 @@ impl Simulation {
         let middle = self.state.clock.time + 0.5 * info.dt;
         let base = self.model.base.as_ref();
         base.map_or([0.0; 3], |base| {
-            mesh_part(&self.model.scene, base.at(middle))
+            mesh_part(&self.model.settings, base.at(middle))
         })
     }
 
@@ -93,7 +93,7 @@ impl Simulation {
 
 /// The part of a velocity of the base that the mesh takes part in: that along the normal of the base, so that
 /// the base stays on its plane of nodes however far it moves, and the plane opposite moves with it.
-fn mesh_part(scene: &Scene, v: Vector) -> Vector {
-    let normal = scene.base_motion.as_ref().map(|base| base.axis);
+fn mesh_part(settings: &CycleSettings, v: Vector) -> Vector {
+    let normal = settings.base_motion.as_ref().map(|base| base.axis);
     std::array::from_fn(|axis| if Some(axis) == normal { v[axis] } else { 0.0 })
 }

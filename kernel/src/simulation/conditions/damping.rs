@@ -3,7 +3,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::scene::{Damping, Scene};
+use crate::model::{CycleSettings, Damping};
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::step_view::StepView;
 use std::sync::Arc;
@@ -17,8 +17,8 @@ const ZERO: &str = "not asked for, or its factor is zero";
 
 /// Kinetic damping, which acts on all particles at once (`relaxation.rs`).
 pub(super) const KINETIC_DAMPING: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
-        let acts = scene.damping == Damping::Kinetic;
+    plan_entries: |settings, list| {
+        let acts = settings.damping == Damping::Kinetic;
         let why = "asked for: velocities are set to zero at each peak of kinetic energy";
         list.choose("stage", "kinetic damping", acts, why, "not asked for");
     },
@@ -28,12 +28,12 @@ pub(super) const KINETIC_DAMPING: ConditionType = ConditionType {
 
 /// Viscous damping, which acts while forces are mapped (`stage/p2g`).
 pub(super) const VISCOUS_DAMPING: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
-        let acts = matches!(scene.damping, Damping::Viscous { alpha } if alpha != 0.0);
+    plan_entries: |settings, list| {
+        let acts = matches!(settings.damping, Damping::Viscous { alpha } if alpha != 0.0);
         list.choose("stage", "viscous damping", acts, NOT_ZERO, ZERO);
     },
-    make: Some(|scene, _| {
-        let acts = matches!(scene.damping, Damping::Viscous { alpha } if alpha != 0.0);
+    make: Some(|settings, _| {
+        let acts = matches!(settings.damping, Damping::Viscous { alpha } if alpha != 0.0);
         acts.then(|| Ok(Arc::new(ViscousDamping) as _))
     }),
     planes: false,
@@ -41,16 +41,16 @@ pub(super) const VISCOUS_DAMPING: ConditionType = ConditionType {
 
 /// Local damping.
 pub(super) const LOCAL_DAMPING: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
-        let acts = matches!(scene.damping, Damping::Local { alpha } if alpha != 0.0);
+    plan_entries: |settings, list| {
+        let acts = matches!(settings.damping, Damping::Local { alpha } if alpha != 0.0);
         list.choose("stage", "local damping", acts, NOT_ZERO, ZERO);
     },
     make: Some(of),
     planes: false,
 };
 
-fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
-    match scene.damping {
+fn of(settings: &CycleSettings, _: &GridShape) -> Option<ConditionResult> {
+    match settings.damping {
         Damping::Local { alpha } if alpha != 0.0 => Some(Ok(Arc::new(LocalDamping(alpha)))),
         _ => None,
     }

@@ -6,8 +6,8 @@
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::layout::Layout;
+use crate::model::CycleSettings;
 use crate::particles::ParticleSet;
-use crate::scene::Scene;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::Owner;
 use crate::simulation::mapping::node_weights;
@@ -23,8 +23,8 @@ struct DrivenBodies;
 
 /// Driven bodies.
 pub(super) const DRIVEN_BODIES: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
-        let acts = scene.bodies.iter().any(|body| body.motion.is_some());
+    plan_entries: |settings, list| {
+        let acts = settings.drives_bodies;
         list.choose(
             "stage",
             "driven bodies",
@@ -37,9 +37,10 @@ pub(super) const DRIVEN_BODIES: ConditionType = ConditionType {
     planes: false,
 };
 
-fn of(scene: &Scene, _: &GridShape) -> Option<ConditionResult> {
-    let any = scene.bodies.iter().any(|body| body.motion.is_some());
-    any.then(|| Ok(Arc::new(DrivenBodies) as _))
+fn of(settings: &CycleSettings, _: &GridShape) -> Option<ConditionResult> {
+    settings
+        .drives_bodies
+        .then(|| Ok(Arc::new(DrivenBodies) as _))
 }
 
 impl Condition for DrivenBodies {
@@ -98,7 +99,7 @@ impl Simulation {
         mesh_shift: &[f64; 3],
     ) -> Result<(), StepError> {
         let half = self.state.clock.time + 0.5 * info.dt;
-        let (mesh, gravity) = (&self.model.scene.mesh, &self.model.scene.gravity);
+        let (mesh, gravity) = (&self.model.settings.mesh, &self.model.settings.gravity);
         let (mut travel, mut work) = (0.0_f64, 0.0);
         let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
         for (index, (set, body)) in self

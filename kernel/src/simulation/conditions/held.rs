@@ -2,7 +2,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::scene::Scene;
+use crate::model::CycleSettings;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::step_view::StepView;
 use crate::stage::solve::DrivenNode;
@@ -12,8 +12,8 @@ struct HeldNodes(Arc<[DrivenNode]>);
 
 /// Held nodes.
 pub(super) const HELD_NODES: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
-        let acts = !scene.held_boxes.is_empty();
+    plan_entries: |settings, list| {
+        let acts = !settings.held_boxes.is_empty();
         list.choose(
             "stage",
             "held nodes",
@@ -26,8 +26,8 @@ pub(super) const HELD_NODES: ConditionType = ConditionType {
     planes: false,
 };
 
-fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
-    let nodes = nodes(scene, shape);
+fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
+    let nodes = nodes(settings, shape);
     (!nodes.is_empty()).then(|| Ok(Arc::new(HeldNodes(nodes.into())) as _))
 }
 
@@ -46,12 +46,12 @@ impl Condition for HeldNodes {
 }
 
 /// Nodes that stand still, increasing, each once.
-fn nodes(scene: &Scene, shape: &GridShape) -> Vec<DrivenNode> {
+fn nodes(settings: &CycleSettings, shape: &GridShape) -> Vec<DrivenNode> {
     let mut nodes = vec![];
-    for held in &scene.held_boxes {
+    for held in &settings.held_boxes {
         let along: [Vec<usize>; 3] = std::array::from_fn(|axis| {
             if axis < shape.axes {
-                held.nodes_along(&scene.mesh, axis).collect()
+                held.nodes_along(&settings.mesh, axis).collect()
             } else {
                 vec![0]
             }

@@ -48,14 +48,14 @@ impl<'a> Masses<'a> {
     /// is another.
     fn around(&self, node: usize, mut act: impl FnMut(usize, f64, i32)) {
         let (shape, at) = (self.shape, self.shape.indices(node));
-        let scene = self.view.scene;
+        let settings = self.view.settings;
         // Along each direction of the storage: mirror images beyond a plane with a condition are left out.
         let mut ranges = [(0, 0); 3];
         for axis in 0..shape.axes {
             let direction = shape.direction(axis);
             let (first, last) = (GHOSTS_BELOW, GHOSTS_BELOW + shape.cells[axis]);
-            let low = at[direction] > first || !scene.plane_acts(axis, 0);
-            let high = at[direction] < last || !scene.plane_acts(axis, 1);
+            let low = at[direction] > first || !settings.plane_acts(axis, 0);
+            let high = at[direction] < last || !settings.plane_acts(axis, 1);
             ranges[direction] = (-i32::from(low), i32::from(high));
         }
         let moved = |direction: usize, by: i32| at[direction].checked_add_signed(by as isize);

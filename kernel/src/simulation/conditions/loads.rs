@@ -3,7 +3,7 @@
 use super::light::Masses;
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::scene::{History, Scene, Traction, Vector};
+use crate::model::{CycleSettings, History, Traction, Vector};
 use crate::simulation::Simulation;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::SlabField;
@@ -33,8 +33,8 @@ struct VaryingTraction {
 
 /// Nodal loads.
 pub(super) const NODAL_LOADS: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
-        let acts = !(scene.point_loads.is_empty() && scene.tractions.is_empty());
+    plan_entries: |settings, list| {
+        let acts = !(settings.point_loads.is_empty() && settings.tractions.is_empty());
         list.choose(
             "stage",
             "nodal loads",
@@ -47,8 +47,8 @@ pub(super) const NODAL_LOADS: ConditionType = ConditionType {
     planes: false,
 };
 
-fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
-    match nodal(scene, shape) {
+fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
+    match nodal(settings, shape) {
         Ok(loads) if loads.steady.is_empty() => None,
         loads => Some(loads.map(|loads| Arc::new(loads) as _)),
     }
@@ -180,9 +180,9 @@ impl Simulation {
             return all;
         }
         let view = self.view();
-        let (scene, masses) = (&self.model.scene, Masses::of(&view));
-        for (i, load) in scene.tractions.iter().enumerate() {
-            let Ok(areas) = areas(scene, &self.work.grid.shape, i, load) else {
+        let (settings, masses) = (&self.model.settings, Masses::of(&view));
+        for (i, load) in settings.tractions.iter().enumerate() {
+            let Ok(areas) = areas(settings, &self.work.grid.shape, i, load) else {
                 continue;
             };
             let sum = |left: bool| {
@@ -204,20 +204,20 @@ impl Simulation {
 ///
 /// # Errors
 /// A point load that is not at a node, or a traction outside the mesh.
-fn nodal(scene: &Scene, shape: &GridShape) -> Result<NodalLoads, SetupError> {
+fn nodal(settings: &CycleSettings, shape: &GridShape) -> Result<NodalLoads, SetupError> {
     let (mut all, mut changing) = (vec![], vec![]);
     let mut points = vec![];
-    for (i, load) in scene.point_loads.iter().enumerate() {
+    for (i, load) in settings.point_loads.iter().enumerate() {
         let path = format!("nodal_point_load[{i}]");
-        let node = node_at(scene, shape, &load.position, &path)?;
+        let node = node_at(settings, shape, &load.position, &path)?;
         points.push(node);
         all.push(NodeForce {
             node,
             force: load.force,
         });
     }
-    for (i, load) in scene.tractions.iter().enumerate() {
-        let areas = areas(scene, shape, i, load)?;
+    for (i, load) in settings.tractions.iter().enumerate() {
+        let areas = areas(settings, shape, i, load)?;
         let steady = load.traction.constant();
         all.extend(areas.iter().map(|&(node, area)| NodeForce {
             node,
@@ -257,8 +257,8 @@ fn nodal(scene: &Scene, shape: &GridShape) -> Result<NodalLoads, SetupError> {
 }
 
 /// Coordinate in cells from the mesh origin; a node where it is one to round-off of the coordinates.
-fn cells_from_origin(scene: &Scene, axis: usize, x: f64) -> f64 {
-    let (origin, h) = (scene.mesh.origin[axis], scene.mesh.cell[axis]);
+fn cells_from_origin(settings: &CycleSettings, axis: usize, x: f64) -> f64 {
+    let (origin, h) = (settings.mesh.origin[axis], settings.mesh.cell[axis]);
     let xi = (x - origin) / h;
     let round_off = 4.0 * f64::EPSILON * ((x.abs() + origin.abs()) / h + 1.0);
     if (xi - xi.round()).abs() <= round_off {
@@ -268,12 +268,20 @@ fn cells_from_origin(scene: &Scene, axis: usize, x: f64) -> f64 {
     }
 }
 
-fn node_at(scene: &Scene, shape: &GridShape, x: &Vector, path: &str) -> Result<usize, SetupError> {
+fn node_at(
+    settings: &CycleSettings,
+    shape: &GridShape,
+    x: &Vector,
+    path: &str,
+) -> Result<usize, SetupError> {
     let mut at = [0; 3];
     for axis in 0..shape.axes {
-        let xi = cells_from_origin(scene, axis, x[axis]);
+        let xi = cells_from_origin(settings, axis, x[axis]);
         let nearest = xi.round();
-        if (xi - nearest).abs() > 1e-6 || nearest < 0.0 || nearest > scene.mesh.cells[axis] as f64 {
+        if (xi - nearest).abs() > 1e-6
+            || nearest < 0.0
+            || nearest > settings.mesh.cells[axis] as f64
+        {
             return Err(SetupError::Load {
                 path: path.into(),
                 reason: format!("position {x:?} m is not at a node of the mesh"),
@@ -286,20 +294,20 @@ fn node_at(scene: &Scene, shape: &GridShape, x: &Vector, path: &str) -> Result<u
 
 /// The first load that acts on a node, as a path into the scene; `None` where none does.
 pub(in crate::simulation) fn load_on(
-    scene: &Scene,
+    settings: &CycleSettings,
     shape: &GridShape,
     node: usize,
 ) -> Option<String> {
-    let mut points = scene.point_loads.iter().enumerate();
+    let mut points = settings.point_loads.iter().enumerate();
     let at_node = points.find_map(|(i, load)| {
         let path = format!("nodal_point_load[{i}]");
-        let own = node_at(scene, shape, &load.position, &path).ok()?;
+        let own = node_at(settings, shape, &load.position, &path).ok()?;
         (own == node).then_some(path)
     });
     at_node.or_else(|| {
-        let mut tractions = scene.tractions.iter().enumerate();
+        let mut tractions = settings.tractions.iter().enumerate();
         tractions.find_map(|(i, load)| {
-            let areas = areas(scene, shape, i, load).ok()?;
+            let areas = areas(settings, shape, i, load).ok()?;
             (areas.iter().any(|(own, _)| *own == node)).then(|| format!("traction[{i}]"))
         })
     })
@@ -307,7 +315,7 @@ pub(in crate::simulation) fn load_on(
 
 /// Nodes that a traction acts on, each with its area \[m²\]: the integral of its hat, exact for rectangles that cut cells.
 pub(in crate::simulation) fn areas(
-    scene: &Scene,
+    settings: &CycleSettings,
     shape: &GridShape,
     i: usize,
     load: &Traction,
@@ -317,10 +325,10 @@ pub(in crate::simulation) fn areas(
     let mut per_axis: Vec<Vec<(usize, f64)>> = vec![];
     for axis in 0..axes {
         let (a, b) = (
-            cells_from_origin(scene, axis, load.p1[axis]),
-            cells_from_origin(scene, axis, load.p2[axis]),
+            cells_from_origin(settings, axis, load.p1[axis]),
+            cells_from_origin(settings, axis, load.p2[axis]),
         );
-        let cells = scene.mesh.cells[axis];
+        let cells = settings.mesh.cells[axis];
         if a < 0.0 || b > cells as f64 || b < a {
             return Err(SetupError::Load {
                 path: format!("traction[{i}]"),
@@ -336,7 +344,7 @@ pub(in crate::simulation) fn areas(
             if load.p1[axis] == load.p2[axis] {
                 (1.0 - (a - n).abs()).max(0.0)
             } else {
-                (hat_integral(b - n) - hat_integral(a - n)) * scene.mesh.cell[axis]
+                (hat_integral(b - n) - hat_integral(a - n)) * settings.mesh.cell[axis]
             }
         };
         per_axis.push(

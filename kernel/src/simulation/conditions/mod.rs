@@ -1,7 +1,7 @@
 //! Conditions on the nodes of a velocity field: what acts on it from outside.
 //!
 //! Each kind stands in one list, under the file that it is in: a scene that has none of a kind has no element of it in its
-//! list, and nothing in the cycle asks for it. What a library user adds ([`Options::conditions`](super::Options)) comes
+//! list, and nothing in the cycle asks for it. What a program adds comes
 //! after those of the scene, by the same trait.
 //!
 //! Gravity and local damping are numbers in [`NodalConditions`], since they lie in the loop of the acceleration, where a sweep of
@@ -15,8 +15,8 @@ pub(super) use loads::{areas as nodes_of_traction, load_on};
 
 use super::{Simulation, history_value};
 use crate::grid::GridShape;
+use crate::model::CycleSettings;
 use crate::plan::PlanEntries;
-use crate::scene::Scene;
 use crate::simulation::context::{Condition, NodalConditions};
 use crate::simulation::values::SetupError;
 use std::sync::Arc;
@@ -25,12 +25,12 @@ use std::sync::Arc;
 type ConditionResult = Result<Arc<dyn Condition>, SetupError>;
 
 /// Builds the condition of a type, where a scene has any.
-type ConditionBuilder = fn(&Scene, &GridShape) -> Option<ConditionResult>;
+type ConditionBuilder = fn(&CycleSettings, &GridShape) -> Option<ConditionResult>;
 
 /// A type of condition, as it stands in a list.
 struct ConditionType {
     /// What the plan says of it.
-    plan_entries: fn(&Scene, &mut PlanEntries),
+    plan_entries: fn(&CycleSettings, &mut PlanEntries),
     /// How it is made, if it is one on nodes.
     make: Option<ConditionBuilder>,
     /// Whether it is one of the boundary planes, which have the last word at a node.
@@ -58,9 +58,9 @@ list! {
 }
 
 /// What the plan says of conditions.
-pub(crate) fn describe(scene: &Scene, list: &mut PlanEntries) {
+pub fn describe(settings: &CycleSettings, list: &mut PlanEntries) {
     for kind in ALL {
-        (kind.plan_entries)(scene, list);
+        (kind.plan_entries)(settings, list);
     }
 }
 
@@ -68,14 +68,14 @@ pub(crate) fn describe(scene: &Scene, list: &mut PlanEntries) {
 ///
 /// # Errors
 /// A load that has no place on the grid.
-pub(super) fn of(
-    scene: &Scene,
+pub fn of(
+    settings: &CycleSettings,
     shape: &GridShape,
     own: &[Arc<dyn Condition>],
 ) -> Result<Vec<Arc<dyn Condition>>, SetupError> {
     let made = |planes| {
         let kinds = ALL.iter().filter(move |kind| kind.planes == planes);
-        kinds.filter_map(|kind| kind.make?(scene, shape))
+        kinds.filter_map(|kind| kind.make?(settings, shape))
     };
     let all = made(false).chain(made(true));
     all.chain(own.iter().cloned().map(Ok)).collect()
@@ -85,7 +85,7 @@ impl Simulation {
     /// Makes the conditions of the scene anew, after it has changed.
     pub(super) fn set_conditions(&mut self) -> Result<(), SetupError> {
         self.model.conditions = of(
-            &self.model.scene,
+            &self.model.settings,
             &self.work.grid.shape,
             &self.model.own_conditions,
         )?;

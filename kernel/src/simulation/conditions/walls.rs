@@ -4,7 +4,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::scene::{PlaneCondition, Scene};
+use crate::model::{CycleSettings, PlaneCondition};
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions, Remap};
 use crate::simulation::step_view::StepView;
 use crate::stage::solve::Wall;
@@ -15,15 +15,15 @@ struct Walls(Vec<Wall>);
 
 /// Boundary planes.
 pub(super) const PLANES: ConditionType = ConditionType {
-    plan_entries: |scene, list| {
+    plan_entries: |settings, list| {
         for (axis, letter) in ["X", "Y", "Z"]
             .iter()
             .enumerate()
-            .take(scene.dimension.axes())
+            .take(settings.dimension.axes())
         {
             for (side, end) in ["0", "n"].iter().enumerate() {
-                let condition = scene.mesh.planes[axis][side];
-                let base = scene.base_motion.as_ref();
+                let condition = settings.mesh.planes[axis][side];
+                let base = settings.base_motion.as_ref();
                 let moving = base.is_some_and(|b| b.axis == axis && b.side == side);
                 let acts = moving || condition != PlaneCondition::Free;
                 let why = if moving {
@@ -39,11 +39,11 @@ pub(super) const PLANES: ConditionType = ConditionType {
     planes: true,
 };
 
-fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
+fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
     let mut walls = vec![];
     for axis in 0..shape.axes {
         for side in 0..2 {
-            let condition = scene.mesh.planes[axis][side];
+            let condition = settings.mesh.planes[axis][side];
             if condition != PlaneCondition::Free {
                 walls.push(Wall {
                     axis,
@@ -55,7 +55,7 @@ fn of(scene: &Scene, shape: &GridShape) -> Option<ConditionResult> {
             }
         }
     }
-    let act = !walls.is_empty() || scene.base_motion.is_some();
+    let act = !walls.is_empty() || settings.base_motion.is_some();
     act.then(|| Ok(Arc::new(Walls(walls)) as _))
 }
 

@@ -5,10 +5,13 @@ mod nodes;
 pub use nodes::{FieldNodes, Node};
 
 use super::mapping::ParticleToGrid;
-use crate::scene::Vector;
+use crate::model::Vector;
+use crate::particles::ParticleSet;
 use crate::simulation::step_view::StepView;
-use crate::stage::solve::{DrivenNode, EmptyNode, NodeForce, Wall};
+use crate::stage::solve::{DrivenNode, EmptyNode, NodeForce, Planes, Wall};
+use crate::weights::Family;
 use smallvec::SmallVec;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A condition on the nodes of velocity fields.
@@ -131,6 +134,60 @@ impl<'a> StepContext<'a> {
         self.nodal
     }
 
+    /// Boundary planes with a condition, with the velocities of this visit.
+    #[must_use]
+    #[inline]
+    pub fn walls(&self) -> &[Wall] {
+        &self.walls
+    }
+
+    /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
+    #[must_use]
+    #[inline]
+    pub fn prescribed_velocities(&self) -> &'a [Option<[Vector; 2]>] {
+        self.prescribed
+    }
+
+    /// Particle sets, one per body.
+    #[must_use]
+    #[inline]
+    pub fn particles(&self) -> &'a [ParticleSet] {
+        self.mapping.sets
+    }
+
+    /// Nodes per axis of the stencil.
+    #[must_use]
+    #[inline]
+    pub fn stencil(&self) -> usize {
+        self.mapping.stencil
+    }
+
+    /// Weighting functions.
+    #[must_use]
+    #[inline]
+    pub fn family(&self) -> Family {
+        self.mapping.family
+    }
+
+    /// The second mapping that the velocities are of, if they are of one.
+    #[must_use]
+    #[inline]
+    pub fn remap_of_velocities(&self) -> Option<Remap> {
+        self.remap
+    }
+
+    /// Maps the mass gradient of some particles of a body, by its place, to lines of nodes; `runs` gives them for layers of
+    /// particles.
+    pub fn map_gradient<I: Iterator<Item = Range<usize>>>(
+        &self,
+        body: usize,
+        runs: impl FnOnce(Range<usize>) -> I,
+        planes: &mut Planes<'_>,
+    ) {
+        let mut runs = runs(self.mapping.layers_onto(planes));
+        self.mapping.map_gradient(body, &mut runs, planes);
+    }
+
     /// Offset of the velocity in the node record.
     pub(super) fn lane(&self) -> usize {
         self.remap.map_or(1, Remap::lane)
@@ -157,7 +214,8 @@ pub enum Remap {
 
 impl Remap {
     /// The lane of a node where its velocity begins.
-    pub(super) fn lane(self) -> usize {
+    #[must_use]
+    pub fn lane(self) -> usize {
         match self {
             Self::OldPositions => 4,
             Self::NewPositions => 1,
@@ -166,7 +224,8 @@ impl Remap {
 }
 
 /// Walls for a mapping of the velocities after the kick: both half-steps are the later one.
-pub(super) fn at_half_step_after(walls: &[Wall]) -> Walls {
+#[must_use]
+pub fn at_half_step_after(walls: &[Wall]) -> Walls {
     walls
         .iter()
         .map(|wall| Wall {

@@ -2,7 +2,7 @@
 
 use super::{Remap, StepContext};
 use crate::grid::Line;
-use crate::scene::Vector;
+use crate::model::Vector;
 use crate::simulation::fields::{Owner, Slab, SlabField};
 use crate::stage::solve::{DrivenNode, PlaneSums, Planes, is_ghost};
 

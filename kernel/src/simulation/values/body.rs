@@ -1,14 +1,18 @@
 //! A body in the cycle, beside its particles.
 
 use crate::laws::AnyLaw;
-use crate::scene::{DomainUpdate, History, Vector};
+use crate::model::{DomainUpdate, History, Shape, Vector};
 use crate::stage::Mapping;
 
 /// A body in the cycle, beside its particles.
 #[derive(Clone, Debug)]
 pub struct BodyRun {
+    /// Name, for messages.
+    pub name: String,
     /// Identifier.
     pub id: i64,
+    /// Shape that was filled with its particles \[m\].
+    pub shape: Shape,
     /// Identifier of its material.
     pub material_id: i64,
     /// Its law.
@@ -30,4 +34,18 @@ pub struct BodyRun {
     /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
     /// function has no domain.
     pub reach: Option<[f64; 3]>,
+}
+
+impl BodyRun {
+    /// Largest squared speed of its prescribed motion \[m²/s²\], 0 without one.
+    #[must_use]
+    pub fn fastest(&self) -> f64 {
+        self.motion.as_ref().map_or(0.0, |motion| {
+            motion
+                .values
+                .iter()
+                .map(|v| v.iter().map(|c| c * c).sum())
+                .fold(0.0, f64::max)
+        })
+    }
 }

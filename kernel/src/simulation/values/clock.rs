@@ -26,9 +26,9 @@ pub enum Bound {
     Travel,
     /// The multiplier of the scene.
     Multiplier,
-    /// The stiffness of mortar contact.
+    /// The stiffness of contact.
     Contact,
-    /// No gap of mortar contact closes by more than half the critical gap.
+    /// No gap of contact closes further than it may in a step.
     Closing,
     /// Viscous or local damping, beside the stability bound of the scheme or of contact.
     Damping,

@@ -7,7 +7,7 @@ pub struct Energy {
     pub kinetic: f64,
     /// Strain energy.
     pub strain: f64,
-    /// Energy that interactions store, such as the normal laws of mortar contact.
+    /// Energy that interactions store, such as the normal laws of contact.
     pub contact: f64,
     /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
     pub external_work: f64,
@@ -16,7 +16,7 @@ pub struct Energy {
     pub dissipated: f64,
     /// Energy taken by local, viscous and kinetic damping.
     pub damping: f64,
-    /// Energy taken by friction, of contact on the grid and of rigid surfaces.
+    /// Energy taken by friction, of contact.
     pub friction: f64,
     /// Energy that the same contacts took along their normals, where bodies meet: at a node they meet without bouncing.
     pub impact: f64,

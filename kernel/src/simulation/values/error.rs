@@ -2,7 +2,6 @@
 
 use super::invariants::Violation;
 use super::tension::Tension;
-use crate::contact::Tunnelling;
 use crate::memory::OutOfMemory;
 use crate::number::Number;
 use crate::simulation::values::ParticleAt;
@@ -11,7 +10,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Where a scene says how many nodes there are.
-pub(in crate::simulation) const MESH: &str = "mesh.cells_number";
+pub const MESH: &str = "mesh.cells_number";
 
 /// A simulation cannot be set up from this scene. All are faults of the input.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +49,7 @@ pub enum SetupError {
     Threads(String),
     /// Pairs of contact whose bodies overlap at the start.
     Overlap(Vec<InitialOverlap>),
-    /// An interaction that cannot be set up, such as a boundary of mortar contact.
+    /// An interaction that cannot be set up, such as a boundary of contact.
     Interaction {
         /// Its place, as in the scene.
         path: String,
@@ -261,12 +260,6 @@ pub trait InteractionFault: std::error::Error + Any + Send + Sync {
     /// Identifiers of master and slave, where the fault lies between two bodies of a contact.
     fn bodies(&self) -> Option<[i64; 2]> {
         None
-    }
-}
-
-impl InteractionFault for Tunnelling {
-    fn bodies(&self) -> Option<[i64; 2]> {
-        Some(self.bodies)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::invariants::{LEAST_VOLUME_RATIO, MOST_VOLUME_RATIO};
 use super::particle_at::ParticleAt;
-use crate::scene::Vector;
+use crate::model::Vector;
 use std::fmt;
 
 /// Something that happened in a run that went on.

@@ -15,7 +15,7 @@ mod tension;
 pub use body::BodyRun;
 pub use clock::{Bound, Clock, Drift, StepInfo};
 pub use energy::{BodyEnergy, Energy};
-pub(super) use error::MESH;
+pub use error::MESH;
 pub use error::{
     InitialOverlap, InteractionError, InteractionFault, SetupError, StepError, StepErrorKind,
     TimeStepAboveCritical,

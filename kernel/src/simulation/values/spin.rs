@@ -1,6 +1,6 @@
 //! Angular momentum of the bodies.
 
-use crate::scene::Vector;
+use crate::model::Vector;
 
 /// Share of the angular momentum whose loss needs no word.
 pub const MOST_LOST_SPIN: f64 = 0.05;

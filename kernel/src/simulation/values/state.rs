@@ -9,8 +9,8 @@ use super::event::Event;
 use super::extremes::Extremes;
 use super::invariants::InvariantMonitor;
 use super::spin::Spin;
+use crate::model::Vector;
 use crate::particles::ParticleSet;
-use crate::scene::Vector;
 use crate::stage::g2p::ParticleMaxima;
 use std::fmt;
 
@@ -53,7 +53,7 @@ pub struct EnergyLedger {
     pub external_work: f64,
     /// Sum of force times position over particles with dead loads at the start, less those removed \[J\].
     pub dead_load_origin: f64,
-    /// Kinetic and strain energy at the start, and from the first step on that of mortar contact \[J\].
+    /// Kinetic and strain energy at the start, and from the first step on that which interactions store \[J\].
     pub initial_energy: f64,
     /// Energy taken by damping so far \[J\].
     pub damping: f64,

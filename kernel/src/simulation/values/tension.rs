@@ -1,8 +1,8 @@
 //! Tension that a method does not hold: the report of a run that stopped before a body was torn.
 
 use super::particle_at::ParticleAt;
+use crate::model::StressScheme;
 use crate::plan::scheme_word;
-use crate::scene::StressScheme;
 use std::fmt;
 
 /// Share of the energy in motion that no node sees above which a run is stopped. Sound bars have 0.01 when they swing, those

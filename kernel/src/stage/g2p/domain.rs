@@ -3,7 +3,7 @@
 use crate::lanes::{Backend, Kernel, Lanes, Selected, functions, load, store};
 use crate::laws::tensor::{Matrix, determinant, left_stretch_diagonal, stretch_diagonal};
 use crate::layout::Layout;
-use crate::scene::DomainUpdate;
+use crate::model::DomainUpdate;
 use std::ops::Range;
 
 /// Mean stress over the size of the normal stresses that is none: at the end of a yield surface that bears no tension the sum of a

@@ -15,7 +15,7 @@ use crate::lanes::{Backend, Kernel, Lanes, Selected};
 use crate::laws::tensor::Configuration;
 use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::layout::Layout;
-use crate::scene::DomainUpdate;
+use crate::model::DomainUpdate;
 use interpolate::{InterpolatedValues, interpolate};
 use reach::{Bases, MOST};
 use std::ops::Range;

@@ -98,7 +98,7 @@ impl<L: Lanes> Maxima<L> {
 pub(super) fn fault<const D: usize>(call: &G2p<'_, '_>, p: usize) -> FaultKind {
     let state: Range<usize> = Layout::VOLUME..Layout::stress(D) + call.layout.stress_components();
     let volume = call.columns[Layout::VOLUME][p];
-    // First, because ln J makes the stress of an inverted neo-Hookean particle NaN.
+    // First, because ln J makes the stress of an inverted particle NaN.
     if volume.is_finite() && volume <= 0.0 {
         FaultKind::Inverted
     } else if (state.chain(call.layout.variables..call.layout.columns))

@@ -6,8 +6,8 @@ use proctor_kernel::mortar::elements::Elements;
 use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::space::facets::{Facets, FacetsError};
 use proctor_kernel::mortar::space::skin::skin;
-use proctor_kernel::scene::Shape;
 use proctor_kernel::surface::SurfaceErrorKind;
+use proctor_scene::Shape;
 
 fn cube() -> Shape {
     Shape::Cuboid {

@@ -5,7 +5,7 @@ use nalgebra::{Rotation3, Vector3};
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::mortar::space::facets::Facets;
 use proctor_kernel::mortar::space::ridges::crossing;
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 use std::f64::consts::FRAC_PI_4;
 
 fn cube(segment: f64) -> Facets {

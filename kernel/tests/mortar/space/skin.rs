@@ -4,7 +4,7 @@ use super::support::of_shape;
 use proctor_kernel::mortar::outline::OutlineError;
 use proctor_kernel::mortar::space::facets::Facets;
 use proctor_kernel::mortar::space::skin::skin;
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 use std::f64::consts::PI;
 
 fn closed(shape: &Shape, segment: f64) -> Facets {

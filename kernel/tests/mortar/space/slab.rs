@@ -9,7 +9,7 @@ use proctor_kernel::mortar::pair::{PairForces, PairLaw, PairSurfaces, Slip, cont
 use proctor_kernel::mortar::points::Detection;
 use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::space::facets::Facets;
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 
 const THICKNESS: f64 = 0.1;
 

@@ -8,7 +8,7 @@ use proctor_kernel::mortar::points::{Detection, MasterSearch};
 use proctor_kernel::mortar::space::Point;
 use proctor_kernel::mortar::space::facets::Facets;
 use proctor_kernel::mortar::space::skin::skin;
-use proctor_kernel::scene::Shape;
+use proctor_scene::Shape;
 
 pub const KAPPA: f64 = 1.0e4;
 pub const GC: f64 = 0.1;

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene, TimeStep, Vector,
 };
-use proctor_kernel::simulation::Simulation;
 
 use crate::case::{Curve, CurvePoint};
 use crate::cases::dynamics::{l2, step};

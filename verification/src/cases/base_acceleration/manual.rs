@@ -1,8 +1,8 @@
 //! The manual's own check: the particles at the base of its shaken block follow the record.
 
 use proctor_files::records::{Harmonic, accelerogram};
-use proctor_kernel::scene::{BaseMotion, Dimension, Mesh, Motion, Scene, TimeStep};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{BaseMotion, Dimension, Mesh, Motion, Scene, TimeStep};
 
 use crate::cases::dynamics::step;
 use crate::cases::{NO_RESULTS, body, cuboid, elastic_law, material};

@@ -1,6 +1,6 @@
 //! Displacements of the particles against the exact ones at the particles' own initial positions.
 
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 use super::model::{LOAD, MIDDLE, PATCH, POISSON, SIDE, YOUNG};
 use crate::case::{Curve, CurvePoint};

@@ -1,6 +1,6 @@
 //! The scene of the quarter box, and the exact solution of the whole one.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Damping, Dimension, Mesh, PlaneCondition, PointLoad, Scene, StressScheme, Traction,
 };
 

@@ -1,6 +1,6 @@
 //! The vertices of the beam when it hangs: where they are, and where their particles would take them.
 
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 use crate::case::Quantity;
 

@@ -1,6 +1,6 @@
 //! Bars between rollers and blocks in the open.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Body, Contact, ContactNormal, Dimension, Material, Mesh, PlaneCondition, Scene, StressScheme,
     TransferKind,
 };

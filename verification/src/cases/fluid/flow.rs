@@ -1,8 +1,8 @@
 //! Flow between walls.
 
-use proctor_kernel::scene::{BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene};
-use proctor_kernel::simulation::Simulation;
 use proctor_laws::{AnyLaw, Bingham, Newtonian};
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene};
 
 use super::{Fluid, Problem};
 use crate::case::{Curve, Found, Rung};

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use proctor_kernel::scene::{Damping, Dimension, Mesh, PlaneCondition, Scene, Weighting};
-use proctor_kernel::simulation::Simulation;
 use proctor_laws::Newtonian;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Damping, Dimension, Mesh, PlaneCondition, Scene, Weighting};
 
 use super::{Fluid, Problem};
 use crate::case::{Curve, Found, Rung};

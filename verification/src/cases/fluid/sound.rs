@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use libm::{log, sin};
-use proctor_kernel::scene::{Dimension, Mesh, Scene, TimeStep, Vector};
-use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
 use proctor_laws::Newtonian;
+use proctor_scene::simulation::{InitialField, InitialState, Simulation};
+use proctor_scene::{Dimension, Mesh, Scene, TimeStep, Vector};
 
 use super::{Fluid, Problem};
 use crate::case::{Found, Quantity, Rung};

@@ -1,6 +1,6 @@
 //! What a run of the grains is summed up to, step by step.
 
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 use super::apart::{self, Polyline, Room};
 use super::{FLOOR, GAP, PLATE, SPEED, WALLS};

@@ -1,7 +1,7 @@
 //! The ball with any settings.
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, TransferKind, Vector};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, TransferKind, Vector};
 
 use super::{AVERAGED, FINE, FORCE, HertzSphere, L2, PEAK, WIDTH, peak, rungs};
 use crate::case::{Curve, CurvePoint, Found, Quantity, Rung, Size};

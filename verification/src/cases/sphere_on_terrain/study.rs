@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use proctor_files::stl::parse;
-use proctor_kernel::scene::{Body, Dimension, Mesh, RigidSurface, Scene, Shape, TimeStep, Vector};
-use proctor_kernel::simulation::Simulation;
 use proctor_kernel::surface::Surface;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Body, Dimension, Mesh, RigidSurface, Scene, Shape, TimeStep, Vector};
 
 use super::height::HeightField;
 use super::{

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use libm::{cos, sin};
-use proctor_kernel::scene::{ParticleSeed, Vector};
+use proctor_scene::{ParticleSeed, Vector};
 
 use super::{HEIGHT, LENGTH, TILT};
 

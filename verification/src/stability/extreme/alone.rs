@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{ParticleSeed, Scene, Shape, Transfer, Vector, Weighting};
-use proctor_kernel::simulation::{InitialField, InitialState};
+use proctor_scene::simulation::{InitialField, InitialState};
+use proctor_scene::{ParticleSeed, Scene, Shape, Transfer, Vector, Weighting};
 
 use super::trial::{
     Kept, ROUND_OFF, apart, elastic, kept, off_by_a_quarter_turn, open, open_space, run_to, start,

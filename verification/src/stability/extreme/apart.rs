@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{EventKind, InitialField, InitialState, Simulation, StepErrorKind};
+use proctor_scene::{
     DomainUpdate, PlaneCondition, Scene, Shape, StressScheme, TimeStep, Weighting,
-};
-use proctor_kernel::simulation::{
-    EventKind, InitialField, InitialState, Simulation, StepErrorKind,
 };
 
 use super::trial::{ROUND_OFF, elastic, open, run_steps, start, step, worst};

@@ -4,9 +4,9 @@
 use std::sync::Arc;
 
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::scene::{Damping, Dimension, ParticleSeed, Scene, Shape, Vector};
-use proctor_kernel::simulation::{InitialField, Options, Simulation};
 use proctor_laws::NeoHookean;
+use proctor_scene::simulation::{InitialField, Options, Simulation};
+use proctor_scene::{Damping, Dimension, ParticleSeed, Scene, Shape, Vector};
 
 use super::runs::{
     POISSON, YOUNG, block, count_of, from, methods, momentum_scale, options, particles, rough,

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{DomainUpdate, PlaneCondition, Scene, Shape, Weighting};
-use proctor_kernel::simulation::{InitialField, InitialState};
+use proctor_scene::simulation::{InitialField, InitialState};
+use proctor_scene::{DomainUpdate, PlaneCondition, Scene, Shape, Weighting};
 
 use super::trial::{
     Kept, ROUND_OFF, STEP_OF_FASTEST, elastic, kept, open, run_steps, run_to, start, step, worst,

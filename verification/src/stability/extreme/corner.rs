@@ -6,12 +6,12 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{
     BodyBoundary, Enforcement, MortarContact, RigidLine, RigidSurface, Scene, Shape, StressScheme,
     Vector, Vertices,
 };
-use proctor_kernel::simulation::Simulation;
-use proctor_kernel::surface::Surface;
 
 use super::trial::{
     GROWN, NO_GROWTH, ONLY_ROUND_OFF, ROUND_OFF, apart, elastic, energy, momentum_scale, open,

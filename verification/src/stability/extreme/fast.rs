@@ -1,8 +1,8 @@
 //! Bodies that are faster than their waves, and what such a piston does to a body.
 
-use proctor_kernel::scene::{PlaneCondition, Scene, Shape, StressScheme, TimeStep};
-use proctor_kernel::simulation::{SetupError, Simulation, StartError, StepErrorKind};
 use proctor_laws::{AnyLaw, NeoHookean};
+use proctor_scene::simulation::{SetupError, Simulation, StartError, StepErrorKind};
+use proctor_scene::{PlaneCondition, Scene, Shape, StressScheme, TimeStep};
 
 use super::trial::{ROUND_OFF, always, elastic, open, options, run_to, start, worst};
 use super::{Extreme, Finding, Unexpected};

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{DomainUpdate, Scene, Shape, TimeStep, Weighting};
-use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
+use proctor_scene::simulation::{InitialField, InitialState, Simulation};
+use proctor_scene::{DomainUpdate, Scene, Shape, TimeStep, Weighting};
 
 use super::trial::{always, apart, elastic, open, pair, run_to, start, worst};
 use super::{Extreme, Finding, Unexpected};

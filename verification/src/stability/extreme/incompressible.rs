@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialField, InitialState, Simulation};
+use proctor_scene::{
     DomainUpdate, PlaneCondition, Scene, Shape, Vector, VolumetricStrain, Weighting,
 };
-use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
 
 use super::trial::{
     Kept, STEP_OF_FASTEST, elastic, kept, noise, open, run_steps, run_to, start, step, worst,

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::StartError;
+use proctor_scene::{
     BoxLoad, Contact, ContactNormal, Damping, History, ParticleSeed, PointLoad, Scene, Shape,
     TimeStep, Traction,
 };
-use proctor_kernel::simulation::StartError;
 
 use super::runs::{block, options, soft, start};
 use super::{Extreme, Finding, Unexpected};

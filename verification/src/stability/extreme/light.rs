@@ -1,7 +1,7 @@
 //! Nodes of next to no mass, and bodies of next to no thickness.
 
-use proctor_kernel::scene::{Dimension, Scene, TransferKind, Weighting};
-use proctor_kernel::simulation::{InitialField, Simulation};
+use proctor_scene::simulation::{InitialField, Simulation};
+use proctor_scene::{Dimension, Scene, TransferKind, Weighting};
 
 use super::places::{reach, square};
 use super::runs::{

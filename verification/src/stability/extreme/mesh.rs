@@ -3,8 +3,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme};
-use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
+use proctor_scene::simulation::{InitialField, InitialState, Simulation};
+use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme};
 
 use super::runs::{
     POISSON, YOUNG, apart, filled, from, methods, open, particles, soft, start, steps, with,

@@ -1,7 +1,7 @@
 //! Motions that are exact whatever the mesh does: uniform flight, and slow and fast bodies.
 
-use proctor_kernel::scene::{Dimension, Field, StressScheme, TransferKind};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Dimension, Field, StressScheme, TransferKind};
 
 use super::runs::{
     YOUNG, apart, block, from, largest, methods, momentum_scale, options, particles, rough, start,

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use proctor_kernel::memory::Memory;
-use proctor_kernel::scene::{Dimension, Outside, Scene, Shape};
-use proctor_kernel::simulation::{EventKind, Options, SetupError, StartError};
+use proctor_scene::simulation::{EventKind, Options, SetupError, StartError};
+use proctor_scene::{Dimension, Outside, Scene, Shape};
 
 use super::input::{full, refused_for};
 use super::runs::{

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Dimension, ParticleSeed, PlaneCondition, Scene, Shape, Weighting};
-use proctor_kernel::simulation::{InitialField, InitialState};
+use proctor_scene::simulation::{InitialField, InitialState};
+use proctor_scene::{Dimension, ParticleSeed, PlaneCondition, Scene, Shape, Weighting};
 
 use super::runs::{
     NEVER, Seen, apart, count_of, filled, from, largest, methods, open, options, particles, soft,

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
+use proctor_scene::simulation::{InitialField, InitialState, Simulation};
+use proctor_scene::{
     DomainUpdate, ParticleSeed, PlaneCondition, Scene, Shape, StressScheme, Weighting,
 };
-use proctor_kernel::simulation::{InitialField, InitialState, Simulation};
 
 use super::trial::{
     Kept, always, elastic, kept, noise, open, run_steps, run_to, start, step, worst,

@@ -4,11 +4,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{Body, Dimension, Mesh, PlaneCondition, Scene, Shape, Vector};
-use proctor_kernel::simulation::{
+use proctor_laws::AnyLaw;
+use proctor_scene::simulation::{
     InitialField, InitialState, Options, Simulation, StepError, StepErrorKind,
 };
-use proctor_laws::AnyLaw;
+use proctor_scene::{Body, Dimension, Mesh, PlaneCondition, Scene, Shape, Vector};
 
 use super::Unexpected;
 use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, elastic_law, material};

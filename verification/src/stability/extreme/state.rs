@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{BodyForce, InitialState, Options, StepErrorKind};
+use proctor_scene::Scene;
+use proctor_scene::simulation::{BodyForce, InitialState, Options, StepErrorKind};
 
 use super::runs::{
     NEVER, block, first_error, from, methods, options, soft, start, steps, unexpected, with,

@@ -1,9 +1,9 @@
 //! Runs that must stop: a particle leaves the mesh, a step is far too long.
 
-use proctor_kernel::scene::{Dimension, OnImbalance, Outside, Scene, TimeStep};
-use proctor_kernel::simulation::{
+use proctor_scene::simulation::{
     EventKind, SetupError, Simulation, StartError, StepError, StepErrorKind,
 };
+use proctor_scene::{Dimension, OnImbalance, Outside, Scene, TimeStep};
 
 use super::runs::{
     NEVER, block, first_error, from, is_blow_up, methods, options, rough, soft, start, to_time,

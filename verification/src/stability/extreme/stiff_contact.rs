@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
+use proctor_kernel::surface::Surface;
+use proctor_scene::{
     BodyBoundary, Enforcement, MortarContact, RigidSurface, Scene, Shape, StressScheme, TimeStep,
     Transfer, TransferKind, Vertices,
 };
-use proctor_kernel::surface::Surface;
 
 use super::corner::{Fall, fair, watch_fall};
 use super::trial::{

@@ -2,10 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use proctor_kernel::scene::{
-    Contact, ContactNormal, PlaneCondition, Scene, Shape, StressScheme, Vector,
-};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Contact, ContactNormal, PlaneCondition, Scene, Shape, StressScheme, Vector};
 
 use super::trial::{Kept, apart, elastic, kept, open, pair, run_to, start, worst};
 use super::{Extreme, Finding, Unexpected};

@@ -1,8 +1,8 @@
 //! What rows share: open scenes of the plane, and runs in which any error is one that should not come.
 
-use proctor_kernel::scene::{Contact, ContactNormal, History, PlaneCondition, Scene, Vector};
-use proctor_kernel::simulation::{InitialField, Options, Simulation, StepInfo};
 use proctor_laws::LinearElastic;
+use proctor_scene::simulation::{InitialField, Options, Simulation, StepInfo};
+use proctor_scene::{Contact, ContactNormal, History, PlaneCondition, Scene, Vector};
 
 use super::Unexpected;
 use crate::case::{Case, Gate, Size};

@@ -3,10 +3,8 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
-    DomainUpdate, Scene, Shape, StressScheme, Transfer, TransferKind, Weighting,
-};
-use proctor_kernel::simulation::{InitialField, InitialState, ResultWarning, Simulation};
+use proctor_scene::simulation::{InitialField, InitialState, ResultWarning, Simulation};
+use proctor_scene::{DomainUpdate, Scene, Shape, StressScheme, Transfer, TransferKind, Weighting};
 
 use super::trial::{
     Kept, elastic, kept, of_case, off_by_a_quarter_turn, open, run_to, start, worst,

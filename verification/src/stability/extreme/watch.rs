@@ -3,10 +3,8 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::scene::{
-    OnImbalance, PlaneCondition, Scene, Shape, StressScheme, TimeStep, Weighting,
-};
-use proctor_kernel::simulation::{InitialField, InitialState, Invariant, StepErrorKind, Violation};
+use proctor_scene::simulation::{InitialField, InitialState, Invariant, StepErrorKind, Violation};
+use proctor_scene::{OnImbalance, PlaneCondition, Scene, Shape, StressScheme, TimeStep, Weighting};
 
 use super::trial::{elastic, method, noise, open, start};
 use super::{Extreme, Finding, Unexpected};

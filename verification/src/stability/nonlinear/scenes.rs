@@ -6,14 +6,14 @@ use proctor_kernel::mortar::Point;
 use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
 use proctor_kernel::mortar::motion::FollowMode;
 use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::scene::{
-    BaseMotion, BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, Mesh,
-    MortarContact, Motion, PlaneCondition, RigidLine, RigidSurface, Scene, Vector, Vertices,
-};
-use proctor_kernel::simulation::{InitialField, InitialState};
 use proctor_kernel::surface::Surface;
 use proctor_laws::{
     AnyLaw, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, ObjectiveRate, VonMises,
+};
+use proctor_scene::simulation::{InitialField, InitialState};
+use proctor_scene::{
+    BaseMotion, BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, Mesh,
+    MortarContact, Motion, PlaneCondition, RigidLine, RigidSurface, Scene, Vector, Vertices,
 };
 
 use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, material};

@@ -1,8 +1,8 @@
 //! A manufactured problem as JSON. No scene file can say a body force of each particle, so a problem has a form of its own.
 
 use crate::exit::Failure;
-use proctor_kernel::scene::{StressScheme, TransferKind, Weighting};
 use proctor_kernel::{transfers, weighting};
+use proctor_scene::{StressScheme, TransferKind, Weighting};
 use proctor_verification::mill::draw;
 use proctor_verification::mill::material::{Kind, Material};
 use proctor_verification::mill::motion::{Bubble, Field, Motion};

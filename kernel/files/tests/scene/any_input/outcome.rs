@@ -4,8 +4,8 @@ use super::bases::FOLDER;
 use proctor_files::json::from_json;
 use proctor_files::run::{Run, RunControl};
 use proctor_kernel::memory::Memory;
-use proctor_kernel::plan::PlanOptions;
-use proctor_kernel::simulation::Options;
+use proctor_scene::plan::PlanOptions;
+use proctor_scene::simulation::Options;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::mpsc::channel;
@@ -85,7 +85,7 @@ fn of(text: &str, folder: &Path, most: u64) -> Outcome {
         Ok(scene) => scene,
         Err(error) => return Outcome::Refused(error.to_string()),
     };
-    let plan = proctor_kernel::simulation::plan(&scene, PlanOptions::default());
+    let plan = proctor_scene::simulation::plan(&scene, PlanOptions::default());
     let _ = plan.to_string();
     let options = Options {
         threads: scene.threads.is_none().then_some(1),

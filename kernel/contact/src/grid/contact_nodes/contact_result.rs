@@ -1,0 +1,130 @@
+//! Result of contact on a slab: forces, power and warnings, and the status of a pair that follows from an impulse.
+
+use super::{ContactStatus, NodePair};
+use crate::pairs::Pair;
+use crate::pairs::coulomb::Member;
+use proctor_kernel::model::Vector;
+use proctor_kernel::stage::solve::PlaneSums;
+
+/// The result of contact on a slab.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct ContactResult {
+    /// Force on the slave of each pair \[N\], plane by plane.
+    pub forces: Vec<Vector>,
+    /// Power of driven bodies, and what friction and contact along the normal took, plane by plane.
+    pub sums: Vec<PlaneSums>,
+    /// Number of nodes where a contact force acts.
+    pub nodes: usize,
+    /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
+    pub tunnelling: Option<NodeTunnelling>,
+    /// Where each pair overlaps deepest, if by more than [`DEEP`].
+    pub overlaps: Vec<Option<Overlapped>>,
+}
+
+/// Share of a cell from which an overlap is an event: contact lets bodies into each other by no more than round-off and what
+/// a step brings.
+pub(crate) const DEEP: f64 = 0.25;
+
+/// A pair whose bodies overlap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Overlapped {
+    /// Storage indices of the node.
+    pub at: [usize; 3],
+    /// Depth \[m\].
+    pub depth: f64,
+}
+
+/// A pair that would pass through itself in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct NodeTunnelling {
+    /// Index of the pair.
+    pub pair: usize,
+    /// Storage indices of the node.
+    pub at: [usize; 3],
+    /// Approach in one step \[m\].
+    pub approach: f64,
+    /// Distance of contact \[m\].
+    pub distance: f64,
+}
+
+impl ContactResult {
+    /// Nothing is done yet in so many planes.
+    pub(super) fn begin(&mut self, planes: usize, pairs: usize) {
+        self.forces.clear();
+        self.forces.resize(planes * pairs, [0.0; 3]);
+        self.sums.clear();
+        self.sums.resize(planes, PlaneSums::default());
+        self.overlaps.clear();
+        self.overlaps.resize(pairs, None);
+        (self.nodes, self.tunnelling) = (0, None);
+    }
+
+    /// Notes a pair that approaches in one step by more than the distance at which it touches. The velocities before
+    /// the step are means of those of particles; trial velocities of light nodes are not.
+    pub(super) fn watch(
+        &mut self,
+        touch: &NodePair,
+        pair: &Pair,
+        [master, slave]: [&Member; 2],
+        dt: f64,
+        at: [usize; 3],
+    ) {
+        let before = |m: &Member, axis: usize| m.velocity[axis] - m.increment[axis];
+        let approach = dt
+            * (0..3)
+                .map(|axis| touch.normal[axis] * (before(master, axis) - before(slave, axis)))
+                .sum::<f64>();
+        let distance = pair.distance_along(&touch.normal);
+        let worst = self.tunnelling.map_or(1.0, |t| t.approach / t.distance);
+        if approach > worst * distance {
+            self.tunnelling = Some(NodeTunnelling {
+                pair: touch.pair,
+                at,
+                approach,
+                distance,
+            });
+        }
+    }
+}
+
+impl ContactResult {
+    /// Notes a pair that overlaps by more than [`DEEP`] of the cell along its normal.
+    pub(super) fn watch_overlap(&mut self, touch: &NodePair, cell: &Vector, at: [usize; 3]) {
+        let (depth, n) = (-touch.gap, &touch.normal);
+        // Most nodes have no overlap at all. Where the gradients are not opposite one body goes around a corner of the other,
+        // and what is behind it is no depth.
+        if depth > 0.0 && depth.is_finite() && touch.opposite {
+            let overlap = &mut self.overlaps[touch.pair];
+            let deepest = overlap.map_or(0.0, |o| o.depth);
+            let across: f64 = (0..3).map(|axis| (n[axis] * cell[axis]).powi(2)).sum();
+            if depth > deepest.max(DEEP * across.sqrt()) {
+                *overlap = Some(Overlapped { at, depth });
+            }
+        }
+    }
+}
+
+/// What an impulse on the slave takes from the kinetic energy of both \[J\], by friction and along the normal: the impulse
+/// times the mean of their relative velocities before and after the step, with the sign turned.
+pub(super) fn taken(impulse: &Vector, normal: &Vector, [master, slave]: [&Member; 2]) -> [f64; 2] {
+    let mean = |m: &Member, axis: usize| m.velocity[axis] - 0.5 * m.increment[axis];
+    let relative: Vector = std::array::from_fn(|k| mean(slave, k) - mean(master, k));
+    let dot = |a: &Vector, b: &Vector| -> f64 { (0..3).map(|k| a[k] * b[k]).sum() };
+    let along = dot(impulse, normal) * dot(normal, &relative);
+    [along - dot(impulse, &relative), -along]
+}
+
+/// What a pair does under an impulse.
+pub(super) fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> ContactStatus {
+    let along: f64 = (0..3).map(|k| impulse[k] * normal[k]).sum();
+    let aside: f64 = (0..3)
+        .map(|k| (impulse[k] - along * normal[k]).powi(2))
+        .sum();
+    if along <= 0.0 {
+        ContactStatus::Open
+    } else if aside.sqrt() < friction * along * (1.0 - 1e-9) {
+        ContactStatus::Sticks
+    } else {
+        ContactStatus::Slides
+    }
+}

@@ -1,0 +1,133 @@
+//! The stress that bodies have at the start.
+
+use crate::values::{InitialStress, Scene};
+use proctor_geometry::number::Number;
+use proctor_kernel::laws::{Particle, Point, UNDEFORMED, UNPRESSED};
+use proctor_kernel::layout::Layout;
+use proctor_kernel::model::Vector;
+use proctor_kernel::particles::ParticleSet;
+use proctor_kernel::simulation::{BodyRun, SetupError};
+use proctor_kernel::stage::g2p::ParticleMaxima;
+
+/// Sets the stress of a body, by its index, at the start, and what the first time step depends on.
+///
+/// # Errors
+/// Where the law of the body does not bear it, with the particle that is farthest from what it bears.
+pub(super) fn set(
+    set: &mut ParticleSet,
+    scene: &Scene,
+    index: usize,
+    run: &BodyRun,
+    found: &mut ParticleMaxima,
+) -> Result<(), SetupError> {
+    let body = &scene.bodies[index];
+    if body.initial_stress == InitialStress::None {
+        return Ok(());
+    }
+    let material = &scene.materials[body.material];
+    let axes = set.layout.axes;
+    // Where each particle of a fluid remembers its volume without pressure.
+    let unpressed = (set.layout.components())
+        .find(|(variable, ..)| **variable == UNPRESSED)
+        .map(|(_, _, column)| column);
+    let mut point = Point::new(&material.law, material.density, [0.0; 6]);
+    let mut worst: Option<YieldExcess> = None;
+    for p in 0..set.len() {
+        let local = set.position(p);
+        let x: Vector = std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]);
+        let stress = (body.initial_stress).at(&x, &scene.gravity, material.density);
+        let beyond = beyond(&mut point, &stress);
+        if beyond > worst.as_ref().map_or(0.0, |worst| worst.by) {
+            worst = Some(YieldExcess {
+                by: beyond,
+                x,
+                stress,
+            });
+        }
+        for (i, value) in stress[..set.layout.stress_components()].iter().enumerate() {
+            set.columns[Layout::stress(axes) + i][p] = *value;
+        }
+        let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+        let ratio = material.law.initial_volume_ratio(mean);
+        if let Some(column) = unpressed {
+            set.columns[column][p] = 1.0 / ratio;
+            let square = run.law.speed_squared(&Particle {
+                mass: set.columns[Layout::MASS][p],
+                volume: set.columns[Layout::VOLUME][p],
+                density: run.density,
+                stress,
+                deformation: UNDEFORMED,
+                variables: &set.variables(p),
+            });
+            found.wave_speed_squared = found.wave_speed_squared.max(square);
+        } else {
+            compress(set, p, ratio);
+        }
+    }
+    let Some(YieldExcess { by, x, stress }) = worst else {
+        return Ok(());
+    };
+    let number = |x: f64| Number(x).to_string();
+    Err(SetupError::Load {
+        path: format!("bodies[{index}].initial_stress"),
+        reason: format!(
+            "at ({}) m the stress of {} Pa lies {} Pa beyond the yield surface of {}; accepted: a stress that the material \
+             bears",
+            x[..axes]
+                .iter()
+                .copied()
+                .map(number)
+                .collect::<Vec<_>>()
+                .join(", "),
+            stress[..3]
+                .iter()
+                .copied()
+                .map(number)
+                .collect::<Vec<_>>()
+                .join(", "),
+            number(by),
+            material.name
+        ),
+    })
+}
+
+/// Gives a particle whose law does not remember a volume without pressure the mass of what was pressed into its own: `ratio`
+/// is that volume over the one without stress.
+fn compress(set: &mut ParticleSet, p: usize, ratio: f64) {
+    if ratio == 1.0 {
+        return;
+    }
+    set.columns[Layout::MASS][p] /= ratio;
+    let axes = set.layout.axes;
+    let stretch = libm::pow(ratio, 1.0 / axes as f64);
+    for axis in 0..axes {
+        if let Some(first) = set.layout.deformation {
+            set.columns[first + axis * axes + axis][p] = stretch;
+        }
+        if let Some(first) = set.layout.initial_half_length {
+            set.columns[first + axis][p] /= stretch;
+        }
+    }
+}
+
+/// A particle whose stress its law does not bear.
+struct YieldExcess {
+    by: f64,
+    x: Vector,
+    stress: [f64; 6],
+}
+
+/// How far the law of a point moves a stress where nothing strains \[Pa\]: 0 where it bears it.
+fn beyond(point: &mut Point, stress: &[f64; 6]) -> f64 {
+    // Round-off of the return to a yield surface that a stress lies on.
+    const NEARLY: f64 = 1e-9;
+    point.begin(*stress);
+    let Ok(()) = point.step(&[[0.0; 3]; 3], 1.0) else {
+        return f64::INFINITY;
+    };
+    let way = |(a, b): (&f64, &f64)| (a - b).abs();
+    let after = point.stress();
+    let moved = after.iter().zip(stress).map(way).fold(0.0, f64::max);
+    let size = stress.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+    if moved <= NEARLY * size { 0.0 } else { moved }
+}

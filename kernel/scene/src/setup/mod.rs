@@ -1,0 +1,431 @@
+//! From a scene to a simulation at time zero.
+
+mod initial_stress;
+mod memory_budget;
+mod memory_estimate;
+mod options;
+
+pub use memory_estimate::{MemoryEstimate, estimate_memory};
+pub use options::{InitialField, InitialState, Options};
+
+use crate::plan::{PlanOptions, plan};
+use crate::values::Scene;
+use proctor_geometry::bodies::{FillError, HalfLength, MemoryRoom, fill_within};
+use proctor_geometry::memory::Memory;
+use proctor_geometry::team::Team;
+use proctor_kernel::grid::GridShape;
+use proctor_kernel::lanes::Selected;
+use proctor_kernel::laws::Particle;
+use proctor_kernel::layout::Layout;
+use proctor_kernel::model::{BoxLoad, DomainUpdate};
+use proctor_kernel::particles::ParticleSet;
+use proctor_kernel::plan::Plan;
+use proctor_kernel::simulation::conditions;
+use proctor_kernel::simulation::{BaseVelocity, BodyRun, Model, SetupError, Simulation, Start};
+use proctor_kernel::stage::Mapping;
+use proctor_kernel::stage::g2p::ParticleMaxima;
+use std::sync::Arc;
+
+/// Fewest particles that are worth a thread where none are asked for: with fewer its share of a step takes no longer than
+/// the threads wait for each other.
+const PARTICLES_PER_THREAD: usize = 8192;
+
+/// Fills the bodies of a scene that was checked with particles, and makes everything that the plan keeps.
+///
+/// # Errors
+/// Input that shows its fault only here: see [`SetupError`].
+pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Simulation, SetupError> {
+    let demands = PlanOptions {
+        displacement: options.displacement,
+        measure: options.measure,
+        body_force: options.body_force.is_some(),
+    };
+    let plan = plan(scene, demands);
+    let settings = scene.settings();
+    let lanes = Selected::new(options.lanes).map_err(SetupError::Lanes)?;
+    let shape = GridShape::new(&scene.mesh, scene.dimension);
+    let mut memory = options.memory.unwrap_or_else(Memory::of_machine);
+    let bases: u128 = shape.bases().iter().map(|&n| n as u128).product();
+    if bases > u128::from(u32::MAX) {
+        return Err(SetupError::TooLarge {
+            what: format!("the mesh has {bases} cells; accepted: at most {}", u32::MAX),
+        });
+    }
+    memory_budget::grid(scene, &shape, &mut memory)?;
+    memory_budget::frames(scene, &mut memory)?;
+    memory_budget::loads(scene, &shape, &mut memory)?;
+    memory_budget::bodies(scene, &plan, memory)?;
+    let conditions = conditions(&settings, &shape, &options.conditions)?;
+    let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
+    let mut next_id = 0;
+    for i in 0..scene.bodies.len() {
+        let (mut set, run, mut found) = fill_body(scene, &plan, &shape, i, next_id, &mut memory)?;
+        next_id += set.len() as u64;
+        if next_id > u64::from(u32::MAX) {
+            return Err(SetupError::TooLarge {
+                what: format!("more than {} particles", u32::MAX),
+            });
+        }
+        initial_stress::set(&mut set, scene, i, &run, &mut found)?;
+        if let Some(initial) = &options.initial {
+            start_from(&mut set, scene, &run, &mut found, initial.as_ref());
+        }
+        sets.push(set);
+        bodies.push(run);
+        all_found.push(found);
+    }
+    if options.body_force.is_some() && !scene.box_loads.is_empty() {
+        return Err(SetupError::Load {
+            path: "box_load[0]".into(),
+            reason:
+                "a body force is given as a function, which takes its place; accepted: one of them"
+                    .into(),
+        });
+    }
+    for (i, load) in scene.box_loads.iter().enumerate() {
+        spread(load, scene, &mut sets).map_err(|reason| SetupError::Load {
+            path: format!("box_load[{i}]"),
+            reason,
+        })?;
+    }
+    memory_budget::layers(scene, &shape, &sets, &mut memory)?;
+    let team = team(scene, options, next_id as usize)?;
+    let mut interactions =
+        proctor_contact::interactions(&scene.contact_values(), &settings, &bodies, &mut memory)?;
+    interactions.extend(options.interactions.iter().cloned());
+    let model = Model {
+        settings,
+        plan,
+        lanes,
+        bodies,
+        conditions,
+        own_conditions: options.conditions.clone(),
+        has_own: !(options.conditions.is_empty() && options.interactions.is_empty()),
+        base: (scene.base_motion.as_ref()).map(|base| BaseVelocity::new(&base.motion)),
+        body_force: options.body_force.clone(),
+    };
+    let start = Start {
+        sets,
+        maxima: all_found,
+        interactions,
+        team,
+        least_share: options.least_share,
+        is_undeformed: options.initial.is_none(),
+    };
+    Simulation::new(model, start)
+}
+
+/// The threads that were asked for, else as many of the machine as there is work for.
+fn team(scene: &Scene, options: &Options, particles: usize) -> Result<Arc<Team>, SetupError> {
+    if let Some(team) = &options.team {
+        return Ok(Arc::clone(team));
+    }
+    let count = match options.threads.or(scene.threads) {
+        Some(0) => {
+            return Err(SetupError::Threads(
+                "0 threads; accepted: at least 1".into(),
+            ));
+        }
+        Some(count) if count > Team::most() => {
+            return Err(SetupError::Threads(format!(
+                "{count} threads; accepted: at most {}",
+                Team::most()
+            )));
+        }
+        Some(count) => count,
+        None => std::thread::available_parallelism()
+            .map_or(1, std::num::NonZero::get)
+            .min(particles / PARTICLES_PER_THREAD)
+            .max(1),
+    };
+    let team = Team::new(count).map_err(|e| SetupError::Threads(e.to_string()))?;
+    Ok(Arc::new(team))
+}
+
+/// Particles of one body and what the cycle knows of it.
+fn fill_body(
+    scene: &Scene,
+    plan: &Plan,
+    shape: &GridShape,
+    index: usize,
+    first_id: u64,
+    memory: &mut Memory,
+) -> Result<(ParticleSet, BodyRun, ParticleMaxima), SetupError> {
+    let body = &scene.bodies[index];
+    let room = MemoryRoom {
+        memory: *memory,
+        per_particle: memory_budget::per_particle(scene, &plan.layouts[index]),
+    };
+    let refused = |e: FillError| SetupError::Body {
+        body: body.name.clone(),
+        reason: e.to_string(),
+    };
+    let filled = fill_within(
+        &body.shape,
+        body.particles_per_cell,
+        &scene.mesh,
+        scene.dimension,
+        &room,
+    )
+    .map_err(refused)?;
+    memory_budget::particles(filled.count(), &room, memory).map_err(refused)?;
+    let material = &scene.materials[body.material];
+    let law = scene.law_of(body);
+    let law = law.in_cells(scene.size_of_cell()).unwrap_or(law);
+    let layout = plan.layouts[index];
+    let axes = plan.axes;
+    let mut set = ParticleSet::zeros(layout, first_id, filled.volume.len());
+    set.columns[Layout::MASS] = filled.volume.iter().map(|v| v * material.density).collect();
+    set.columns[Layout::VOLUME] = if law.needs_deformation() || plan.domain_update.is_some() {
+        // As the cycle will form it from F = 1, so that a body at rest keeps its bits.
+        set.columns[Layout::MASS]
+            .iter()
+            .map(|m| m * (1.0 / material.density))
+            .collect()
+    } else {
+        filled.volume
+    };
+    for axis in 0..axes {
+        set.columns[Layout::POSITION + axis].copy_from_slice(&filled.x[axis]);
+        set.columns[Layout::velocity(axes) + axis].fill(body.velocity[axis]);
+        if let Some(first) = layout.displacement_origin {
+            set.columns[first + axis].copy_from_slice(&filled.x[axis]);
+        }
+        if let Some(first) = layout.deformation {
+            set.columns[first + axis * axes + axis].fill(1.0);
+        }
+    }
+    let half_length = half_lengths(scene, &filled.half_length);
+    let widest = fill_half_lengths(&mut set, scene, &filled.half_length, &half_length);
+    if widest > 1.0 {
+        return Err(SetupError::Body {
+            body: body.name.clone(),
+            reason: format!(
+                "a particle domain has a half-length of {widest} cells; accepted: at most 1 (smaller particles or \
+                 larger cells)"
+            ),
+        });
+    }
+    let mapping = Mapping::new(shape, plan.family, half_length, layout.half_length);
+    let speed = body.velocity.iter().map(|v| v * v).sum::<f64>();
+    let h = scene.mesh.cell[..axes]
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    let wave_speed_squared = law.wave_speed(material.density).powi(2);
+    let young = law.young();
+    let run = BodyRun {
+        name: body.name.clone(),
+        id: body.id,
+        shape: body.shape.clone(),
+        material_id: material.id,
+        law,
+        density: material.density,
+        mapping,
+        domain_update: plan.domain_update,
+        motion: body.motion.clone(),
+        keeps_shape: body.motion.is_some(),
+        viscous_rate: plan
+            .viscous_damping
+            .map_or(0.0, |alpha| alpha / h * (young / material.density).sqrt()),
+        particle_half_length: match &filled.half_length {
+            HalfLength::Uniform(l) => *l,
+            HalfLength::PerParticle(l) => {
+                std::array::from_fn(|axis| l[axis].iter().sum::<f64>() / l[axis].len() as f64)
+            }
+        },
+        reach: match filled.half_length {
+            HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
+            _ => None,
+        },
+    };
+    let found = ParticleMaxima {
+        speed_squared: speed.max(run.fastest()),
+        wave_speed_squared,
+        increment_squared: 0.0,
+        travel: 0.0,
+        half_length: widest,
+        fault: None,
+    };
+    Ok((set, run, found))
+}
+
+/// Half-lengths in cells where they are the same for all particles of the body.
+fn half_lengths(scene: &Scene, filled: &HalfLength) -> [f64; 3] {
+    if let Some(half_length) = scene.weighting.kind().half_length {
+        return [half_length; 3];
+    }
+    match filled {
+        HalfLength::Uniform(l) => std::array::from_fn(|axis| l[axis] / scene.mesh.cell[axis]),
+        HalfLength::PerParticle(l) => std::array::from_fn(|axis| {
+            l[axis].iter().copied().fold(f64::INFINITY, f64::min) / scene.mesh.cell[axis]
+        }),
+    }
+}
+
+/// Writes half-lengths per particle where the plan keeps them; returns the largest in cells.
+fn fill_half_lengths(
+    set: &mut ParticleSet,
+    scene: &Scene,
+    filled: &HalfLength,
+    uniform: &[f64; 3],
+) -> f64 {
+    let axes = set.layout.axes;
+    let Some(first) = set.layout.half_length else {
+        return uniform[..axes].iter().copied().fold(0.0, f64::max);
+    };
+    let mut widest = 0.0_f64;
+    for axis in 0..axes {
+        let column: Vec<f64> = match filled {
+            HalfLength::Uniform(_) => vec![uniform[axis]; set.len()],
+            HalfLength::PerParticle(l) => {
+                l[axis].iter().map(|l| l / scene.mesh.cell[axis]).collect()
+            }
+        };
+        widest = column.iter().copied().fold(widest, f64::max);
+        if let Some(initial) = set.layout.initial_half_length {
+            set.columns[initial + axis].copy_from_slice(&column);
+        }
+        set.columns[first + axis] = column;
+    }
+    widest
+}
+
+/// Sets velocity, stress and deformation from a function of position, and what the first time step depends on.
+fn start_from(
+    set: &mut ParticleSet,
+    scene: &Scene,
+    run: &BodyRun,
+    found: &mut ParticleMaxima,
+    initial: &(dyn Fn(&[f64; 3]) -> InitialState + Send + Sync),
+) {
+    let axes = set.layout.axes;
+    for p in 0..set.len() {
+        let local = set.position(p);
+        let state = initial(&std::array::from_fn(|axis| {
+            local[axis] + scene.mesh.origin[axis]
+        }));
+        for axis in 0..axes {
+            set.columns[Layout::velocity(axes) + axis][p] = state.velocity[axis];
+        }
+        if let Some(first) = set.layout.affine {
+            for a in 0..axes {
+                for b in 0..axes {
+                    set.columns[first + a * axes + b][p] = state.velocity_gradient[a][b];
+                }
+            }
+        }
+        let square: f64 = state.velocity[..axes].iter().map(|v| v * v).sum();
+        found.speed_squared = found.speed_squared.max(square);
+        let s = state.stress;
+        let components: &[f64] = if axes == 2 {
+            &[s[0], s[1], s[2], s[5]]
+        } else {
+            &s
+        };
+        for (i, value) in components.iter().enumerate() {
+            set.columns[Layout::stress(axes) + i][p] = *value;
+        }
+        let f = nalgebra::Matrix3::from_fn(|a, b| state.deformation[a][b]);
+        if f != nalgebra::Matrix3::identity() {
+            let volume = set.columns[Layout::MASS][p] * (1.0 / run.density) * f.determinant();
+            set.columns[Layout::VOLUME][p] = volume;
+            let square = run.law.speed_squared(&Particle {
+                mass: set.columns[Layout::MASS][p],
+                volume,
+                density: run.density,
+                stress: state.stress,
+                deformation: state.deformation,
+                variables: &set.variables(p),
+            });
+            found.wave_speed_squared = found.wave_speed_squared.max(square);
+            let widest = start_domain(set, run.domain_update, &f, p);
+            found.half_length = found.half_length.max(widest);
+        }
+        if let Some(first) = set.layout.deformation {
+            for a in 0..axes {
+                for b in 0..axes {
+                    set.columns[first + a * axes + b][p] = state.deformation[a][b];
+                }
+            }
+        }
+    }
+}
+
+/// Deforms the domain of one particle where domains follow the deformation; returns its largest half-length in
+/// cells.
+fn start_domain(
+    set: &mut ParticleSet,
+    update: Option<DomainUpdate>,
+    f: &nalgebra::Matrix3<f64>,
+    p: usize,
+) -> f64 {
+    let axes = set.layout.axes;
+    let (Some(update), Some(first), Some(initial)) = (
+        update,
+        set.layout.half_length,
+        set.layout.initial_half_length,
+    ) else {
+        return 0.0;
+    };
+    let factor = match update {
+        DomainUpdate::Determinant => {
+            nalgebra::Vector3::repeat(libm::pow(f.determinant(), 1.0 / axes as f64))
+        }
+        DomainUpdate::Stretch => root_diagonal(f.transpose() * f),
+        DomainUpdate::LeftStretch => root_diagonal(f * f.transpose()),
+    };
+    let mut widest = 0.0_f64;
+    for axis in 0..axes {
+        let l = factor[axis] * set.columns[initial + axis][p];
+        set.columns[first + axis][p] = l;
+        widest = widest.max(l);
+    }
+    widest
+}
+
+/// Diagonal of the square root of a symmetric matrix.
+fn root_diagonal(square: nalgebra::Matrix3<f64>) -> nalgebra::Vector3<f64> {
+    let mut square = square.symmetric_eigen();
+    square.eigenvalues.apply(|x| *x = x.sqrt());
+    square.recompose().diagonal()
+}
+
+/// Spreads a box load by volume over the particles in the box.
+fn spread(load: &BoxLoad, scene: &Scene, sets: &mut [ParticleSet]) -> Result<(), String> {
+    let inside = |set: &ParticleSet, p: usize| {
+        let x = set.position(p);
+        (0..set.layout.axes).all(|axis| {
+            let x = x[axis] + scene.mesh.origin[axis];
+            load.p1[axis] <= x && x <= load.p2[axis]
+        })
+    };
+    let volume: f64 = sets
+        .iter()
+        .flat_map(|set| {
+            (0..set.len())
+                .filter(|&p| inside(set, p))
+                .map(|p| set.columns[Layout::VOLUME][p])
+        })
+        .sum();
+    if volume <= 0.0 {
+        return Err(format!(
+            "no particle lies in the box {:?} to {:?} m",
+            load.p1, load.p2
+        ));
+    }
+    for set in sets {
+        let Some(first) = set.layout.force else {
+            continue;
+        };
+        for p in 0..set.len() {
+            if inside(set, p) {
+                let share = set.columns[Layout::VOLUME][p] / volume;
+                for axis in 0..set.layout.axes {
+                    set.columns[first + axis][p] += load.force[axis] * share;
+                }
+            }
+        }
+    }
+    Ok(())
+}

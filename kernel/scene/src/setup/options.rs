@@ -1,0 +1,86 @@
+//! Options of a simulation beyond its scene.
+
+use proctor_geometry::memory::Memory;
+use proctor_geometry::team::Team;
+use proctor_kernel::lanes::LaneChoice;
+use proctor_kernel::laws::UNDEFORMED;
+use proctor_kernel::model::Vector;
+use proctor_kernel::simulation::{BodyForce, Condition, Interaction};
+use std::fmt;
+use std::sync::Arc;
+
+/// State of a particle at the start, by its position \[m\].
+pub type InitialField = Arc<dyn Fn(&Vector) -> InitialState + Send + Sync>;
+
+/// What an [`InitialField`] gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InitialState {
+    /// Velocity \[m/s\].
+    pub velocity: Vector,
+    /// Velocity gradient \[1/s\], `[a][b]` = dv_a/dx_b: the affine velocity of APIC and TPIC at the start. Without
+    /// it their first mapping loses what the velocity varies by within a cell, a body's spin for one. FLIP has no
+    /// use for it.
+    pub velocity_gradient: [[f64; 3]; 3],
+    /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy. The neo-Hookean law computes it from F after the first
+    /// step.
+    pub stress: [f64; 6],
+    /// Deformation gradient; the volume becomes V_0 det F.
+    pub deformation: [[f64; 3]; 3],
+}
+
+impl Default for InitialState {
+    /// At rest, without stress or deformation.
+    fn default() -> Self {
+        Self {
+            velocity: [0.0; 3],
+            velocity_gradient: [[0.0; 3]; 3],
+            stress: [0.0; 6],
+            deformation: UNDEFORMED,
+        }
+    }
+}
+
+/// How a scene is run, and what a library user adds to it.
+#[derive(Clone, Default)]
+pub struct Options {
+    /// Number of threads; else what the scene says, else one for every 8192 particles, at most all of the machine.
+    pub threads: Option<usize>,
+    /// Threads that are there already, those of another simulation ([`team`](proctor_kernel::simulation::Simulation::team)); `threads` is of no account then.
+    pub team: Option<Arc<Team>>,
+    /// Fewest particles that are worth a second thread in a step, where there are several; else 2048. No bit depends on it.
+    pub least_share: Option<usize>,
+    /// Lanes.
+    pub lanes: LaneChoice,
+    /// Keep displacements even where nothing is written.
+    pub displacement: bool,
+    /// Measure kinetic energy and residual at the nodes in every step.
+    pub measure: bool,
+    /// Body force, for manufactured solutions.
+    pub body_force: Option<BodyForce>,
+    /// Initial state, for manufactured solutions.
+    pub initial: Option<InitialField>,
+    /// Conditions at the nodes beside those of the scene. They act after those.
+    pub conditions: Vec<Arc<dyn Condition>>,
+    /// Interactions of velocity fields beside those of the scene. They act after those.
+    pub interactions: Vec<Box<dyn Interaction>>,
+    /// Memory that the scene may need; else all that the machine has free.
+    pub memory: Option<Memory>,
+}
+
+impl fmt::Debug for Options {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Options")
+            .field("threads", &self.threads)
+            .field("team", &self.team.as_ref().map(|team| team.count()))
+            .field("least_share", &self.least_share)
+            .field("lanes", &self.lanes)
+            .field("displacement", &self.displacement)
+            .field("measure", &self.measure)
+            .field("body_force", &self.body_force.is_some())
+            .field("initial", &self.initial.is_some())
+            .field("conditions", &self.conditions.len())
+            .field("interactions", &self.interactions.len())
+            .field("memory", &self.memory)
+            .finish()
+    }
+}

@@ -1,0 +1,208 @@
+//! The scene: what is simulated, as checked values.
+//!
+//! A [`Scene`] is plain data in SI units. Whoever fills its fields, a library user or a reader of files, calls
+//! [`Scene::check`]. Nothing behind this module sees a value that was not checked.
+//!
+//! Vectors always have three components; in two dimensions (plane strain, x-y) the third is zero.
+
+mod body;
+mod build;
+mod check;
+mod error;
+mod initial_stress;
+mod material;
+mod mortar;
+mod results;
+
+pub use body::Body;
+pub use error::{Location, Problem, SceneError};
+pub use initial_stress::InitialStress;
+pub use material::Material;
+pub use mortar::MOST_CREEP;
+pub use results::{Field, NodalField, Probe, Results};
+
+use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface};
+use proctor_kernel::laws::AnyLaw;
+use proctor_kernel::model::{
+    BaseMotion, BoxLoad, CycleSettings, Damping, Dimension, HeldBox, Mesh, OnImbalance, Outside,
+    PointLoad, StressScheme, TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain,
+    Weighting, plane_acts,
+};
+
+/// Everything that is simulated.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Name shown in summaries; for a file, its stem.
+    pub name: String,
+    /// Number of space dimensions.
+    pub dimension: Dimension,
+    /// End time \[s\].
+    pub time: f64,
+    /// How the time step is chosen.
+    pub time_step: TimeStep,
+    /// Acceleration of gravity \[m/s²\].
+    pub gravity: Vector,
+    /// Background mesh.
+    pub mesh: Mesh,
+    /// Weighting function `S_Ip`.
+    pub weighting: Weighting,
+    /// When the stress is updated in the cycle.
+    pub scheme: StressScheme,
+    /// How velocity is carried between particles and nodes.
+    pub transfer: Transfer,
+    /// Where the volumetric part of strain and stress meets the nodes.
+    pub volumetric_strain: VolumetricStrain,
+    /// Materials; bodies refer to them by index.
+    pub materials: Vec<Material>,
+    /// Bodies, in the order of the file.
+    pub bodies: Vec<Body>,
+    /// Rigid surfaces (3D), the terrain among them.
+    pub surfaces: Vec<RigidSurface>,
+    /// Numerical damping.
+    pub damping: Damping,
+    /// Motion of one boundary plane, if any ("earthquake").
+    pub base_motion: Option<BaseMotion>,
+    /// Boxes in which nodes stand still.
+    pub held_boxes: Vec<HeldBox>,
+    /// Forces on nodes, constant in time.
+    pub point_loads: Vec<PointLoad>,
+    /// Tractions on rectangles that are fixed in space, integrated over the nodal basis.
+    pub tractions: Vec<Traction>,
+    /// Total forces spread over the particles that lie in a box at the start, and move with them.
+    pub box_loads: Vec<BoxLoad>,
+    /// Pairs of bodies in contact.
+    pub contacts: Vec<Contact>,
+    /// Factor lambda of the real-distance correction: contact acts where the surfaces of the particles of a pair are
+    /// closer than lambda cells (contact manual, section 1.2). 0 switches the correction off. `None`: the sum of the
+    /// half-lengths of the particles of both bodies, which is the manual's 0.5 with two particles per cell and axis.
+    ///
+    /// The shape of a driven body touches a particle at the half-length of that particle; with a factor above 0 at lambda
+    /// cells less the half-length of its own particles.
+    pub contact_distance: Option<f64>,
+    /// Mortar contact, with the boundaries and rigid lines that it needs.
+    pub mortar: Mortar,
+    /// What happens to a particle that leaves the mesh.
+    pub outside: Outside,
+    /// What happens when energy, momentum or a strain increment is out of balance.
+    pub on_imbalance: OnImbalance,
+    /// What is written, and how often.
+    pub results: Results,
+    /// Particles whose history is written to `history.csv`.
+    pub probes: Vec<Probe>,
+    /// Number of threads asked for by the scene; the command line overrides it.
+    pub threads: Option<usize>,
+}
+
+impl Scene {
+    /// A scene with nothing in it and the default of every choice: automatic time step, no gravity, uGIMP, USL,
+    /// FLIP, no damping, ten outputs, stop when a particle leaves the mesh. Add materials and bodies, then
+    /// [`Scene::check`] it.
+    ///
+    /// uGIMP, USL and ten outputs are what the manuals' program does when its input is silent.
+    #[must_use]
+    pub fn new(dimension: Dimension, mesh: Mesh, time: f64) -> Self {
+        Self {
+            name: "scene".to_owned(),
+            dimension,
+            time,
+            time_step: TimeStep::Automatic,
+            gravity: [0.0; 3],
+            mesh,
+            weighting: Weighting::UniformGimp,
+            scheme: StressScheme::Usl,
+            transfer: Transfer::new(TransferKind::Flip),
+            volumetric_strain: VolumetricStrain::Particle,
+            materials: Vec::new(),
+            bodies: Vec::new(),
+            surfaces: Vec::new(),
+            damping: Damping::None,
+            base_motion: None,
+            held_boxes: Vec::new(),
+            point_loads: Vec::new(),
+            tractions: Vec::new(),
+            box_loads: Vec::new(),
+            contacts: Vec::new(),
+            contact_distance: None,
+            mortar: Mortar::default(),
+            outside: Outside::Stop,
+            on_imbalance: OnImbalance::Tell,
+            results: Results::default(),
+            probes: Vec::new(),
+            threads: None,
+        }
+    }
+
+    /// The law of a body: that of its material, or the one that remembers the pressure of its start.
+    #[must_use]
+    pub(crate) fn law_of(&self, body: &Body) -> AnyLaw {
+        let law = &self.materials[body.material].law;
+        let pressed = match body.initial_stress {
+            InitialStress::None => None,
+            _ => law.pressed(),
+        };
+        pressed.unwrap_or_else(|| law.clone())
+    }
+
+    /// Size of a cell \[m\]: its side, or the mean of sides that differ, that of the cube as large.
+    #[must_use]
+    pub fn size_of_cell(&self) -> f64 {
+        let sides = &self.mesh.cell[..self.dimension.axes()];
+        if sides.iter().all(|side| *side == sides[0]) {
+            sides[0]
+        } else {
+            libm::pow(sides.iter().product(), 1.0 / sides.len() as f64)
+        }
+    }
+
+    /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
+    #[must_use]
+    pub fn plane_acts(&self, axis: usize, side: usize) -> bool {
+        plane_acts(&self.mesh, self.base_motion.as_ref(), axis, side)
+    }
+
+    /// The values that the cycle reads.
+    #[must_use]
+    pub fn settings(&self) -> CycleSettings {
+        let mut bodies = self.bodies.iter();
+        CycleSettings {
+            dimension: self.dimension,
+            mesh: self.mesh.clone(),
+            time_step: self.time_step,
+            gravity: self.gravity,
+            weighting: self.weighting,
+            scheme: self.scheme,
+            transfer: self.transfer,
+            damping: self.damping,
+            base_motion: self.base_motion.clone(),
+            held_boxes: self.held_boxes.clone(),
+            point_loads: self.point_loads.clone(),
+            tractions: self.tractions.clone(),
+            box_loads: self.box_loads.clone(),
+            drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
+            starts_stressed: bodies.any(|body| body.initial_stress != InitialStress::None),
+            outside: self.outside,
+            on_imbalance: self.on_imbalance,
+        }
+    }
+
+    /// The values that contact reads.
+    #[must_use]
+    pub fn contact_values(&self) -> ContactValues {
+        ContactValues {
+            contacts: self.contacts.clone(),
+            distance: self.contact_distance,
+            mortar: self.mortar.clone(),
+            surfaces: self.surfaces.clone(),
+        }
+    }
+
+    /// The bodies, for the words of a plan.
+    pub(crate) fn planned_bodies(&self) -> Vec<PlannedBody<'_>> {
+        let bodies = self.bodies.iter().map(|body| PlannedBody {
+            id: body.id,
+            shape: &body.shape,
+            motion: body.motion.as_ref(),
+        });
+        bodies.collect()
+    }
+}

@@ -1,0 +1,78 @@
+//! Settings of the cycle: mesh, method, loads and boundary conditions.
+
+use super::{
+    BaseMotion, BoxLoad, Damping, Dimension, HeldBox, Mesh, PlaneCondition, PointLoad,
+    StressScheme, TimeStep, Traction, Transfer, Vector, Weighting,
+};
+
+/// What happens to a particle that leaves the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// The run stops with a typed error.
+    Stop,
+    /// The particle is removed and recorded with its mass.
+    Remove,
+}
+
+/// What happens when a balance of the run does not hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OnImbalance {
+    /// The run goes on, and says at its end since when it is not to be trusted.
+    Tell,
+    /// The run stops with a typed error.
+    Stop,
+}
+
+/// Settings of the cycle: what it reads beside the bodies. Values are taken as they are; whoever makes them has checked them.
+#[derive(Clone, Debug)]
+pub struct CycleSettings {
+    /// Number of space dimensions.
+    pub dimension: Dimension,
+    /// Background mesh.
+    pub mesh: Mesh,
+    /// How the time step is chosen.
+    pub time_step: TimeStep,
+    /// Acceleration of gravity \[m/s²\].
+    pub gravity: Vector,
+    /// Weighting function `S_Ip`.
+    pub weighting: Weighting,
+    /// When the stress is updated in the cycle.
+    pub scheme: StressScheme,
+    /// How velocity is carried between particles and nodes.
+    pub transfer: Transfer,
+    /// Numerical damping.
+    pub damping: Damping,
+    /// Motion of one boundary plane, if any.
+    pub base_motion: Option<BaseMotion>,
+    /// Boxes in which nodes stand still.
+    pub held_boxes: Vec<HeldBox>,
+    /// Forces on nodes, constant in time.
+    pub point_loads: Vec<PointLoad>,
+    /// Tractions on rectangles that are fixed in space.
+    pub tractions: Vec<Traction>,
+    /// Total forces that are spread over particles at the start.
+    pub box_loads: Vec<BoxLoad>,
+    /// True where the motion of a body is prescribed.
+    pub drives_bodies: bool,
+    /// True where a body has a stress at the start.
+    pub starts_stressed: bool,
+    /// What happens to a particle that leaves the mesh.
+    pub outside: Outside,
+    /// What happens when energy, momentum or a strain increment is out of balance.
+    pub on_imbalance: OnImbalance,
+}
+
+impl CycleSettings {
+    /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
+    #[must_use]
+    pub fn plane_acts(&self, axis: usize, side: usize) -> bool {
+        plane_acts(&self.mesh, self.base_motion.as_ref(), axis, side)
+    }
+}
+
+/// Whether a boundary plane of a mesh has a condition, or is the moving base.
+#[must_use]
+pub fn plane_acts(mesh: &Mesh, base: Option<&BaseMotion>, axis: usize, side: usize) -> bool {
+    mesh.planes[axis][side] != PlaneCondition::Free
+        || base.is_some_and(|base| (base.axis, base.side) == (axis, side))
+}
