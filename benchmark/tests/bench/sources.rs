@@ -18,8 +18,8 @@ const FILES: [&str; 14] = [
     "kernel/contact/src/pairs/surface.rs",
     "kernel/contact/src/grid/faces.rs",
     "kernel/contact/src/mortar/pair.rs",
-    "kernel/geometry/src/mortar/space/clip.rs",
-    "kernel/geometry/src/surface/tree.rs",
+    "kernel/contact/src/geometry/mortar/space/clip.rs",
+    "kernel/contact/src/geometry/surface/tree.rs",
     "kernel/files/src/json/mod.rs",
     "kernel/files/examples/counted.rs",
 ];

@@ -7,6 +7,7 @@
 // What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+pub mod geometry;
 pub(crate) mod grid;
 mod kinds;
 pub mod mortar;

@@ -3,7 +3,7 @@
 use crate::grid::GridContact;
 use crate::mortar::{BoundaryDrift, BoundaryVertex, MortarState, VertexState};
 use crate::surfaces::SurfaceContact;
-use proctor_geometry::surface::NearestPoint;
+use crate::geometry::surface::NearestPoint;
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{Interaction, Simulation};
 

@@ -5,7 +5,7 @@
 //! The reader is our own. One from elsewhere gives neither the line nor the triangle of a fault and rounds ASCII
 //! coordinates to 32 bits.
 
-use proctor_kernel::surface::{Point, Surface, SurfaceErrorKind};
+use proctor_contact::geometry::surface::{Point, Surface, SurfaceErrorKind};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::SplitWhitespace;

@@ -1,6 +1,6 @@
 //! Geometry for the cycle of `proctor-kernel`, which has it under the same names: shapes and the particles that fill them
-//! ([`bodies`]), boundaries of bodies and the points where they meet ([`mortar`]), rigid surfaces ([`surface`]); and what
-//! all of it shares: the background mesh, the memory of the machine, a team of threads.
+//! ([`bodies`]); and what all of it shares: the background mesh, the memory of the machine, a team of threads. Boundaries and
+//! surfaces that meet are in `proctor-contact`.
 
 #![deny(unsafe_code)]
 // What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
@@ -9,10 +9,8 @@
 pub mod bodies;
 pub mod memory;
 pub mod mesh;
-pub mod mortar;
 pub mod number;
 pub mod polygon;
 pub mod shape;
 pub mod solid;
-pub mod surface;
 pub mod team;

@@ -2,8 +2,8 @@
 
 use crate::mortar::support::point;
 use proctor_contact::mortar::weighting::vertex_weights;
-use proctor_kernel::mortar::bound::{ClosingRate, NodalStiffness, SAFETY, allowed_approach};
-use proctor_kernel::mortar::pair::VertexContact;
+use proctor_contact::geometry::mortar::bound::{ClosingRate, NodalStiffness, SAFETY, allowed_approach};
+use proctor_contact::geometry::mortar::pair::VertexContact;
 use proctor_kernel::weights::Family;
 
 const NODES: [usize; 9] = [7, 8, 9, 17, 18, 19, 27, 28, 29];

@@ -1,7 +1,7 @@
 //! What is a boundary and what is not; normals and areas.
 
 use crate::mortar::support::{chain, moved, open, point};
-use proctor_kernel::mortar::boundary::{Boundary, BoundaryError, BoundarySide};
+use proctor_contact::geometry::mortar::boundary::{Boundary, BoundaryError, BoundarySide};
 
 const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
 

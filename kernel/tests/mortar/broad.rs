@@ -2,9 +2,9 @@
 
 use crate::common::cases;
 use crate::mortar::support::{moved, point};
-use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::broad::{Bounds, NearElements};
-use proctor_kernel::mortar::outline::outline;
+use proctor_contact::geometry::mortar::boundary::Boundary;
+use proctor_contact::geometry::mortar::broad::{Bounds, NearElements};
+use proctor_contact::geometry::mortar::outline::outline;
 use proctor_scene::Shape;
 use proptest::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Pressure, slope and energy are derivatives of each other; friction stays in its cone.
 
 use crate::common::cases;
-use proctor_kernel::mortar::law::{FLOOR, Friction, NormalLaw};
+use proctor_contact::geometry::mortar::law::{FLOOR, Friction, NormalLaw};
 use proptest::prelude::*;
 
 const KAPPA: f64 = 1500.0;

@@ -1,7 +1,7 @@
 //! Outlines lie on their shapes, run the right way and are as fine as asked.
 
-use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::outline::{OutlineError, outline};
+use proctor_contact::geometry::mortar::boundary::Boundary;
+use proctor_contact::geometry::mortar::outline::{OutlineError, outline};
 use proctor_scene::Shape;
 use std::f64::consts::PI;
 use std::sync::Arc;

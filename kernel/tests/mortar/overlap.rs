@@ -1,9 +1,9 @@
 //! Boundaries in each other: crossing, contained, touching, apart.
 
 use crate::mortar::support::{moved, open, point};
-use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::outline::{distance_to_outline, outline};
-use proctor_kernel::mortar::overlap::{BoundaryOverlap, overlap};
+use proctor_contact::geometry::mortar::boundary::Boundary;
+use proctor_contact::geometry::mortar::outline::{distance_to_outline, outline};
+use proctor_contact::geometry::mortar::overlap::{BoundaryOverlap, overlap};
 use proctor_scene::Shape;
 use std::sync::Arc;
 

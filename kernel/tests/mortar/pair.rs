@@ -3,14 +3,14 @@
 use crate::common::cases;
 use crate::mortar::space::support::{GC, KAPPA, law};
 use crate::mortar::support::{at_rest, ceiling, floor, moved, point};
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::law::NormalLaw;
-use proctor_kernel::mortar::outline::outline;
-use proctor_kernel::mortar::pair::{
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::Boundary;
+use proctor_contact::geometry::mortar::law::NormalLaw;
+use proctor_contact::geometry::mortar::outline::outline;
+use proctor_contact::geometry::mortar::pair::{
     PairForces, PairLaw, PairSurfaces, Slip, StepAhead, contact_forces, resultant,
 };
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::Shape;
 use proptest::prelude::*;
 use std::ops::Range;

@@ -1,11 +1,11 @@
 //! Sites: where a boundary has normals.
 
 use crate::mortar::support::{at_rest, chain, floor, point};
-use proctor_kernel::mortar::boundary::{Boundary, BoundarySide};
-use proctor_kernel::mortar::law::{Friction, NormalLaw};
-use proctor_kernel::mortar::pair::{PairLaw, PairSurfaces, Slip, contact_forces};
-use proctor_kernel::mortar::points::{Detection, MasterSearch};
-use proctor_kernel::mortar::sites::Sites;
+use proctor_contact::geometry::mortar::boundary::{Boundary, BoundarySide};
+use proctor_contact::geometry::mortar::law::{Friction, NormalLaw};
+use proctor_contact::geometry::mortar::pair::{PairLaw, PairSurfaces, Slip, contact_forces};
+use proctor_contact::geometry::mortar::points::{Detection, MasterSearch};
+use proctor_contact::geometry::mortar::sites::Sites;
 
 /// A closed polygon with equal sides.
 fn polygon(sides: usize) -> Boundary {

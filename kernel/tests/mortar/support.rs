@@ -1,7 +1,7 @@
 //! Boundaries that the tests share.
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{Boundary, BoundarySide, Chain};
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{Boundary, BoundarySide, Chain};
 
 pub fn point(x: f64, y: f64) -> Point {
     Point::new(x, y)

@@ -1,8 +1,8 @@
 //! Weights that tie a point to particles around it.
 
 use nalgebra::{Matrix2, Matrix3, Rotation2, SMatrix};
-use proctor_kernel::mortar::PointIn;
-use proctor_kernel::mortar::tie::affine_weights;
+use proctor_contact::geometry::mortar::PointIn;
+use proctor_contact::geometry::mortar::tie::affine_weights;
 use proptest::prelude::*;
 
 /// A row of particles, and so many beside it, half a cell apart; the first row lies a quarter of a cell below zero.

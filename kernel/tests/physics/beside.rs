@@ -4,7 +4,7 @@ use crate::common::{APIC, FLIP, body, cuboid, momentum_scale, particles, run_tow
 use crate::physics::contact::pair;
 use crate::physics::mortar::collision;
 use crate::physics::mortar_space;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{RigidSurface, Scene, StressScheme, Vector};
 use std::sync::Arc;

@@ -4,10 +4,10 @@ use crate::common::{
     APIC, FLIP, IDENTITY, body, cuboid, elastic, empty, material, momentum_scale, options,
     run_towards, simulation,
 };
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::simulation::{InitialState, Options, Simulation};
 use proctor_scene::{
     BodyBoundary, Dimension, Enforcement, HeldBox, History, Mortar, MortarContact, PlaneCondition,

@@ -2,9 +2,9 @@
 
 use crate::common::{APIC, FLIP, body, cuboid, empty, material, options, run_towards, simulation};
 use crate::physics::mortar::{boundary, collision, contact, disc, line};
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_laws::NeoHookean;
 use proctor_scene::simulation::{SetupError, Simulation};
 use proctor_scene::{Damping, Dimension, History, MortarContact, Scene, StressScheme, Vertices};

@@ -2,8 +2,8 @@
 
 use crate::common::{APIC, TPIC, body, cuboid, elastic, empty, material, simulation};
 use crate::physics::mortar::{contact, line, run_until};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{
     BodyBoundary, BoxLoad, Damping, Dimension, DomainUpdate, MortarContact, PlaneCondition,

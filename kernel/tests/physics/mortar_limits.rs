@@ -3,10 +3,10 @@
 
 use crate::common::{body, cuboid, elastic, empty, material, options, simulation};
 use crate::physics::mortar::{GAP, boundary, collision, contact, disc, line, plate};
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::law::NormalLaw;
-use proctor_kernel::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::law::NormalLaw;
+use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_scene::simulation::{Bound, MortarError, SetupError, Simulation};
 use proctor_scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape,

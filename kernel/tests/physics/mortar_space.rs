@@ -5,7 +5,7 @@ use crate::common::{
     simulation,
 };
 use crate::physics::mortar::{GAP, contact};
-use proctor_kernel::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_scene::simulation::{InitialState, MortarError, Options, SetupError, Simulation};
 use proctor_scene::{BodyBoundary, Dimension, PlaneCondition, Scene, Shape, Vertices};
 use std::sync::Arc;

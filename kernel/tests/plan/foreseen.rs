@@ -1,10 +1,10 @@
 //! Warnings of a plan: what mechanics says of a scene before it runs.
 
 use crate::common::{NEO_HOOKEAN, body, cuboid, elastic, empty, material, simulation};
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::{
     BaseMotion, BodyBoundary, BoxLoad, Contact, ContactNormal, Dimension, Enforcement, History,
     InitialStress, Material, MortarContact, Motion, PlaneCondition, RigidLine, Scene, Shape,

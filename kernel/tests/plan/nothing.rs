@@ -8,9 +8,9 @@ use crate::common::{
     options, rough, run,
 };
 use crate::plan::{contact, entry};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::simulation::{InitialField, Options, Simulation};
 use proctor_scene::{
     BaseMotion, BodyBoundary, BoxLoad, Damping, Dimension, Enforcement, Field, HeldBox, History,

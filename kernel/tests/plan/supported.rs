@@ -1,10 +1,10 @@
 //! Warnings about bodies that rest on a driven body or a rigid line: rows of particles that do not carry the pressure evenly.
 
 use crate::common::{body, cuboid, elastic, empty, material, simulation};
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::{
     BodyBoundary, Contact, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, History,
     InitialStress, MortarContact, PlaneCondition, RigidLine, Scene, StressScheme, Transfer,

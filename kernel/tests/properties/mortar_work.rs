@@ -1,8 +1,8 @@
 //! The map of contact forces from vertices to nodes is the transpose of that of velocities from nodes to vertices.
 
 use crate::common::{FLIP, body, calm, cuboid, elastic, empty, material, options};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{
     BodyBoundary, Dimension, Enforcement, MortarContact, PlaneCondition, Scene, Shape, Vector,

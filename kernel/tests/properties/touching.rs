@@ -2,9 +2,9 @@
 //! multiples of 2^-9 m.
 
 use crate::common::{APIC, FLIP, NEVER, TPIC, body, cuboid, elastic, empty, material, run_towards};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{
     BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, MortarContact,

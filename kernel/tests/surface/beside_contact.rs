@@ -1,7 +1,7 @@
 //! Rigid surfaces beside contact between bodies, and bodies on surfaces that move.
 
 use crate::surface::slide::start;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::surface::Surface;
 use proctor_laws::LinearElastic;
 use proctor_scene::simulation::{InitialState, Options, Simulation};
 use proctor_scene::{

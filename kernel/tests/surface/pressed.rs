@@ -1,6 +1,6 @@
 //! A block that is pressed between two surfaces, wherever they lie against the mesh.
 
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::surface::Surface;
 use proctor_laws::LinearElastic;
 use proctor_scene::simulation::Options;
 use proctor_scene::{

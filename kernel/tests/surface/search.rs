@@ -1,6 +1,6 @@
 //! The nearest triangle: the tree against every triangle, and signs against solids whose inside is known.
 
-use proctor_kernel::surface::{Feature, Point, Surface};
+use proctor_contact::geometry::surface::{Feature, Point, Surface};
 use proptest::prelude::*;
 
 /// A sheet of n x n squares over the unit square, cut into triangles, with the given heights at its vertices.

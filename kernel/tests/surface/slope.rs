@@ -1,6 +1,6 @@
 //! A block on a plane that is tilted against the grid.
 
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::surface::Surface;
 use proctor_laws::LinearElastic;
 use proctor_scene::{
     Body, Dimension, InitialStress, Material, Mesh, ParticleSeed, RigidSurface, Scene, Shape,

@@ -1,6 +1,6 @@
 //! Checks of vertices and edges.
 
-use proctor_kernel::surface::{Point, Surface, SurfaceError, SurfaceErrorKind};
+use proctor_contact::geometry::surface::{Point, Surface, SurfaceError, SurfaceErrorKind};
 
 const A: Point = [0.0, 0.0, 0.0];
 const B: Point = [1.0, 0.0, 0.0];

@@ -21,7 +21,7 @@ mod hanging;
 
 use std::sync::OnceLock;
 
-use proctor_kernel::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{BodyBoundary, Dimension, HeldBox, Scene, Vertices, Weighting};
 

@@ -10,8 +10,8 @@
 //! is more than that is judged. With a mean normal at its corners (eq. 41) it is rubbed by 1.02 to 1.03 mu N.
 //! Source: Liang et al. 2024, eq. 41 and 50. `proctor verify corner-block`.
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{
     Damping, Dimension, Mortar, MortarContact, Scene, TransferKind, Vector, Vertices,

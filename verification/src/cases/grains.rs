@@ -28,8 +28,8 @@ pub use shapes::outlines;
 
 use std::fmt::Display;
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{
     Body, Damping, Dimension, History, Mesh, MortarContact, OnImbalance, PlaneCondition, RigidLine,

@@ -12,8 +12,8 @@
 //!
 //! Expected with h = 0.1 m: force 0.4 %, peak 0.2 %, half-width 0.7 %, pressure 3 % in L2. `proctor verify hertz`.
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{BoxLoad, Damping, Dimension, Mortar, Scene, Shape, TransferKind, Vertices};
 use std::f64::consts::PI;

@@ -11,8 +11,8 @@
 mod study;
 
 use libm::{asin, hypot, sin, sincos};
-use proctor_kernel::mortar::space::refine::fill;
-use proctor_kernel::surface::{Surface, SurfaceError};
+use proctor_contact::geometry::mortar::space::refine::fill;
+use proctor_contact::geometry::surface::{Surface, SurfaceError};
 use proctor_scene::{
     BoxLoad, Damping, Dimension, Mesh, Mortar, ParticleSeed, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,

@@ -25,8 +25,8 @@
 mod judge;
 mod pressed;
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_laws::NeoHookean;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{Damping, Dimension, History, MortarContact, PlaneCondition, Scene, Vertices};

@@ -1,9 +1,9 @@
 //! What cases of mortar contact share: boundaries that move with their particles, contact through a barrier, and the method
 //! of Liang et al. 2024.
 
-use proctor_kernel::mortar::boundary::Chain;
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::boundary::Chain;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::{
     BodyBoundary, DomainUpdate, Enforcement, History, MortarContact, RigidLine, Scene,
     StressScheme, TransferKind, Vertices, Weighting,

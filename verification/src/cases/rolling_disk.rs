@@ -18,8 +18,8 @@
 
 mod turn;
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{
     Damping, Dimension, Mortar, MortarContact, Results, Scene, Shape, TransferKind, Vertices,

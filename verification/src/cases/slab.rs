@@ -4,10 +4,10 @@
 //! particles and triangles are the same on both sides of its middle. What a slab gives, divided by its thickness, is to be
 //! what the plane gives; what is left is that the two project boundaries differently.
 
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::outline::outline;
-use proctor_kernel::mortar::space::refine::fill;
-use proctor_kernel::surface::{Surface, SurfaceError};
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::outline::outline;
+use proctor_contact::geometry::mortar::space::refine::fill;
+use proctor_contact::geometry::surface::{Surface, SurfaceError};
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{
     Body, BodyBoundary, BoxLoad, Dimension, Mesh, Mortar, PlaneCondition, RigidFacets, Scene,

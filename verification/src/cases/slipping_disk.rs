@@ -10,8 +10,8 @@
 //! Liang et al. 2024 alone they act a tenth of a cell inside), inertia of mass on nodes, and a pressure that is not even about
 //! the middle of the contact. `proctor verify slipping-disk`.
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{
     Damping, Dimension, Mortar, MortarContact, Scene, Shape, TransferKind, Vertices,

@@ -16,7 +16,7 @@
 mod height;
 mod study;
 
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{StressScheme, Vector};
 

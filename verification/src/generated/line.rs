@@ -1,10 +1,10 @@
 //! A block on a rigid line, by mortar contact in the plane.
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::law::NormalLaw;
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::law::NormalLaw;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::{
     BodyBoundary, Damping, Dimension, Enforcement, MortarContact, RigidLine, StressScheme, Vertices,
 };

@@ -8,12 +8,12 @@ use super::patch::{Patch, force_at, from_vector, in_scene, velocity_at, velocity
 use super::surface::stays;
 use super::surface::{BoundaryCarrier, MovingBoundary};
 use super::vertex_weights::VertexWeighting;
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::bound::{ClosingRate, allowed_approach};
-use proctor_geometry::mortar::broad::Bounds;
-use proctor_geometry::mortar::elements::Elements;
-use proctor_geometry::mortar::motion::FollowMode;
-use proctor_geometry::mortar::pair::{PairSurfaces, StepAhead, contact_forces_to};
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::bound::{ClosingRate, allowed_approach};
+use crate::geometry::mortar::broad::Bounds;
+use crate::geometry::mortar::elements::Elements;
+use crate::geometry::mortar::motion::FollowMode;
+use crate::geometry::mortar::pair::{PairSurfaces, StepAhead, contact_forces_to};
 use proctor_geometry::team::{ItemCost, Team};
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{Drift, Grid, StepView};

@@ -5,7 +5,7 @@ use super::boundaries::Boundaries;
 use super::pair::{friction, pair};
 use super::surface::BoundaryCarrier;
 use crate::values::MortarContact;
-use proctor_geometry::mortar::elements::Elements;
+use crate::geometry::mortar::elements::Elements;
 use proctor_kernel::simulation::BodyRun;
 
 impl MortarState {

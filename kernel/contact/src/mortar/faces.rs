@@ -6,9 +6,9 @@
 use super::boundaries::Boundaries;
 use super::surface::MovingBoundary;
 use super::vertex_weights::VertexWeighting;
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::elements::Elements;
-use proctor_geometry::mortar::motion::FollowMode;
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::elements::Elements;
+use crate::geometry::mortar::motion::FollowMode;
 use proctor_kernel::layout::Layout;
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::simulation::{BodyRun, StepView};

@@ -40,9 +40,9 @@ pub use vertices::{BoundaryDrift, BoundaryVertex, VertexState};
 use crate::kinds::ContactType;
 use crate::values::Mortar;
 use boundaries::Boundaries;
-use proctor_geometry::mortar::bound::NodalStiffness;
-use proctor_geometry::mortar::boundary::Boundary;
-use proctor_geometry::mortar::space::facets::Facets;
+use crate::geometry::mortar::bound::NodalStiffness;
+use crate::geometry::mortar::boundary::Boundary;
+use crate::geometry::mortar::space::facets::Facets;
 use proctor_kernel::simulation::StepView;
 
 /// What mortar contact keeps from step to step. Of the two dimensions one is empty.

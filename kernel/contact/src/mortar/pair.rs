@@ -2,11 +2,11 @@
 
 use super::surface::{BoundaryCarrier, MovingBoundary};
 use crate::values::{Enforcement, MortarContact};
-use proctor_geometry::mortar::bound::ClosingRate;
-use proctor_geometry::mortar::elements::Elements;
-use proctor_geometry::mortar::law::{FLOOR, Friction, NormalLaw};
-use proctor_geometry::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
-use proctor_geometry::mortar::points::MasterSearch;
+use crate::geometry::mortar::bound::ClosingRate;
+use crate::geometry::mortar::elements::Elements;
+use crate::geometry::mortar::law::{FLOOR, Friction, NormalLaw};
+use crate::geometry::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
+use crate::geometry::mortar::points::MasterSearch;
 
 /// A pair of surfaces.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Patches of nodes that vertices hang on, and vectors of D dimensions.
 
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::weights::{NODES, VertexWeights, in_patch};
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::weights::{NODES, VertexWeights, in_patch};
 use proctor_kernel::grid::{ActiveRows, GridShape, Line};
 use proctor_kernel::model::{History, Vector};
 use proctor_kernel::simulation::history_value;

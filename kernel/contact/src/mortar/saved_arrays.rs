@@ -1,8 +1,8 @@
 //! Saved arrays of boundaries: their vertices with the last displacements, and the slip of each pair.
 
 use super::boundaries::Boundaries;
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::elements::Elements;
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::elements::Elements;
 use proctor_kernel::simulation::SavedArrays;
 use std::slice::Iter;
 

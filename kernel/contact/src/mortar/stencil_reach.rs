@@ -1,7 +1,7 @@
 //! The nodes that a particle near a boundary reaches.
 
 use super::mirrors::Mirrors;
-use proctor_geometry::mortar::PointIn;
+use crate::geometry::mortar::PointIn;
 use proctor_kernel::grid::{GHOSTS_BELOW, GridShape};
 use proctor_kernel::lanes::{Backend, Kernel, Lanes, Quad};
 use proctor_kernel::layout::Layout;

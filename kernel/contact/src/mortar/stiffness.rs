@@ -3,8 +3,8 @@
 use super::boundaries::Boundaries;
 use super::mirrors::Mirrors;
 use super::surface::stays;
-use proctor_geometry::mortar::bound::NodalStiffness;
-use proctor_geometry::mortar::elements::Elements;
+use crate::geometry::mortar::bound::NodalStiffness;
+use crate::geometry::mortar::elements::Elements;
 use proctor_kernel::simulation::StepView;
 
 impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundaries<B, D, N, T> {

@@ -3,9 +3,9 @@
 use super::neighbours::NeighbourParticles;
 use super::patch::{Patch, from_vector};
 use super::tied_particles::TiedParticles;
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::elements::Elements;
-use proctor_geometry::mortar::motion::FollowMode;
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::elements::Elements;
+use crate::geometry::mortar::motion::FollowMode;
 use proctor_kernel::model::{History, Vector};
 use proctor_kernel::simulation::BodyRun;
 

@@ -9,8 +9,8 @@
 use super::mirrors::Mirrors;
 use super::stencil_reach::{StencilNode, StencilReach};
 use super::vertex_ties::VertexTies;
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::bound::NodalStiffness;
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::bound::NodalStiffness;
 use proctor_geometry::team::{ItemCost, Team};
 use proctor_kernel::grid::{GridShape, Line};
 use proctor_kernel::particles::ParticleSet;
@@ -152,7 +152,7 @@ impl<const D: usize> TiedParticles<D> {
 
     /// Adds stiffnesses of the contact at vertices \[N/m\] to those of the nodes, all of one boundary at once.
     ///
-    /// Bounds omega² of M^-1 sum_v K_v w_v w_v^T by its rows, as [`bound`](proctor_geometry::mortar::bound) does, but for weights of
+    /// Bounds omega² of M^-1 sum_v K_v w_v w_v^T by its rows, as [`bound`](crate::geometry::mortar::bound) does, but for weights of
     /// either sign, and sharper: with B of the sizes of the entries, max_I (B x)_I/x_I is a bound for every x > 0 (Collatz),
     /// and x = B 1 is nearer to the mode than 1, since light nodes move more.
     pub(super) fn stiffen(

@@ -5,8 +5,8 @@
 //! integrated and nothing can drift. Beside planes that mirror the body its images count.
 
 use super::mirrors::Mirrors;
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::tie::affine_weights;
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::tie::affine_weights;
 use proctor_kernel::layout::Layout;
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::simulation::BodyRun;

@@ -19,9 +19,9 @@
 use super::mirrors::Mirrors;
 use super::patch::{Patch, nodes_of_patch};
 use super::weighting::{face_weights, vertex_weights};
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::motion::FollowMode;
-use proctor_geometry::mortar::weights::LostVertex;
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::motion::FollowMode;
+use crate::geometry::mortar::weights::LostVertex;
 use proctor_kernel::grid::{ActiveRows, GridShape, Line};
 use proctor_kernel::simulation::StepView;
 use proctor_kernel::weights::Family;

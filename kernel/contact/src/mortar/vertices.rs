@@ -3,9 +3,9 @@
 use super::MortarState;
 use super::boundaries::Boundaries;
 use super::patch::{in_scene, to_vector};
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::elements::Elements;
-use proctor_geometry::mortar::pair::{PairForces, VertexContact};
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::elements::Elements;
+use crate::geometry::mortar::pair::{PairForces, VertexContact};
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::StepView;
 
@@ -65,7 +65,7 @@ impl MortarState {
     /// The vertex that drifted farthest off its body, of those of bodies that move freely; `None` where there is none.
     ///
     /// Where the material says that a vertex is follows from the particles that were around it at the start, by weights that
-    /// reproduce every affine field ([`affine_weights`](proctor_geometry::mortar::tie::affine_weights)): in a rigid motion, rotations
+    /// reproduce every affine field ([`affine_weights`](crate::geometry::mortar::tie::affine_weights)): in a rigid motion, rotations
     /// included, and in a uniform strain, however large, a vertex that goes with its body has no drift. Where the strain
     /// varies, that place is known up to the second order in the size of a cell.
     #[must_use]

@@ -1,7 +1,7 @@
 //! Weights of the nodes at a vertex of a boundary.
 
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::weights::{NODES, VertexWeights};
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::weights::{NODES, VertexWeights};
 use proctor_kernel::weights::{Family, base_node, weights_at};
 
 /// Weights of a point of a face: those of the stress behind it, at which a row of particles of that length ends. `parts` are,

@@ -3,7 +3,7 @@
 use super::SurfaceContact;
 use super::obstacle::{RigidObstacle, SurfaceObstacle};
 use super::particle_ellipsoid::{half_lengths, length, reach};
-use proctor_geometry::surface::NearestPoint;
+use crate::geometry::surface::NearestPoint;
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{SetupError, StepView};
 

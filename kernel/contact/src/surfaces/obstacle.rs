@@ -9,7 +9,7 @@ use super::particle_ellipsoid::{length, on_surface};
 use crate::grid::{acts_by_shape, pairs_of};
 use crate::pairs::Pair;
 use crate::values::{PairValues, RigidSurface};
-use proctor_geometry::surface::{Feature, NearestPoint, Surface};
+use crate::geometry::surface::{Feature, NearestPoint, Surface};
 use proctor_kernel::model::{CycleSettings, Shape, Vector};
 use proctor_kernel::simulation::{BodyRun, Displacement, NodalConditions, StepView};
 use std::sync::Arc;

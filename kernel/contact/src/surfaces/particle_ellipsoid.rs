@@ -1,6 +1,6 @@
 //! The ellipsoid in the domain of a particle, with which it touches a surface.
 
-use proctor_geometry::surface::NearestPoint;
+use crate::geometry::surface::NearestPoint;
 use proctor_kernel::layout::Layout;
 use proctor_kernel::model::Vector;
 use proctor_kernel::particles::ParticleSet;

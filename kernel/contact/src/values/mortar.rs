@@ -1,9 +1,9 @@
 //! Mortar contact between boundaries of bodies and rigid lines (2D) or surfaces (3D).
 
-use proctor_geometry::mortar::boundary::Chain;
-use proctor_geometry::mortar::motion::FollowMode;
-use proctor_geometry::mortar::points::Detection;
-use proctor_geometry::surface::Surface;
+use crate::geometry::mortar::boundary::Chain;
+use crate::geometry::mortar::motion::FollowMode;
+use crate::geometry::mortar::points::Detection;
+use crate::geometry::surface::Surface;
 use proctor_kernel::model::History;
 use std::sync::Arc;
 

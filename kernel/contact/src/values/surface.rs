@@ -1,6 +1,6 @@
 //! Rigid surfaces.
 
-use proctor_geometry::surface::Surface;
+use crate::geometry::surface::Surface;
 use proctor_kernel::model::History;
 use std::sync::Arc;
 

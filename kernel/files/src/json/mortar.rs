@@ -4,10 +4,10 @@ use super::build::{Build, join};
 use super::keys::{RawBody, RawContact, RawScene};
 use super::materials::entry_path;
 use super::words::{DETECTIONS, ENFORCEMENTS, FOLLOWS};
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::{
     BodyBoundary, Enforcement, MortarContact, RigidFacets, RigidLine, Scene, Vertices,
 };

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::words::{DETECTIONS, ENFORCEMENTS, FOLLOWS};
 use super::write::{NotWritten, SceneWriter, refuse, word, write};
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_scene::{BodyBoundary, Mortar, MortarContact, RigidLine, Scene, Vertices};
 
 /// The scene as a scene file of this program has it: as [`fn@write`], and rigid lines, boundaries and mortar contact in the plane.

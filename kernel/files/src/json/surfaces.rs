@@ -4,7 +4,7 @@ use super::build::{Build, join};
 use super::keys::{RawScene, RawTerrainContact};
 use super::lists::Terrains;
 use crate::stl;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::{Mesh, RigidSurface};
 use std::sync::Arc;
 

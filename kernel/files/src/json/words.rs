@@ -1,7 +1,7 @@
 //! Words of the scene language, and the nearest known one to a word that is not.
 
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
 use proctor_kernel::{transfers, weighting};
 use proctor_scene::{
     ContactNormal, Dimension, Enforcement, Field, NodalField, OnImbalance, Outside, PlaneCondition,

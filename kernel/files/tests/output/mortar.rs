@@ -5,7 +5,7 @@ use std::path::Path;
 
 use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
-use proctor_kernel::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_scene::simulation::Options;
 
 #[test]

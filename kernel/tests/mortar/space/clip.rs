@@ -1,7 +1,7 @@
 //! Overlaps of triangles and quadrature on them, against formulas.
 
 use crate::common::cases;
-use proctor_kernel::mortar::space::clip::{GAUSS, PlanePoint, area, overlap, shares};
+use proctor_contact::geometry::mortar::space::clip::{GAUSS, PlanePoint, area, overlap, shares};
 use proptest::prelude::*;
 
 fn flat(x: f64, y: f64) -> PlanePoint {

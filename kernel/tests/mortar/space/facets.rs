@@ -2,11 +2,11 @@
 
 use super::support::{ball, floor, of_shape, point};
 use nalgebra::Rotation3;
-use proctor_kernel::mortar::elements::Elements;
-use proctor_kernel::mortar::space::Point;
-use proctor_kernel::mortar::space::facets::{Facets, FacetsError};
-use proctor_kernel::mortar::space::skin::skin;
-use proctor_kernel::surface::SurfaceErrorKind;
+use proctor_contact::geometry::mortar::elements::Elements;
+use proctor_contact::geometry::mortar::space::Point;
+use proctor_contact::geometry::mortar::space::facets::{Facets, FacetsError};
+use proctor_contact::geometry::mortar::space::skin::skin;
+use proctor_contact::geometry::surface::SurfaceErrorKind;
 use proctor_scene::Shape;
 
 fn cube() -> Shape {

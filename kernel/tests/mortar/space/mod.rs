@@ -1,4 +1,4 @@
-//! The same in three dimensions; the modules mirror `src/mortar/space`.
+//! The same in three dimensions; the modules mirror `contact/src/geometry/mortar/space`.
 
 mod clip;
 mod facets;

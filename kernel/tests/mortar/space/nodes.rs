@@ -3,11 +3,11 @@
 use super::support::point;
 use crate::common::cases;
 use nalgebra::Matrix3;
+use proctor_contact::geometry::mortar::bound::NodalStiffness;
+use proctor_contact::geometry::mortar::motion::{FollowMode, NodalGradient, vertex_velocity};
+use proctor_contact::geometry::mortar::space::Point;
+use proctor_contact::geometry::mortar::weights::{LostVertex, VertexWeights, in_patch};
 use proctor_contact::mortar::weighting::vertex_weights;
-use proctor_kernel::mortar::bound::NodalStiffness;
-use proctor_kernel::mortar::motion::{FollowMode, NodalGradient, vertex_velocity};
-use proctor_kernel::mortar::space::Point;
-use proctor_kernel::mortar::weights::{LostVertex, VertexWeights, in_patch};
 use proctor_kernel::weights::Family;
 use proptest::prelude::*;
 

@@ -3,11 +3,11 @@
 use super::support::{GC, KAPPA, at_rest, ball, ceiling, dragged, floor, law, moved, point};
 use crate::common::cases;
 use nalgebra::{Rotation3, Vector3};
-use proctor_kernel::mortar::law::NormalLaw;
-use proctor_kernel::mortar::pair::Slip;
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::mortar::space::facets::Facets;
-use proctor_kernel::mortar::space::{Point, resultant};
+use proctor_contact::geometry::mortar::law::NormalLaw;
+use proctor_contact::geometry::mortar::pair::Slip;
+use proctor_contact::geometry::mortar::points::Detection;
+use proctor_contact::geometry::mortar::space::facets::Facets;
+use proctor_contact::geometry::mortar::space::{Point, resultant};
 use proptest::prelude::*;
 use std::ops::Range;
 

@@ -3,8 +3,10 @@
 use super::support::{ball, ceiling, floor, moved, point};
 use crate::common::cases;
 use nalgebra::Rotation3;
-use proctor_kernel::mortar::points::{Detection, MasterSearch, MortarPoint, MortarPoints};
-use proctor_kernel::mortar::space::facets::Facets;
+use proctor_contact::geometry::mortar::points::{
+    Detection, MasterSearch, MortarPoint, MortarPoints,
+};
+use proctor_contact::geometry::mortar::space::facets::Facets;
 use proctor_kernel::team::Team;
 use proptest::prelude::*;
 
@@ -131,7 +133,7 @@ proptest! {
             let n = slave.triangle_normal(t);
             let [a, b, c] = v.map(|v| slave.points[v]);
             // All corners within the search along the normal.
-            let gap = |x: &proctor_kernel::mortar::space::Point| x.z / -n.z;
+            let gap = |x: &proctor_contact::geometry::mortar::space::Point| x.z / -n.z;
             let gaps = [gap(&a), gap(&b), gap(&c)];
             let near = gaps.iter().all(|g| *g <= SEARCH.reach);
             (n.z < -0.2 && near).then(|| 0.5 * (b - a).cross(&(c - a)).norm())

@@ -1,7 +1,7 @@
 //! Triangles that fill polygons.
 
 use nalgebra::Vector2;
-use proctor_kernel::mortar::space::refine::fill;
+use proctor_contact::geometry::mortar::space::refine::fill;
 
 type PlanePoint = Vector2<f64>;
 

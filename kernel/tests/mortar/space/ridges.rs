@@ -2,9 +2,9 @@
 
 use super::support::{at_rest, law, moved, of_shape, point};
 use nalgebra::{Rotation3, Vector3};
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::mortar::space::facets::Facets;
-use proctor_kernel::mortar::space::ridges::crossing;
+use proctor_contact::geometry::mortar::points::Detection;
+use proctor_contact::geometry::mortar::space::facets::Facets;
+use proctor_contact::geometry::mortar::space::ridges::crossing;
 use proctor_scene::Shape;
 use std::f64::consts::FRAC_PI_4;
 

@@ -1,15 +1,15 @@
 //! Surfaces of shapes: closed, outside out, with vertices on them, and areas and volumes that tend to the exact ones.
 
 use super::support::of_shape;
-use proctor_kernel::mortar::outline::OutlineError;
-use proctor_kernel::mortar::space::facets::Facets;
-use proctor_kernel::mortar::space::skin::skin;
+use proctor_contact::geometry::mortar::outline::OutlineError;
+use proctor_contact::geometry::mortar::space::facets::Facets;
+use proctor_contact::geometry::mortar::space::skin::skin;
 use proctor_scene::Shape;
 use std::f64::consts::PI;
 
 fn closed(shape: &Shape, segment: f64) -> Facets {
     let corners = skin(shape, segment).expect("has a surface");
-    let surface = proctor_kernel::surface::Surface::new(&corners).expect("is sound");
+    let surface = proctor_contact::geometry::surface::Surface::new(&corners).expect("is sound");
     assert_eq!(surface.require_closed(), Ok(()));
     Facets::new(&surface).expect("is outside out")
 }

@@ -2,13 +2,15 @@
 
 use super::support::{GC, KAPPA, law};
 use crate::mortar::support::{ceiling, floor, point};
-use proctor_kernel::mortar::Point as PlanePoint;
-use proctor_kernel::mortar::boundary::Boundary;
-use proctor_kernel::mortar::outline::outline;
-use proctor_kernel::mortar::pair::{PairForces, PairLaw, PairSurfaces, Slip, contact_forces};
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::mortar::space::Point;
-use proctor_kernel::mortar::space::facets::Facets;
+use proctor_contact::geometry::mortar::Point as PlanePoint;
+use proctor_contact::geometry::mortar::boundary::Boundary;
+use proctor_contact::geometry::mortar::outline::outline;
+use proctor_contact::geometry::mortar::pair::{
+    PairForces, PairLaw, PairSurfaces, Slip, contact_forces,
+};
+use proctor_contact::geometry::mortar::points::Detection;
+use proctor_contact::geometry::mortar::space::Point;
+use proctor_contact::geometry::mortar::space::facets::Facets;
 use proctor_scene::Shape;
 
 const THICKNESS: f64 = 0.1;

@@ -1,13 +1,15 @@
 //! Triangulated boundaries that the tests share.
 
 use nalgebra::Rotation3;
-use proctor_kernel::mortar::elements::Elements;
-use proctor_kernel::mortar::law::{Friction, NormalLaw};
-use proctor_kernel::mortar::pair::{PairForces, PairLaw, PairSurfaces, Slip, contact_forces};
-use proctor_kernel::mortar::points::{Detection, MasterSearch};
-use proctor_kernel::mortar::space::Point;
-use proctor_kernel::mortar::space::facets::Facets;
-use proctor_kernel::mortar::space::skin::skin;
+use proctor_contact::geometry::mortar::elements::Elements;
+use proctor_contact::geometry::mortar::law::{Friction, NormalLaw};
+use proctor_contact::geometry::mortar::pair::{
+    PairForces, PairLaw, PairSurfaces, Slip, contact_forces,
+};
+use proctor_contact::geometry::mortar::points::{Detection, MasterSearch};
+use proctor_contact::geometry::mortar::space::Point;
+use proctor_contact::geometry::mortar::space::facets::Facets;
+use proctor_contact::geometry::mortar::space::skin::skin;
 use proctor_scene::Shape;
 
 pub const KAPPA: f64 = 1.0e4;

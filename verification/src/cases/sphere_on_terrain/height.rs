@@ -1,6 +1,6 @@
 //! The height of a terrain over the ground, from its triangles one by one, as a check of the kernel's search.
 
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::Vector;
 
 /// Triangles by the squares of the ground that they lie over.

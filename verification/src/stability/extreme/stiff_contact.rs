@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
+use proctor_contact::geometry::surface::Surface;
 use proctor_scene::{
     BodyBoundary, Enforcement, MortarContact, RigidSurface, Scene, Shape, StressScheme, TimeStep,
     Transfer, TransferKind, Vertices,

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use proctor_kernel::mortar::Point;
-use proctor_kernel::mortar::boundary::{BoundarySide, Chain};
-use proctor_kernel::mortar::motion::FollowMode;
-use proctor_kernel::mortar::points::Detection;
-use proctor_kernel::surface::Surface;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+use proctor_contact::geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::points::Detection;
+use proctor_contact::geometry::surface::Surface;
 use proctor_laws::{
     AnyLaw, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, ObjectiveRate, VonMises,
 };

@@ -18,8 +18,8 @@ use super::stencil_reach::{
 };
 use nalgebra::SMatrix;
 use near_bases::{Bases, NearBases};
-use proctor_geometry::mortar::PointIn;
-use proctor_geometry::mortar::motion::FollowMode;
+use crate::geometry::mortar::PointIn;
+use crate::geometry::mortar::motion::FollowMode;
 use proctor_geometry::team::{ItemCost, Team};
 use proctor_kernel::grid::{GridShape, Line};
 use proctor_kernel::lanes::Selected;

@@ -2,7 +2,7 @@
 
 use super::places::name;
 use crate::values::{Body, Scene};
-use proctor_geometry::mortar::motion::FollowMode;
+use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_kernel::model::Weighting;
 
 /// Bodies in mortar contact whose faces press on nodes with other weights than the stress behind them has.

@@ -2,8 +2,8 @@
 
 use super::Point;
 use super::refine::fill;
-use crate::mortar::outline::{OutlineError, along, around, parts, signed_area};
-use crate::shape::Shape;
+use crate::geometry::mortar::outline::{OutlineError, along, around, parts, signed_area};
+use proctor_geometry::shape::Shape;
 use nalgebra::Vector2;
 use std::f64::consts::{PI, TAU};
 

@@ -7,9 +7,9 @@
 use super::Point;
 use super::clip::{GAUSS, PlanePoint, Polygon, area, overlap, shares};
 use super::facets::Facets;
-use crate::mortar::broad::NearElements;
-use crate::mortar::elements::Elements;
-use crate::mortar::points::{FACING, MasterSearch, MortarPoint};
+use crate::geometry::mortar::broad::NearElements;
+use crate::geometry::mortar::elements::Elements;
+use crate::geometry::mortar::points::{FACING, MasterSearch, MortarPoint};
 use std::array;
 
 /// Parts of a triangle smaller than this share of its area are left out: they hold nothing but round-off.
@@ -60,7 +60,7 @@ struct ProjectedTriangle {
 
 /// A part of a slave triangle that a master triangle covers.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::mortar) struct CoveredPart {
+pub(in crate::geometry::mortar) struct CoveredPart {
     seen: ProjectedTriangle,
     both: Polygon,
 }

@@ -7,7 +7,7 @@ use super::PointIn;
 use super::broad::{NearElements, by_slave};
 use super::elements::Elements;
 use super::space::projection::CoveredPart;
-use crate::team::Team;
+use proctor_geometry::team::Team;
 
 /// How contact is found along the slave.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

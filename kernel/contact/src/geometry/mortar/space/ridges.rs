@@ -6,7 +6,7 @@
 
 use super::Point;
 use super::facets::{Facets, Ridge};
-use crate::mortar::broad::Bounds;
+use crate::geometry::mortar::broad::Bounds;
 
 /// Two edges that cross each other within reach.
 #[derive(Clone, Copy, Debug, PartialEq)]

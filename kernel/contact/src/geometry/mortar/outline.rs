@@ -2,7 +2,7 @@
 
 use super::boundary::{BoundarySide, Chain};
 use super::{Point, cross};
-use crate::shape::{Shape, Vector};
+use proctor_geometry::shape::{Shape, Vector};
 use std::f64::consts::TAU;
 use std::fmt;
 

@@ -4,7 +4,7 @@ use super::elements::Elements;
 use super::law::{Friction, NormalLaw};
 use super::points::{Detection, MasterSearch, MortarPoints};
 use super::{Point, PointIn, cross};
-use crate::team::Team;
+use proctor_geometry::team::Team;
 use std::array;
 
 /// How a pair behaves.

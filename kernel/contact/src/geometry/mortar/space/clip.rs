@@ -1,6 +1,6 @@
 //! Overlap of two triangles of a plane, and points of a quadrature on it.
 
-use crate::mortar::cross;
+use crate::geometry::mortar::cross;
 use nalgebra::Vector2;
 
 /// A point of an auxiliary plane \[m\].

@@ -1,6 +1,6 @@
 //! Flat faces inside a polygon, cut into triangles of a given size.
 
-use crate::mortar::cross;
+use crate::geometry::mortar::cross;
 use nalgebra::Vector2;
 use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap};

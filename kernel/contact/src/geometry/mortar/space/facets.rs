@@ -3,11 +3,11 @@
 use super::Point;
 use super::projection::{points_of_triangle, points_of_vertices};
 use super::ridges::crossing;
-use crate::mortar::broad::NearElements;
-use crate::mortar::elements::Elements;
-use crate::mortar::points::{Cuts, MasterSearch, MortarPoint};
-use crate::mortar::sites::{SHARP, Sites};
-use crate::surface::{Surface, SurfaceError};
+use crate::geometry::mortar::broad::NearElements;
+use crate::geometry::mortar::elements::Elements;
+use crate::geometry::mortar::points::{Cuts, MasterSearch, MortarPoint};
+use crate::geometry::mortar::sites::{SHARP, Sites};
+use crate::geometry::surface::{Surface, SurfaceError};
 use std::fmt;
 
 /// Share of the size of a boundary within which a vertex lies in a plane.
