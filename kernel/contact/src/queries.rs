@@ -1,9 +1,9 @@
 //! Forces, gaps and boundaries of the contacts of a simulation, for output.
 
+use crate::geometry::surface::NearestPoint;
 use crate::grid::GridContact;
 use crate::mortar::{BoundaryDrift, BoundaryVertex, MortarState, VertexState};
 use crate::surfaces::SurfaceContact;
-use crate::geometry::surface::NearestPoint;
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{Interaction, Simulation};
 

@@ -3,8 +3,8 @@
 use crate::setup::{Options, set_up};
 use crate::start_error::StartError;
 use crate::values::Scene;
-use proctor_contact::{BoundaryDrift, BoundaryVertex, VertexState, queries};
 use proctor_contact::geometry::surface::NearestPoint;
+use proctor_contact::{BoundaryDrift, BoundaryVertex, VertexState, queries};
 use proctor_kernel::model::{Damping, History, Vector};
 use proctor_kernel::simulation::{self as cycle, SetupError};
 use std::ops::{Deref, DerefMut};

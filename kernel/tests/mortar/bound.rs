@@ -1,9 +1,11 @@
 //! The bound of the time step against frequencies that are known.
 
 use crate::mortar::support::point;
-use proctor_contact::mortar::weighting::vertex_weights;
-use proctor_contact::geometry::mortar::bound::{ClosingRate, NodalStiffness, SAFETY, allowed_approach};
+use proctor_contact::geometry::mortar::bound::{
+    ClosingRate, NodalStiffness, SAFETY, allowed_approach,
+};
 use proctor_contact::geometry::mortar::pair::VertexContact;
+use proctor_contact::mortar::weighting::vertex_weights;
 use proctor_kernel::weights::Family;
 
 const NODES: [usize; 9] = [7, 8, 9, 17, 18, 19, 27, 28, 29];

@@ -2,10 +2,10 @@
 
 use crate::mortar::support::point;
 use nalgebra::Matrix2;
-use proctor_contact::mortar::weighting::vertex_weights;
 use proctor_contact::geometry::mortar::Point;
 use proctor_contact::geometry::mortar::motion::{FollowMode, NodalGradient, vertex_velocity};
 use proctor_contact::geometry::mortar::weights::VertexWeights;
+use proctor_contact::mortar::weighting::vertex_weights;
 use proctor_kernel::weights::Family;
 
 const CELL: [f64; 2] = [0.25, 0.5];

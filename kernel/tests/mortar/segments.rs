@@ -4,7 +4,9 @@ use crate::common::cases;
 use crate::mortar::support::{ceiling, floor, open, point};
 use proctor_contact::geometry::mortar::Point;
 use proctor_contact::geometry::mortar::boundary::Boundary;
-use proctor_contact::geometry::mortar::points::{Detection, MasterSearch, MortarPoint, MortarPoints};
+use proctor_contact::geometry::mortar::points::{
+    Detection, MasterSearch, MortarPoint, MortarPoints,
+};
 use proctor_contact::geometry::mortar::segments::{feet, project};
 use proctor_kernel::team::Team;
 use proptest::prelude::*;
@@ -112,8 +114,14 @@ fn the_nearest_of_several_masters_is_seen() {
     let near = [[1.0, 0.0], [0.0, 0.0]];
     let far = [[1.0, -0.2], [0.0, -0.2]];
     let both = Boundary::new(&[
-        crate::mortar::support::chain(&far, proctor_contact::geometry::mortar::boundary::BoundarySide::Open),
-        crate::mortar::support::chain(&near, proctor_contact::geometry::mortar::boundary::BoundarySide::Open),
+        crate::mortar::support::chain(
+            &far,
+            proctor_contact::geometry::mortar::boundary::BoundarySide::Open,
+        ),
+        crate::mortar::support::chain(
+            &near,
+            proctor_contact::geometry::mortar::boundary::BoundarySide::Open,
+        ),
     ])
     .expect("sound");
     let slave = ceiling(&[0.2, 0.8], 0.1);

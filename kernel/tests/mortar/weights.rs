@@ -2,8 +2,8 @@
 
 use crate::common::cases;
 use crate::mortar::support::point;
-use proctor_contact::mortar::weighting::{face_weights, vertex_weights};
 use proctor_contact::geometry::mortar::weights::LostVertex;
+use proctor_contact::mortar::weighting::{face_weights, vertex_weights};
 use proctor_kernel::weights::Family;
 use proptest::prelude::*;
 

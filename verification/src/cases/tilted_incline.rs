@@ -22,8 +22,8 @@ mod frame;
 
 use std::sync::Arc;
 
-use proctor_files::stl::parse;
 use proctor_contact::geometry::surface::Surface;
+use proctor_files::stl::parse;
 use proctor_scene::simulation::{InitialState, Options, Simulation};
 use proctor_scene::{
     Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,

@@ -4,8 +4,8 @@ use super::MortarState;
 use super::boundaries::Boundaries;
 use super::pair::{friction, pair};
 use super::surface::BoundaryCarrier;
-use crate::values::MortarContact;
 use crate::geometry::mortar::elements::Elements;
+use crate::values::MortarContact;
 use proctor_kernel::simulation::BodyRun;
 
 impl MortarState {

@@ -1,8 +1,8 @@
 //! Planes of the mesh that mirror bodies, as vertices see them.
 
-use nalgebra::SMatrix;
 use crate::geometry::mortar::PointIn;
 use crate::geometry::mortar::weights::{NODES, VertexWeights, in_patch};
+use nalgebra::SMatrix;
 use proctor_kernel::grid::{GHOSTS_BELOW, GridShape};
 use proctor_kernel::model::{CycleSettings, PlaneCondition};
 use std::array;

@@ -37,12 +37,12 @@ pub(crate) const MORTAR: ContactType = ContactType {
 pub use error::MortarError;
 pub use vertices::{BoundaryDrift, BoundaryVertex, VertexState};
 
-use crate::kinds::ContactType;
-use crate::values::Mortar;
-use boundaries::Boundaries;
 use crate::geometry::mortar::bound::NodalStiffness;
 use crate::geometry::mortar::boundary::Boundary;
 use crate::geometry::mortar::space::facets::Facets;
+use crate::kinds::ContactType;
+use crate::values::Mortar;
+use boundaries::Boundaries;
 use proctor_kernel::simulation::StepView;
 
 /// What mortar contact keeps from step to step. Of the two dimensions one is empty.

@@ -1,12 +1,12 @@
 //! A pair of boundaries in contact.
 
 use super::surface::{BoundaryCarrier, MovingBoundary};
-use crate::values::{Enforcement, MortarContact};
 use crate::geometry::mortar::bound::ClosingRate;
 use crate::geometry::mortar::elements::Elements;
 use crate::geometry::mortar::law::{FLOOR, Friction, NormalLaw};
 use crate::geometry::mortar::pair::{PairForces, PairLaw, Slip, Workspace};
 use crate::geometry::mortar::points::MasterSearch;
+use crate::values::{Enforcement, MortarContact};
 
 /// A pair of surfaces.
 #[derive(Clone, Debug)]

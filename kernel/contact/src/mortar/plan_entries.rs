@@ -1,8 +1,8 @@
 //! Plan entries of mortar contact.
 
-use crate::values::{ContactValues, Enforcement, PlannedBody};
 use crate::geometry::mortar::motion::FollowMode;
 use crate::geometry::mortar::points::Detection;
+use crate::values::{ContactValues, Enforcement, PlannedBody};
 use proctor_kernel::model::{CycleSettings, Dimension};
 use proctor_kernel::plan::PlanEntries;
 

@@ -6,10 +6,10 @@
 //! body that prescribes both velocities holds a cell that is not its own.
 
 use super::particle_ellipsoid::{length, on_surface};
+use crate::geometry::surface::{Feature, NearestPoint, Surface};
 use crate::grid::{acts_by_shape, pairs_of};
 use crate::pairs::Pair;
 use crate::values::{PairValues, RigidSurface};
-use crate::geometry::surface::{Feature, NearestPoint, Surface};
 use proctor_kernel::model::{CycleSettings, Shape, Vector};
 use proctor_kernel::simulation::{BodyRun, Displacement, NodalConditions, StepView};
 use std::sync::Arc;

@@ -7,9 +7,9 @@ use super::near_particles::{NearParticles, ParticlePlace};
 use super::obstacle::RigidObstacle;
 use super::particle_ellipsoid::{half_lengths, touching_point};
 use super::reached_nodes::{NodeNumbers, ReachedNodes};
+use crate::geometry::surface::NearestPoint;
 use crate::pairs::Tunnelling;
 use crate::surfaces::touch::{SurfaceTouch, SurfaceTouches};
-use crate::geometry::surface::NearestPoint;
 use proctor_geometry::team::ItemCost;
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
-use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_scene::simulation::Options;
 
 #[test]

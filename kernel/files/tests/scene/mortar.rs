@@ -1,10 +1,10 @@
 //! Mortar contact in a scene file: its keys, and bad input by name.
 
-use proctor_files::json::from_json;
 use proctor_contact::geometry::mortar::boundary::BoundarySide;
 use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_contact::geometry::mortar::points::Detection;
 use proctor_contact::geometry::surface::Surface;
+use proctor_files::json::from_json;
 use proctor_scene::plan::PlanOptions;
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{Contact, ContactNormal, Enforcement, Scene, SceneError, Vertices};

@@ -1,7 +1,7 @@
 //! STL files.
 
-use proctor_files::stl::{StlErrorKind, parse, read};
 use proctor_contact::geometry::surface::SurfaceErrorKind;
+use proctor_files::stl::{StlErrorKind, parse, read};
 use std::path::Path;
 
 const ASCII: &str = "solid two words

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use proctor_files::stl::parse;
 use proctor_contact::geometry::surface::Surface;
+use proctor_files::stl::parse;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{Body, Dimension, Mesh, RigidSurface, Scene, Shape, TimeStep, Vector};
 

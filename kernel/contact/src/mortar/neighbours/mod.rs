@@ -16,10 +16,10 @@ use super::patch::Patch;
 use super::stencil_reach::{
     StencilNode, StencilReach, StencilReaches, stencil_nodes, stencil_rows,
 };
-use nalgebra::SMatrix;
-use near_bases::{Bases, NearBases};
 use crate::geometry::mortar::PointIn;
 use crate::geometry::mortar::motion::FollowMode;
+use nalgebra::SMatrix;
+use near_bases::{Bases, NearBases};
 use proctor_geometry::team::{ItemCost, Team};
 use proctor_kernel::grid::{GridShape, Line};
 use proctor_kernel::lanes::Selected;

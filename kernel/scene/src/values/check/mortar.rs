@@ -3,12 +3,12 @@
 
 use super::collector::Collector;
 use crate::values::Scene;
-use proctor_contact::{BodyBoundary, Contact, MortarContact, Vertices};
 use proctor_contact::geometry::mortar::boundary::{Boundary, Chain};
 use proctor_contact::geometry::mortar::outline::distance_to_outline;
 use proctor_contact::geometry::mortar::space::facets::Facets;
-use proctor_geometry::number::Number;
 use proctor_contact::geometry::surface::Surface;
+use proctor_contact::{BodyBoundary, Contact, MortarContact, Vertices};
+use proctor_geometry::number::Number;
 use proctor_kernel::model::{Damping, Dimension, StressScheme};
 
 /// Shortest segment of a boundary made from a shape, in cells.

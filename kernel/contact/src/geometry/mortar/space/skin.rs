@@ -3,8 +3,8 @@
 use super::Point;
 use super::refine::fill;
 use crate::geometry::mortar::outline::{OutlineError, along, around, parts, signed_area};
-use proctor_geometry::shape::Shape;
 use nalgebra::Vector2;
+use proctor_geometry::shape::Shape;
 use std::f64::consts::{PI, TAU};
 
 /// Corners of a triangle \[m\].
