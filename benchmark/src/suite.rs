@@ -18,7 +18,7 @@ const MOST: usize = 30;
 /// A case that was run.
 pub struct Ran {
     /// The case.
-    pub case: &'static dyn Case,
+    pub case: &'static Case,
     /// Its runs, in order.
     pub rungs: Vec<RanRung>,
     /// What the case says of them.
@@ -61,7 +61,7 @@ impl Ran {
 /// # Errors
 /// The first error of `each`.
 pub fn run_side_by_side<E>(
-    cases: &[&'static dyn Case],
+    cases: &[&'static Case],
     size: Size,
     options: &Options,
     workers: usize,
@@ -118,7 +118,7 @@ pub fn run_side_by_side<E>(
 /// once, what is very short is run until half a second is measured, because a busy machine is slow for tenths of a second
 /// at a time.
 pub fn run_while(
-    case: &'static dyn Case,
+    case: &'static Case,
     size: Size,
     options: &Options,
     repetitions: usize,
@@ -148,7 +148,7 @@ pub fn run_while(
                 };
                 (solved, stopwatch.spent)
             };
-            case.prepare(&rung);
+            case.prepare_for(&rung);
             let (solved, first) = solve();
             let mut samples = vec![first];
             let mut measured = first.wall;

@@ -1,15 +1,23 @@
-//! What a case is: a scene with an exact answer, a ladder of resolutions, and gates that its errors must keep.
+//! Cases: scenes with an exact answer, ladders of resolutions, and gates that their errors must keep.
 //!
 //! The same case serves `cargo test` (quick), `proctor verify` (full ladder) and `proctor precision`. Cases know
 //! no clocks: who wants the run time of a rung times [`Case::solve`].
 
+mod curve;
+pub mod gates;
+pub mod ladder;
+mod rung;
+mod value;
+pub mod wrong;
+
 use std::fmt;
 
-use proctor_scene::Scene;
-use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::simulation::Simulation;
 
+pub use self::curve::{Curve, CurvePoint, Drawing};
+pub use self::rung::Rung;
+pub use self::value::{Case, Plan, Run};
 use crate::convergence::ConvergenceTable;
-use crate::study::Study;
 
 /// How much of the ladder is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,49 +26,6 @@ pub enum Size {
     Quick,
     /// The whole ladder of `proctor verify`: minutes.
     Full,
-}
-
-/// One run of a case: a resolution of a variant.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Rung {
-    /// What tables and messages call it; unique within a case and size.
-    pub label: String,
-    /// Cell size h \[m\].
-    pub cell: f64,
-    /// Which problem of the case is solved; a word of the case's own.
-    pub variant: &'static str,
-}
-
-impl Rung {
-    /// The rungs of a variant with so many cells over a length \[m\], which labels call `word`.
-    #[must_use]
-    pub fn counted(variant: &'static str, word: &str, length: f64, counts: &[u32]) -> Vec<Self> {
-        let of = |&count: &u32| Self {
-            label: format!("{word}={count}"),
-            cell: length / f64::from(count),
-            variant,
-        };
-        counts.iter().map(of).collect()
-    }
-
-    /// A cell size \[m\] of a variant.
-    #[must_use]
-    pub fn new(variant: &'static str, cell: f64) -> Self {
-        Self {
-            label: format!("{variant} h={cell}"),
-            cell,
-            variant,
-        }
-    }
-
-    /// The rungs of several ladders, each a variant with its cell sizes \[m\].
-    #[must_use]
-    pub fn ladders(ladders: &[(&'static str, &[f64])]) -> Vec<Self> {
-        ladders
-            .iter()
-            .flat_map(|&(variant, cells)| cells.iter().map(move |&cell| Self::new(variant, cell)))
-            .collect()
-    }
 }
 
 /// A number that a run gave, with what it should have been: an error where it has a relative one, a balance where it
@@ -130,58 +95,6 @@ impl Quantity {
     pub fn is_balance(&self) -> bool {
         self.exact == Some(0.0) && self.error.is_none()
     }
-}
-
-/// Computed against exact along one coordinate, for pictures; or computed alone, where there is nothing exact.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// What is shown, and where.
-    pub title: String,
-    /// Name and unit of the coordinate.
-    pub abscissa: &'static str,
-    /// Name and unit of the quantity.
-    pub ordinate: &'static str,
-    /// Points in order of the coordinate. Where there are several lines, a point that is not a number parts them.
-    pub points: Vec<CurvePoint>,
-}
-
-impl Curve {
-    /// Whether any point says what should be.
-    #[must_use]
-    pub fn has_exact(&self) -> bool {
-        self.points.iter().any(|p| p.exact.is_finite())
-    }
-}
-
-/// A point of a [`Curve`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurvePoint {
-    /// The coordinate.
-    pub at: f64,
-    /// As computed.
-    pub computed: f64,
-    /// As it should be. A curve that has it nowhere is shown alone.
-    pub exact: f64,
-}
-
-impl CurvePoint {
-    /// Puts points in order and keeps one of those that lie within `width` of each other: particles of one layer of a
-    /// problem in one dimension.
-    pub fn one_per_place(points: &mut Vec<Self>, width: f64) {
-        points.sort_by(|p, q| p.at.total_cmp(&q.at));
-        points.dedup_by(|p, q| (p.at - q.at).abs() < width);
-    }
-}
-
-/// Where bodies are at one time of a run in the plane.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Drawing {
-    /// What is shown, and when.
-    pub title: String,
-    /// Outlines of the bodies, closed \[m\].
-    pub bodies: Vec<Vec<[f64; 2]>>,
-    /// Rigid lines, open \[m\].
-    pub lines: Vec<Vec<[f64; 2]>>,
 }
 
 /// What a comparison with the exact solution found.
@@ -378,58 +291,14 @@ impl fmt::Display for CaseError {
 
 impl std::error::Error for CaseError {}
 
-/// A scene with an exact answer.
-pub trait Case: Sync {
-    /// Name on the command line: lower case, words joined by `-`.
-    fn name(&self) -> &'static str;
-
-    /// The question that the case answers, in one sentence.
-    fn question(&self) -> &'static str;
-
-    /// The runs of a size: variant by variant, each coarse to fine.
-    fn rungs(&self, size: Size) -> Vec<Rung>;
-
-    /// The scene of a rung. [`Case::solve`] runs this scene and no other.
-    fn scene(&self, rung: &Rung) -> Scene;
-
-    /// What of the case can be solved with any settings, most often the case itself.
-    ///
-    /// # Errors
-    /// The reason why nothing of it can.
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str>;
-
-    /// Computes what the exact solution of a rung needs and keeps it, so that the time of no run holds it. What fails here
-    /// fails again in [`Case::solve`], and is reported there.
-    fn prepare(&self, _rung: &Rung) {}
-
-    /// Runs a rung and compares it with the exact solution.
-    ///
-    /// `options` gives threads and lanes; what the case needs beyond them (displacements, measurements) it switches
-    /// on itself. `progress` is called from time to time with the share done, 0 to 1.
-    ///
-    /// # Errors
-    /// [`CaseError`] if the scene is refused, a step fails, or a static answer is not reached.
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError>;
-
-    /// Tables and gates over the rungs that were solved, in the order of [`Case::rungs`].
-    ///
-    /// A rung that is missing (because it failed) makes the gates that need it fail.
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict;
-}
-
 /// All cases, in the order in which they are shown.
 #[must_use]
-pub fn all() -> &'static [&'static dyn Case] {
+pub fn all() -> &'static [&'static Case] {
     crate::cases::ALL
 }
 
 /// The case of that name.
 #[must_use]
-pub fn find(name: &str) -> Option<&'static dyn Case> {
+pub fn find(name: &str) -> Option<&'static Case> {
     all().iter().copied().find(|case| case.name() == name)
 }

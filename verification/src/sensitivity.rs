@@ -38,7 +38,7 @@ pub struct Reaction {
 /// What each gate reacts to, in the order in which the case names them. A gate that fails already reacts to nothing
 /// here.
 #[must_use]
-pub fn reactions(case: &dyn Case, size: Size, solved: &[(Rung, Solved)]) -> Vec<Reaction> {
+pub fn reactions(case: &Case, size: Size, solved: &[(Rung, Solved)]) -> Vec<Reaction> {
     let gates = case.judge(size, solved).gates;
     let mut found: Vec<Reaction> = gates
         .iter()

@@ -118,6 +118,13 @@ impl Settings {
         }
     }
 
+    /// A scene with the method, all its bodies with the particles per cell.
+    #[must_use]
+    pub fn applied(&self, mut scene: Scene) -> Scene {
+        self.apply(&mut scene);
+        scene
+    }
+
     /// `c dt/h` that is asked for, or the share of the bound that the kernel takes by itself.
     #[must_use]
     pub fn courant_or_automatic(&self) -> f64 {

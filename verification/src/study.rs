@@ -1,14 +1,11 @@
-//! What a case must offer to be studied with settings other than its own: error against run time.
-//!
-//! A case says what it needs ([`Study::scene_with`], [`Study::options`]) and what it does ([`Study::run`]); what comes before
-//! and after is the same for all and stands here, in [`Study::solve_with`].
+//! Studies: cases that are run with settings other than their own, for error against run time.
 
+use proctor_scene::{StressScheme, TransferKind, Weighting};
 use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{OnImbalance, Scene, StressScheme, TransferKind, Weighting};
 
 use std::error::Error;
 
-use crate::case::{self, Case, CaseError, Found, Rung, Size, Solved};
+use crate::case::{self, Case, CaseError, Found, Plan, Rung, Size, Solved};
 use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 
@@ -91,84 +88,71 @@ impl Studied {
 /// Why a run has no answer, in words; [`CaseError`] says of which case and rung.
 pub type Failure = Box<dyn Error>;
 
-/// A case whose problem can be solved with any settings.
-pub trait Study: Case {
+/// A problem of a case that can be solved with any settings.
+#[derive(Clone, Copy)]
+pub struct Study {
+    /// The case.
+    pub case: &'static Case,
+    /// The path of refinement and the errors.
+    pub plan: &'static Plan,
+}
+
+impl Study {
+    /// Its name: that of its case where the case has one study.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.plan.name.unwrap_or(self.case.name())
+    }
+
     /// The path of refinement, coarse to fine; what an accuracy costs is interpolated between rungs, so no rung has less than half
     /// the cell size of the one before.
-    fn path(&self, size: Size) -> Vec<Rung>;
+    #[must_use]
+    pub fn path(&self, size: Size) -> Vec<Rung> {
+        self.plan.path.rungs(size)
+    }
 
     /// Errors that are studied: displacement (or velocity) first.
-    fn measures(&self) -> Vec<Measure>;
+    #[must_use]
+    pub fn measures(&self) -> &'static [Measure] {
+        self.plan.measures
+    }
 
     /// Whether a study of a size tries a method. Where runs take long, the short study keeps to a few ([`few`]).
-    fn tries(&self, _size: Size, _method: Method) -> bool {
-        true
+    #[must_use]
+    pub fn tries(&self, size: Size, method: Method) -> bool {
+        (self.plan.tries)(size, method)
     }
 
     /// Number of axes that refinement multiplies cells along: cost grows like `h^-(d+1)`.
-    fn refined_axes(&self) -> usize;
-
-    /// The settings with which [`Case::solve`] runs a rung.
-    fn own_settings(&self, rung: &Rung) -> Settings;
-
-    /// The scene of a rung with settings.
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene;
-
-    /// The same where it takes something that might not be sound, such as a surface, or why there is none.
-    ///
-    /// # Errors
-    /// What is not sound.
-    fn try_scene_with(&self, rung: &Rung, settings: &Settings) -> Result<Scene, Failure> {
-        Ok(self.scene_with(rung, settings))
+    #[must_use]
+    pub fn refined_axes(&self) -> usize {
+        self.plan.axes
     }
-
-    /// What a run asks of the simulation beyond threads and lanes: displacements, measurements, an initial state.
-    fn options(&self, _rung: &Rung, options: Options) -> Options {
-        options
-    }
-
-    /// Runs a simulation of [`Study::scene_with`] to its end and compares it with the exact solution.
-    ///
-    /// # Errors
-    /// A step that fails, a static answer that is not reached, a reference that there is not, an observer that stops the
-    /// run.
-    fn run(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure>;
 
     /// The problem of a rung of the path as other solvers can run it, judged by the first of [`Study::measures`].
     ///
     /// # Errors
     /// The reason why none can, in words that follow the name of the case.
-    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str>;
+    pub fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
+        self.case.guest_of(rung)
+    }
 
-    /// Sets up [`Study::scene_with`] and does [`Study::run`].
+    /// Runs a rung of the path with settings and compares it with the exact solution.
     ///
     /// # Errors
-    /// [`CaseError`] if the scene is refused, or for what [`Study::run`] says.
-    fn solve_with(
+    /// [`CaseError`] if the scene is refused, a step fails, a static answer is not reached, or the observer stops the run.
+    pub fn solve_with(
         &self,
         rung: &Rung,
         settings: &Settings,
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<Studied, CaseError> {
-        observer.phase(Phase::SetUp);
-        let mut solve = || {
-            let mut scene = self.try_scene_with(rung, settings)?;
-            // What is not to be trusted is not compared.
-            scene.on_imbalance = OnImbalance::Stop;
-            scene.check()?;
-            let options = self.options(rung, options.clone());
-            let mut simulation = Simulation::new(&scene, &options)?;
-            let found = self.run(rung, settings, &mut simulation, observer)?;
-            Ok(Studied::new(found, &simulation))
-        };
-        solve().map_err(|reason: Failure| CaseError::new(self.name(), rung, &reason))
+        let studied = self.case.solve_with(rung, settings, options, observer);
+        studied.map_err(|error| CaseError {
+            case: self.name(),
+            ..error
+        })
     }
 }
 
@@ -192,7 +176,7 @@ pub fn few(size: Size, method: Method) -> bool {
 
 /// All studies, in the order in which their cases are shown.
 #[must_use]
-pub fn all() -> Vec<&'static dyn Study> {
-    let studies = case::all().iter().filter_map(|case| case.studies().ok());
+pub fn all() -> Vec<Study> {
+    let studies = case::all().iter().filter_map(|case| case.studied().ok());
     studies.flatten().collect()
 }

@@ -77,7 +77,7 @@ fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
     assert!(count >= 12, "only {count} scenes");
 }
 
-fn check(study: &dyn Study, guest: &Guest) {
+fn check(study: Study, guest: &Guest) {
     let name = study.name();
     assert_eq!(guest.scene.dimension, Dimension::Three, "{name}");
     let written = write(&guest.scene).unwrap_or_else(|error| panic!("{name}: {error}"));

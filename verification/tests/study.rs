@@ -1,8 +1,8 @@
 //! Studies: own settings are what `verify` runs, other settings reach the scene, and observers see every phase.
 
-use proctor_scene::simulation::Options;
 use proctor_scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
-use proctor_verification::case::{self, Case, Size};
+use proctor_scene::simulation::Options;
+use proctor_verification::case::{self, Size};
 use proctor_verification::settings::{Method, Settings};
 use proctor_verification::study::{Observer, Phase, STOPPED, Study, all, few};
 
@@ -20,7 +20,7 @@ fn one_thread() -> Options {
     }
 }
 
-fn coarsest(study: &dyn Study) -> proctor_verification::case::Rung {
+fn coarsest(study: Study) -> proctor_verification::case::Rung {
     study.path(Size::Quick).swap_remove(0)
 }
 
@@ -54,12 +54,8 @@ impl Observer for Watch {
 fn own_settings_give_the_same_bits_watched_or_not() {
     for study in all() {
         let rung = coarsest(study);
-        let own = study.own_settings(&rung);
-        assert_eq!(
-            format!("{:?}", study.scene(&rung)),
-            format!("{:?}", study.scene_with(&rung, &own))
-        );
-        let alone = study.solve(&rung, &one_thread(), &mut |_| {});
+        let own = study.case.own_settings(&rung);
+        let alone = study.case.solve(&rung, &one_thread(), &mut |_| {});
         let mut watch = Watch::default();
         let watched = study.solve_with(&rung, &own, &one_thread(), &mut watch);
         let solved = watched.expect("own settings hold").solved;
@@ -99,7 +95,11 @@ fn other_settings_reach_the_scene_and_its_step() {
             }
             .courant(courant)
         };
-        let scene = study.scene_with(&rung, &settings(0.2));
+        let scene_with = |courant| {
+            let scene = study.case.scene_with(&rung, &settings(courant));
+            scene.expect("a scene")
+        };
+        let scene = scene_with(0.2);
         scene.check().unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(scene.weighting, METHOD.weighting);
         assert_eq!(scene.scheme, METHOD.scheme);
@@ -127,7 +127,7 @@ fn other_settings_reach_the_scene_and_its_step() {
             other => panic!("{other:?}"),
         };
         // Equal steps to the end are whole in number, so half the Courant number is half the step but for that.
-        let ratio = step(&study.scene_with(&rung, &settings(0.1))) / step(&scene);
+        let ratio = step(&scene_with(0.1)) / step(&scene);
         assert!((ratio - 0.5).abs() < 0.05, "{}: {ratio}", study.name());
     }
 }
@@ -186,9 +186,9 @@ fn paths_refine_and_skip_no_halving() {
 
 #[test]
 fn every_case_has_a_study_or_a_reason_why_not() {
-    let mut studies = all().into_iter().map(Case::name);
+    let mut studies = all().into_iter().map(|study| study.name());
     for case in case::all() {
-        match case.studies() {
+        match case.studied() {
             Ok(own) => {
                 assert!(!own.is_empty(), "{}", case.name());
                 for study in own {
@@ -202,7 +202,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
     }
     assert_eq!(studies.next(), None);
     // All but those whose reason is known: a case that loses its study is noticed.
-    let without = case::all().iter().filter(|case| case.studies().is_err());
+    let without = case::all().iter().filter(|case| case.studied().is_err());
     let without: Vec<_> = without.map(|case| case.name()).collect();
     assert_eq!(
         without,

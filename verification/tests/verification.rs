@@ -1,6 +1,6 @@
 //! The tests of the verification in one program, so that the kernel is linked once.
 //!
-//! `cargo test --test verification cases::bar` runs those of one file.
+//! `cargo test --test verification cases::` runs those of one file.
 
 mod cases;
 mod convergence;

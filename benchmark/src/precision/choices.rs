@@ -58,7 +58,7 @@ pub struct Plan {
 impl Plan {
     /// The runs of a case, line by line.
     #[must_use]
-    pub fn new(study: &dyn Study, size: Size) -> Self {
+    pub fn new(study: Study, size: Size) -> Self {
         let path = study.path(size);
         let middle = path.get(path.len() / 2);
         let mut plan = Self {

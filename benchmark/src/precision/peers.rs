@@ -118,7 +118,7 @@ pub fn calibrated(
 /// # Errors
 /// Why other solvers cannot run it.
 pub fn run(
-    study: &dyn Study,
+    study: Study,
     peers: &[Peer],
     effort: Effort,
     threads: usize,

@@ -22,7 +22,7 @@ const NOT_RUN: &str = "not run";
 /// A case that was studied.
 pub struct Studied {
     /// The case.
-    pub study: &'static dyn Study,
+    pub study: Study,
     /// What was to be run.
     pub plan: Plan,
     /// One run per choice of the plan; fewer where the user stopped it.
@@ -177,7 +177,7 @@ impl Observer for Watch<'_> {
 /// interrupt does, and the run in progress is left out. `progress` hears
 /// the share that is done.
 pub fn run(
-    study: &'static dyn Study,
+    study: Study,
     effort: Effort,
     options: &Options,
     interrupt: &AtomicBool,
@@ -227,7 +227,7 @@ fn failed_before(plan: &Plan, runs: &[Run], choice: usize) -> Option<String> {
 
 /// The repetitions of one choice; `None` if they were interrupted.
 fn point(
-    study: &dyn Study,
+    study: Study,
     choice: &Choice,
     effort: Effort,
     options: &Options,

@@ -223,7 +223,7 @@ impl Details {
             let summary = show::summary(studied, number, false);
             self.studies.push(StudyDetail {
                 case: studied.study.name().to_owned(),
-                question: studied.study.question().to_owned(),
+                question: studied.study.case.question().to_owned(),
                 measure: measure.word.to_owned(),
                 figures: vec![
                     Figure {

@@ -58,7 +58,7 @@ impl Record {
 
     /// How far the record is with the ladder of a case.
     #[must_use]
-    pub fn case_state(&self, case: &dyn Case, size: Size) -> CaseState {
+    pub fn case_state(&self, case: &Case, size: Size) -> CaseState {
         let rows: Vec<&Row> = self
             .rows
             .iter()
@@ -141,7 +141,7 @@ mod tests {
     use proctor_scene::simulation::Options;
     use proctor_verification::case::{self, CaseError, Gate, Solved, Verdict};
 
-    fn of(name: &str) -> &'static dyn Case {
+    fn of(name: &str) -> &'static Case {
         let found = case::all().iter().find(|case| case.name() == name);
         *found.expect("there is such a case")
     }

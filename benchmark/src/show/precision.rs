@@ -20,7 +20,7 @@ pub fn study(studied: &Studied, all: bool, out: &mut dyn Write) -> io::Result<()
         out,
         "{}: {}",
         studied.study.name(),
-        studied.study.question()
+        studied.study.case.question()
     )?;
     for (number, measure) in studied.study.measures().iter().enumerate() {
         writeln!(out, "\n  {}", measure.word)?;

@@ -134,7 +134,7 @@ pub struct Kept {
 impl Kept {
     /// What a record holds of cases on the ladders of that size.
     #[must_use]
-    pub fn of(record: &Record, cases: &[&'static dyn Case], size: Size) -> Self {
+    pub fn of(record: &Record, cases: &[&'static Case], size: Size) -> Self {
         let held = cases
             .iter()
             .filter(|case| record.case_state(**case, size) == CaseState::Held);

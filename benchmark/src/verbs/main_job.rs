@@ -208,12 +208,13 @@ impl Job<'_> {
                 }
                 out.flush()
             })?;
-            if let Some(rung) = ran.rungs.last() {
-                let scene = ran.case.scene(&rung.rung);
+            let last = ran.rungs.last().map(|ran| &ran.rung);
+            let planned = last.and_then(|rung| Some((rung, ran.case.scene_of(rung).ok()?)));
+            if let Some((rung, scene)) = planned {
                 let plan = proctor_scene::simulation::plan(&scene, PlanOptions::default());
                 record
                     .details
-                    .push_plan(&format!("{}, {}", ran.case.name(), rung.rung.label), &plan);
+                    .push_plan(&format!("{}, {}", ran.case.name(), rung.label), &plan);
             }
             all.push(ran);
             Ok(())

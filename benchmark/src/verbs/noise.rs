@@ -108,7 +108,7 @@ impl Noise {
 /// The short ladders on both sides, case by case in turn: the shorter the time between two runs that are compared, the less
 /// the machine has changed. Whole passes only.
 fn measured(
-    cases: &[&'static dyn Case],
+    cases: &[&'static Case],
     options: &Options,
     passes: u64,
     interrupt: &Interrupt,

@@ -13,7 +13,7 @@ use crate::show::{figures, precision as show};
 use clap::Args;
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::Selected;
-use proctor_verification::case::{Case, Size};
+use proctor_verification::case::Size;
 use proctor_verification::study;
 use std::io::Write;
 use std::num::NonZeroUsize;
@@ -69,7 +69,7 @@ pub struct Precision {
 
 impl Precision {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let studies = names::chosen(&self.cases, &study::all(), "case", Case::name)?;
+        let studies = names::chosen(&self.cases, &study::all(), "case", |study| study.name())?;
         let mut options = self.settings.options()?;
         // Small runs gain nothing from threads, and their times would say more about waiting than about work.
         let threads = *options.threads.get_or_insert(1);

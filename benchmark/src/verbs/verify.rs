@@ -95,14 +95,14 @@ const MILLED: &str = "target/proctor/mill";
 
 /// What is to be done.
 struct Task {
-    cases: Vec<&'static dyn Case>,
+    cases: Vec<&'static Case>,
     size: Size,
     /// What is known before the first case.
     record: Record,
     /// Where the record goes.
     file: Option<PathBuf>,
     /// Cases that were asked for then or now, those that are not run again too.
-    asked: Vec<&'static dyn Case>,
+    asked: Vec<&'static Case>,
 }
 
 impl Verify {
@@ -200,7 +200,7 @@ impl Verify {
     }
 
     /// What is to be run, and the record that it goes into.
-    fn task(&self, options: &Options, chosen: &[&'static dyn Case]) -> Result<Task, Failure> {
+    fn task(&self, options: &Options, chosen: &[&'static Case]) -> Result<Task, Failure> {
         let mut record = Record::new(options);
         let all = case::all().len();
         if let Some(path) = &self.resume {
@@ -296,7 +296,7 @@ impl Verify {
             took: begun.elapsed(),
         };
         verdict.line(paint, out)?;
-        let missing = |case: &&&dyn Case| record.case_state(**case, size) == CaseState::Missing;
+        let missing = |case: &&&Case| record.case_state(**case, size) == CaseState::Missing;
         let incomplete = interrupt.raised() || asked.iter().any(|case| missing(&case));
         record.set_incomplete(incomplete);
         record.sort_cases(&earlier::names());

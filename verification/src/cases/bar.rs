@@ -9,19 +9,8 @@
 //! time); 1.0 to 1.8 in the stress.
 //! `proctor verify bar`.
 
-use std::sync::Arc;
-
-use proctor_scene::simulation::{InitialState, Options, Simulation};
-use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene};
-
-use super::dynamics::{DISPLACEMENT, STRESS, advance, along, errors};
-use super::judging::{error_gate, order_gate, table};
-use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, elastic};
-use crate::case::{Case, Curve, Found, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::bar::{Bar as Exact, FarEnd};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 /// Length \[m\].
 const LENGTH: f64 = 25.0;
@@ -35,191 +24,92 @@ const SPEED: f64 = 1e-4;
 const PERIODS: f64 = 1.125;
 /// Empty cells beyond the free end.
 const AIR: usize = 2;
-/// `c dt/h` times the number of cells, so that dt falls like h².
-const COURANT_TIMES_CELLS: f64 = 3.2;
-/// The one variant.
-const VARIANT: &str = "fixed-free";
-/// Least observed order of the displacement.
-const ORDER_GATE: f64 = 1.7;
-/// The same of the stress.
-const STRESS_ORDER_GATE: f64 = 0.9;
+const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.01);
 
 /// The vibrating bar.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bar {
-    /// Stiffness of the exact bar over that of the scene. Anything but 1 is a wrong reference, to prove that the
-    /// gates notice.
-    pub reference_stiffness: f64,
+pub static BAR: Case = Case::new(
+    "bar",
+    "Does an elastic bar swing with its own period, amplitude and stress?",
+)
+.ladder(cells_along(&[8, 16, 32], &[8, 16, 32, 64]))
+// dt falls like h².
+.method(|rung| Settings::new(Method::DEFAULT).courant(3.2 * rung.cell / LENGTH))
+.scene(scene)
+.displacements()
+.options(start)
+.compare(compare)
+.gates(&[
+    error(DISPLACEMENT).at_most_of(
+        [5e-3, 1.25e-3],
+        [
+            "half a percent at 32 cells is what the project promises",
+            "a quarter of half a percent at twice 32 cells, as order 2 allows",
+        ],
+    ),
+    order(DISPLACEMENT).at_least(
+        1.7,
+        "order 2 is expected of uGIMP at small strain; 0.3 is left for meshes that are not yet fine",
+    ),
+    order(STRESS).at_least(
+        0.9,
+        "stresses were of order 1.0 to 1.8 in one dimension; 0.1 is left for meshes that are not yet fine",
+    ),
+])
+.tables(&[TableRule::new("bar, uGIMP, USL, FLIP, dt like h²", &[DISPLACEMENT, STRESS])])
+.wrong_references(&[WRONG_STIFFNESS])
+.studies(&[Plan::new(cells_along(&[8, 16, 32], &[8, 16, 32, 64, 128]), FIELDS, 1)])
+.no_guest("it begins with a velocity that is another at every place, and a scene file has one for a body");
+
+const fn cells_along(short: &'static [u32], full: &'static [u32]) -> Ladder {
+    Ladder::cells("fixed-free", "L/h", LENGTH, short, full)
 }
 
-impl Bar {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_stiffness: 1.0,
-    };
-
-    /// The exact motion for the stiffness times `factor`.
-    fn exact(factor: f64) -> Exact {
-        let modulus = factor * YOUNG;
-        Exact {
-            length: LENGTH,
-            modulus,
-            density: DENSITY,
-            velocity_amplitude: SPEED * (YOUNG / DENSITY).sqrt(),
-            mode: 1,
-            far_end: FarEnd::Free,
-        }
-    }
-
-    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
-        Rung::counted(VARIANT, "L/h", LENGTH, counts)
-    }
-
-    /// Time of the comparison \[s\].
-    fn end() -> f64 {
-        PERIODS * std::f64::consts::TAU / Self::exact(1.0).angular_frequency()
-    }
-
-    /// Axial stress along the bar against the exact one, over the modulus times the velocity ratio.
-    fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
-        let (set, t) = (&simulation.sets()[0], simulation.time());
-        let scale = YOUNG * SPEED;
-        let points = along(simulation, 0, |p, x| {
-            [set.stress(p)[0] / scale, exact.stress(x, t) / scale]
-        })?;
-        Some(Curve {
-            title: format!("stress along the bar at {t:.2} s, {}", rung.label),
-            abscissa: "x (m)",
-            ordinate: "stress / (E v0/c)",
-            points,
-        })
-    }
-}
-
-impl Case for Bar {
-    fn name(&self) -> &'static str {
-        "bar"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does an elastic bar swing with its own period, amplitude and stress?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
-            Size::Quick => &[8, 16, 32],
-            Size::Full => &[8, 16, 32, 64],
-        })
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let table = table(solved, VARIANT, &[DISPLACEMENT, STRESS]);
-        let order = "order 2 is expected of uGIMP at small strain; 0.3 is left for meshes that are not yet fine";
-        let first = "stresses were of order 1.0 to 1.8 in one dimension; 0.1 is left for meshes that are not yet fine";
-        let rungs = self.rungs(size);
-        let (bound, reason) = match size {
-            Size::Quick => (
-                5e-3,
-                "half a percent at 32 cells is what the project promises",
-            ),
-            Size::Full => (
-                1.25e-3,
-                "a quarter of half a percent at twice 32 cells, as order 2 allows",
-            ),
-        };
-        Verdict {
-            gates: vec![
-                error_gate(&rungs, solved, DISPLACEMENT, bound, reason),
-                order_gate(&table, DISPLACEMENT, ORDER_GATE, order),
-                order_gate(&table, STRESS, STRESS_ORDER_GATE, first),
-            ],
-            tables: vec![("bar, uGIMP, USL, FLIP, dt like h²".to_owned(), table)],
-            ..Verdict::default()
-        }
+/// The exact motion for the stiffness times `factor`.
+fn exact(factor: f64) -> Exact {
+    Exact {
+        length: LENGTH,
+        modulus: factor * YOUNG,
+        density: DENSITY,
+        velocity_amplitude: SPEED * (YOUNG / DENSITY).sqrt(),
+        mode: 1,
+        far_end: FarEnd::Free,
     }
 }
 
-impl Study for Bar {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
-            Size::Quick => &[8, 16, 32],
-            Size::Full => &[8, 16, 32, 64, 128],
-        })
-    }
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let mut mesh = strip(h, [cells(LENGTH, h) + AIR, 1]);
+    mesh.planes[0][1] = PlaneCondition::Free;
+    let end = PERIODS * TAU / exact(1.0).angular_frequency();
+    settings.applied(Scene {
+        time_step: settings.equal_steps(end, h, exact(1.0).wave_speed()).0,
+        materials: elastic(DENSITY, YOUNG, 0.0),
+        bodies: vec![body("bar", 1, rectangle([0.0; 2], [LENGTH, h]))],
+        ..plane_scene("bar", mesh, end)
+    })
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        FIELDS.to_vec()
-    }
-
-    fn refined_axes(&self) -> usize {
-        1
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        Settings::new(Method::DEFAULT).courant(COURANT_TIMES_CELLS * rung.cell / LENGTH)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let cells = (LENGTH / h).round() as usize;
-        let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells + AIR, 1, 1]);
-        mesh.planes[0][1] = PlaneCondition::Free;
-        let mut scene = Scene::new(Dimension::Two, mesh, Self::end());
-        scene.name = String::from("bar");
-        scene.time_step = settings
-            .equal_steps(scene.time, h, Self::exact(1.0).wave_speed())
-            .0;
-        scene.results = NO_RESULTS;
-        scene.materials = elastic(DENSITY, YOUNG, 0.0);
-        scene.bodies = vec![body("bar", 1, cuboid([0.0; 3], [LENGTH, h, 0.0]))];
-        settings.apply(&mut scene);
-        scene
-    }
-
-    fn options(&self, _rung: &Rung, options: Options) -> Options {
-        let start = Self::exact(1.0);
-        Options {
-            displacement: true,
-            initial: Some(Arc::new(move |x| InitialState {
-                velocity: [start.velocity(x[0], 0.0), 0.0, 0.0],
-                velocity_gradient: [
-                    [start.velocity_gradient(x[0], 0.0), 0.0, 0.0],
-                    [0.0; 3],
-                    [0.0; 3],
-                ],
-                ..AT_REST
-            })),
-            ..options
-        }
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "it begins with a velocity that is another at every place, and a scene file has one for a body",
+fn start(_: &Rung, _: Reference, options: Options) -> Options {
+    let start = exact(1.0);
+    starting(options, move |x| {
+        moving_along_x(
+            start.velocity(x[0], 0.0),
+            start.velocity_gradient(x[0], 0.0),
         )
-    }
+    })
+}
 
-    fn run(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let speed = Self::exact(1.0).wave_speed();
-        let (_, steps) = settings.equal_steps(simulation.scene().time, rung.cell, speed);
-        advance(simulation, steps, observer)?;
-        let (exact, t) = (Self::exact(self.reference_stiffness), simulation.time());
-        let quantities = errors(
-            simulation,
-            |x| [exact.displacement(x[0], t), 0.0, 0.0],
-            |x| [exact.stress(x[0], t), 0.0, 0.0, 0.0, 0.0, 0.0],
-        );
-        Ok(Found::new(
-            quantities,
-            Self::curve(simulation, &exact, rung),
-        ))
-    }
+fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+    let (exact, t) = (exact(run.reference.of(&WRONG_STIFFNESS)), run.time());
+    let quantities = run.errors(
+        |x| [exact.displacement(x[0], t), 0.0, 0.0],
+        |x| uniaxial(exact.stress(x[0], t)),
+    );
+    let scale = YOUNG * SPEED;
+    let points = run.along(0, |p, x| {
+        [run.stress(p)[0] / scale, exact.stress(x, t) / scale]
+    });
+    let title = format!("stress along the bar at {t:.2} s, {}", run.rung.label);
+    let curve = points.map(|points| Curve::new(title, ["x (m)", "stress / (E v0/c)"], points));
+    Ok(Found::new(quantities, curve))
 }

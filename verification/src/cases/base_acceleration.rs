@@ -21,15 +21,7 @@ mod column;
 mod judge;
 mod manual;
 
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Dimension, Scene, StressScheme, TransferKind};
-
-use super::STRESS_MEASURE;
-use super::dynamics::{STRESS, ratio};
-use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
-use crate::guest::{self, Guest};
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
+use super::prelude::*;
 use column::Column;
 use manual::Block;
 
@@ -63,15 +55,27 @@ const BASE: &str = "base velocity off by, over A";
 /// Name of the same for the lowest particles.
 const LOWEST: &str = "lowest particles off by, over A";
 
+const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.01);
+const WRONG_FREQUENCY: Wrong = Wrong::factor("frequency", 1.005);
+
 /// The shaken column and the manual's shaken block.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BaseAcceleration {
-    /// Stiffness of the exact columns over that of the scenes. Anything but 1 is a wrong reference, to prove that
-    /// the gates notice.
-    pub reference_stiffness: f64,
-    /// Frequency of the reference for the manual's blocks over that of the record; 1 is right.
-    pub reference_frequency: f64,
-}
+pub static BASE_ACCELERATION: Case = Case::new(
+    "base-acceleration",
+    "Does a body follow its shaken base, and does the wave run up it as its exact solution says?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.scene(scene)
+.options(options)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_STIFFNESS, WRONG_FREQUENCY])
+.studies(&[Plan::new(
+    Ladder::made(path),
+    &[Measure::new("velocity", L2), STRESS_MEASURE],
+    1,
+)])
+.guest(guest);
 
 /// What a rung runs.
 enum Problem {
@@ -79,162 +83,132 @@ enum Problem {
     Block(Block),
 }
 
-impl BaseAcceleration {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_stiffness: 1.0,
-        reference_frequency: 1.0,
+fn problem(rung: &Rung, settings: &Settings) -> Problem {
+    let column = |dimension, shaking| {
+        Problem::Column(Column {
+            dimension,
+            cell: rung.cell,
+            shaking,
+            settings: *settings,
+        })
     };
-
-    fn problem(rung: &Rung, settings: &Settings) -> Problem {
-        let column = |dimension, shaking| {
-            Problem::Column(Column {
-                dimension,
-                cell: rung.cell,
-                shaking,
-                settings: *settings,
-            })
-        };
-        match rung.variant {
-            "text" => Problem::Block(Block::TEXT),
-            "input" => Problem::Block(Block::INPUT),
-            "smooth" => column(Dimension::Two, Column::smooth(SMALL)),
-            "flip" | "linear" => column(Dimension::Two, Column::sine(SMALL)),
-            "p-wave-3d" => column(Dimension::Three, Column::sine(AMPLITUDE)),
-            _ => column(Dimension::Two, Column::sine(AMPLITUDE)),
-        }
-    }
-
-    /// Rungs of a variant with these numbers of cells over the height.
-    fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
-        Rung::counted(variant, &format!("{variant} H/h"), 1.0, counts)
+    match rung.variant {
+        "text" => Problem::Block(Block::TEXT),
+        "input" => Problem::Block(Block::INPUT),
+        "smooth" => column(Dimension::Two, Column::smooth(SMALL)),
+        "flip" | "linear" => column(Dimension::Two, Column::sine(SMALL)),
+        "p-wave-3d" => column(Dimension::Three, Column::sine(AMPLITUDE)),
+        _ => column(Dimension::Two, Column::sine(AMPLITUDE)),
     }
 }
 
-impl Case for BaseAcceleration {
-    fn name(&self) -> &'static str {
-        "base-acceleration"
-    }
+/// Rungs of a variant with these numbers of cells over the height.
+fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
+    Rung::counted(variant, &format!("{variant} H/h"), 1.0, counts)
+}
 
-    fn question(&self) -> &'static str {
-        "Does a body follow its shaken base, and does the wave run up it as its exact solution says?"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let ladders: &[(&'static str, &[u32])] = match size {
+        Size::Quick => &[("p-wave", &[16, 32]), ("smooth", &[8, 16, 32])],
+        Size::Full => &[
+            ("p-wave", &[8, 16, 32, 64]),
+            ("p-wave-3d", &[32]),
+            ("flip", &[32]),
+            ("linear", &[32]),
+            ("smooth", &[8, 16, 32, 64]),
+        ],
+    };
+    let columns = ladders
+        .iter()
+        .flat_map(|&(variant, counts)| rungs_of(variant, counts));
+    let blocks = ["text", "input"]
+        .into_iter()
+        .map(|variant| Rung::labelled(format!("manual's {variant}"), variant, manual::CELL));
+    columns.chain(blocks).collect()
+}
 
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let ladders: &[(&'static str, &[u32])] = match size {
-            Size::Quick => &[("p-wave", &[16, 32]), ("smooth", &[8, 16, 32])],
-            Size::Full => &[
-                ("p-wave", &[8, 16, 32, 64]),
-                ("p-wave-3d", &[32]),
-                ("flip", &[32]),
-                ("linear", &[32]),
-                ("smooth", &[8, 16, 32, 64]),
-            ],
-        };
-        let columns = ladders
-            .iter()
-            .flat_map(|&(variant, counts)| Self::rungs_of(variant, counts));
-        let blocks = ["text", "input"].into_iter().map(|variant| Rung {
-            label: format!("manual's {variant}"),
-            cell: manual::CELL,
-            variant,
-        });
-        columns.chain(blocks).collect()
-    }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    judge::verdict(runs.size, runs.solved)
+}
 
-    with_own_settings!();
+fn method(rung: &Rung) -> Settings {
+    let (method, courant) = match rung.variant {
+        "smooth" => (FLIP, COURANT_PER_METRE * rung.cell),
+        "flip" => (FLIP, COURANT_FLIP),
+        // The block of the manual has the manual's step.
+        "text" | "input" => return Settings::new(Method::DEFAULT),
+        _ => (APIC, COURANT),
+    };
+    Settings::new(method).courant(courant)
+}
 
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        judge::verdict(size, solved)
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    match problem(rung, settings) {
+        Problem::Column(column) => column.scene(),
+        Problem::Block(block) => {
+            let mut scene = block.scene();
+            settings.apply(&mut scene);
+            scene
+        }
     }
 }
 
-impl Study for BaseAcceleration {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let cells: &[u32] = match size {
-            Size::Quick => &[8, 16, 32],
-            Size::Full => &[8, 16, 32, 64, 128],
-        };
-        Self::rungs_of("smooth", cells)
+fn options(_rung: &Rung, _: Reference, options: Options) -> Options {
+    Options {
+        displacement: true,
+        ..options
     }
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![Measure::new("velocity", L2), STRESS_MEASURE]
-    }
-
-    fn refined_axes(&self) -> usize {
-        1
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        let (method, courant) = match rung.variant {
-            "smooth" => (FLIP, COURANT_PER_METRE * rung.cell),
-            "flip" => (FLIP, COURANT_FLIP),
-            // The block of the manual has the manual's step.
-            "text" | "input" => return Settings::new(Method::DEFAULT),
-            _ => (APIC, COURANT),
-        };
-        Settings::new(method).courant(courant)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        match Self::problem(rung, settings) {
-            Problem::Column(column) => column.scene(),
-            Problem::Block(block) => {
-                let mut scene = block.scene();
-                settings.apply(&mut scene);
-                scene
-            }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        settings,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    match problem(rung, settings) {
+        Problem::Column(column) => {
+            let response = column.run(simulation, reference.of(&WRONG_STIFFNESS), observer)?;
+            let velocity = |name, [value, exact]: [f64; 2]| Quantity {
+                value: AMPLITUDE * value,
+                exact: Some(AMPLITUDE * exact),
+                ..Quantity::compared(name, value, exact, "m/s")
+            };
+            let quantities = vec![
+                velocity(TOP, response.top),
+                velocity(UPPERMOST, response.uppermost),
+                ratio(L2, response.l2),
+                ratio(STRESS, response.stress),
+            ];
+            Ok(Found::new(quantities, Some(response.curve)))
+        }
+        Problem::Block(_) => {
+            let distance = manual::run(simulation, reference.of(&WRONG_FREQUENCY), observer)?;
+            let quantities = vec![
+                ratio(BASE, Some(distance.plane)),
+                ratio(LOWEST, Some(distance.lowest)),
+            ];
+            Ok(Found::new(quantities, None))
         }
     }
+}
 
-    fn options(&self, _rung: &Rung, options: Options) -> Options {
-        Options {
-            displacement: true,
-            ..options
-        }
-    }
+fn path(size: Size) -> Vec<Rung> {
+    let cells: &[u32] = match size {
+        Size::Quick => &[8, 16, 32],
+        Size::Full => &[8, 16, 32, 64, 128],
+    };
+    rungs_of("smooth", cells)
+}
 
-    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
-        match Self::problem(rung, &guest::settings()) {
-            Problem::Column(column) => Ok(column.guest(self.reference_stiffness)),
-            Problem::Block(_) => {
-                Err("what is known of the manual's block is the velocity of its base alone")
-            }
-        }
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        match Self::problem(rung, settings) {
-            Problem::Column(column) => {
-                let response = column.run(simulation, self.reference_stiffness, observer)?;
-                let velocity = |name, [value, exact]: [f64; 2]| Quantity {
-                    value: AMPLITUDE * value,
-                    exact: Some(AMPLITUDE * exact),
-                    ..Quantity::compared(name, value, exact, "m/s")
-                };
-                let quantities = vec![
-                    velocity(TOP, response.top),
-                    velocity(UPPERMOST, response.uppermost),
-                    ratio(L2, response.l2),
-                    ratio(STRESS, response.stress),
-                ];
-                Ok(Found::new(quantities, Some(response.curve)))
-            }
-            Problem::Block(_) => {
-                let distance = manual::run(simulation, self.reference_frequency, observer)?;
-                let quantities = vec![
-                    ratio(BASE, Some(distance.plane)),
-                    ratio(LOWEST, Some(distance.lowest)),
-                ];
-                Ok(Found::new(quantities, None))
-            }
+fn guest(rung: &Rung) -> Result<Guest, &'static str> {
+    match problem(rung, &guest::settings()) {
+        Problem::Column(column) => Ok(column.guest(Reference::CORRECT.of(&WRONG_STIFFNESS))),
+        Problem::Block(_) => {
+            Err("what is known of the manual's block is the velocity of its base alone")
         }
     }
 }

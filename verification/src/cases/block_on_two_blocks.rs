@@ -15,18 +15,7 @@
 //! these lie where the joint was before it sank by rho g (H + W/2) W/E, 2 mm, and cells are much larger, the block is off
 //! by 2 mm over H/2, 1.3 %, on any mesh. `precision` studies these means. `proctor verify block-on-two-blocks`.
 
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{
-    Contact, ContactNormal, Damping, Dimension, Mesh, PlaneCondition, Scene, StressScheme, Vector,
-};
-
-use super::dynamics::run;
-use super::judging::error_at_most;
-use super::{NO_RESULTS, body, cuboid, elastic};
-use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study, few};
+use super::prelude::*;
 
 /// Young's modulus \[Pa\].
 const YOUNG: f64 = 1e6;
@@ -92,15 +81,22 @@ const GATES: [(&str, f64, &str); 4] = [
     ),
 ];
 
+const WRONG_PLACE: Wrong = Wrong::value("shift", 0.0, 0.02);
+const WRONG_WEIGHT: Wrong = Wrong::factor("weight", 1.01);
+
 /// A block on two blocks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BlockOnTwoBlocks {
-    /// Where the block stands from the joint, over its width \[1\]. Anything but 0 breaks the mirror, to prove that the
-    /// gate on it notices.
-    pub shift: f64,
-    /// Density of the block over that of the exact weight. Anything but 1 is a wrong weight.
-    pub heavier: f64,
-}
+pub static BLOCK_ON_TWO_BLOCKS: Case = Case::new("block-on-two-blocks", "Does a block on two others share its weight between them, where three bodies meet at a node?")
+    .ladder(Ladder::made(rungs))
+    .method(method)
+    .scene_by(scene)
+    .run(compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_PLACE, WRONG_WEIGHT])
+    .studies(&[Plan::new(Ladder::made(path), &[
+        Measure::new("stress", STRESSES[1]),
+        Measure::new("pillar-stress", STRESSES[0]),
+    ], 2).trying(few)])
+    .no_guest("its blocks settle under damping that ends later, and what is known exactly are means of stress over a time without it");
 
 /// Variants.
 const VARIANTS: [(&str, Dimension, StressScheme); 4] = [
@@ -124,211 +120,171 @@ struct Window {
     sum: f64,
 }
 
-impl BlockOnTwoBlocks {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        shift: 0.0,
-        heavier: 1.0,
+fn variant(rung: &Rung) -> (Dimension, StressScheme) {
+    let found = VARIANTS.iter().find(|v| v.0 == rung.variant);
+    let &(_, dimension, scheme) = found.unwrap_or(&VARIANTS[0]);
+    (dimension, scheme)
+}
+
+fn quantities(
+    reference: Reference,
+    simulation: &Simulation,
+    window: &Window,
+    before: f64,
+) -> Vec<Quantity> {
+    let up = simulation.scene().dimension.axes() - 1;
+    let (mass, _, velocity) = simulation.center(2);
+    let weight = mass * GRAVITY;
+    let exact = weight / reference.of(&WRONG_WEIGHT);
+    let all = weight * window.time;
+    let [left, right, block] = window.impulse;
+    let change = mass * (velocity[up] - before);
+    let total = block / window.time / exact;
+    let stress = |of: usize, exact: f64| {
+        let value = window.stress[of] / f64::from(window.samples);
+        Quantity::compared(STRESSES[of], value, exact, "Pa")
     };
-
-    fn variant(rung: &Rung) -> (Dimension, StressScheme) {
-        let found = VARIANTS.iter().find(|v| v.0 == rung.variant);
-        let &(_, dimension, scheme) = found.unwrap_or(&VARIANTS[0]);
-        (dimension, scheme)
-    }
-
-    fn quantities(&self, simulation: &Simulation, window: &Window, before: f64) -> Vec<Quantity> {
-        let up = simulation.scene().dimension.axes() - 1;
-        let (mass, _, velocity) = simulation.center(2);
-        let weight = mass * GRAVITY;
-        let exact = weight / self.heavier;
-        let all = weight * window.time;
-        let [left, right, block] = window.impulse;
-        let change = mass * (velocity[up] - before);
-        let total = block / window.time / exact;
-        let stress = |of: usize, exact: f64| {
-            let value = window.stress[of] / f64::from(window.samples);
-            Quantity::compared(STRESSES[of], value, exact, "Pa")
-        };
-        vec![
-            Quantity::compared(TOTAL, total, 1.0, "1"),
-            Quantity::of_zero(SHARES, (left - right) / all),
-            Quantity::of_zero(MOMENTUM, (block - all - change) / all),
-            Quantity::of_zero(SUM, window.sum / weight),
-            stress(0, -0.5 * DENSITY * GRAVITY * (WIDTH + HEIGHT)),
-            stress(1, -0.5 * DENSITY * GRAVITY * HEIGHT),
-        ]
-    }
+    vec![
+        Quantity::compared(TOTAL, total, 1.0, "1"),
+        Quantity::of_zero(SHARES, (left - right) / all),
+        Quantity::of_zero(MOMENTUM, (block - all - change) / all),
+        Quantity::of_zero(SUM, window.sum / weight),
+        stress(0, -0.5 * DENSITY * GRAVITY * (WIDTH + HEIGHT)),
+        stress(1, -0.5 * DENSITY * GRAVITY * HEIGHT),
+    ]
 }
 
-impl Case for BlockOnTwoBlocks {
-    fn name(&self) -> &'static str {
-        "block-on-two-blocks"
+fn rungs(size: Size) -> Vec<Rung> {
+    let cells: &[(f64, usize)] = match size {
+        Size::Quick => &[(0.1, 3)],
+        Size::Full => &[(0.1, 4), (0.05, 3)],
+    };
+    let of = |&(cell, count): &(f64, usize)| {
+        let variants = VARIANTS.into_iter().take(count);
+        variants.map(move |v| Rung::new(v.0, cell))
+    };
+    cells.iter().flat_map(of).collect()
+}
+
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for rung in runs.rungs {
+        let gates = GATES.map(|(name, bound, reason)| {
+            error_at_most(runs.solved, &rung.label, name, bound, reason)
+        });
+        verdict.gates.extend(gates);
     }
+    verdict
+}
 
-    fn question(&self) -> &'static str {
-        "Does a block on two others share its weight between them, where three bodies meet at a node?"
-    }
+fn method(rung: &Rung) -> Settings {
+    let (_, scheme) = variant(rung);
+    Settings::new(Method {
+        scheme,
+        ..Method::DEFAULT
+    })
+    .courant(COURANT)
+}
 
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let cells: &[(f64, usize)] = match size {
-            Size::Quick => &[(0.1, 3)],
-            Size::Full => &[(0.1, 4), (0.05, 3)],
-        };
-        let of = |&(cell, count): &(f64, usize)| {
-            let variants = VARIANTS.into_iter().take(count);
-            variants.map(move |v| Rung::new(v.0, cell))
-        };
-        cells.iter().flat_map(of).collect()
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for rung in self.rungs(size) {
-            let gates = GATES.map(|(name, bound, reason)| {
-                error_at_most(solved, &rung.label, name, bound, reason)
-            });
-            verdict.gates.extend(gates);
+fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
+    let (dimension, _) = variant(rung);
+    let h = rung.cell;
+    let up = dimension.axes() - 1;
+    let cells = |length: f64| (length / h).round() as usize;
+    // Two cells of air on both sides of the pillars, and above the block.
+    let air = 2.0 * h;
+    let (long, high) = (cells(2.0 * WIDTH) + 4, cells(WIDTH + HEIGHT) + 2);
+    let counts = match dimension {
+        Dimension::Two => [long, high, 1],
+        Dimension::Three => [long, cells(WIDTH) + 4, high],
+    };
+    let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], counts);
+    mesh.planes[up][1] = PlaneCondition::Free;
+    let mut scene = bare_scene("block_on_two_blocks", dimension, mesh, SETTLING + WINDOW);
+    scene.damping = Damping::Local { alpha: DAMPING };
+    scene.gravity[up] = -GRAVITY;
+    scene.time_step = settings.multiplier();
+    scene.materials = elastic(DENSITY, YOUNG, POISSON);
+    let point = |x: f64, y: f64, z: f64| -> Vector {
+        match dimension {
+            Dimension::Two => [x, z, 0.0],
+            Dimension::Three => [x, y, z],
         }
-        verdict
-    }
+    };
+    let block = |id: i64, name: &str, x: f64, z: f64, height: f64| {
+        let far = point(x + WIDTH, air + WIDTH, z + height);
+        body(name, id, cuboid(point(x, air, z), far))
+    };
+    let middle = air + (0.5 + reference.of(&WRONG_PLACE)) * WIDTH;
+    scene.bodies = vec![
+        block(1, "left", air, 0.0, WIDTH),
+        block(2, "right", air + WIDTH, 0.0, WIDTH),
+        block(3, "block", middle, WIDTH, HEIGHT),
+    ];
+    let contact = |id: i64, master: i64, slave: i64, normal| Contact {
+        name: format!("bodies {master} and {slave}"),
+        id,
+        friction: FRICTION,
+        master,
+        slave,
+        normal,
+    };
+    scene.contacts = vec![
+        contact(1, 1, 3, ContactNormal::Master),
+        contact(2, 2, 3, ContactNormal::Master),
+        contact(3, 1, 2, ContactNormal::Collinear),
+    ];
+    settings.apply(&mut scene);
+    scene
 }
 
-impl Study for BlockOnTwoBlocks {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let (variant, ..) = VARIANTS[0];
-        let cells: &[f64] = match size {
-            Size::Quick => &[0.1, 0.05],
-            Size::Full => &[0.1, 0.05, 0.025],
-        };
-        Rung::ladders(&[(variant, cells)])
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("stress", STRESSES[1]),
-            Measure::new("pillar-stress", STRESSES[0]),
-        ]
-    }
-
-    fn tries(&self, size: Size, method: Method) -> bool {
-        few(size, method)
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        let (_, scheme) = Self::variant(rung);
-        Settings::new(Method {
-            scheme,
-            ..Method::DEFAULT
-        })
-        .courant(COURANT)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let (dimension, _) = Self::variant(rung);
-        let h = rung.cell;
-        let up = dimension.axes() - 1;
-        let cells = |length: f64| (length / h).round() as usize;
-        // Two cells of air on both sides of the pillars, and above the block.
-        let air = 2.0 * h;
-        let (long, high) = (cells(2.0 * WIDTH) + 4, cells(WIDTH + HEIGHT) + 2);
-        let counts = match dimension {
-            Dimension::Two => [long, high, 1],
-            Dimension::Three => [long, cells(WIDTH) + 4, high],
-        };
-        let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], counts);
-        mesh.planes[up][1] = PlaneCondition::Free;
-        let mut scene = Scene::new(dimension, mesh, SETTLING + WINDOW);
-        scene.name = String::from("block_on_two_blocks");
-        scene.results = NO_RESULTS;
-        scene.damping = Damping::Local { alpha: DAMPING };
-        scene.gravity[up] = -GRAVITY;
-        scene.time_step = settings.multiplier();
-        scene.materials = elastic(DENSITY, YOUNG, POISSON);
-        let point = |x: f64, y: f64, z: f64| -> Vector {
-            match dimension {
-                Dimension::Two => [x, z, 0.0],
-                Dimension::Three => [x, y, z],
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let up = simulation.scene().dimension.axes() - 1;
+    let end = simulation.scene().time;
+    run_until(simulation, SETTLING, observer, |_| ())?;
+    simulation.set_local_damping(None)?;
+    let before = simulation.center(2).2[up];
+    let mut kicked = simulation.velocity_time();
+    let mut window = Window::default();
+    run_until(simulation, end, observer, |s| {
+        let kick = s.velocity_time() - kicked;
+        kicked = s.velocity_time();
+        window.time += kick;
+        if s.steps().is_multiple_of(SAMPLED) {
+            let stress = mean_stress(s, up);
+            window.stress[0] += stress[0];
+            window.stress[1] += stress[1];
+            window.samples += 1;
+        }
+        let mut sum = [0.0; 3];
+        for body in 0..3 {
+            let force = s.contact_force(body);
+            window.impulse[body] += force[up] * kick;
+            for axis in 0..3 {
+                sum[axis] += force[axis];
             }
-        };
-        let block = |id: i64, name: &str, x: f64, z: f64, height: f64| {
-            let far = point(x + WIDTH, air + WIDTH, z + height);
-            body(name, id, cuboid(point(x, air, z), far))
-        };
-        let middle = air + (0.5 + self.shift) * WIDTH;
-        scene.bodies = vec![
-            block(1, "left", air, 0.0, WIDTH),
-            block(2, "right", air + WIDTH, 0.0, WIDTH),
-            block(3, "block", middle, WIDTH, HEIGHT),
-        ];
-        let contact = |id: i64, master: i64, slave: i64, normal| Contact {
-            name: format!("bodies {master} and {slave}"),
-            id,
-            friction: FRICTION,
-            master,
-            slave,
-            normal,
-        };
-        scene.contacts = vec![
-            contact(1, 1, 3, ContactNormal::Master),
-            contact(2, 2, 3, ContactNormal::Master),
-            contact(3, 1, 2, ContactNormal::Collinear),
-        ];
-        settings.apply(&mut scene);
-        scene
-    }
+        }
+        window.sum = sum.iter().fold(window.sum, |most, f| most.max(f.abs()));
+    })?;
+    Ok(Found::new(
+        quantities(reference, simulation, &window, before),
+        None,
+    ))
+}
 
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "its blocks settle under damping that ends later, and what is known exactly are means of stress over a time without it",
-        )
-    }
-
-    fn run(
-        &self,
-        _rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let up = simulation.scene().dimension.axes() - 1;
-        let end = simulation.scene().time;
-        run(simulation, SETTLING, observer, |_| ())?;
-        simulation.set_local_damping(None)?;
-        let before = simulation.center(2).2[up];
-        let mut kicked = simulation.velocity_time();
-        let mut window = Window::default();
-        run(simulation, end, observer, |s| {
-            let kick = s.velocity_time() - kicked;
-            kicked = s.velocity_time();
-            window.time += kick;
-            if s.steps().is_multiple_of(SAMPLED) {
-                let stress = mean_stress(s, up);
-                window.stress[0] += stress[0];
-                window.stress[1] += stress[1];
-                window.samples += 1;
-            }
-            let mut sum = [0.0; 3];
-            for body in 0..3 {
-                let force = s.contact_force(body);
-                window.impulse[body] += force[up] * kick;
-                for axis in 0..3 {
-                    sum[axis] += force[axis];
-                }
-            }
-            window.sum = sum.iter().fold(window.sum, |most, f| most.max(f.abs()));
-        })?;
-        Ok(Found::new(
-            self.quantities(simulation, &window, before),
-            None,
-        ))
-    }
+fn path(size: Size) -> Vec<Rung> {
+    let (variant, ..) = VARIANTS[0];
+    let cells: &[f64] = match size {
+        Size::Quick => &[0.1, 0.05],
+        Size::Full => &[0.1, 0.05, 0.025],
+    };
+    Rung::ladders(&[(variant, cells)])
 }
 
 /// Mean vertical stress of the pillars and of the block \[Pa\], weighted by mass.

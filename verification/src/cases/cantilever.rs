@@ -19,23 +19,10 @@
 
 mod hanging;
 
-use std::sync::OnceLock;
-
-use proctor_contact::geometry::mortar::motion::FollowMode;
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{BodyBoundary, Dimension, HeldBox, Scene, Vertices, Weighting};
-
 use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
-use super::dynamics::{at_intervals, ratio};
-use super::judging::{error_at_most, table, value_of};
-use super::mortar::{PAPER, boundary, settings, without_pic};
-use super::{NO_RESULTS, body, cuboid, material, open_plane, reference};
-use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 const LENGTH: f64 = 4.0;
 const HEIGHT: f64 = 1.0;
@@ -68,63 +55,63 @@ const NO_SPIN: &str = "g=10, no spin";
 const UNIFORM: &str = "g=10, uGIMP";
 const NO_AUGMENTATION: &str = "g=10, uGIMP, no augmentation";
 
+const WRONG_GRAVITY: Wrong = Wrong::factor("gravity", 1.1);
+
 /// The beam that is let go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cantilever {
-    /// Gravity of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_gravity: f64,
-}
+pub static CANTILEVER: Case = Case::new("cantilever", "Does a soft cantilever swing under its weight as it should, and does its boundary swing with it?")
+    .ladder(Ladder::made(rungs))
+    .method(method)
+    .scene(scene)
+    .options(options)
+    .prepare(prepare)
+    .run(compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_GRAVITY])
+    .studies(&[Plan::new(Ladder::made(path), &[Measure::new("displacement", TIP)], 2)])
+    .no_guest("its reference is the history of a tip that vertices of its boundary follow, and frames of particles have none there");
 
 /// [`Gate::at_most`] or [`Gate::at_least`].
 type NewGate = fn(String, f64, f64, &'static str) -> Gate;
 
 /// What the finite elements say of a gravity.
 #[derive(Debug)]
-struct Reference {
+struct Known {
     /// Vertical displacement of the followed particle of each of [`CELLS`], at each interval \[m\].
     tips: [Vec<f64>; CELLS.len()],
     /// Displacement at [`HANGING`] of the points of the boundary of [`JUDGED`] \[m\].
     boundary: Vec<[f64; 2]>,
 }
 
-impl Cantilever {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_gravity: 1.0,
-    };
+fn gravity(variant: &str) -> f64 {
+    if small(variant) { 1.0 } else { 10.0 }
+}
 
-    fn gravity(variant: &str) -> f64 {
-        if Self::small(variant) { 1.0 } else { 10.0 }
-    }
-
-    fn ends(variant: &str) -> f64 {
-        if Self::small(variant) || variant == LARGE {
-            END
-        } else {
-            HANGING
-        }
-    }
-
-    fn small(variant: &str) -> bool {
-        [SMALL, BARE].contains(&variant)
-    }
-
-    /// `c dt/h` of the case's own runs.
-    fn courant(variant: &str) -> f64 {
-        if Self::small(variant) { 0.4 } else { 0.1 }
-    }
-
-    /// The reference of a variant; that of the case as it is meant is computed once.
-    fn reference(self, variant: &str) -> Result<&'static Reference, String> {
-        static GIVEN: [OnceLock<Result<Reference, String>>; 2] = [OnceLock::new(), OnceLock::new()];
-        let given = &GIVEN[usize::from(!Self::small(variant))];
-        let gravity = Self::gravity(variant) * self.reference_gravity;
-        reference(given, self == Self::GIVEN, || Reference::new(gravity))
+fn ends(variant: &str) -> f64 {
+    if small(variant) || variant == LARGE {
+        END
+    } else {
+        HANGING
     }
 }
 
-impl Reference {
+fn small(variant: &str) -> bool {
+    [SMALL, BARE].contains(&variant)
+}
+
+/// `c dt/h` of the case's own runs.
+fn courant(variant: &str) -> f64 {
+    if small(variant) { 0.4 } else { 0.1 }
+}
+
+/// The reference of a variant; that of the case as it is meant is computed once.
+fn known(reference: Reference, variant: &str) -> Result<&'static Known, String> {
+    static GIVEN: [OnceLock<Result<Known, String>>; 2] = [OnceLock::new(), OnceLock::new()];
+    let given = &GIVEN[usize::from(!small(variant))];
+    let gravity = gravity(variant) * reference.of(&WRONG_GRAVITY);
+    known_reference(given, reference.is_correct(), || Known::new(gravity))
+}
+
+impl Known {
     fn new(gravity: f64) -> Result<Self, String> {
         let beam = Exact {
             length: LENGTH,
@@ -201,214 +188,183 @@ fn tip_quantities(history: &[f64], exact: &[f64]) -> Vec<Quantity> {
     quantities
 }
 
-impl Case for Cantilever {
-    fn name(&self) -> &'static str {
-        "cantilever"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let ladders: &[(&'static str, &[f64])] = match size {
+        Size::Quick => &[(SMALL, &[0.25]), (LARGE, &[0.25]), (NO_SPIN, &[0.25])],
+        Size::Full => &[
+            (SMALL, &[0.25, 0.125, 0.0625]),
+            (LARGE, &[0.25, 0.125]),
+            (GRADIENT, &[0.25]),
+            (NO_SPIN, &[0.25]),
+            (UNIFORM, &[0.25]),
+            (NO_AUGMENTATION, &[0.25]),
+        ],
+    };
+    Rung::ladders(ladders)
+}
 
-    fn question(&self) -> &'static str {
-        "Does a soft cantilever swing under its weight as it should, and does its boundary swing with it?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let ladders: &[(&'static str, &[f64])] = match size {
-            Size::Quick => &[(SMALL, &[0.25]), (LARGE, &[0.25]), (NO_SPIN, &[0.25])],
-            Size::Full => &[
-                (SMALL, &[0.25, 0.125, 0.0625]),
-                (LARGE, &[0.25, 0.125]),
-                (GRADIENT, &[0.25]),
-                (NO_SPIN, &[0.25]),
-                (UNIFORM, &[0.25]),
-                (NO_AUGMENTATION, &[0.25]),
-            ],
-        };
-        Rung::ladders(ladders)
-    }
-
-    with_own_settings!();
-
-    fn prepare(&self, rung: &Rung) {
-        let _ = self.reference(rung.variant);
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let gate = |label, name, bound, reason| error_at_most(solved, label, name, bound, reason);
-        let figures = "the method's reference figures: 2.0, 0.4 and 0.02 %";
-        let half = "the method's reference figures: 0.5 %";
-        let large = "the method's reference figures: 2.6 %";
-        let mut gates = vec![
-            gate("g=1 h=0.25", TIP, 0.025, figures),
-            gate("g=10 h=0.25", TIP, 0.05, large),
-            gate("g=10 h=0.25", TROUGH, 0.015, half),
-            gate("g=10 h=0.25", TROUGH_TIME, 0.01, half),
-        ];
-        let mut vertices = |variant: &str, gate: NewGate, bound, reason| {
-            let label = format!("{variant} h={JUDGED}");
-            let found = value_of(solved, &label, FROM_PARTICLES);
-            gates.push(gate(
-                format!("{label}: {FROM_PARTICLES}"),
-                found,
-                bound,
-                reason,
-            ));
-        };
-        let close = "a twelfth of a cell; the method's reference figures: 0.014 m with spin, 0.011 m with gradient";
-        let far = "without its spin a vertex lags behind: 0.09 m in the method's reference figures";
-        let lost = "without augmentation vertices drift: 0.16 m in the method's reference figures";
-        vertices(LARGE, Gate::at_most, 0.02, close);
-        vertices(NO_SPIN, Gate::at_least, 0.05, far);
-        if size == Size::Full {
-            vertices(GRADIENT, Gate::at_most, 0.02, close);
-            vertices(UNIFORM, Gate::at_most, 0.02, close);
-            vertices(NO_AUGMENTATION, Gate::at_least, 0.1, lost);
-            for (label, bound) in [("g=1 h=0.125", 0.01), ("g=1 h=0.0625", 0.005)] {
-                gates.push(gate(label, TIP, bound, figures));
-            }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let gate = |label, name, bound, reason| error_at_most(runs.solved, label, name, bound, reason);
+    let figures = "the method's reference figures: 2.0, 0.4 and 0.02 %";
+    let half = "the method's reference figures: 0.5 %";
+    let large = "the method's reference figures: 2.6 %";
+    let mut gates = vec![
+        gate("g=1 h=0.25", TIP, 0.025, figures),
+        gate("g=10 h=0.25", TIP, 0.05, large),
+        gate("g=10 h=0.25", TROUGH, 0.015, half),
+        gate("g=10 h=0.25", TROUGH_TIME, 0.01, half),
+    ];
+    let mut vertices = |variant: &str, gate: NewGate, bound, reason| {
+        let label = format!("{variant} h={JUDGED}");
+        let found = value_of(runs.solved, &label, FROM_PARTICLES);
+        gates.push(gate(
+            format!("{label}: {FROM_PARTICLES}"),
+            found,
+            bound,
+            reason,
+        ));
+    };
+    let close = "a twelfth of a cell; the method's reference figures: 0.014 m with spin, 0.011 m with gradient";
+    let far = "without its spin a vertex lags behind: 0.09 m in the method's reference figures";
+    let lost = "without augmentation vertices drift: 0.16 m in the method's reference figures";
+    vertices(LARGE, Gate::at_most, 0.02, close);
+    vertices(NO_SPIN, Gate::at_least, 0.05, far);
+    if runs.size == Size::Full {
+        vertices(GRADIENT, Gate::at_most, 0.02, close);
+        vertices(UNIFORM, Gate::at_most, 0.02, close);
+        vertices(NO_AUGMENTATION, Gate::at_least, 0.1, lost);
+        for (label, bound) in [("g=1 h=0.125", 0.01), ("g=1 h=0.0625", 0.005)] {
+            gates.push(gate(label, TIP, bound, figures));
         }
-        let swings = [SMALL, LARGE].map(|v| (v.to_owned(), table(solved, v, &[TIP, TROUGH])));
-        Verdict {
-            tables: swings.into(),
-            gates,
-            for_the_record: solved
-                .iter()
-                .filter(|(rung, _)| rung.variant != SMALL && rung.cell == JUDGED)
-                .map(|(rung, s)| {
-                    format!(
-                        "{}: vertices at {HANGING} s {:.4} m (farthest {:.3} m) from where their particles take them, \
-                         {:.4} m from the reference",
-                        rung.label,
-                        s.value(FROM_PARTICLES),
-                        s.value(FARTHEST),
-                        s.value(FROM_REFERENCE),
-                    )
-                })
-                .collect(),
-            ..Verdict::default()
-        }
+    }
+    let swings = [SMALL, LARGE].map(|v| (v.to_owned(), table(runs.solved, v, &[TIP, TROUGH])));
+    Verdict {
+        tables: swings.into(),
+        gates,
+        for_the_record: runs.solved
+            .iter()
+            .filter(|(rung, _)| rung.variant != SMALL && rung.cell == JUDGED)
+            .map(|(rung, s)| {
+                format!(
+                    "{}: vertices at {HANGING} s {:.4} m (farthest {:.3} m) from where their particles take them, \
+                     {:.4} m from the reference",
+                    rung.label,
+                    s.value(FROM_PARTICLES),
+                    s.value(FARTHEST),
+                    s.value(FROM_REFERENCE),
+                )
+            })
+            .collect(),
+        ..Verdict::default()
     }
 }
 
-impl Study for Cantilever {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let cells = match size {
-            Size::Quick => &CELLS[..3],
-            Size::Full => &CELLS,
-        };
-        Rung::ladders(&[(BARE, cells)])
-    }
+fn method(rung: &Rung) -> Settings {
+    let keeps_size = [UNIFORM, NO_AUGMENTATION].contains(&rung.variant);
+    let method = Method {
+        weighting: if keeps_size {
+            Weighting::UniformGimp
+        } else {
+            PAPER.weighting
+        },
+        ..PAPER
+    };
+    settings(method, 3).courant(courant(rung.variant))
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![Measure::new("displacement", TIP)]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        let keeps_size = [UNIFORM, NO_AUGMENTATION].contains(&rung.variant);
-        let method = Method {
-            weighting: if keeps_size {
-                Weighting::UniformGimp
-            } else {
-                PAPER.weighting
+/// A study is without the boundary, which costs time and changes nothing: there is no contact.
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let mesh = open_plane(h, [-3.0, -5.0], [5.0, 2.5]);
+    let mut scene = Scene::new(Dimension::Two, mesh, ends(rung.variant));
+    scene.name.clone_from(&rung.label);
+    scene.gravity = [0.0, -gravity(rung.variant), 0.0];
+    scene.time_step = settings.multiplier();
+    scene.results = NO_RESULTS;
+    scene.held_boxes = vec![HeldBox {
+        p1: [-h, -h, 0.0],
+        p2: [0.0, HEIGHT + h, 0.0],
+    }];
+    let law = proctor_laws::NeoHookean::new(YOUNG, POISSON);
+    scene.materials = material("soft", DENSITY, law);
+    scene.bodies = vec![body("beam", 1, rectangle([0.0; 2], [LENGTH, HEIGHT]))];
+    settings.apply(&mut scene);
+    without_pic(&mut scene);
+    if rung.variant != BARE {
+        scene.mortar.boundaries = vec![BodyBoundary {
+            follow: match rung.variant {
+                GRADIENT => FollowMode::Gradient,
+                NO_SPIN => FollowMode::Velocity,
+                NO_AUGMENTATION => FollowMode::Unaugmented,
+                _ => FollowMode::Spin,
             },
-            ..PAPER
-        };
-        settings(method, 3).courant(Self::courant(rung.variant))
-    }
-
-    /// A study is without the boundary, which costs time and changes nothing: there is no contact.
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let mesh = open_plane(h, [-3.0, -5.0], [5.0, 2.5]);
-        let mut scene = Scene::new(Dimension::Two, mesh, Self::ends(rung.variant));
-        scene.name.clone_from(&rung.label);
-        scene.gravity = [0.0, -Self::gravity(rung.variant), 0.0];
-        scene.time_step = settings.multiplier();
-        scene.results = NO_RESULTS;
-        scene.held_boxes = vec![HeldBox {
-            p1: [-h, -h, 0.0],
-            p2: [0.0, HEIGHT + h, 0.0],
+            ..boundary(1, Vertices::Spacing(0.5 * h))
         }];
-        let law = proctor_laws::NeoHookean::new(YOUNG, POISSON);
-        scene.materials = material("soft", DENSITY, law);
-        scene.bodies = vec![body("beam", 1, cuboid([0.0; 3], [LENGTH, HEIGHT, 0.0]))];
-        settings.apply(&mut scene);
-        without_pic(&mut scene);
-        if rung.variant != BARE {
-            scene.mortar.boundaries = vec![BodyBoundary {
-                follow: match rung.variant {
-                    GRADIENT => FollowMode::Gradient,
-                    NO_SPIN => FollowMode::Velocity,
-                    NO_AUGMENTATION => FollowMode::Unaugmented,
-                    _ => FollowMode::Spin,
-                },
-                ..boundary(1, Vertices::Spacing(0.5 * h))
-            }];
-        }
-        scene
     }
+    scene
+}
 
-    fn options(&self, _rung: &Rung, options: Options) -> Options {
-        Options {
-            displacement: true,
-            ..options
-        }
+fn options(_rung: &Rung, _: Reference, options: Options) -> Options {
+    Options {
+        displacement: true,
+        ..options
     }
+}
 
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "its reference is the history of a tip that vertices of its boundary follow, and frames of particles have none there",
-        )
-    }
+fn prepare(rung: &Rung, reference: Reference) {
+    let _ = known(reference, rung.variant);
+}
 
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let tip = tip_particle(simulation, rung.cell)?;
-        let starts = simulation.boundary_vertices(1);
-        let mut history = vec![];
-        let mut hanging = None;
-        let look = |simulation: &Simulation, k: usize| {
-            history.push(displacement(simulation, tip)?[1]);
-            if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
-                hanging = Some(Hanging::new(simulation, starts)?);
-            }
-            Ok(())
-        };
-        at_intervals(simulation, INTERVAL, observer, |_| (), look)?;
-        let reference = self.reference(rung.variant)?;
-        let mut quantities = vec![];
-        let mut curve = None;
-        if simulation.scene().time == END {
-            let cell = CELLS.iter().position(|h| *h == rung.cell);
-            let exact = &reference.tips[cell.ok_or("a cell size without a reference")?];
-            quantities = tip_quantities(&history, exact);
-            curve = Some(Curve {
-                title: format!("{}: deflection of the tip", rung.label),
-                abscissa: "t in s",
-                ordinate: "u_y in m",
-                points: history
-                    .iter()
-                    .zip(exact)
-                    .enumerate()
-                    .map(|(k, (&computed, &exact))| CurvePoint {
-                        at: (k + 1) as f64 * INTERVAL,
-                        computed,
-                        exact,
-                    })
-                    .collect(),
-            });
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let tip = tip_particle(simulation, rung.cell)?;
+    let starts = simulation.boundary_vertices(1);
+    let mut history = vec![];
+    let mut hanging = None;
+    let look = |simulation: &Simulation, k: usize| {
+        history.push(displacement(simulation, tip)?[1]);
+        if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
+            hanging = Some(Hanging::new(simulation, starts)?);
         }
-        if let Some(hanging) = hanging {
-            let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
-            quantities.extend(hanging.quantities(&reference.boundary, sound));
-        }
-        Ok(Found::new(quantities, curve))
+        Ok(())
+    };
+    at_intervals(simulation, INTERVAL, observer, |_| (), look)?;
+    let reference = known(reference, rung.variant)?;
+    let mut quantities = vec![];
+    let mut curve = None;
+    if simulation.scene().time == END {
+        let cell = CELLS.iter().position(|h| *h == rung.cell);
+        let exact = &reference.tips[cell.ok_or("a cell size without a reference")?];
+        quantities = tip_quantities(&history, exact);
+        curve = Some(Curve::new(
+            format!("{}: deflection of the tip", rung.label),
+            ["t in s", "u_y in m"],
+            history
+                .iter()
+                .zip(exact)
+                .enumerate()
+                .map(|(k, (&computed, &exact))| {
+                    CurvePoint::new((k + 1) as f64 * INTERVAL, computed, exact)
+                }),
+        ));
     }
+    if let Some(hanging) = hanging {
+        let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
+        quantities.extend(hanging.quantities(&reference.boundary, sound));
+    }
+    Ok(Found::new(quantities, curve))
+}
+
+fn path(size: Size) -> Vec<Rung> {
+    let cells = match size {
+        Size::Quick => &CELLS[..3],
+        Size::Full => &CELLS,
+    };
+    Rung::ladders(&[(BARE, cells)])
 }

@@ -10,20 +10,8 @@
 //! Sand: Mohr and Coulomb, 30°, no cohesion, no dilation, at rest between its walls before. E is 200 times the stress at the
 //! base, so that the column is strained by half a percent. `proctor verify collapse`.
 
-use proctor_laws::{AnyLaw, EquationOfState, MohrCoulomb, Newtonian};
-use proctor_scene::simulation::Options;
-use proctor_scene::{
-    Dimension, InitialStress, Mesh, PlaneCondition, Scene, TransferKind, VolumetricStrain,
-};
-
-use super::judging::{run_of, value_of};
+use super::prelude::*;
 use super::run_out::{self, FRONT, RunOut, TOP};
-use super::{NO_RESULTS, body, cuboid, material, solve_scene};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict,
-};
-use crate::settings::{Method, Settings};
-use crate::study::Study;
 
 /// Width of the columns of sand, d \[m\].
 const WIDTH: f64 = 1.0;
@@ -143,171 +131,148 @@ impl Column {
     }
 }
 
+const WRONG_WORK: Wrong =
+    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("from nowhere"));
+
 /// Columns that are let go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Collapse {
-    /// Share of the work of gravity that the books count. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_work: f64,
-}
+pub static COLLAPSE: Case = Case::new(
+    "collapse",
+    "How far does a column come that is let go: of sand, and of water?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_WORK])
+.no_study("nothing exact is known of a heap but balances, which hold whatever the settings");
 
-impl Collapse {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_work: 1.0,
+fn found(rung: &Rung, mut run: RunOut) -> Found {
+    let column = Column::of(rung);
+    let [far, high] = column.published();
+    let of = |name: &str| {
+        let found = run.quantities.iter().find(|q| q.name == name);
+        found.map_or(f64::NAN, |q| q.value)
     };
-
-    fn found(rung: &Rung, mut run: RunOut) -> Found {
-        let column = Column::of(rung);
-        let [far, high] = column.published();
-        let of = |name: &str| {
-            let found = run.quantities.iter().find(|q| q.name == name);
-            found.map_or(f64::NAN, |q| q.value)
-        };
-        let beyond = of(FRONT) / column.width - 1.0;
-        let height = of(TOP) / column.width;
+    let beyond = of(FRONT) / column.width - 1.0;
+    let height = of(TOP) / column.width;
+    run.quantities.extend([
+        Quantity::figure(BEYOND, beyond, "1"),
+        Quantity::figure(PUBLISHED, far, "1"),
+    ]);
+    if !column.is_water {
         run.quantities.extend([
-            Quantity::figure(BEYOND, beyond, "1"),
-            Quantity::figure(PUBLISHED, far, "1"),
+            Quantity::figure(HEIGHT, height, "1"),
+            Quantity::figure(PUBLISHED_HEIGHT, high, "1"),
         ]);
-        if !column.is_water {
-            run.quantities.extend([
-                Quantity::figure(HEIGHT, height, "1"),
-                Quantity::figure(PUBLISHED_HEIGHT, high, "1"),
-            ]);
-        }
-        let fall = (column.height() / GRAVITY).sqrt();
-        let points = run.places.iter().map(|place| CurvePoint {
-            at: place.time / fall,
-            computed: place.front / column.width - 1.0,
-            // Ritter's front is one of all times, the experiment's of the end.
-            exact: if column.is_water {
-                2.0 * column.aspect * place.time / fall
-            } else {
-                f64::NAN
-            },
-        });
-        let curve = Curve {
-            title: format!("front of the column, {}", rung.label),
-            abscissa: "time over sqrt(H/g)",
-            ordinate: "way of the front over width",
-            points: points.collect(),
-        };
-        Found {
-            drawings: vec![run.drawing],
-            ..Found::new(run.quantities, Some(curve))
-        }
+    }
+    let fall = (column.height() / GRAVITY).sqrt();
+    let points = run.places.iter().map(|place| CurvePoint {
+        at: place.time / fall,
+        computed: place.front / column.width - 1.0,
+        // Ritter's front is one of all times, the experiment's of the end.
+        exact: if column.is_water {
+            2.0 * column.aspect * place.time / fall
+        } else {
+            f64::NAN
+        },
+    });
+    let curve = Curve::new(
+        format!("front of the column, {}", rung.label),
+        ["time over sqrt(H/g)", "way of the front over width"],
+        points,
+    );
+    Found {
+        drawings: vec![run.drawing],
+        ..Found::new(run.quantities, Some(curve))
     }
 }
 
-impl Case for Collapse {
-    fn name(&self) -> &'static str {
-        "collapse"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let of = |column: &Column| {
+        let cells = column.cells[usize::from(size == Size::Full)];
+        Rung::counted(
+            column.variant,
+            &format!("{}, 1/h", column.variant),
+            WIDTH,
+            cells,
+        )
+    };
+    COLUMNS.iter().flat_map(of).collect()
+}
 
-    fn question(&self) -> &'static str {
-        "How far does a column come that is let go: of sand, and of water?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let of = |column: &Column| {
-            let cells = column.cells[usize::from(size == Size::Full)];
-            Rung::counted(
-                column.variant,
-                &format!("{}, 1/h", column.variant),
-                WIDTH,
-                cells,
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for rung in runs.rungs {
+        let label = &rung.label;
+        let column = Column::of(&rung);
+        let gates = run_out::gates(runs.solved, label, !column.is_water);
+        verdict.gates.extend(gates);
+        if run_of(runs.solved, label).is_none() {
+            continue;
+        }
+        let value = |name: &str| value_of(runs.solved, label, name);
+        let what = if column.is_water {
+            format!(
+                "front {:.2} of Ritter's after {FALLS_OF_WATER} sqrt(H/g)",
+                value(BEYOND) / value(PUBLISHED)
+            )
+        } else {
+            format!(
+                "run-out {:.2} widths, experiments {:.2}; height {:.2}, experiments {:.2}",
+                value(BEYOND),
+                value(PUBLISHED),
+                value(HEIGHT),
+                value(PUBLISHED_HEIGHT)
             )
         };
-        COLUMNS.iter().flat_map(of).collect()
+        let line = run_out::said(runs.solved, label, &what);
+        verdict.for_the_record.push(line);
     }
+    verdict
+}
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (h, column) = (rung.cell, Column::of(rung));
-        let height = column.height();
-        // Twice as far as experiments went.
-        let long = column.width * (1.0 + 2.0 * column.published()[0]).ceil();
-        let cells = |length: f64| (length / h).ceil() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [0.0; 3],
-            [h; 3],
-            [cells(long), cells(height) + 2, 1],
-        );
-        mesh.planes[1][1] = PlaneCondition::Free;
-        if !column.is_water {
-            mesh.planes[1][0] = PlaneCondition::Fixed;
-        }
-        let mut scene = Scene::new(Dimension::Two, mesh, column.time());
-        scene.name.clone_from(&rung.label);
-        scene.results = NO_RESULTS;
-        scene.gravity = [0.0, -GRAVITY, 0.0];
-        scene.materials = material(column.variant, column.density(), column.law());
-        let mut what = body("column", 1, cuboid([0.0; 3], [column.width, height, 0.0]));
-        let ratio = if column.is_water {
-            1.0
-        } else {
-            POISSON / (1.0 - POISSON)
-        };
-        what.initial_stress = InitialStress::AtRest {
-            ratio,
-            level: height,
-            surcharge: 0.0,
-        };
-        scene.bodies = vec![what];
-        if column.is_water {
-            scene.volumetric_strain = VolumetricStrain::CellAverage;
-        }
-        Settings::new(METHOD).apply(&mut scene);
-        scene
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let (h, column) = (rung.cell, Column::of(rung));
+    let height = column.height();
+    // Twice as far as experiments went.
+    let long = column.width * (1.0 + 2.0 * column.published()[0]).ceil();
+    let cells = |length: f64| (length / h).ceil() as usize;
+    let mut mesh = Mesh::new(
+        Dimension::Two,
+        [0.0; 3],
+        [h; 3],
+        [cells(long), cells(height) + 2, 1],
+    );
+    mesh.planes[1][1] = PlaneCondition::Free;
+    if !column.is_water {
+        mesh.planes[1][0] = PlaneCondition::Fixed;
     }
+    let mut scene = Scene::new(Dimension::Two, mesh, column.time());
+    scene.name.clone_from(&rung.label);
+    scene.results = NO_RESULTS;
+    scene.gravity = [0.0, -GRAVITY, 0.0];
+    scene.materials = material(column.variant, column.density(), column.law());
+    let mut what = body("column", 1, rectangle([0.0; 2], [column.width, height]));
+    let ratio = if column.is_water {
+        1.0
+    } else {
+        POISSON / (1.0 - POISSON)
+    };
+    what.initial_stress = InitialStress::AtRest {
+        ratio,
+        level: height,
+        surcharge: 0.0,
+    };
+    scene.bodies = vec![what];
+    if column.is_water {
+        scene.volumetric_strain = VolumetricStrain::CellAverage;
+    }
+    Settings::new(METHOD).apply(&mut scene);
+    scene
+}
 
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err("nothing exact is known of a heap but balances, which hold whatever the settings")
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        solve_scene(self, rung, options, |simulation| {
-            let run = run_out::run(simulation, self.reference_work, &mut |share| {
-                progress(share);
-            })?;
-            Ok(Self::found(rung, run))
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for rung in self.rungs(size) {
-            let label = &rung.label;
-            let column = Column::of(&rung);
-            let gates = run_out::gates(solved, label, !column.is_water);
-            verdict.gates.extend(gates);
-            if run_of(solved, label).is_none() {
-                continue;
-            }
-            let value = |name: &str| value_of(solved, label, name);
-            let what = if column.is_water {
-                format!(
-                    "front {:.2} of Ritter's after {FALLS_OF_WATER} sqrt(H/g)",
-                    value(BEYOND) / value(PUBLISHED)
-                )
-            } else {
-                format!(
-                    "run-out {:.2} widths, experiments {:.2}; height {:.2}, experiments {:.2}",
-                    value(BEYOND),
-                    value(PUBLISHED),
-                    value(HEIGHT),
-                    value(PUBLISHED_HEIGHT)
-                )
-            };
-            let line = run_out::said(solved, label, &what);
-            verdict.for_the_record.push(line);
-        }
-        verdict
-    }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let work = run.reference.of(&WRONG_WORK);
+    let ran = run_out::run(run.simulation, work, run.observer)?;
+    Ok(found(run.rung, ran))
 }

@@ -18,15 +18,8 @@
 mod judge;
 mod scenes;
 
-use proctor_scene::Scene;
-use proctor_scene::simulation::Simulation;
-
-use super::dynamics::run;
-use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::bar_impact::BarImpact;
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 use scenes::{VARIANTS, Variant};
 
 /// Name of the change of momentum among the quantities.
@@ -44,15 +37,24 @@ const IMPULSE: &str = "impulse";
 /// Name of what the impulse differs by from the momentum that the first bar lost.
 const BALANCE: &str = "impulse less the momentum that it took, over it";
 
+const WRONG_STIFFNESS: Wrong =
+    Wrong::factor("stiffness", 0.7).breaks(|gate| gate.contains("duration"));
+const WRONG_IMPULSE: Wrong =
+    Wrong::factor("impulse", 1.1).breaks_only(|gate| gate.ends_with(": impulse"));
+
 /// Colliding bodies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CollidingBlocks {
-    /// Stiffness of the exact bars over that of the scene. Anything but 1 is a wrong reference, to prove that the
-    /// gates notice.
-    pub reference_stiffness: f64,
-    /// Impulse of the exact bars over what it is, for the same reason.
-    pub reference_impulse: f64,
-}
+pub static COLLIDING_BLOCKS: Case = Case::new("colliding-blocks", "Do bodies that collide keep their momentum, gain no energy and part as waves say?")
+    .ladder(Ladder::made(rungs))
+    .method(method)
+    .scene(scene)
+    .run(compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_STIFFNESS, WRONG_IMPULSE])
+    .studies(&[Plan::new(Ladder::made(path), &[
+        Measure::new("velocity", RESTITUTION),
+        Measure::new("duration", DURATION),
+    ], 1)])
+    .no_guest("what is known exactly is how long the bars press on each other, and frames hold no forces of contact");
 
 /// What a collision gave.
 #[derive(Clone, Copy, Debug, Default)]
@@ -64,173 +66,132 @@ struct Collision {
     before: Option<(f64, f64)>,
 }
 
-impl CollidingBlocks {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_stiffness: 1.0,
-        reference_impulse: 1.0,
-    };
+fn rungs_of(variant: &Variant, size: Size) -> Vec<Rung> {
+    let word = format!("{} L/h", variant.name);
+    Rung::counted(variant.name, &word, scenes::LENGTH, variant.cells(size))
+}
 
-    fn rungs_of(variant: &Variant, size: Size) -> Vec<Rung> {
-        let word = format!("{} L/h", variant.name);
-        Rung::counted(variant.name, &word, scenes::LENGTH, variant.cells(size))
+fn variant(rung: &Rung) -> Variant {
+    let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
+    found.unwrap_or(VARIANTS[0])
+}
+
+/// The exact impact of a variant, where there is one.
+fn exact(reference: Reference, variant: &Variant) -> Option<BarImpact> {
+    let mut impact = variant.impact()?;
+    for bar in &mut impact.bars {
+        bar.modulus *= reference.of(&WRONG_STIFFNESS);
     }
+    Some(impact)
+}
 
-    fn variant(rung: &Rung) -> Variant {
-        let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
-        found.unwrap_or(VARIANTS[0])
-    }
-
-    /// The exact impact of a variant, where there is one.
-    fn exact(self, variant: &Variant) -> Option<BarImpact> {
-        let mut impact = variant.impact()?;
-        for bar in &mut impact.bars {
-            bar.modulus *= self.reference_stiffness;
+fn collide(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Collision, Failure> {
+    let initial = simulation.kinetic_energy() + simulation.strain_energy();
+    let mut seen = Collision::default();
+    let mut kicked = simulation.velocity_time();
+    let mut force_at = simulation.time();
+    let end = simulation.scene().time;
+    run_until(simulation, end, observer, |s| {
+        // The force is that at the positions before the step; it kicks velocities from half step to half step.
+        let kick = s.velocity_time() - kicked;
+        let force = s.contact_force(1)[0];
+        seen.impulse += force * kick;
+        seen.moment += force * kick * force_at;
+        (kicked, force_at) = (s.velocity_time(), s.time());
+        let kinetic = s.kinetic_energy();
+        if let Some((kinetic_before, strain_before)) = seen.before {
+            seen.energy = 0.5 * (kinetic_before + kinetic) + strain_before;
+            seen.gained = seen.gained.max(seen.energy / initial - 1.0);
         }
-        Some(impact)
-    }
-
-    fn collide(
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Collision, Failure> {
-        let initial = simulation.kinetic_energy() + simulation.strain_energy();
-        let mut seen = Collision::default();
-        let mut kicked = simulation.velocity_time();
-        let mut force_at = simulation.time();
-        let end = simulation.scene().time;
-        run(simulation, end, observer, |s| {
-            // The force is that at the positions before the step; it kicks velocities from half step to half step.
-            let kick = s.velocity_time() - kicked;
-            let force = s.contact_force(1)[0];
-            seen.impulse += force * kick;
-            seen.moment += force * kick * force_at;
-            (kicked, force_at) = (s.velocity_time(), s.time());
-            let kinetic = s.kinetic_energy();
-            if let Some((kinetic_before, strain_before)) = seen.before {
-                seen.energy = 0.5 * (kinetic_before + kinetic) + strain_before;
-                seen.gained = seen.gained.max(seen.energy / initial - 1.0);
-            }
-            seen.before = Some((kinetic, s.strain_energy()));
-        })?;
-        seen.energy /= initial;
-        Ok(seen)
-    }
-
-    fn quantities(
-        self,
-        variant: &Variant,
-        simulation: &Simulation,
-        seen: &Collision,
-    ) -> Vec<Quantity> {
-        let masses = [0, 1].map(|i| simulation.center(i).0);
-        let after = [0, 1].map(|i| simulation.center(i).2[0]);
-        let before = variant.velocities();
-        let scale: f64 = (0..2).map(|i| masses[i] * before[i].abs()).sum();
-        let now = simulation.momentum();
-        let start: f64 = (0..2).map(|i| masses[i] * before[i]).sum();
-        let lost = ((now[0] - start).powi(2) + now[1].powi(2) + now[2].powi(2)).sqrt() / scale;
-        let restitution = (after[1] - after[0]) / (before[0] - before[1]);
-        let mut all = vec![
-            Quantity::of_zero(MOMENTUM, lost),
-            Quantity::of_zero(ENERGY, seen.gained.max(0.0)),
-            Quantity::figure(LOST, 1.0 - seen.energy, "1"),
-        ];
-        let exact = self.exact(variant);
-        let pressed = exact.and_then(|e| Some((e.press()?, e.restitution()?)));
-        let Some((press, of_exact)) = pressed else {
-            all.push(Quantity::figure(RESTITUTION, restitution, "1"));
-            return all;
-        };
-        all.push(Quantity::compared(
-            DURATION,
-            2.0 * seen.moment / seen.impulse,
-            press.duration,
-            "s",
-        ));
-        all.push(Quantity::compared(
-            IMPULSE,
-            seen.impulse,
-            self.reference_impulse * press.impulse * Variant::section(simulation.scene()),
-            "N s",
-        ));
-        // Of the lighter bar, since the change of a velocity is known to round-off of the velocity.
-        let taken = masses[0] * (before[0] - after[0]);
-        all.push(Quantity::of_zero(BALANCE, 1.0 - taken / seen.impulse));
-        all.push(Quantity::compared(RESTITUTION, restitution, of_exact, "1"));
-        all
-    }
+        seen.before = Some((kinetic, s.strain_energy()));
+    })?;
+    seen.energy /= initial;
+    Ok(seen)
 }
 
-impl Case for CollidingBlocks {
-    fn name(&self) -> &'static str {
-        "colliding-blocks"
-    }
-
-    fn question(&self) -> &'static str {
-        "Do bodies that collide keep their momentum, gain no energy and part as waves say?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let of = |variant| Self::rungs_of(variant, size);
-        VARIANTS.iter().flat_map(of).collect()
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        judge::verdict(&self.rungs(size), solved)
-    }
+fn quantities(
+    reference: Reference,
+    variant: &Variant,
+    simulation: &Simulation,
+    seen: &Collision,
+) -> Vec<Quantity> {
+    let masses = [0, 1].map(|i| simulation.center(i).0);
+    let after = [0, 1].map(|i| simulation.center(i).2[0]);
+    let before = variant.velocities();
+    let scale: f64 = (0..2).map(|i| masses[i] * before[i].abs()).sum();
+    let now = simulation.momentum();
+    let start: f64 = (0..2).map(|i| masses[i] * before[i]).sum();
+    let lost = ((now[0] - start).powi(2) + now[1].powi(2) + now[2].powi(2)).sqrt() / scale;
+    let restitution = (after[1] - after[0]) / (before[0] - before[1]);
+    let mut all = vec![
+        Quantity::of_zero(MOMENTUM, lost),
+        Quantity::of_zero(ENERGY, seen.gained.max(0.0)),
+        Quantity::figure(LOST, 1.0 - seen.energy, "1"),
+    ];
+    let exact = exact(reference, variant);
+    let pressed = exact.and_then(|e| Some((e.press()?, e.restitution()?)));
+    let Some((press, of_exact)) = pressed else {
+        all.push(Quantity::figure(RESTITUTION, restitution, "1"));
+        return all;
+    };
+    all.push(Quantity::compared(
+        DURATION,
+        2.0 * seen.moment / seen.impulse,
+        press.duration,
+        "s",
+    ));
+    all.push(Quantity::compared(
+        IMPULSE,
+        seen.impulse,
+        reference.of(&WRONG_IMPULSE) * press.impulse * Variant::section(simulation.scene()),
+        "N s",
+    ));
+    // Of the lighter bar, since the change of a velocity is known to round-off of the velocity.
+    let taken = masses[0] * (before[0] - after[0]);
+    all.push(Quantity::of_zero(BALANCE, 1.0 - taken / seen.impulse));
+    all.push(Quantity::compared(RESTITUTION, restitution, of_exact, "1"));
+    all
 }
 
-impl Study for CollidingBlocks {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(&VARIANTS[0], size)
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let of = |variant| rungs_of(variant, size);
+    VARIANTS.iter().flat_map(of).collect()
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("velocity", RESTITUTION),
-            Measure::new("duration", DURATION),
-        ]
-    }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    judge::verdict(runs.rungs, runs.solved)
+}
 
-    fn refined_axes(&self) -> usize {
-        1
-    }
+fn method(rung: &Rung) -> Settings {
+    let variant = variant(rung);
+    Settings::new(Method {
+        scheme: variant.scheme,
+        transfer: variant.transfer,
+        ..Method::DEFAULT
+    })
+    .courant(scenes::COURANT)
+}
 
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        let variant = Self::variant(rung);
-        Settings::new(Method {
-            scheme: variant.scheme,
-            transfer: variant.transfer,
-            ..Method::DEFAULT
-        })
-        .courant(scenes::COURANT)
-    }
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let mut scene = variant(rung).scene(rung.cell);
+    scene.time_step = settings.multiplier();
+    settings.apply(&mut scene);
+    scene
+}
 
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let mut scene = Self::variant(rung).scene(rung.cell);
-        scene.time_step = settings.multiplier();
-        settings.apply(&mut scene);
-        scene
-    }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let seen = collide(simulation, observer)?;
+    let quantities = quantities(reference, &variant(rung), simulation, &seen);
+    Ok(Found::new(quantities, None))
+}
 
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "what is known exactly is how long the bars press on each other, and frames hold no forces of contact",
-        )
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let seen = Self::collide(simulation, observer)?;
-        let quantities = self.quantities(&Self::variant(rung), simulation, &seen);
-        Ok(Found::new(quantities, None))
-    }
+fn path(size: Size) -> Vec<Rung> {
+    rungs_of(&VARIANTS[0], size)
 }

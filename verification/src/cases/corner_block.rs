@@ -10,22 +10,8 @@
 //! is more than that is judged. With a mean normal at its corners (eq. 41) it is rubbed by 1.02 to 1.03 mu N.
 //! Source: Liang et al. 2024, eq. 41 and 50. `proctor verify corner-block`.
 
-use proctor_contact::geometry::mortar::Point;
-use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{
-    Damping, Dimension, Mortar, MortarContact, Scene, TransferKind, Vector, Vertices,
-};
-
-use super::dynamics::run;
-use super::judging::error_at_most;
-use super::mortar::{NO_GUEST, barrier, boundary, rigid_line, settings};
-use super::{NO_RESULTS, body, cuboid, elastic, open_plane};
-use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::sliding::Slope;
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 const LENGTH: f64 = 2.0;
 const HEIGHT: f64 = 0.5;
@@ -57,26 +43,27 @@ const WAY: &str = "displacement";
 const TOTAL: &str = "friction of the block beyond its most";
 const VERTEX: &str = "friction of a vertex beyond its most";
 
+const WRONG_FRICTION: Wrong = Wrong::factor("friction", 1.1);
+
 /// The block, by who is the slave.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CornerBlock {
-    /// Friction over that of the law that is judged. Anything but 1 is a wrong scene, to prove that the gates notice.
-    pub friction: f64,
-}
+pub static CORNER_BLOCK: Case = Case::new("corner-block", "Does a block with sharp corners keep to Coulomb's law wherever it rubs, as slave and as master?")
+    .ladder(Ladder::made(rungs))
+    .method(method)
+    .scene_by(scene)
+    .run(compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_FRICTION])
+    .studies(&[Plan::new(Ladder::made(path), &[Measure::new("displacement", WAY)], 2)])
+    .no_guest(NO_GUEST);
 
 const VARIANTS: [&str; 2] = ["block as slave", "line as slave"];
 
-impl CornerBlock {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self { friction: 1.0 };
-
-    fn exact() -> Slope {
-        let (sin, cos) = libm::sincos(TILT.to_radians());
-        Slope {
-            along: GRAVITY * sin,
-            into: GRAVITY * cos,
-            friction: FRICTION,
-        }
+fn exact() -> Slope {
+    let (sin, cos) = libm::sincos(TILT.to_radians());
+    Slope {
+        along: GRAVITY * sin,
+        into: GRAVITY * cos,
+        friction: FRICTION,
     }
 }
 
@@ -108,173 +95,147 @@ fn excess(simulation: &Simulation, turn: f64) -> [f64; 2] {
     [total, vertex]
 }
 
-impl Case for CornerBlock {
-    fn name(&self) -> &'static str {
-        "corner-block"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does a block with sharp corners keep to Coulomb's law wherever it rubs, as slave and as master?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let cells: &[f64] = match size {
-            Size::Quick => &[0.25],
-            Size::Full => &[0.25, 0.125, 0.0625],
-        };
-        Rung::ladders(&VARIANTS.map(|variant| (variant, cells)))
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for rung in self.rungs(size) {
-            for (name, bound, reason) in [
-                (
-                    WAY,
-                    1e-2,
-                    "one percent is what the project promises of friction",
-                ),
-                (
-                    TOTAL,
-                    1e-6,
-                    "Coulomb's law, but for the turn of the block's base",
-                ),
-                (VERTEX, 1e-6, "Coulomb's law at each vertex"),
-            ] {
-                verdict
-                    .gates
-                    .push(error_at_most(solved, &rung.label, name, bound, reason));
-            }
-        }
-        verdict
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let cells: &[f64] = match size {
+        Size::Quick => &[0.25],
+        Size::Full => &[0.25, 0.125, 0.0625],
+    };
+    Rung::ladders(&VARIANTS.map(|variant| (variant, cells)))
 }
 
-impl Study for CornerBlock {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let cells: &[f64] = match size {
-            Size::Quick => &[0.5, 0.25],
-            Size::Full => &[0.25, 0.125, 0.0625],
-        };
-        Rung::ladders(&[(VARIANTS[0], cells)])
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![Measure::new("displacement", WAY)]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, _rung: &Rung) -> Settings {
-        let method = Method {
-            transfer: TransferKind::Apic,
-            ..Method::DEFAULT
-        };
-        settings(method, 2)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let way = Self::exact().displacement(TIME);
-        let (from, to) = (-1.0, LENGTH + way + 1.0);
-        let mesh = open_plane(h, [from, -0.5], [to, 1.5]);
-        let line = Chain {
-            points: (0..=20)
-                .map(|k| Point::new(to - 0.2 - (to - from - 0.4) * f64::from(k) / 20.0, 0.0))
-                .collect(),
-            side: BoundarySide::Open,
-        };
-        let ends = if rung.variant == VARIANTS[0] {
-            [2, 1]
-        } else {
-            [1, 2]
-        };
-        let mut scene = Scene {
-            name: rung.label.clone(),
-            time_step: settings.multiplier(),
-            gravity: [Self::exact().along, -Self::exact().into, 0.0],
-            materials: elastic(DENSITY, YOUNG, POISSON),
-            bodies: vec![body(
-                "block",
-                1,
-                cuboid([0.0, 0.5 * GAP, 0.0], [LENGTH, 0.5 * GAP + HEIGHT, 0.0]),
-            )],
-            damping: Damping::Local { alpha: SETTLING },
-            results: NO_RESULTS,
-            mortar: Mortar {
-                boundaries: vec![boundary(1, Vertices::Spacing(SEGMENT))],
-                lines: vec![rigid_line("line", 2, line, None)],
-                contacts: vec![MortarContact {
-                    friction: self.friction * FRICTION,
-                    tangential_stiffness: KAPPA_T,
-                    ..barrier("block on line", ends, GAP, KAPPA)
-                }],
-                ..Mortar::default()
-            },
-            ..Scene::new(Dimension::Two, mesh, STAGE + TIME)
-        };
-        settings.apply(&mut scene);
-        scene
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(NO_GUEST)
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let exact = Self::exact();
-        simulation.set_friction(1, ROUGH)?;
-        run(simulation, STAGE, &mut *observer, |_| ())?;
-        simulation.set_local_damping(None)?;
-        simulation.set_friction(1, self.friction * FRICTION)?;
-        let (_, start, _) = simulation.center(0);
-        let mut most = [f64::NEG_INFINITY; 2];
-        let mut turned = turn(simulation);
-        let mut points = vec![];
-        for k in 1..=LOOKS {
-            let time = f64::from(k) / f64::from(LOOKS) * TIME;
-            run(simulation, STAGE + time, &mut *observer, |simulation| {
-                // Forces are of the step before the vertices moved. The normals of the line do not turn.
-                let now = turn(simulation);
-                let turn = if rung.variant == VARIANTS[0] {
-                    turned.max(now)
-                } else {
-                    0.0
-                };
-                turned = now;
-                let found = excess(simulation, turn);
-                for (most, found) in most.iter_mut().zip(found) {
-                    *most = most.max(found);
-                }
-            })?;
-            points.push(CurvePoint {
-                at: time,
-                computed: simulation.center(0).1[0] - start[0],
-                exact: exact.displacement(time),
-            });
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for rung in runs.rungs {
+        for (name, bound, reason) in [
+            (
+                WAY,
+                1e-2,
+                "one percent is what the project promises of friction",
+            ),
+            (
+                TOTAL,
+                1e-6,
+                "Coulomb's law, but for the turn of the block's base",
+            ),
+            (VERTEX, 1e-6, "Coulomb's law at each vertex"),
+        ] {
+            verdict
+                .gates
+                .push(error_at_most(runs.solved, &rung.label, name, bound, reason));
         }
-        let way = points.last().map_or(f64::NAN, |p| p.computed);
-        let quantities = vec![
-            Quantity::compared(WAY, way, exact.displacement(TIME), "m"),
-            Quantity::of_zero(TOTAL, most[0].max(0.0)),
-            Quantity::of_zero(VERTEX, most[1].max(0.0)),
-        ];
-        let curve = Curve {
-            title: format!("{}: way along the line", rung.label),
-            abscissa: "t in s",
-            ordinate: "u_x in m",
-            points,
-        };
-        Ok(Found::new(quantities, Some(curve)))
     }
+    verdict
+}
+
+fn method(_rung: &Rung) -> Settings {
+    let method = Method {
+        transfer: TransferKind::Apic,
+        ..Method::DEFAULT
+    };
+    settings(method, 2)
+}
+
+fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
+    let h = rung.cell;
+    let way = exact().displacement(TIME);
+    let (from, to) = (-1.0, LENGTH + way + 1.0);
+    let mesh = open_plane(h, [from, -0.5], [to, 1.5]);
+    let line = Chain {
+        points: (0..=20)
+            .map(|k| Point::new(to - 0.2 - (to - from - 0.4) * f64::from(k) / 20.0, 0.0))
+            .collect(),
+        side: BoundarySide::Open,
+    };
+    let ends = if rung.variant == VARIANTS[0] {
+        [2, 1]
+    } else {
+        [1, 2]
+    };
+    let mut scene = Scene {
+        name: rung.label.clone(),
+        time_step: settings.multiplier(),
+        gravity: [exact().along, -exact().into, 0.0],
+        materials: elastic(DENSITY, YOUNG, POISSON),
+        bodies: vec![body(
+            "block",
+            1,
+            cuboid([0.0, 0.5 * GAP, 0.0], [LENGTH, 0.5 * GAP + HEIGHT, 0.0]),
+        )],
+        damping: Damping::Local { alpha: SETTLING },
+        results: NO_RESULTS,
+        mortar: Mortar {
+            boundaries: vec![boundary(1, Vertices::Spacing(SEGMENT))],
+            lines: vec![rigid_line("line", 2, line, None)],
+            contacts: vec![MortarContact {
+                friction: reference.of(&WRONG_FRICTION) * FRICTION,
+                tangential_stiffness: KAPPA_T,
+                ..barrier("block on line", ends, GAP, KAPPA)
+            }],
+            ..Mortar::default()
+        },
+        ..Scene::new(Dimension::Two, mesh, STAGE + TIME)
+    };
+    settings.apply(&mut scene);
+    scene
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let exact = exact();
+    simulation.set_friction(1, ROUGH)?;
+    run_until(simulation, STAGE, &mut *observer, |_| ())?;
+    simulation.set_local_damping(None)?;
+    simulation.set_friction(1, reference.of(&WRONG_FRICTION) * FRICTION)?;
+    let (_, start, _) = simulation.center(0);
+    let mut most = [f64::NEG_INFINITY; 2];
+    let mut turned = turn(simulation);
+    let mut points = vec![];
+    for k in 1..=LOOKS {
+        let time = f64::from(k) / f64::from(LOOKS) * TIME;
+        run_until(simulation, STAGE + time, &mut *observer, |simulation| {
+            // Forces are of the step before the vertices moved. The normals of the line do not turn.
+            let now = turn(simulation);
+            let turn = if rung.variant == VARIANTS[0] {
+                turned.max(now)
+            } else {
+                0.0
+            };
+            turned = now;
+            let found = excess(simulation, turn);
+            for (most, found) in most.iter_mut().zip(found) {
+                *most = most.max(found);
+            }
+        })?;
+        points.push(CurvePoint::new(
+            time,
+            simulation.center(0).1[0] - start[0],
+            exact.displacement(time),
+        ));
+    }
+    let way = points.last().map_or(f64::NAN, |p| p.computed);
+    let quantities = vec![
+        Quantity::compared(WAY, way, exact.displacement(TIME), "m"),
+        Quantity::of_zero(TOTAL, most[0].max(0.0)),
+        Quantity::of_zero(VERTEX, most[1].max(0.0)),
+    ];
+    let curve = Curve::new(
+        format!("{}: way along the line", rung.label),
+        ["t in s", "u_x in m"],
+        points,
+    );
+    Ok(Found::new(quantities, Some(curve)))
+}
+
+fn path(size: Size) -> Vec<Rung> {
+    let cells: &[f64] = match size {
+        Size::Quick => &[0.5, 0.25],
+        Size::Full => &[0.25, 0.125, 0.0625],
+    };
+    Rung::ladders(&[(VARIANTS[0], cells)])
 }

@@ -1,8 +1,9 @@
 //! Motion to a fixed time, and the fields at its end.
 
-use proctor_scene::simulation::{Simulation, StepInfo};
+use proctor_scene::{OnImbalance, Scene, TimeStep};
+use proctor_scene::simulation::{Options, Simulation, StepInfo};
 
-use crate::case::{CurvePoint, Quantity};
+use crate::case::{CurvePoint, Found, Quantity, Run, Solved};
 use crate::convergence::relative_l2;
 use crate::study::{Failure, Observer, Phase, STOPPED};
 
@@ -55,7 +56,7 @@ pub fn advance(
 ///
 /// # Errors
 /// As [`step`].
-pub fn run(
+pub fn run_until(
     simulation: &mut Simulation,
     stop: f64,
     observer: &mut dyn Observer,
@@ -88,7 +89,7 @@ pub fn at_intervals(
 ) -> Result<(), Failure> {
     let count = (simulation.scene().time / interval).round() as usize;
     for k in 1..=count {
-        run(simulation, k as f64 * interval, observer, &mut after)?;
+        run_until(simulation, k as f64 * interval, observer, &mut after)?;
         observer.progress(k as f64 / count as f64);
         look(simulation, k)?;
     }
@@ -152,4 +153,71 @@ pub fn errors(
         Some((simulation.sets()[0].stress(p), stress(x)))
     });
     vec![ratio(DISPLACEMENT, u), ratio(STRESS, s)]
+}
+
+impl Run<'_> {
+    /// Number of equal steps to the end of the scene; one where steps are not equal.
+    #[must_use]
+    pub fn equal_steps(&self) -> u64 {
+        let scene = self.simulation.scene();
+        match scene.time_step {
+            TimeStep::Fixed { dt, .. } => (scene.time / dt).round() as u64,
+            _ => 1,
+        }
+    }
+
+    /// Does all steps of a scene with equal ones.
+    ///
+    /// # Errors
+    /// As [`step`].
+    pub fn advance(&mut self) -> Result<(), Failure> {
+        let steps = self.equal_steps();
+        advance(self.simulation, steps, self.observer)
+    }
+
+    /// Time that the simulation has reached \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.simulation.time()
+    }
+
+    /// Cauchy stress of a particle of the first body \[Pa: xx, yy, zz, yz, xz, xy\].
+    #[must_use]
+    pub fn stress(&self, particle: usize) -> [f64; 6] {
+        self.simulation.sets()[0].stress(particle)
+    }
+
+    /// As [`errors`].
+    pub fn errors(
+        &self,
+        displacement: impl Fn([f64; 3]) -> [f64; 3],
+        stress: impl Fn([f64; 3]) -> [f64; 6],
+    ) -> Vec<Quantity> {
+        errors(self.simulation, displacement, stress)
+    }
+
+    /// As [`along`].
+    pub fn along(
+        &self,
+        axis: usize,
+        field: impl Fn(usize, f64) -> [f64; 2],
+    ) -> Option<Vec<CurvePoint>> {
+        along(self.simulation, axis, field)
+    }
+}
+
+/// Sets up a simulation of a scene, steps and compares it by `run`.
+///
+/// # Errors
+/// Why the scene is refused, or what `run` says.
+pub fn simulate(
+    mut scene: Scene,
+    options: &Options,
+    run: impl FnOnce(&mut Simulation) -> Result<Found, Failure>,
+) -> Result<Solved, Failure> {
+    scene.on_imbalance = OnImbalance::Stop;
+    scene.check()?;
+    let mut simulation = Simulation::new(&scene, options)?;
+    let found = run(&mut simulation)?;
+    Ok(Solved::new(found, &simulation))
 }

@@ -8,20 +8,11 @@
 
 mod returns;
 
-use proctor_laws::{
-    AnyLaw, Bingham, ConeMatch, DruckerPrager, MohrCoulomb, Point, Tresca, VonMises,
-};
-use proctor_scene::simulation::Options;
-use proctor_scene::{Dimension, Mesh, Scene};
+use proctor_laws::Point;
 
-use super::judging::{error_at_most, of_variant, order_within, table};
-use super::{NO_RESULTS, body, cuboid, material};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict,
-};
+use super::prelude::*;
 use crate::exact::material_point::{ShearedSoil, bingham, held_dilation, to_and_fro, turned};
 use crate::exact::two_slopes::TwoSlopes;
-use crate::study::Study;
 
 /// Density \[kg/m³\]; stresses do not ask for it.
 const DENSITY: f64 = 1.0;
@@ -329,54 +320,54 @@ impl Path {
 
     fn curve(&self, states: &[(f64, [f64; 6])], stiffer: f64) -> Curve {
         let every = (states.len() as u32).div_ceil(SHOWN) as usize;
-        let point = |(way, stress): &(f64, [f64; 6])| CurvePoint {
-            at: *way,
-            computed: self.shown(stress),
-            exact: self.shown(&(self.answer)(stiffer, *way)),
+        let point = |(way, stress): &(f64, [f64; 6])| {
+            CurvePoint::new(
+                *way,
+                self.shown(stress),
+                self.shown(&(self.answer)(stiffer, *way)),
+            )
         };
         let [abscissa, ordinate] = if self.is_pressed() {
             ["compression (1)", "stress along the axis (Pa)"]
         } else {
             ["angle, to and fro (1)", "shear stress (Pa)"]
         };
-        Curve {
-            title: self.name.to_owned(),
-            abscissa,
-            ordinate,
-            points: states.iter().step_by(every).map(point).collect(),
-        }
+        Curve::new(
+            self.name.to_owned(),
+            [abscissa, ordinate],
+            states.iter().step_by(every).map(point),
+        )
     }
 }
+
+const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.01)
+    .breaks(|gate| !gate.contains("states of") && !gate.contains("one over"));
+const WRONG_STRENGTH: Wrong =
+    Wrong::factor("strength", 0.99).breaks(|gate| gate.contains("surface"));
 
 /// Laws at a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Element {
-    /// Stiffness of what is referred to over that of the law. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_stiffness: f64,
-    /// Strength of the surfaces on which returned states must lie over that of the laws, for the same reason.
-    pub reference_strength: f64,
-}
+pub static ELEMENT: Case = Case::new(
+    "element",
+    "Do the laws give their exact answers at a material point, whatever state they return?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.solve_by(solve)
+.judge_by(judge)
+.wrong_references(&[WRONG_STIFFNESS, WRONG_STRENGTH])
+.no_study("no grid takes part, so that weighting functions, schemes and transfers have no say");
 
-impl Element {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_stiffness: 1.0,
-        reference_strength: 1.0,
-    };
-
-    fn found(&self, path: &Path, steps: u32) -> Result<Found, String> {
-        let states = path.walk(steps)?;
-        let stiffer = self.reference_stiffness;
-        let (way, found) = states[states.len() - 1];
-        let answer = (path.answer)(stiffer, way);
-        let known = || found.iter().zip(&answer).filter(|(_, s)| !s.is_nan());
-        let size = known().fold(0.0_f64, |most, (_, s)| most.max(s.abs()));
-        let off = known().map(|(found, s)| (found - s).abs());
-        let off = off.fold(0.0, |most, x| if x <= most { most } else { x });
-        let quantities = vec![Quantity::of_zero(STRESS, off / size)];
-        Ok(Found::new(quantities, Some(path.curve(&states, stiffer))))
-    }
+fn found(reference: Reference, path: &Path, steps: u32) -> Result<Found, String> {
+    let states = path.walk(steps)?;
+    let stiffer = reference.of(&WRONG_STIFFNESS);
+    let (way, found) = states[states.len() - 1];
+    let answer = (path.answer)(stiffer, way);
+    let known = || found.iter().zip(&answer).filter(|(_, s)| !s.is_nan());
+    let size = known().fold(0.0_f64, |most, (_, s)| most.max(s.abs()));
+    let off = known().map(|(found, s)| (found - s).abs());
+    let off = off.fold(0.0, |most, x| if x <= most { most } else { x });
+    let quantities = vec![Quantity::of_zero(STRESS, off / size)];
+    Ok(Found::new(quantities, Some(path.curve(&states, stiffer))))
 }
 
 /// Steps, or states, of a rung.
@@ -388,88 +379,72 @@ fn path_of(rung: &Rung) -> Option<&'static Path> {
     PATHS.iter().find(|path| path.name == rung.variant)
 }
 
-impl Case for Element {
-    fn name(&self) -> &'static str {
-        "element"
-    }
-
-    fn question(&self) -> &'static str {
-        "Do the laws give their exact answers at a material point, whatever state they return?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let paths = PATHS.iter().flat_map(|path| {
-            let steps = if path.exact {
-                ANY
-            } else {
-                LADDER[size as usize]
-            };
-            Rung::counted(path.name, &format!("{}, steps", path.name), 1.0, steps)
-        });
-        let word = "states of each law";
-        let states = Rung::counted(RETURNS, word, 1.0, STATES[size as usize]);
-        paths.chain(states).collect()
-    }
-
-    /// The material of the path in a block that is never stepped: a point needs no mesh.
-    fn scene(&self, rung: &Rung) -> Scene {
-        let mesh = Mesh::new(Dimension::Three, [0.0; 3], [1.0; 3], [3; 3]);
-        let mut scene = Scene::new(Dimension::Three, mesh, 1.0);
-        scene.name = String::from("element");
-        scene.results = NO_RESULTS;
-        let law = path_of(rung).map_or(PATHS[0].law, |path| path.law);
-        scene.materials = material("of the point", DENSITY, law());
-        scene.bodies = vec![body("point", 1, cuboid([1.0; 3], [2.0; 3]))];
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err("no grid takes part, so that weighting functions, schemes and transfers have no say")
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        _: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let found = match path_of(rung) {
-            Some(path) => self.found(path, count(rung)),
-            None => returns::quantities(count(rung), self.reference_strength, progress)
-                .map(|quantities| Found::new(quantities, None)),
+fn rungs(size: Size) -> Vec<Rung> {
+    let paths = PATHS.iter().flat_map(|path| {
+        let steps = if path.exact {
+            ANY
+        } else {
+            LADDER[size as usize]
         };
-        let found = found.map_err(|reason| CaseError::new(self.name(), rung, &reason))?;
-        Ok(Solved {
-            particles: 1,
-            steps: u64::from(count(rung)),
-            time: 1.0,
-            quantities: found.quantities,
-            drawings: vec![],
-            curve: found.curve,
-        })
-    }
+        Rung::counted(path.name, &format!("{}, steps", path.name), 1.0, steps)
+    });
+    let word = "states of each law";
+    let states = Rung::counted(RETURNS, word, 1.0, STATES[size as usize]);
+    paths.chain(states).collect()
+}
 
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let rungs = self.rungs(size);
-        for path in &PATHS {
-            if path.exact {
-                for rung in rungs.iter().filter(|rung| rung.variant == path.name) {
-                    let why = "the direction of flow stays: exact for any step";
-                    let gate = error_at_most(solved, &rung.label, STRESS, 1e-14, why);
-                    verdict.gates.push(gate);
-                }
-                continue;
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for path in &PATHS {
+        if path.exact {
+            for rung in runs.rungs.iter().filter(|rung| rung.variant == path.name) {
+                let why = "the direction of flow stays: exact for any step";
+                let gate = error_at_most(runs.solved, &rung.label, STRESS, 1e-14, why);
+                verdict.gates.push(gate);
             }
-            let table = table(solved, path.name, &[STRESS]);
-            let gates = order_within(&table, STRESS, [0.95, 1.05], "an implicit return: order 1");
-            let gates = gates.map(|gate| of_variant(path.name, gate));
-            verdict.gates.extend(gates);
-            verdict.tables.push((path.name.to_owned(), table));
+            continue;
         }
-        for rung in rungs.iter().filter(|rung| rung.variant == RETURNS) {
-            verdict.gates.extend(returns::gates(solved, rung));
-        }
-        verdict
+        let table = table(runs.solved, path.name, &[STRESS]);
+        let gates = order_within(&table, STRESS, [0.95, 1.05], "an implicit return: order 1");
+        let gates = gates.map(|gate| of_variant(path.name, gate));
+        verdict.gates.extend(gates);
+        verdict.tables.push((path.name.to_owned(), table));
     }
+    for rung in runs.rungs.iter().filter(|rung| rung.variant == RETURNS) {
+        verdict.gates.extend(returns::gates(runs.solved, rung));
+    }
+    verdict
+}
+
+/// The material of the path in a block that is never stepped: a point needs no mesh.
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let mesh = Mesh::new(Dimension::Three, [0.0; 3], [1.0; 3], [3; 3]);
+    let mut scene = bare_scene("element", Dimension::Three, mesh, 1.0);
+    let law = path_of(rung).map_or(PATHS[0].law, |path| path.law);
+    scene.materials = material("of the point", DENSITY, law());
+    scene.bodies = vec![body("point", 1, cuboid([1.0; 3], [2.0; 3]))];
+    scene
+}
+
+fn solve(
+    rung: &Rung,
+    reference: Reference,
+    _: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Solved, Failure> {
+    let found = match path_of(rung) {
+        Some(path) => found(reference, path, count(rung)),
+        None => returns::quantities(count(rung), reference.of(&WRONG_STRENGTH), &mut |share| {
+            observer.progress(share);
+        })
+        .map(|quantities| Found::new(quantities, None)),
+    }?;
+    Ok(Solved {
+        particles: 1,
+        steps: u64::from(count(rung)),
+        time: 1.0,
+        quantities: found.quantities,
+        drawings: vec![],
+        curve: found.curve,
+    })
 }

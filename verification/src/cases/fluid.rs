@@ -15,13 +15,7 @@ mod flow;
 mod rest;
 mod sound;
 
-use proctor_scene::Scene;
-use proctor_scene::simulation::{Options, Simulation};
-
-use super::judging::{error_gate, of_variant, order_gate, table};
-use super::solve_scene;
-use crate::case::{Case, CaseError, Found, Gate, Rung, Size, Solved, Verdict};
-use crate::study::{Failure, Observer, Study};
+use super::prelude::*;
 
 /// A gate on the finest run: quantity, bound and reason.
 type Bound = (&'static str, f64, &'static str);
@@ -32,7 +26,7 @@ struct Problem {
     /// Cells, coarse to fine; the full ladder has one more.
     cells: &'static [u32],
     scene: fn(&Rung) -> Scene,
-    run: fn(Fluid, &Rung, &mut Simulation, &mut dyn Observer) -> Result<Found, Failure>,
+    run: fn(Reference, &Rung, &mut Simulation, &mut dyn Observer) -> Result<Found, Failure>,
     bounds: &'static [Bound],
     /// Quantities with the order that they have at least.
     orders: &'static [(&'static str, f64)],
@@ -48,104 +42,92 @@ const PROBLEMS: [&Problem; 6] = [
     &flow::DRAG_OF_BINGHAM,
 ];
 
+const WRONG_VISCOSITY: Wrong = Wrong::factor("viscosity", 1.1);
+const WRONG_FORCE: Wrong = Wrong::factor("force", 1.05)
+    .breaks(|gate| gate.contains("error") && !gate.starts_with("sound"));
+
 /// Fluids at rest, in sound and in flow.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fluid {
-    /// Viscosity of the exact fluids over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_viscosity: f64,
-    /// Gravity and yield stress of the exact fluids over those of the scenes, for the same reason.
-    pub reference_force: f64,
+pub static FLUID: Case = Case::new(
+    "fluid",
+    "Do fluids rest, sound and flow as their closed forms say?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.displacements()
+.residual()
+.options(|rung, _, options| Options {
+    initial: sound::initial(rung),
+    ..options
+})
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_VISCOSITY, WRONG_FORCE])
+.no_study("its problems have methods and steps of their own");
+
+fn problem(rung: &Rung) -> &'static Problem {
+    let own = |problem: &&&Problem| problem.variant == rung.variant;
+    PROBLEMS.iter().find(own).unwrap_or(&PROBLEMS[0])
 }
 
-impl Fluid {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_viscosity: 1.0,
-        reference_force: 1.0,
-    };
-
-    fn problem(rung: &Rung) -> &'static Problem {
-        let own = |problem: &&&Problem| problem.variant == rung.variant;
-        PROBLEMS.iter().find(own).unwrap_or(&PROBLEMS[0])
-    }
-}
-
-impl Case for Fluid {
-    fn name(&self) -> &'static str {
-        "fluid"
-    }
-
-    fn question(&self) -> &'static str {
-        "Do fluids rest, sound and flow as their closed forms say?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let of = |problem: &&Problem| {
-            let mut cells = problem.cells.to_vec();
-            if size == Size::Full {
-                cells.extend(problem.cells.last().map(|last| 2 * last));
-            }
-            Rung::counted(
-                problem.variant,
-                &format!("{} cells", problem.variant),
-                1.0,
-                &cells,
-            )
-        };
-        PROBLEMS.iter().flat_map(of).collect()
-    }
-
-    fn scene(&self, rung: &Rung) -> Scene {
-        (Self::problem(rung).scene)(rung)
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err("its problems have methods and steps of their own")
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let options = Options {
-            displacement: true,
-            measure: true,
-            initial: sound::initial(rung),
-            ..options.clone()
-        };
-        solve_scene(self, rung, &options, |simulation| {
-            (Self::problem(rung).run)(*self, rung, simulation, &mut |share| progress(share))
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for problem in PROBLEMS {
-            let own = |rung: &Rung| rung.variant == problem.variant;
-            let rungs: Vec<Rung> = self.rungs(size).into_iter().filter(own).collect();
-            let names: Vec<_> = problem.bounds.iter().map(|bound| bound.0).collect();
-            let table = table(solved, problem.variant, &names);
-            let bounds = problem
-                .bounds
-                .iter()
-                .map(|&(name, bound, reason)| error_gate(&rungs, solved, name, bound, reason));
-            let mut gates: Vec<Gate> = bounds.collect();
-            let reason = "the order of the method";
-            gates.extend(
-                (problem.orders.iter())
-                    .map(|&(name, order)| order_gate(&table, name, order, reason)),
-            );
-            let named = gates
-                .into_iter()
-                .map(|gate| of_variant(problem.variant, gate));
-            verdict.gates.extend(named);
-            verdict
-                .tables
-                .push((format!("fluid, {}", problem.variant), table));
+fn rungs(size: Size) -> Vec<Rung> {
+    let of = |problem: &&Problem| {
+        let mut cells = problem.cells.to_vec();
+        if size == Size::Full {
+            cells.extend(problem.cells.last().map(|last| 2 * last));
         }
+        Rung::counted(
+            problem.variant,
+            &format!("{} cells", problem.variant),
+            1.0,
+            &cells,
+        )
+    };
+    PROBLEMS.iter().flat_map(of).collect()
+}
+
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for problem in PROBLEMS {
+        let own = |rung: &Rung| rung.variant == problem.variant;
+        let own: Vec<Rung> = runs
+            .rungs
+            .iter()
+            .filter(|rung| own(rung))
+            .cloned()
+            .collect();
+        let names: Vec<_> = problem.bounds.iter().map(|bound| bound.0).collect();
+        let table = table(runs.solved, problem.variant, &names);
+        let bounds = problem
+            .bounds
+            .iter()
+            .map(|&(name, bound, reason)| error_gate(&own, runs.solved, name, bound, reason));
+        let mut gates: Vec<Gate> = bounds.collect();
+        let reason = "the order of the method";
+        gates.extend(
+            (problem.orders.iter()).map(|&(name, order)| order_gate(&table, name, order, reason)),
+        );
+        let named = gates
+            .into_iter()
+            .map(|gate| of_variant(problem.variant, gate));
+        verdict.gates.extend(named);
         verdict
+            .tables
+            .push((format!("fluid, {}", problem.variant), table));
     }
+    verdict
+}
+
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    (problem(rung).scene)(rung)
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    (problem(rung).run)(reference, rung, simulation, observer)
 }

@@ -21,24 +21,9 @@
 //! for any modulus, and no change of shape is in it. Linear functions: a domain that reached past the surface would have
 //! nodes there which nothing holds. `proctor verify footing`.
 
-use std::sync::Arc;
-
-use proctor_laws::{AnyLaw, MohrCoulomb, Tresca};
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{
-    Dimension, InitialStress, Mesh, PlaneCondition, Scene, Traction, VolumetricStrain, Weighting,
-};
-
-use super::dynamics::run;
-use super::judging::{of_variant, order_gate, run_of, table, value_of};
+use super::prelude::*;
 use super::press::Press;
-use super::{NO_RESULTS, body, cuboid, material, solve_scene};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict,
-};
 use crate::exact::bearing::Ground;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Observer, Study};
 
 /// Width of the footing, B \[m\].
 const WIDTH: f64 = 2.0;
@@ -205,223 +190,221 @@ impl Variant {
     }
 }
 
+const WRONG_STRENGTH: Wrong = Wrong::factor("strength", 0.75).breaks(|gate| {
+    gate.contains(LOAD) && !gate.contains("over the exact one") && !gate.contains("order")
+});
+const STRONGER: Wrong =
+    Wrong::factor("strength", 1.4).breaks(|gate| gate.contains("footing over the exact one"));
+const WRONG_FRICTION: Wrong = Wrong::factor("angle of friction", 0.9)
+    .breaks(|gate| gate.contains("deg") && gate.contains("over the exact one"));
+
 /// The strip footing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Footing {
-    /// Strength and surcharge of the exact ground over those of the scene. Anything but 1 is a wrong reference, to prove that
-    /// the gates notice.
-    pub reference_strength: f64,
-    /// Angle of friction of the exact ground over that of the scene, for the same reason.
-    pub reference_friction: f64,
+pub static FOOTING: Case = Case::new("footing", "What does ground carry below a strip footing, and does it lock without means over cells?")
+    .ladder(Ladder::made(rungs))
+    .scene(scene)
+    .solve_by(solve)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_STRENGTH, STRONGER, WRONG_FRICTION])
+.refer_by(refer)
+    .no_study("its load is a limit that means over cells decide, which are no setting of a study, and a run takes minutes");
+
+/// The exact pressure at which the ground of a rung gives way \[Pa\], as the case refers to it.
+fn exact_load(reference: Reference, rung: &Rung) -> f64 {
+    let ground = Variant::of(rung).ground();
+    Ground {
+        friction: reference.of(&WRONG_FRICTION) * ground.friction,
+        cohesion: reference.of(&WRONG_STRENGTH) * ground.cohesion,
+        surcharge: reference.of(&WRONG_STRENGTH) * ground.surcharge,
+    }
+    .bearing()
 }
 
-impl Footing {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_strength: 1.0,
-        reference_friction: 1.0,
-    };
-
-    /// The exact pressure at which the ground of a rung gives way \[Pa\], as the case refers to it.
-    #[must_use]
-    pub fn exact_load(self, rung: &Rung) -> f64 {
-        let ground = Variant::of(rung).ground();
-        Ground {
-            friction: self.reference_friction * ground.friction,
-            cohesion: self.reference_strength * ground.cohesion,
-            surcharge: self.reference_strength * ground.surcharge,
+/// What was found does not depend on the reference, but for the exact value beside it.
+fn refer(rung: &Rung, reference: Reference, solved: &mut Solved) {
+    for q in &mut solved.quantities {
+        if let Some(exact) = q.exact.as_mut() {
+            *exact = exact_load(reference, rung);
+            q.error = Some((q.value / *exact - 1.0).abs());
         }
-        .bearing()
-    }
-
-    /// Presses the footing down and reads its load.
-    fn sink(
-        self,
-        rung: &Rung,
-        press: &Press,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let variant = Variant::of(rung);
-        let exact = self.exact_load(rung);
-        let (mut points, mut pressure, mut given) = (vec![], f64::NAN, 0.0);
-        let mut from = 0.0;
-        for look in 1..=LOOKS {
-            let share = f64::from(look) / f64::from(LOOKS);
-            run(simulation, share * variant.time(), observer, |_| {})?;
-            // Velocities, and so impulses, are half a step behind.
-            let until = simulation.velocity_time();
-            let impulse = press.impulse();
-            pressure = (impulse - given) / (until - from) / (0.5 * WIDTH);
-            (given, from) = (impulse, until);
-            points.push(CurvePoint {
-                at: variant.way() / WIDTH * YOUNG / STRENGTH
-                    * Variant::gone(share - 0.5 / f64::from(LOOKS))[0],
-                computed: pressure / STRENGTH,
-                exact: exact / STRENGTH,
-            });
-        }
-        let wider = WIDTH / (WIDTH + rung.cell);
-        let mut quantities = vec![if variant.locks() {
-            Quantity::figure(SHARE, pressure / exact, "1")
-        } else {
-            Quantity::compared(LOAD, pressure, exact, "Pa")
-        }];
-        quantities.push(Quantity::figure(WIDER, wider * pressure / exact, "1"));
-        let curve = Curve {
-            title: format!("load over settlement, {}", rung.label),
-            abscissa: "settlement over B, times Young's modulus over strength",
-            ordinate: "mean pressure over strength",
-            points,
-        };
-        Ok(Found::new(quantities, Some(curve)))
     }
 }
 
-impl Case for Footing {
-    fn name(&self) -> &'static str {
-        "footing"
+/// Presses the footing down and reads its load.
+fn sink(
+    reference: Reference,
+    rung: &Rung,
+    press: &Press,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    let variant = Variant::of(rung);
+    let exact = exact_load(reference, rung);
+    let (mut points, mut pressure, mut given) = (vec![], f64::NAN, 0.0);
+    let mut from = 0.0;
+    for look in 1..=LOOKS {
+        let share = f64::from(look) / f64::from(LOOKS);
+        run_until(simulation, share * variant.time(), observer, |_| {})?;
+        // Velocities, and so impulses, are half a step behind.
+        let until = simulation.velocity_time();
+        let impulse = press.impulse();
+        pressure = (impulse - given) / (until - from) / (0.5 * WIDTH);
+        (given, from) = (impulse, until);
+        points.push(CurvePoint::new(
+            variant.way() / WIDTH * YOUNG / STRENGTH
+                * Variant::gone(share - 0.5 / f64::from(LOOKS))[0],
+            pressure / STRENGTH,
+            exact / STRENGTH,
+        ));
     }
+    let wider = WIDTH / (WIDTH + rung.cell);
+    let mut quantities = vec![if variant.locks() {
+        Quantity::figure(SHARE, pressure / exact, "1")
+    } else {
+        Quantity::compared(LOAD, pressure, exact, "Pa")
+    }];
+    quantities.push(Quantity::figure(WIDER, wider * pressure / exact, "1"));
+    let curve = Curve::new(
+        format!("load over settlement, {}", rung.label),
+        [
+            "settlement over B, times Young's modulus over strength",
+            "mean pressure over strength",
+        ],
+        points,
+    );
+    Ok(Found::new(quantities, Some(curve)))
+}
 
-    fn question(&self) -> &'static str {
-        "What does ground carry below a strip footing, and does it lock without means over cells?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let of = |variant: &Variant| {
-            let cells = variant.cells[usize::from(size == Size::Full)];
-            Rung::counted(
-                variant.name,
-                &format!("{}, B/h", variant.name),
-                WIDTH,
-                cells,
-            )
-        };
-        VARIANTS.iter().flat_map(of).collect()
-    }
-
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (h, variant) = (rung.cell, Variant::of(rung));
-        let [wide, deep] = variant.extent();
-        let cells = |length: f64| (length / h).round() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [0.0; 3],
-            [h; 3],
-            [cells(wide), cells(deep) + 1, 1],
-        );
-        mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
-        let mut scene = Scene::new(Dimension::Two, mesh, variant.time());
-        scene.name = String::from("footing");
-        scene.results = NO_RESULTS;
-        scene.volumetric_strain = variant.volumes;
-        scene.materials = material(variant.name, DENSITY, variant.law());
-        let mut ground = body("ground", 1, cuboid([0.0; 3], [wide, deep, 0.0]));
-        let surcharge = variant.ground().surcharge;
-        if surcharge > 0.0 {
-            ground.initial_stress = InitialStress::Isotropic(-surcharge);
-            scene.tractions = vec![Traction {
-                p1: [0.5 * WIDTH, deep, 0.0],
-                p2: [wide, deep, 0.0],
-                traction: [0.0, -surcharge, 0.0].into(),
-            }];
-        }
-        scene.bodies = vec![ground];
-        let method = Method {
-            weighting: Weighting::Linear,
-            ..Method::DEFAULT
-        };
-        Settings::new(method).apply(&mut scene);
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err(
-            "its load is a limit that means over cells decide, which are no setting of a study, and a run takes minutes",
+fn rungs(size: Size) -> Vec<Rung> {
+    let of = |variant: &Variant| {
+        let cells = variant.cells[usize::from(size == Size::Full)];
+        Rung::counted(
+            variant.name,
+            &format!("{}, B/h", variant.name),
+            WIDTH,
+            cells,
         )
-    }
+    };
+    VARIANTS.iter().flat_map(of).collect()
+}
 
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let press = Arc::new(Variant::of(rung).press(rung.cell));
-        let mut options = options.clone();
-        options.conditions.push(press.clone());
-        solve_scene(self, rung, &options, |simulation| {
-            self.sink(rung, &press, simulation, &mut |share| progress(share))
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let rungs = self.rungs(size);
-        let above = "loads come from above: what nodes can do is less than what the ground can";
-        for variant in VARIANTS {
-            let own = rungs.iter().filter(|rung| rung.variant == variant.name);
-            for rung in own.clone() {
-                if variant.locks() {
-                    let gate = Gate::at_least(
-                        format!("{}: {SHARE}", rung.label),
-                        value_of(solved, &rung.label, SHARE),
-                        1.2,
-                        "locked: ground that did not lock without means over cells would prove nothing of them",
-                    );
-                    verdict.gates.push(gate);
-                    continue;
-                }
-                let load = run_of(solved, &rung.label).and_then(|run| run.quantity(LOAD));
-                let over = load.and_then(|load| Some(load.value / load.exact?));
-                let over = over.unwrap_or(f64::NAN);
-                // No finer than B/16: there the order says how the rest falls.
-                let cell = (rung.cell / WIDTH).max(1.0 / 16.0);
-                let (bound, reason) = if variant.friction == 0.0 {
-                    (
-                        0.8 * cell,
-                        "five percent at h = B/16, and as much more in larger cells",
-                    )
-                } else {
-                    (
-                        2.0 * cell,
-                        "what moves is at most as wide as the footing and a cell on either side",
-                    )
-                };
-                verdict.gates.extend([
-                    Gate::at_most(format!("{}: {LOAD}", rung.label), over - 1.0, bound, reason),
-                    Gate::at_least(
-                        format!("{}: {LOAD} over the exact one", rung.label),
-                        over,
-                        1.0,
-                        above,
-                    ),
-                ]);
-            }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    let above = "loads come from above: what nodes can do is less than what the ground can";
+    for variant in VARIANTS {
+        let own = runs
+            .rungs
+            .iter()
+            .filter(|rung| rung.variant == variant.name);
+        for rung in own.clone() {
             if variant.locks() {
+                let gate = Gate::at_least(
+                    format!("{}: {SHARE}", rung.label),
+                    value_of(runs.solved, &rung.label, SHARE),
+                    1.2,
+                    "locked: ground that did not lock without means over cells would prove nothing of them",
+                );
+                verdict.gates.push(gate);
                 continue;
             }
-            let table = table(solved, variant.name, &[LOAD]);
-            if own.count() > 1 {
-                let reason = "falls with h: the edge of the footing is a share of a cell";
-                let gate = order_gate(&table, LOAD, 0.7, reason);
-                verdict.gates.push(of_variant(variant.name, gate));
-            }
-            let title = format!("footing, {}, linear, USL, FLIP", variant.name);
-            verdict.tables.push((title, table));
-        }
-        let locked = |rung: &&Rung| Variant::of(rung).locks();
-        verdict.for_the_record = rungs
-            .iter()
-            .filter(locked)
-            .map(|rung| {
-                format!(
-                    "{}: locked, {:.2} times the exact load without means over cells, and no limit",
-                    rung.label,
-                    value_of(solved, &rung.label, SHARE)
+            let load = run_of(runs.solved, &rung.label).and_then(|run| run.quantity(LOAD));
+            let over = load.and_then(|load| Some(load.value / load.exact?));
+            let over = over.unwrap_or(f64::NAN);
+            // No finer than B/16: there the order says how the rest falls.
+            let cell = (rung.cell / WIDTH).max(1.0 / 16.0);
+            let (bound, reason) = if variant.friction == 0.0 {
+                (
+                    0.8 * cell,
+                    "five percent at h = B/16, and as much more in larger cells",
                 )
-            })
-            .collect();
-        verdict
+            } else {
+                (
+                    2.0 * cell,
+                    "what moves is at most as wide as the footing and a cell on either side",
+                )
+            };
+            verdict.gates.extend([
+                Gate::at_most(format!("{}: {LOAD}", rung.label), over - 1.0, bound, reason),
+                Gate::at_least(
+                    format!("{}: {LOAD} over the exact one", rung.label),
+                    over,
+                    1.0,
+                    above,
+                ),
+            ]);
+        }
+        if variant.locks() {
+            continue;
+        }
+        let table = table(runs.solved, variant.name, &[LOAD]);
+        if own.count() > 1 {
+            let reason = "falls with h: the edge of the footing is a share of a cell";
+            let gate = order_gate(&table, LOAD, 0.7, reason);
+            verdict.gates.push(of_variant(variant.name, gate));
+        }
+        let title = format!("footing, {}, linear, USL, FLIP", variant.name);
+        verdict.tables.push((title, table));
     }
+    let locked = |rung: &&Rung| Variant::of(rung).locks();
+    verdict.for_the_record = runs
+        .rungs
+        .iter()
+        .filter(locked)
+        .map(|rung| {
+            format!(
+                "{}: locked, {:.2} times the exact load without means over cells, and no limit",
+                rung.label,
+                value_of(runs.solved, &rung.label, SHARE)
+            )
+        })
+        .collect();
+    verdict
+}
+
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let (h, variant) = (rung.cell, Variant::of(rung));
+    let [wide, deep] = variant.extent();
+    let cells = |length: f64| (length / h).round() as usize;
+    let mut mesh = Mesh::new(
+        Dimension::Two,
+        [0.0; 3],
+        [h; 3],
+        [cells(wide), cells(deep) + 1, 1],
+    );
+    mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
+    let mut scene = plane_scene("footing", mesh, variant.time());
+    scene.volumetric_strain = variant.volumes;
+    scene.materials = material(variant.name, DENSITY, variant.law());
+    let mut ground = body("ground", 1, rectangle([0.0; 2], [wide, deep]));
+    let surcharge = variant.ground().surcharge;
+    if surcharge > 0.0 {
+        ground.initial_stress = InitialStress::Isotropic(-surcharge);
+        scene.tractions = vec![Traction {
+            p1: [0.5 * WIDTH, deep, 0.0],
+            p2: [wide, deep, 0.0],
+            traction: [0.0, -surcharge, 0.0].into(),
+        }];
+    }
+    scene.bodies = vec![ground];
+    let method = Method {
+        weighting: Weighting::Linear,
+        ..Method::DEFAULT
+    };
+    Settings::new(method).apply(&mut scene);
+    scene
+}
+
+fn solve(
+    rung: &Rung,
+    reference: Reference,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Solved, Failure> {
+    let press = Arc::new(Variant::of(rung).press(rung.cell));
+    let mut options = options.clone();
+    options.conditions.push(press.clone());
+    simulate(
+        scene(rung, &Settings::new(Method::DEFAULT)),
+        &options,
+        |simulation| sink(reference, rung, &press, simulation, observer),
+    )
 }

@@ -20,31 +20,17 @@
 //! half (two phases, says the paper), and how far the plate is pushed sideways. Of the plate's force the damping, eq. 20,
 //! takes 4.4 kN for every row of grains that moves with it, of 38 kN at the end. `proctor verify grains`.
 
+use super::prelude::*;
+use watch::{
+    BALANCE, BEYOND, FLOOR_SHARE, GAINED, INSIDE, LARGEST, LOADED, MOMENTUM, PHASES, SIDEWAYS,
+    SMALLEST, Watch,
+};
+
 pub mod apart;
 mod shapes;
 mod watch;
 
 pub use shapes::outlines;
-
-use std::fmt::Display;
-
-use proctor_contact::geometry::mortar::Point;
-use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{
-    Body, Damping, Dimension, History, Mesh, MortarContact, OnImbalance, PlaneCondition, RigidLine,
-    Scene, Shape, Vertices,
-};
-
-use super::judging::value_of;
-use super::mortar::{PAPER, barrier, boundary, rigid_line};
-use super::{NO_RESULTS, body, elastic};
-use crate::case::{Case, CaseError, Curve, CurvePoint, Found, Gate, Rung, Size, Solved, Verdict};
-use crate::study::Study;
-use watch::{
-    BALANCE, BEYOND, FLOOR_SHARE, GAINED, INSIDE, LARGEST, LOADED, MOMENTUM, PHASES, SIDEWAYS,
-    SMALLEST, Watch,
-};
 
 /// The part of the container that belongs to a grain \[m\].
 const PART: [f64; 2] = [2.5, 3.25];
@@ -64,24 +50,22 @@ const PLATE: i64 = 101;
 const FLOOR: i64 = 102;
 const WALLS: [i64; 2] = [103, 104];
 
+const WRONG_DAMPING: Wrong = Wrong::factor("damping", 1.5).breaks_only(|gate| {
+    gate.contains("momentum that no impulse") || gate.contains("plate less floor")
+});
+
 /// The compacted grains.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grains {
-    /// Damping of the momentum balance over that of the scenes. Anything but 1 is a wrong reference, to prove that the
-    /// gates notice.
-    pub reference_damping: f64,
-}
+pub static GRAINS: Case = Case::new("grains", "Do soft grains that a plate compacts push back as a packing does?")
+    .ladder(Ladder::made(rungs))
+    .scene(scene)
+    .run(compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_DAMPING])
+    .no_study("nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings");
 
-impl Grains {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_damping: 1.0,
-    };
-
-    /// Grains per side of the packing.
-    fn side(rung: &Rung) -> usize {
-        if rung.variant == "four" { 2 } else { 4 }
-    }
+/// Grains per side of the packing.
+fn side(rung: &Rung) -> usize {
+    if rung.variant == "four" { 2 } else { 4 }
 }
 
 /// A rigid line through points, with vertices no more than `segment` \[m\] apart.
@@ -97,179 +81,150 @@ fn line(id: i64, name: &str, ends: [[f64; 2]; 2], motion: Option<History>) -> Ri
     rigid_line(name, id, chain, motion)
 }
 
-impl Case for Grains {
-    fn name(&self) -> &'static str {
-        "grains"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let (variant, cell) = match size {
+        Size::Quick => ("four", 0.3125),
+        Size::Full => ("sixteen", 0.2),
+    };
+    vec![Rung::labelled(format!("{variant} h={cell}"), variant, cell)]
+}
 
-    fn question(&self) -> &'static str {
-        "Do soft grains that a plate compacts push back as a packing does?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let (variant, cell) = match size {
-            Size::Quick => ("four", 0.3125),
-            Size::Full => ("sixteen", 0.2),
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut gates = vec![];
+    for rung in runs.rungs {
+        let mut at_most = |name: &str, bound, reason| {
+            let value = value_of(runs.solved, &rung.label, name);
+            let name = format!("{}: {name}", rung.label);
+            gates.push(Gate::at_most(name, value, bound, reason));
         };
-        vec![Rung {
-            label: format!("{variant} h={cell}"),
-            cell,
-            variant,
-        }]
-    }
-
-    fn scene(&self, rung: &Rung) -> Scene {
-        let h = rung.cell;
-        let side = Self::side(rung);
-        let per_cell = if side == 2 { 3 } else { 4 };
-        let [width, height] = PART.map(|part| part * side as f64);
-        let margin = 2.0 * h;
-        let cells = |length: f64| ((length + 2.0 * margin) / h).ceil() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [-margin, -margin, 0.0],
-            [h, h, 1.0],
-            [cells(width), cells(height), 1],
+        at_most(INSIDE, 0.0, "grains do not penetrate each other");
+        at_most(BEYOND, 0.0, "nor what holds them");
+        at_most(
+            MOMENTUM,
+            1e-10,
+            "forces on grains and walls are the same vectors; round-off of some thousand steps",
         );
-        mesh.planes[..2].fill([PlaneCondition::Free; 2]);
-        let mut scene = Scene::new(Dimension::Two, mesh, WAY * height / SPEED);
-        scene.name.clone_from(&rung.label);
-        scene.results = NO_RESULTS;
-        scene.weighting = PAPER.weighting;
-        scene.scheme = PAPER.scheme;
-        scene.transfer.kind = PAPER.transfer;
-        scene.transfer.pic_fraction = 0.1;
-        scene.damping = Damping::Viscous { alpha: DAMPING };
-        scene.materials = elastic(DENSITY, YOUNG, POISSON);
-        let down = History {
-            times: vec![0.0],
-            values: vec![[0.0, -SPEED, 0.0]],
+        at_most(
+            BALANCE,
+            0.02,
+            "in a tenth of the run the grains can lose no more momentum than they have at the plate's speed",
+        );
+        at_most(
+            GAINED,
+            1e-3,
+            "contact adds no energy; work and velocities are half a step of some thousand apart",
+        );
+    }
+    Verdict {
+        gates,
+        for_the_record: runs.solved
+            .iter()
+            .map(|(rung, s)| {
+                format!(
+                    "{}: largest force on the plate {:.4e} N, sideways {:.1} % of it; the floor is loaded after {:.2} m and \
+                     takes {:.1} % of the plate's force at the end, the damping the rest; slopes of the plate's force \
+                     {:.2} : 1; distances down to {:.3} of the critical gap",
+                    rung.label,
+                    s.value(LARGEST),
+                    100.0 * s.value(SIDEWAYS),
+                    s.value(LOADED),
+                    100.0 * s.value(FLOOR_SHARE),
+                    s.value(PHASES),
+                    s.value(SMALLEST),
+                )
+            })
+            .collect(),
+        ..Verdict::default()
+    }
+}
+
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let h = rung.cell;
+    let side = side(rung);
+    let per_cell = if side == 2 { 3 } else { 4 };
+    let [width, height] = PART.map(|part| part * side as f64);
+    let margin = 2.0 * h;
+    let cells = |length: f64| ((length + 2.0 * margin) / h).ceil() as usize;
+    let mut mesh = Mesh::new(
+        Dimension::Two,
+        [-margin, -margin, 0.0],
+        [h, h, 1.0],
+        [cells(width), cells(height), 1],
+    );
+    mesh.planes[..2].fill([PlaneCondition::Free; 2]);
+    let mut scene = Scene::new(Dimension::Two, mesh, WAY * height / SPEED);
+    scene.name.clone_from(&rung.label);
+    scene.results = NO_RESULTS;
+    scene.weighting = PAPER.weighting;
+    scene.scheme = PAPER.scheme;
+    scene.transfer.kind = PAPER.transfer;
+    scene.transfer.pic_fraction = 0.1;
+    scene.damping = Damping::Viscous { alpha: DAMPING };
+    scene.materials = elastic(DENSITY, YOUNG, POISSON);
+    let down = History {
+        times: vec![0.0],
+        values: vec![[0.0, -SPEED, 0.0]],
+    };
+    let top = height + 1.0;
+    scene.mortar.lines = vec![
+        line(
+            PLATE,
+            "plate",
+            [[-1.0, height], [width + 1.0, height]],
+            Some(down),
+        ),
+        line(FLOOR, "floor", [[width + 1.0, 0.0], [-1.0, 0.0]], None),
+        line(WALLS[0], "left wall", [[0.0, -1.0], [0.0, top]], None),
+        line(WALLS[1], "right wall", [[width, top], [width, -1.0]], None),
+    ];
+    for (k, outline) in outlines(side).into_iter().enumerate() {
+        let id = k as i64 + 1;
+        let shape = Shape::Polygon {
+            points: outline.iter().map(|p| [p[0], p[1], 0.0]).collect(),
         };
-        let top = height + 1.0;
-        scene.mortar.lines = vec![
-            line(
-                PLATE,
-                "plate",
-                [[-1.0, height], [width + 1.0, height]],
-                Some(down),
-            ),
-            line(FLOOR, "floor", [[width + 1.0, 0.0], [-1.0, 0.0]], None),
-            line(WALLS[0], "left wall", [[0.0, -1.0], [0.0, top]], None),
-            line(WALLS[1], "right wall", [[width, top], [width, -1.0]], None),
-        ];
-        for (k, outline) in outlines(side).into_iter().enumerate() {
-            let id = k as i64 + 1;
-            let shape = Shape::Polygon {
-                points: outline.iter().map(|p| [p[0], p[1], 0.0]).collect(),
-            };
-            scene.bodies.push(Body {
-                particles_per_cell: [per_cell, per_cell, 1],
-                ..body(format!("grain {id}"), id, shape)
-            });
-            let chain = Chain {
-                points: outline.into_iter().map(Point::from).collect(),
-                side: BoundarySide::Outer,
-            };
-            let vertices = Vertices::Given(vec![chain]);
-            scene.mortar.boundaries.push(boundary(id, vertices));
-            let masters = (1..id).chain([PLATE, FLOOR, WALLS[0], WALLS[1]]);
-            for master in masters {
-                let smooth = master == FLOOR || WALLS.contains(&master);
-                scene.mortar.contacts.push(MortarContact {
-                    id: scene.mortar.contacts.len() as i64 + 1,
-                    friction: if smooth { 0.0 } else { FRICTION },
-                    tangential_stiffness: KAPPA_T,
-                    ..barrier(format!("grain {id} and {master}"), [master, id], GAP, KAPPA)
-                });
-            }
-        }
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err(
-            "nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings",
-        )
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let failed = |reason: &dyn Display| CaseError::new(self.name(), rung, reason);
-        let mut scene = self.scene(rung);
-        scene.on_imbalance = OnImbalance::Stop;
-        scene.check().map_err(|e| failed(&e))?;
-        let mut simulation = Simulation::new(&scene, options).map_err(|e| failed(&e))?;
-        let rate = self.reference_damping * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;
-        let watch = Watch::run(&mut simulation, rate, progress).map_err(|e| failed(&e))?;
-        let quantities = watch.quantities(&simulation);
-        let points = watch.samples.iter().map(|s| CurvePoint {
-            at: s.way,
-            computed: -s.plate[1],
-            exact: f64::NAN,
+        scene.bodies.push(Body {
+            particles_per_cell: [per_cell, per_cell, 1],
+            ..body(format!("grain {id}"), id, shape)
         });
-        let curve = Curve {
-            title: format!("{}: force on the plate", rung.label),
-            abscissa: "way of the plate in m",
-            ordinate: "F_y in N",
-            points: points.collect(),
+        let chain = Chain {
+            points: outline.into_iter().map(Point::from).collect(),
+            side: BoundarySide::Outer,
         };
-        let found = Found {
-            drawings: watch.drawings,
-            ..Found::new(quantities, Some(curve))
-        };
-        Ok(Solved::new(found, &simulation))
+        let vertices = Vertices::Given(vec![chain]);
+        scene.mortar.boundaries.push(boundary(id, vertices));
+        let masters = (1..id).chain([PLATE, FLOOR, WALLS[0], WALLS[1]]);
+        for master in masters {
+            let smooth = master == FLOOR || WALLS.contains(&master);
+            scene.mortar.contacts.push(MortarContact {
+                id: scene.mortar.contacts.len() as i64 + 1,
+                friction: if smooth { 0.0 } else { FRICTION },
+                tangential_stiffness: KAPPA_T,
+                ..barrier(format!("grain {id} and {master}"), [master, id], GAP, KAPPA)
+            });
+        }
     }
+    scene
+}
 
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut gates = vec![];
-        for rung in self.rungs(size) {
-            let mut at_most = |name: &str, bound, reason| {
-                let value = value_of(solved, &rung.label, name);
-                let name = format!("{}: {name}", rung.label);
-                gates.push(Gate::at_most(name, value, bound, reason));
-            };
-            at_most(INSIDE, 0.0, "grains do not penetrate each other");
-            at_most(BEYOND, 0.0, "nor what holds them");
-            at_most(
-                MOMENTUM,
-                1e-10,
-                "forces on grains and walls are the same vectors; round-off of some thousand steps",
-            );
-            at_most(
-                BALANCE,
-                0.02,
-                "in a tenth of the run the grains can lose no more momentum than they have at the plate's speed",
-            );
-            at_most(
-                GAINED,
-                1e-3,
-                "contact adds no energy; work and velocities are half a step of some thousand apart",
-            );
-        }
-        Verdict {
-            gates,
-            for_the_record: solved
-                .iter()
-                .map(|(rung, s)| {
-                    format!(
-                        "{}: largest force on the plate {:.4e} N, sideways {:.1} % of it; the floor is loaded after {:.2} m and \
-                         takes {:.1} % of the plate's force at the end, the damping the rest; slopes of the plate's force \
-                         {:.2} : 1; distances down to {:.3} of the critical gap",
-                        rung.label,
-                        s.value(LARGEST),
-                        100.0 * s.value(SIDEWAYS),
-                        s.value(LOADED),
-                        100.0 * s.value(FLOOR_SHARE),
-                        s.value(PHASES),
-                        s.value(SMALLEST),
-                    )
-                })
-                .collect(),
-            ..Verdict::default()
-        }
-    }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let rate = reference.of(&WRONG_DAMPING) * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;
+    let watch = Watch::run(simulation, rate, &mut |share| observer.progress(share))?;
+    let quantities = watch.quantities(simulation);
+    let force = watch.samples.iter();
+    let curve = Curve::new(
+        format!("{}: force on the plate", rung.label),
+        ["way of the plate in m", "F_y in N"],
+        force.map(|s| CurvePoint::new(s.way, -s.plate[1], f64::NAN)),
+    );
+    Ok(Found {
+        drawings: watch.drawings,
+        ..Found::new(quantities, Some(curve))
+    })
 }

@@ -12,22 +12,10 @@
 //!
 //! Expected with h = 0.1 m: force 0.4 %, peak 0.2 %, half-width 0.7 %, pressure 3 % in L2. `proctor verify hertz`.
 
-use proctor_contact::geometry::mortar::Point;
-use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{BoxLoad, Damping, Dimension, Mortar, Scene, Shape, TransferKind, Vertices};
-use std::f64::consts::PI;
-
-use super::judging::{error_at_most, table};
-use super::mortar::rigid_line;
+use super::prelude::*;
 use super::pressures::Pressures;
-use super::{body, elastic, mortar, open_plane};
-use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 const RADIUS: f64 = 8.0;
 const LOAD: f64 = 10.0;
@@ -45,34 +33,40 @@ pub(super) const FORCE: &str = "contact force";
 pub(super) const PEAK: &str = "peak pressure";
 pub(super) const WIDTH: &str = "half-width";
 pub(super) const L2_HERTZ: &str = "L2(p) against Hertz";
+/// Errors that are studied, of a slab too.
+pub(super) const MEASURES: &[Measure] = &[
+    Measure::new("pressure", L2_LAYER),
+    Measure::new("peak", PEAK),
+];
 const L2_LAYER: &str = "L2(p) against the barrier layer";
 const LAYER: &str = "the layer's own L2 distance from Hertz";
 
+const WRONG_LOAD: Wrong = Wrong::factor("load", 1.03).breaks_only(|gate| gate.contains(FORCE));
+
 /// The half disk on a rigid plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hertz {
-    /// Load of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_load: f64,
+pub static HERTZ: Case = Case::new(
+    "hertz",
+    "Is the pressure between an elastic half disk and a rigid plane that of Hertz?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.scene(scene)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_LOAD])
+.studies(&[Plan::new(Ladder::made(path), MEASURES, 2)])
+.no_guest("what is known exactly is the pressure of a contact, and frames of particles hold none");
+
+fn exact(reference: Reference) -> Exact {
+    Exact {
+        radius: RADIUS,
+        load: LOAD * reference.of(&WRONG_LOAD),
+        modulus: contact_modulus([YOUNG, f64::INFINITY], [POISSON, 0.0]),
+    }
 }
 
-impl Hertz {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_load: 1.0,
-    };
-
-    fn exact(self) -> Exact {
-        Exact {
-            radius: RADIUS,
-            load: LOAD * self.reference_load,
-            modulus: contact_modulus([YOUNG, f64::INFINITY], [POISSON, 0.0]),
-        }
-    }
-
-    fn kappa(variant: &str) -> f64 {
-        if variant == "paper" { 1.5e3 } else { 1.5e4 }
-    }
+fn kappa(variant: &str) -> f64 {
+    if variant == "paper" { 1.5e3 } else { 1.5e4 }
 }
 
 /// Point of the disk's circle at a length along it from the bottom.
@@ -111,191 +105,156 @@ fn shape() -> Shape {
     Shape::Polygon { points }
 }
 
-impl Case for Hertz {
-    fn name(&self) -> &'static str {
-        "hertz"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    Rung::ladders(match size {
+        Size::Quick => &[("hertz", &[0.2])],
+        Size::Full => &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
+    })
+}
 
-    fn question(&self) -> &'static str {
-        "Is the pressure between an elastic half disk and a rigid plane that of Hertz?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        Rung::ladders(match size {
-            Size::Quick => &[("hertz", &[0.2])],
-            Size::Full => &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
-        })
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let gates: &[(&str, &str, f64, &'static str)] = match size {
-            Size::Quick => {
-                let label = "hertz h=0.2";
-                let load = "the load must arrive; half settled at 13 s";
-                let coarse = "a layer 6 % off on a mesh twice as coarse as judged in full";
-                &[
-                    (label, FORCE, 0.015, load),
-                    (label, WIDTH, 0.04, "3.4 cells over the half-width"),
-                    (label, L2_HERTZ, 0.1, coarse),
-                ]
-            }
-            Size::Full => {
-                let label = "hertz h=0.1";
-                &[
-                    (label, FORCE, 0.01, "the load must arrive"),
-                    (label, PEAK, 0.02, "the method's reference figures: 0.2 %"),
-                    (label, WIDTH, 0.02, "the method's reference figures: 0.7 %"),
-                    (
-                        label,
-                        L2_HERTZ,
-                        0.05,
-                        "the method's reference figures: 3.3 %",
-                    ),
-                    (
-                        "paper h=0.1",
-                        L2_LAYER,
-                        0.05,
-                        "the method's reference figures: 3.1 %",
-                    ),
-                ]
-            }
-        };
-        let gates = gates
-            .iter()
-            .map(|&(label, name, bound, reason)| error_at_most(solved, label, name, bound, reason));
-        Verdict {
-            tables: ["hertz", "paper"]
-                .into_iter()
-                .filter(|v| solved.iter().any(|(rung, _)| rung.variant == *v))
-                .map(|v| {
-                    let names = [FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER];
-                    (v.to_owned(), table(solved, v, &names))
-                })
-                .collect(),
-            gates: gates.collect(),
-            for_the_record: solved
-                .iter()
-                .map(|(rung, s)| {
-                    format!(
-                        "{}: the barrier layer itself is {:.1} % from Hertz; computed {:.1} % from the layer, {:.1} % from Hertz",
-                        rung.label,
-                        100.0 * s.value(LAYER),
-                        100.0 * s.value(L2_LAYER),
-                        100.0 * s.value(L2_HERTZ),
-                    )
-                })
-                .collect(),
-            curves: vec![],
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let gates: &[(&str, &str, f64, &'static str)] = match runs.size {
+        Size::Quick => {
+            let label = "hertz h=0.2";
+            let load = "the load must arrive; half settled at 13 s";
+            let coarse = "a layer 6 % off on a mesh twice as coarse as judged in full";
+            &[
+                (label, FORCE, 0.015, load),
+                (label, WIDTH, 0.04, "3.4 cells over the half-width"),
+                (label, L2_HERTZ, 0.1, coarse),
+            ]
         }
+        Size::Full => {
+            let label = "hertz h=0.1";
+            &[
+                (label, FORCE, 0.01, "the load must arrive"),
+                (label, PEAK, 0.02, "the method's reference figures: 0.2 %"),
+                (label, WIDTH, 0.02, "the method's reference figures: 0.7 %"),
+                (
+                    label,
+                    L2_HERTZ,
+                    0.05,
+                    "the method's reference figures: 3.3 %",
+                ),
+                (
+                    "paper h=0.1",
+                    L2_LAYER,
+                    0.05,
+                    "the method's reference figures: 3.1 %",
+                ),
+            ]
+        }
+    };
+    let gates = gates.iter().map(|&(label, name, bound, reason)| {
+        error_at_most(runs.solved, label, name, bound, reason)
+    });
+    Verdict {
+        tables: ["hertz", "paper"]
+            .into_iter()
+            .filter(|v| runs.solved.iter().any(|(rung, _)| rung.variant == *v))
+            .map(|v| {
+                let names = [FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER];
+                (v.to_owned(), table(runs.solved, v, &names))
+            })
+            .collect(),
+        gates: gates.collect(),
+        for_the_record: runs.solved
+            .iter()
+            .map(|(rung, s)| {
+                format!(
+                    "{}: the barrier layer itself is {:.1} % from Hertz; computed {:.1} % from the layer, {:.1} % from Hertz",
+                    rung.label,
+                    100.0 * s.value(LAYER),
+                    100.0 * s.value(L2_LAYER),
+                    100.0 * s.value(L2_HERTZ),
+                )
+            })
+            .collect(),
+        curves: vec![],
     }
 }
 
-impl Study for Hertz {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Rung::ladders(match size {
-            Size::Quick => &[("hertz", &[0.8, 0.4])],
-            Size::Full => &[("hertz", &[0.4, 0.2, 0.1])],
-        })
-    }
+pub(super) fn method(_rung: &Rung) -> Settings {
+    Settings::new(Method {
+        transfer: TransferKind::Apic,
+        ..Method::DEFAULT
+    })
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("pressure", L2_LAYER),
-            Measure::new("peak", PEAK),
-        ]
-    }
+pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let (left, right) = (-8.6, 8.6);
+    let mesh = open_plane(h, [left, -0.6], [right, 8.6]);
+    let kappa = kappa(rung.variant);
+    let top = GAP + RADIUS;
+    // Vertices of the plane every 0.1 m, none of them under the middle.
+    let points = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
+    let plane = Chain {
+        points: points.collect(),
+        side: BoundarySide::Open,
+    };
+    let mut scene = Scene {
+        name: rung.label.clone(),
+        time_step: settings.multiplier(),
+        materials: elastic(1.0, YOUNG, POISSON),
+        bodies: vec![body("half disk", 1, shape())],
+        damping: Damping::Viscous { alpha: 0.01 },
+        box_loads: vec![BoxLoad {
+            p1: [left, top - h, 0.0],
+            p2: [right, top + h, 0.0],
+            force: [0.0, -LOAD, 0.0],
+        }],
+        mortar: Mortar {
+            boundaries: vec![mortar::boundary(1, Vertices::Given(vec![boundary(h)]))],
+            lines: vec![rigid_line("plane", 2, plane, None)],
+            contacts: vec![mortar::barrier("half disk on plane", [2, 1], GAP, kappa)],
+            ..Mortar::default()
+        },
+        ..Scene::new(Dimension::Two, mesh, AVERAGED[1])
+    };
+    settings.apply(&mut scene);
+    scene.transfer.pic_fraction = PIC;
+    scene
+}
 
-    fn refined_axes(&self) -> usize {
-        2
-    }
+pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    // A slab is as thick as its one layer of cells, the plane 1 m.
+    let thickness = simulation.scene().mesh.cell[2];
+    let found = Pressures::averaged(simulation, AVERAGED[0], FINE, |x| x[0], observer)?;
+    let exact = exact(reference);
+    let kappa = kappa(rung.variant);
+    let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
+        .map_err(|e| format!("no reference: residual {} m", e.residual))?;
+    let peak = found.vertices.iter().map(|p| p[1]).fold(0.0, f64::max);
+    // Of the Hertz pressure with the same second moment.
+    let half_width = 2.0 * (found.moment(2) / found.moment(0)).sqrt();
+    let quantities = vec![
+        Quantity::compared(FORCE, found.force[1] / thickness, exact.load, "N/m"),
+        Quantity::compared(PEAK, peak, exact.peak(), "Pa"),
+        Quantity::compared(WIDTH, half_width, exact.half_width(), "m"),
+        Quantity::of_zero(L2_HERTZ, found.distance(|x| exact.pressure(x))),
+        Quantity::of_zero(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
+        Quantity::of_zero(LAYER, layer.distance_from_hertz(&exact)),
+    ];
+    let points = found.vertices.iter().filter(|p| p[0].abs() < 1.0);
+    let curve = Curve::new(
+        format!("{}: contact pressure", rung.label),
+        ["x in m", "p in Pa"],
+        points.map(|p| CurvePoint::new(p[0], p[1], exact.pressure(p[0]))),
+    );
+    Ok(Found::new(quantities, Some(curve)))
+}
 
-    fn own_settings(&self, _rung: &Rung) -> Settings {
-        Settings::new(Method {
-            transfer: TransferKind::Apic,
-            ..Method::DEFAULT
-        })
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let (left, right) = (-8.6, 8.6);
-        let mesh = open_plane(h, [left, -0.6], [right, 8.6]);
-        let kappa = Self::kappa(rung.variant);
-        let top = GAP + RADIUS;
-        // Vertices of the plane every 0.1 m, none of them under the middle.
-        let points = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
-        let plane = Chain {
-            points: points.collect(),
-            side: BoundarySide::Open,
-        };
-        let mut scene = Scene {
-            name: rung.label.clone(),
-            time_step: settings.multiplier(),
-            materials: elastic(1.0, YOUNG, POISSON),
-            bodies: vec![body("half disk", 1, shape())],
-            damping: Damping::Viscous { alpha: 0.01 },
-            box_loads: vec![BoxLoad {
-                p1: [left, top - h, 0.0],
-                p2: [right, top + h, 0.0],
-                force: [0.0, -LOAD, 0.0],
-            }],
-            mortar: Mortar {
-                boundaries: vec![mortar::boundary(1, Vertices::Given(vec![boundary(h)]))],
-                lines: vec![rigid_line("plane", 2, plane, None)],
-                contacts: vec![mortar::barrier("half disk on plane", [2, 1], GAP, kappa)],
-                ..Mortar::default()
-            },
-            ..Scene::new(Dimension::Two, mesh, AVERAGED[1])
-        };
-        settings.apply(&mut scene);
-        scene.transfer.pic_fraction = PIC;
-        scene
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err("what is known exactly is the pressure of a contact, and frames of particles hold none")
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        // A slab is as thick as its one layer of cells, the plane 1 m.
-        let thickness = simulation.scene().mesh.cell[2];
-        let found = Pressures::averaged(simulation, AVERAGED[0], FINE, |x| x[0], observer)?;
-        let exact = self.exact();
-        let kappa = Self::kappa(rung.variant);
-        let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
-            .map_err(|e| format!("no reference: residual {} m", e.residual))?;
-        let peak = found.vertices.iter().map(|p| p[1]).fold(0.0, f64::max);
-        // Of the Hertz pressure with the same second moment.
-        let half_width = 2.0 * (found.moment(2) / found.moment(0)).sqrt();
-        let quantities = vec![
-            Quantity::compared(FORCE, found.force[1] / thickness, exact.load, "N/m"),
-            Quantity::compared(PEAK, peak, exact.peak(), "Pa"),
-            Quantity::compared(WIDTH, half_width, exact.half_width(), "m"),
-            Quantity::of_zero(L2_HERTZ, found.distance(|x| exact.pressure(x))),
-            Quantity::of_zero(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
-            Quantity::of_zero(LAYER, layer.distance_from_hertz(&exact)),
-        ];
-        let points = found.vertices.iter().filter(|p| p[0].abs() < 1.0);
-        let curve = Curve {
-            title: format!("{}: contact pressure", rung.label),
-            abscissa: "x in m",
-            ordinate: "p in Pa",
-            points: points
-                .map(|p| CurvePoint {
-                    at: p[0],
-                    computed: p[1],
-                    exact: exact.pressure(p[0]),
-                })
-                .collect(),
-        };
-        Ok(Found::new(quantities, Some(curve)))
-    }
+fn path(size: Size) -> Vec<Rung> {
+    Rung::ladders(match size {
+        Size::Quick => &[("hertz", &[0.8, 0.4])],
+        Size::Full => &[("hertz", &[0.4, 0.2, 0.1])],
+    })
 }

@@ -8,26 +8,12 @@
 //! Expected: contact radius and peak pressure within 5 %. Of this the barrier layer takes about 1 % (it gives way by 5 % of
 //! the approach of the bodies), and the block's size 8/3 (a/L)^3, 2 %, at most. `proctor verify hertz-sphere`.
 
-mod study;
-
-use libm::{asin, hypot, sin, sincos};
-use proctor_contact::geometry::mortar::space::refine::fill;
-use proctor_contact::geometry::surface::{Surface, SurfaceError};
-use proctor_scene::{
-    BoxLoad, Damping, Dimension, Mesh, Mortar, ParticleSeed, PlaneCondition, RigidFacets, Scene,
-    Shape, Vertices,
-};
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::Arc;
-
-use super::judging::{error_at_most, table};
-use super::mortar::barrier;
+use super::prelude::*;
 use super::pressures::Pressures;
-use super::{body, elastic, mortar};
-use crate::case::{Case, Rung, Size, Solved, Verdict};
 use crate::exact::hertz::contact_modulus;
 use crate::exact::hertz_sphere::HertzSphere as Exact;
-use crate::settings::Settings;
+use libm::{asin, hypot, sin, sincos};
+use proctor_contact::geometry::mortar::space::refine::fill;
 
 const RADIUS: f64 = 8.0;
 /// Contact radius that the load is chosen for \[m\].
@@ -55,26 +41,92 @@ const PEAK: &str = "peak pressure";
 const WIDTH: &str = "contact radius";
 const L2: &str = "L2(p) against Hertz";
 
+const WRONG_LOAD: Wrong = Wrong::factor("load", 1.02).breaks(|gate| gate.contains("force"));
+
 /// The ball on a rigid plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HertzSphere {
-    /// Load of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_load: f64,
+pub static HERTZ_SPHERE: Case = Case::new(
+    "hertz-sphere",
+    "Is the pressure between an elastic ball and a rigid plane that of Hertz?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.tried_scene(|rung, settings| Ok(build(rung, settings)?))
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_LOAD])
+.studies(&[Plan::new(
+    Ladder::made(path),
+    &[Measure::new("pressure", L2), Measure::new("peak", PEAK)],
+    3,
+)
+.trying(few)])
+.no_guest("what is known exactly is the pressure of a contact, and frames of particles hold none");
+
+fn exact(reference: Reference) -> Exact {
+    Exact {
+        load: load() * reference.of(&WRONG_LOAD),
+        ..of_load(1.0)
+    }
 }
 
-impl HertzSphere {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_load: 1.0,
+fn build(rung: &Rung, settings: &Settings) -> Result<Scene, SurfaceError> {
+    let h = rung.cell;
+    let margin = 2.0 * h;
+    let cells = |length: f64| (length / h).ceil() as usize;
+    let top = GAP + BLOCK;
+    let mut scene = Scene {
+        name: rung.label.clone(),
+        time_step: settings.multiplier(),
+        materials: elastic(DENSITY, YOUNG, POISSON),
+        bodies: vec![body(
+            "ball",
+            1,
+            Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
+        )],
+        damping: Damping::Viscous {
+            alpha: DAMPING * h / (YOUNG / DENSITY).sqrt(),
+        },
+        box_loads: vec![BoxLoad {
+            p1: [0.0, 0.0, top - h],
+            p2: [BLOCK, BLOCK, top + h],
+            force: [0.0, 0.0, -0.25 * load()],
+        }],
+        mortar: Mortar {
+            boundaries: vec![mortar::boundary(
+                1,
+                Vertices::Surface(Arc::new(boundary(h)?)),
+            )],
+            facets: vec![RigidFacets {
+                name: "plane".into(),
+                id: 2,
+                surface: Arc::new(plane()?),
+                motion: None,
+            }],
+            contacts: vec![barrier("ball on plane", [2, 1], GAP, KAPPA)],
+            ..Mortar::default()
+        },
+        ..Scene::new(
+            Dimension::Three,
+            Mesh {
+                origin: [0.0, 0.0, -margin],
+                cell: [h; 3],
+                cells: [
+                    cells(BLOCK + margin),
+                    cells(BLOCK + margin),
+                    cells(top + 2.0 * margin),
+                ],
+                planes: [
+                    [PlaneCondition::Sliding, PlaneCondition::Free],
+                    [PlaneCondition::Sliding, PlaneCondition::Free],
+                    [PlaneCondition::Free; 2],
+                ],
+            },
+            AVERAGED[1],
+        )
     };
-
-    fn exact(self) -> Exact {
-        Exact {
-            load: load() * self.reference_load,
-            ..of_load(1.0)
-        }
-    }
+    settings.apply(&mut scene);
+    scene.transfer.pic_fraction = PIC;
+    Ok(scene)
 }
 
 fn of_load(load: f64) -> Exact {
@@ -197,120 +249,45 @@ fn plane() -> Result<Surface, SurfaceError> {
     Surface::new(&[[a, b, c], [a, c, d]])
 }
 
-impl HertzSphere {
-    fn build(rung: &Rung, settings: &Settings) -> Result<Scene, SurfaceError> {
-        let h = rung.cell;
-        let margin = 2.0 * h;
-        let cells = |length: f64| (length / h).ceil() as usize;
-        let top = GAP + BLOCK;
-        let mut scene = Scene {
-            name: rung.label.clone(),
-            time_step: settings.multiplier(),
-            materials: elastic(DENSITY, YOUNG, POISSON),
-            bodies: vec![body(
-                "ball",
-                1,
-                Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
-            )],
-            damping: Damping::Viscous {
-                alpha: DAMPING * h / (YOUNG / DENSITY).sqrt(),
-            },
-            box_loads: vec![BoxLoad {
-                p1: [0.0, 0.0, top - h],
-                p2: [BLOCK, BLOCK, top + h],
-                force: [0.0, 0.0, -0.25 * load()],
-            }],
-            mortar: Mortar {
-                boundaries: vec![mortar::boundary(
-                    1,
-                    Vertices::Surface(Arc::new(boundary(h)?)),
-                )],
-                facets: vec![RigidFacets {
-                    name: "plane".into(),
-                    id: 2,
-                    surface: Arc::new(plane()?),
-                    motion: None,
-                }],
-                contacts: vec![barrier("ball on plane", [2, 1], GAP, KAPPA)],
-                ..Mortar::default()
-            },
-            ..Scene::new(
-                Dimension::Three,
-                Mesh {
-                    origin: [0.0, 0.0, -margin],
-                    cell: [h; 3],
-                    cells: [
-                        cells(BLOCK + margin),
-                        cells(BLOCK + margin),
-                        cells(top + 2.0 * margin),
-                    ],
-                    planes: [
-                        [PlaneCondition::Sliding, PlaneCondition::Free],
-                        [PlaneCondition::Sliding, PlaneCondition::Free],
-                        [PlaneCondition::Free; 2],
-                    ],
-                },
-                AVERAGED[1],
-            )
-        };
-        settings.apply(&mut scene);
-        scene.transfer.pic_fraction = PIC;
-        Ok(scene)
-    }
-}
-
-fn rungs(cells: &[f64]) -> Vec<Rung> {
-    let of = |&cell: &f64| Rung {
-        label: format!("h={cell}"),
-        cell,
-        variant: "sphere",
-    };
+fn of_cells(cells: &[f64]) -> Vec<Rung> {
+    let of = |&cell: &f64| Rung::labelled(format!("h={cell}"), "sphere", cell);
     cells.iter().map(of).collect()
 }
 
-impl Case for HertzSphere {
-    fn name(&self) -> &'static str {
-        "hertz-sphere"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let cells: &[f64] = match size {
+        Size::Quick => &[0.5],
+        Size::Full => &[0.5, 0.375, 0.25],
+    };
+    of_cells(cells)
+}
 
-    fn question(&self) -> &'static str {
-        "Is the pressure between an elastic ball and a rigid plane that of Hertz?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let cells: &[f64] = match size {
-            Size::Quick => &[0.5],
-            Size::Full => &[0.5, 0.375, 0.25],
-        };
-        rungs(cells)
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let finest = self.rungs(size).pop().map_or_else(String::new, |r| r.label);
-        let gate = |name, bound, reason| error_at_most(solved, &finest, name, bound, reason);
-        let gates = match size {
-            Size::Quick => vec![
-                gate(FORCE, 0.01, "the load must arrive"),
-                gate(PEAK, 0.1, "2.4 cells over the contact radius"),
-                gate(WIDTH, 0.1, "2.4 cells over the contact radius"),
-            ],
-            Size::Full => vec![
-                gate(FORCE, 0.01, "the load must arrive"),
-                gate(PEAK, 0.05, "4.8 cells over the contact radius"),
-                gate(WIDTH, 0.05, "4.8 cells over the contact radius"),
-            ],
-        };
-        Verdict {
-            tables: vec![(
-                "sphere".to_owned(),
-                table(solved, "sphere", &[FORCE, PEAK, WIDTH, L2]),
-            )],
-            gates,
-            for_the_record: vec![],
-            curves: vec![],
-        }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let finest = runs
+        .rungs
+        .last()
+        .map_or_else(String::new, |r| r.label.clone());
+    let gate = |name, bound, reason| error_at_most(runs.solved, &finest, name, bound, reason);
+    let gates = match runs.size {
+        Size::Quick => vec![
+            gate(FORCE, 0.01, "the load must arrive"),
+            gate(PEAK, 0.1, "2.4 cells over the contact radius"),
+            gate(WIDTH, 0.1, "2.4 cells over the contact radius"),
+        ],
+        Size::Full => vec![
+            gate(FORCE, 0.01, "the load must arrive"),
+            gate(PEAK, 0.05, "4.8 cells over the contact radius"),
+            gate(WIDTH, 0.05, "4.8 cells over the contact radius"),
+        ],
+    };
+    Verdict {
+        tables: vec![(
+            "sphere".to_owned(),
+            table(runs.solved, "sphere", &[FORCE, PEAK, WIDTH, L2]),
+        )],
+        gates,
+        for_the_record: vec![],
+        curves: vec![],
     }
 }
 
@@ -320,4 +297,53 @@ fn peak(found: &Pressures, exact: &Exact) -> f64 {
     let inner = found.vertices.iter().filter(|p| p[0] <= within);
     let (force, area) = inner.fold((0.0, 0.0), |(f, a), [_, p, w]| (f + p * w, a + w));
     force / area * exact.peak() / exact.mean_within(within)
+}
+
+fn method(_rung: &Rung) -> Settings {
+    Settings::new(Method {
+        transfer: TransferKind::Apic,
+        ..Method::DEFAULT
+    })
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let from_axis = |x: &Vector| libm::hypot(x[0], x[1]);
+    let found = Pressures::averaged(simulation, AVERAGED[0], FINE, from_axis, observer)?;
+    let exact = exact(reference);
+    let distance = found.distance(|r| exact.pressure(r));
+    // Of the Hertz pressure with the same second moment, sqrt(5/2 m_2/m_0).
+    let radius = (2.5 * found.moment(2) / found.moment(0)).sqrt();
+    let quantities = vec![
+        Quantity::compared(FORCE, 4.0 * found.force[2], exact.load, "N"),
+        Quantity::compared(PEAK, peak(&found, &exact), exact.peak(), "Pa"),
+        Quantity::compared(WIDTH, radius, exact.contact_radius(), "m"),
+        Quantity::of_zero(L2, distance),
+    ];
+    let mut points: Vec<CurvePoint> = found
+        .vertices
+        .iter()
+        .filter(|p| p[0] < FINE)
+        .map(|p| CurvePoint::new(p[0], p[1], exact.pressure(p[0])))
+        .collect();
+    points.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let curve = Curve::new(
+        format!("{}: contact pressure", rung.label),
+        ["r in m", "p in Pa"],
+        points,
+    );
+    Ok(Found::new(quantities, Some(curve)))
+}
+
+fn path(size: Size) -> Vec<Rung> {
+    of_cells(match size {
+        Size::Quick => &[1.2, 0.6],
+        Size::Full => &[1.5, 0.75, 0.375],
+    })
 }

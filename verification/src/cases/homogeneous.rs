@@ -12,22 +12,10 @@
 //! 1e-5, with strengths in proportion, so that particles stay in their cells and pressed sides on the nodes at which the
 //! pressure acts: what the laws do is the same at any size. `proctor verify homogeneous`.
 
-use std::sync::Arc;
-
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Dimension, InitialStress, Mesh, PlaneCondition, Scene, Traction, Weighting};
-
-use super::dynamics::at_intervals;
-use super::judging::error_at_most;
+use super::prelude::*;
 use super::press::Press;
 use super::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
-use super::{NO_RESULTS, body, cuboid, material, solve_scene};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict,
-};
 use crate::exact::homogeneous::{Specimen, State, Surface, Test};
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Observer, Study};
 
 /// Height and width \[m\].
 const HEIGHT: f64 = 1.0;
@@ -216,17 +204,22 @@ impl Plane {
     }
 }
 
+const WRONG_STRENGTH: Wrong = Wrong::factor("strength", 1.2).breaks(|gate| gate.contains("stress"));
+const WRONG_DILATION: Wrong = Wrong::factor("dilation", 1.1);
+const WRONG_STRAIN: Wrong = Wrong::factor("strain", 1.03);
+
 /// Homogeneous tests.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Homogeneous {
-    /// Strength of the exact specimen over that of the scene. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_strength: f64,
-    /// Dilation of the exact specimen over that of the scene, for the same reason.
-    pub reference_dilation: f64,
-    /// Axial strain of the exact specimen over that of the scene, for the same reason.
-    pub reference_strain: f64,
-}
+pub static HOMOGENEOUS: Case = Case::new(
+    "homogeneous",
+    "Does a specimen in the tests of the laboratory have the stress and the volume of its law?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.options(options)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_STRENGTH, WRONG_DILATION, WRONG_STRAIN])
+.no_study("stress and strain are the same everywhere, so that no cell size has a say");
 
 /// By how much particles are off along a path, at most.
 struct Off {
@@ -285,164 +278,137 @@ fn keep(most: &mut f64, off: f64) {
     }
 }
 
-impl Homogeneous {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_strength: 1.0,
-        reference_dilation: 1.0,
-        reference_strain: 1.0,
+/// The exact specimen, as the case refers to it.
+fn exact(reference: Reference, variant: Variant) -> Specimen {
+    let solid = Yielding {
+        strength: reference.of(&WRONG_STRENGTH) * STRENGTH,
+        ..variant.solid()
     };
-
-    /// The exact specimen, as the case refers to it.
-    fn exact(self, variant: Variant) -> Specimen {
-        let solid = Yielding {
-            strength: self.reference_strength * STRENGTH,
-            ..variant.solid()
-        };
-        let surface = match solid.surface() {
-            Surface::MohrCoulomb([friction, cohesion, dilation]) => {
-                Surface::MohrCoulomb([friction, cohesion, self.reference_dilation * dilation])
-            }
-            Surface::Cone([eta, limit, flow]) => {
-                Surface::Cone([eta, limit, self.reference_dilation * flow])
-            }
-        };
-        Specimen {
-            young: YOUNG,
-            poisson: solid.poisson(),
-            surface,
-            test: variant.test,
-            pressure: variant.pressure(),
+    let surface = match solid.surface() {
+        Surface::MohrCoulomb([friction, cohesion, dilation]) => {
+            Surface::MohrCoulomb([friction, cohesion, reference.of(&WRONG_DILATION) * dilation])
         }
-    }
-
-    fn plane(rung: &Rung) -> Plane {
-        Plane {
-            yields: Self::GIVEN.exact(Variant::of(rung)).yields_at(),
+        Surface::Cone([eta, limit, flow]) => {
+            Surface::Cone([eta, limit, reference.of(&WRONG_DILATION) * flow])
         }
-    }
-
-    /// Axial strains and states of the exact specimen at equal shares of the time.
-    fn path(self, rung: &Rung) -> Vec<(f64, State)> {
-        let plane = Self::plane(rung);
-        let strain = |k| plane.strain(TIME * f64::from(k) / f64::from(STATES))[0];
-        let strains: Vec<f64> = (0..=STATES).map(strain).collect();
-        let wrong: Vec<f64> = strains.iter().map(|e| self.reference_strain * e).collect();
-        let states = self.exact(Variant::of(rung)).path(&wrong);
-        strains.into_iter().zip(states).collect()
-    }
-
-    /// Runs the test and compares the states on its way.
-    fn press(
-        self,
-        rung: &Rung,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let path = self.path(rung);
-        let mut off = Off::new(simulation, &path);
-        let mut points = vec![];
-        let look = |simulation: &Simulation, k: usize| {
-            let (strain, state) = path[k];
-            off.compare(simulation, &state);
-            let stress = simulation.sets()[0].stress(0);
-            points.push(CurvePoint {
-                at: 1e6 * strain,
-                computed: stress[0] - stress[1],
-                exact: state.stress[0] - state.stress[1],
-            });
-            Ok(())
-        };
-        at_intervals(simulation, TIME / f64::from(STATES), observer, |_| {}, look)?;
-        let curve = Curve {
-            title: format!("stress over strain, {}", rung.label),
-            abscissa: "axial strain (1e-6)",
-            ordinate: "axial less lateral compression (Pa)",
-            points,
-        };
-        Ok(Found::new(off.quantities(), Some(curve)))
+    };
+    Specimen {
+        young: YOUNG,
+        poisson: solid.poisson(),
+        surface,
+        test: variant.test,
+        pressure: variant.pressure(),
     }
 }
 
-impl Case for Homogeneous {
-    fn name(&self) -> &'static str {
-        "homogeneous"
+fn plane(rung: &Rung) -> Plane {
+    Plane {
+        yields: exact(Reference::CORRECT, Variant::of(rung)).yields_at(),
     }
+}
 
-    fn question(&self) -> &'static str {
-        "Does a specimen in the tests of the laboratory have the stress and the volume of its law?"
-    }
+/// Axial strains and states of the exact specimen at equal shares of the time.
+fn path(reference: Reference, rung: &Rung) -> Vec<(f64, State)> {
+    let plane = plane(rung);
+    let strain = |k| plane.strain(TIME * f64::from(k) / f64::from(STATES))[0];
+    let strains: Vec<f64> = (0..=STATES).map(strain).collect();
+    let wrong: Vec<f64> = strains
+        .iter()
+        .map(|e| reference.of(&WRONG_STRAIN) * e)
+        .collect();
+    let states = exact(reference, Variant::of(rung)).path(&wrong);
+    strains.into_iter().zip(states).collect()
+}
 
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let counts: &[u32] = match size {
-            Size::Quick => &[2],
-            Size::Full => &[2, 4],
-        };
-        VARIANTS
-            .iter()
-            .flat_map(|v| Rung::counted(v.name, &format!("{}, H/h", v.name), HEIGHT, counts))
-            .collect()
-    }
+/// Runs the test and compares the states on its way.
+fn press(
+    reference: Reference,
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    let path = path(reference, rung);
+    let mut off = Off::new(simulation, &path);
+    let mut points = vec![];
+    let look = |simulation: &Simulation, k: usize| {
+        let (strain, state) = path[k];
+        off.compare(simulation, &state);
+        let stress = simulation.sets()[0].stress(0);
+        points.push(CurvePoint::new(
+            1e6 * strain,
+            stress[0] - stress[1],
+            state.stress[0] - state.stress[1],
+        ));
+        Ok(())
+    };
+    at_intervals(simulation, TIME / f64::from(STATES), observer, |_| {}, look)?;
+    let curve = Curve::new(
+        format!("stress over strain, {}", rung.label),
+        ["axial strain (1e-6)", "axial less lateral compression (Pa)"],
+        points,
+    );
+    Ok(Found::new(off.quantities(), Some(curve)))
+}
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (h, variant) = (rung.cell, Variant::of(rung));
-        let dimension = variant.dimension();
-        let cells = (HEIGHT / h).round() as usize;
-        let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], [1; 3]);
-        mesh.cells[..dimension.axes()].fill(cells);
-        for axis in variant.free().iter().copied().chain([1]) {
-            mesh.cells[axis] += AIR;
-            mesh.planes[axis][1] = PlaneCondition::Free;
+fn rungs(size: Size) -> Vec<Rung> {
+    let counts: &[u32] = match size {
+        Size::Quick => &[2],
+        Size::Full => &[2, 4],
+    };
+    VARIANTS
+        .iter()
+        .flat_map(|v| Rung::counted(v.name, &format!("{}, H/h", v.name), HEIGHT, counts))
+        .collect()
+}
+
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for rung in runs.rungs {
+        for (name, bound, reason) in [
+            (STRESS, 5e-3, "half a percent: no stress varies in space"),
+            (VOLUME, 1e-2, "one percent: Hooke's law and dilation"),
+        ] {
+            let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
+            verdict.gates.push(gate);
         }
-        let mut scene = Scene::new(dimension, mesh, TIME);
-        scene.name = String::from("homogeneous");
-        scene.results = NO_RESULTS;
-        scene.materials = material(variant.law, DENSITY, variant.solid().perfect());
-        let [lower, upper] = variant.corners();
-        let mut specimen = body("specimen", 1, cuboid(lower, upper));
-        if variant.pressed {
-            specimen.initial_stress = InitialStress::Isotropic(-PRESSURE);
-        }
-        scene.bodies = vec![specimen];
-        scene.tractions = variant.tractions();
-        let method = Method {
-            weighting: variant.weighting(),
-            ..Method::DEFAULT
-        };
-        Settings::new(method).apply(&mut scene);
-        scene
     }
+    verdict
+}
 
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err("stress and strain are the same everywhere, so that no cell size has a say")
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let (h, variant) = (rung.cell, Variant::of(rung));
+    let dimension = variant.dimension();
+    let cells = (HEIGHT / h).round() as usize;
+    let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], [1; 3]);
+    mesh.cells[..dimension.axes()].fill(cells);
+    for axis in variant.free().iter().copied().chain([1]) {
+        mesh.cells[axis] += AIR;
+        mesh.planes[axis][1] = PlaneCondition::Free;
     }
+    let mut scene = bare_scene("homogeneous", dimension, mesh, TIME);
+    scene.materials = material(variant.law, DENSITY, variant.solid().perfect());
+    let [lower, upper] = variant.corners();
+    let mut specimen = body("specimen", 1, cuboid(lower, upper));
+    if variant.pressed {
+        specimen.initial_stress = InitialStress::Isotropic(-PRESSURE);
+    }
+    scene.bodies = vec![specimen];
+    scene.tractions = variant.tractions();
+    let method = Method {
+        weighting: variant.weighting(),
+        ..Method::DEFAULT
+    };
+    Settings::new(method).apply(&mut scene);
+    scene
+}
 
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let mut options = options.clone();
-        let plane = Self::plane(rung);
-        let press = Press::smooth(HEIGHT, rung.cell, move |time| plane.velocity(time));
-        options.conditions.push(Arc::new(press));
-        solve_scene(self, rung, &options, |simulation| {
-            self.press(rung, simulation, &mut |share| progress(share))
-        })
-    }
+fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
+    let plane = plane(rung);
+    let press = Press::smooth(HEIGHT, rung.cell, move |time| plane.velocity(time));
+    options.conditions.push(Arc::new(press));
+    options
+}
 
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for rung in self.rungs(size) {
-            for (name, bound, reason) in [
-                (STRESS, 5e-3, "half a percent: no stress varies in space"),
-                (VOLUME, 1e-2, "one percent: Hooke's law and dilation"),
-            ] {
-                let gate = error_at_most(solved, &rung.label, name, bound, reason);
-                verdict.gates.push(gate);
-            }
-        }
-        verdict
-    }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    press(run.reference, run.rung, run.simulation, run.observer)
 }

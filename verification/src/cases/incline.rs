@@ -14,7 +14,7 @@ use proctor_scene::{
     Vector,
 };
 
-use super::dynamics::run;
+use super::dynamics::run_until;
 use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};
 use crate::case::{Curve, CurvePoint, Quantity};
 use crate::exact::sliding::Slope;
@@ -208,7 +208,7 @@ impl Incline {
             simulation.set_friction(contact.id, 0.0)?;
         }
         let settled = self.settling();
-        run(simulation, settled, observer, |_| ())?;
+        run_until(simulation, settled, observer, |_| ())?;
         for contact in &scene.contacts {
             simulation.set_friction(contact.id, contact.friction)?;
         }
@@ -217,7 +217,7 @@ impl Incline {
             for stage in 1..=TILTS {
                 let share = f64::from(stage) / f64::from(TILTS);
                 simulation.set_gravity(self.inclined([share * self.gravity[0], into]))?;
-                run(simulation, settled + share * tilting, observer, |_| ())?;
+                run_until(simulation, settled + share * tilting, observer, |_| ())?;
             }
         }
         simulation.set_local_damping(self.damping)?;
@@ -314,7 +314,7 @@ pub fn follow_along(
         .map(|&body| along(&simulation.center(body).1))
         .collect();
     let mut tracks = vec![Track::default(); start.len()];
-    run(simulation, end, observer, |simulation| {
+    run_until(simulation, end, observer, |simulation| {
         let (t, t_v) = (
             simulation.time() - release,
             simulation.velocity_time() - release,

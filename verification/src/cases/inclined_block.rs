@@ -22,19 +22,13 @@
 
 mod judge;
 
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Dimension, PlaneCondition, Scene, StressScheme, TimeStep, Vector};
-
 use super::incline::{
     ACCELERATION, Block, COURANT, CREEP, DENSITY, GRAVITY, Incline, POISSON, Track, WAY, YOUNG,
     acceleration, follow, shear_wave_speed, sliding_curve, stuck,
 };
-use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
-use crate::guest::{self, Guest, Norm};
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 /// Time from the release to the end \[s\].
 const TIME: f64 = 2.0;
@@ -58,13 +52,30 @@ const STUDIED: f64 = 0.3;
 const STICKING_DAMPING: f64 = 0.1;
 /// Name of the displacement against that of an elastic block.
 const ELASTIC: &str = "displacement at 2 s, elastic";
+const WRONG_PULL: Wrong =
+    Wrong::factor("pull", 1.01).breaks_only(|gate| !gate.starts_with("stick"));
+
 /// The block on an incline.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InclinedBlock {
-    /// Gravity along the incline over that of the exact solution. Anything but 1 is a wrong scene, to prove that the
-    /// gates notice.
-    pub pull: f64,
-}
+pub static INCLINED_BLOCK: Case = Case::new(
+    "inclined-block",
+    "Does a block slide down an incline as Coulomb's law says, and stick where it should?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.scene_by(scene)
+.options(options)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_PULL])
+.studies(&[Plan::new(
+    Ladder::made(path),
+    &[
+        Measure::new("displacement", ELASTIC),
+        Measure::new("acceleration", ACCELERATION),
+    ],
+    2,
+)])
+.guest(guest);
 
 /// What is asked of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,300 +139,259 @@ const VARIANTS: [(Dimension, StressScheme, [&str; 2]); 6] = [
 /// The variant of the manual's own scene.
 const PRINTED: &str = "printed";
 
-impl InclinedBlock {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self { pull: 1.0 };
-
-    /// All rungs of a size with their problems.
-    fn ladder(size: Size) -> Vec<(Rung, Problem)> {
-        let mut all = vec![];
-        let cells: &[(Dimension, f64)] = match size {
-            Size::Quick => &[(Dimension::Two, 1.0)],
-            Size::Full => &[
-                (Dimension::Two, 1.0),
-                (Dimension::Two, 0.5),
-                (Dimension::Three, 1.0),
-            ],
-        };
-        for &(dimension, cell) in cells {
-            for (_, scheme, [slides, sticks]) in VARIANTS.into_iter().filter(|v| v.0 == dimension) {
-                let problem = |kind, friction| Problem {
-                    kind,
-                    dimension,
-                    scheme,
-                    friction,
-                };
-                all.extend(FRICTIONS.map(|friction| {
-                    let problem = problem(Kind::Settled, friction);
-                    (Self::rung(slides, cell, friction, ""), problem)
-                }));
-                for (kind, friction, how) in [
-                    (Kind::Stick, STICKING, " tilted"),
-                    (Kind::StickMirrored, STICKING, " tilted, mirrored"),
-                    (Kind::StickAtOnce, STICKING_AT_ONCE, " at once"),
-                    (Kind::Walk(Some(STICKING_DAMPING)), STICKING, " at once"),
-                    (Kind::Walk(None), STICKING, " at once, undamped"),
-                ] {
-                    all.push((
-                        Self::rung(sticks, cell, friction, how),
-                        problem(kind, friction),
-                    ));
-                }
+/// All rungs of a size with their problems.
+fn ladder(size: Size) -> Vec<(Rung, Problem)> {
+    let mut all = vec![];
+    let cells: &[(Dimension, f64)] = match size {
+        Size::Quick => &[(Dimension::Two, 1.0)],
+        Size::Full => &[
+            (Dimension::Two, 1.0),
+            (Dimension::Two, 0.5),
+            (Dimension::Three, 1.0),
+        ],
+    };
+    for &(dimension, cell) in cells {
+        for (_, scheme, [slides, sticks]) in VARIANTS.into_iter().filter(|v| v.0 == dimension) {
+            let problem = |kind, friction| Problem {
+                kind,
+                dimension,
+                scheme,
+                friction,
+            };
+            all.extend(FRICTIONS.map(|friction| {
+                let problem = problem(Kind::Settled, friction);
+                (rung(slides, cell, friction, ""), problem)
+            }));
+            for (kind, friction, how) in [
+                (Kind::Stick, STICKING, " tilted"),
+                (Kind::StickMirrored, STICKING, " tilted, mirrored"),
+                (Kind::StickAtOnce, STICKING_AT_ONCE, " at once"),
+                (Kind::Walk(Some(STICKING_DAMPING)), STICKING, " at once"),
+                (Kind::Walk(None), STICKING, " at once, undamped"),
+            ] {
+                all.push((rung(sticks, cell, friction, how), problem(kind, friction)));
             }
         }
-        if size == Size::Full {
-            all.extend(FRICTIONS.map(|friction| {
-                let problem = Problem {
-                    kind: Kind::Printed,
-                    dimension: Dimension::Three,
-                    scheme: StressScheme::Usl,
-                    friction,
-                };
-                (Self::rung(PRINTED, 1.0, friction, ""), problem)
-            }));
-        }
-        all
     }
-
-    fn rung(variant: &'static str, cell: f64, friction: f64, how: &str) -> Rung {
-        Rung {
-            label: format!("{variant} h={cell} mu={friction}{how}"),
-            cell,
-            variant,
-        }
-    }
-
-    /// The path of the study with its problem.
-    fn studied(size: Size) -> Vec<(Rung, Problem)> {
-        let cells: &[f64] = match size {
-            Size::Quick => &[1.0, 0.5],
-            Size::Full => &[1.0, 0.5, 0.25, 0.125],
-        };
-        let problem = Problem {
-            kind: Kind::Settled,
-            dimension: Dimension::Two,
-            scheme: StressScheme::Usl,
-            friction: STUDIED,
-        };
-        let rung = |&cell: &f64| (Self::rung(VARIANTS[0].2[0], cell, STUDIED, ""), problem);
-        cells.iter().map(rung).collect()
-    }
-
-    /// The problem of a rung of any size; that of the study for a rung that is not of this case.
-    fn problem(rung: &Rung) -> Problem {
-        let known = [Size::Quick, Size::Full]
-            .map(Self::ladder)
-            .into_iter()
-            .flatten();
-        let mut problems = known
-            .filter(|(other, _)| other == rung)
-            .map(|(_, problem)| problem);
-        let studied = Self::studied(Size::Full)[0].1;
-        problems.next().unwrap_or(studied)
-    }
-
-    fn incline(self, rung: &Rung) -> Incline {
-        let problem = Self::problem(rung);
-        let h = rung.cell;
-        let sign = if problem.kind == Kind::StickMirrored {
-            -1.0
-        } else {
-            1.0
-        };
-        let settled = Incline {
-            dimension: problem.dimension,
-            cell: h,
-            length: LENGTH,
-            base: 2.0 * h,
-            height: HEIGHT,
-            air: 2.0 * h,
-            blocks: vec![Block {
-                along: ALONG,
-                friction: problem.friction,
-            }],
-            gravity: [sign * self.pull * GRAVITY, GRAVITY],
-            held: true,
-            damping: match problem.kind {
-                Kind::Stick | Kind::StickMirrored | Kind::StickAtOnce => Some(STICKING_DAMPING),
-                Kind::Walk(damping) => damping,
-                Kind::Settled | Kind::Printed => None,
-            },
-            tilting: matches!(problem.kind, Kind::Stick | Kind::StickMirrored).then_some(TILTING),
-        };
-        match problem.kind {
-            Kind::Printed => Incline {
-                length: 32.0,
-                height: 10.0,
-                held: false,
-                ..settled
-            },
-            _ => settled,
-        }
-    }
-
-    /// The exact motion.
-    fn exact(problem: &Problem) -> Slope {
-        Slope {
-            along: GRAVITY,
-            into: GRAVITY,
-            friction: problem.friction,
-        }
-    }
-
-    /// `moved` is the displacement since the block was laid down \[m\].
-    fn quantities(track: &Track, moved: f64, problem: &Problem, height: f64) -> Vec<Quantity> {
-        let exact = Self::exact(problem);
-        if exact.sticks() {
-            return stuck(track, moved, &exact, TIME).into();
-        }
-        let end = track.way.last().map_or(f64::NAN, |w| w[0]);
-        vec![
-            Quantity::compared(WAY, track.end(), exact.displacement(end), "m"),
-            Quantity::compared(
-                ELASTIC,
-                track.end(),
-                exact.elastic_displacement(end, height, shear_wave_speed()),
-                "m",
-            ),
-            acceleration(track, &exact),
-        ]
-    }
-
-    /// What finite elements of the same size make of a flat block that walks.
-    fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
-        let (Kind::Walk(damping), Dimension::Two) = (problem.kind, problem.dimension) else {
-            return None;
-        };
-        let elements = [ALONG[1] - ALONG[0], HEIGHT].map(|length| (length / rung.cell) as usize);
-        let block = ElasticBlock {
-            elements,
-            edge: rung.cell,
-            young: YOUNG,
-            poisson: POISSON,
-            density: DENSITY,
-        };
-        let slid = block.slide(&Release {
-            gravity: [GRAVITY; 2],
-            friction: problem.friction,
-            damping: damping.unwrap_or(0.0),
-            tilting: 0.0,
-            time: TIME,
-        });
-        Some(slid)
-    }
-}
-
-impl Case for InclinedBlock {
-    fn name(&self) -> &'static str {
-        "inclined-block"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does a block slide down an incline as Coulomb's law says, and stick where it should?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        Self::ladder(size)
-            .into_iter()
-            .map(|(rung, _)| rung)
-            .collect()
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        judge::verdict(&Self::ladder(size), solved)
-    }
-}
-
-impl Study for InclinedBlock {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Self::studied(size)
-            .into_iter()
-            .map(|(rung, _)| rung)
-            .collect()
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("displacement", ELASTIC),
-            Measure::new("acceleration", ACCELERATION),
-        ]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        Settings::new(Method {
-            scheme: Self::problem(rung).scheme,
-            ..Method::DEFAULT
-        })
-        .courant(COURANT)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let mut scene = self.incline(rung).scene("inclined_block", TIME);
-        scene.time_step = settings.multiplier();
-        if Self::problem(rung).kind == Kind::Printed {
-            scene.mesh.planes[2][1] = PlaneCondition::Sliding;
-            scene.time_step = TimeStep::Multiplier {
-                multiplier: 0.15,
-                allow_unstable: settings.allow_unstable,
+    if size == Size::Full {
+        all.extend(FRICTIONS.map(|friction| {
+            let problem = Problem {
+                kind: Kind::Printed,
+                dimension: Dimension::Three,
+                scheme: StressScheme::Usl,
+                friction,
             };
-            scene.contact_distance = Some(0.5);
-        }
-        settings.apply(&mut scene);
-        scene
+            (rung(PRINTED, 1.0, friction, ""), problem)
+        }));
     }
+    all
+}
 
-    fn options(&self, rung: &Rung, options: Options) -> Options {
-        self.incline(rung).options(options)
-    }
+fn rung(variant: &'static str, cell: f64, friction: f64, how: &str) -> Rung {
+    Rung::labelled(
+        format!("{variant} h={cell} mu={friction}{how}"),
+        variant,
+        cell,
+    )
+}
 
-    /// A scene file has one gravity for all of a run, so the block is released at once. It is so flat that the swing of its
-    /// weight is over in a hundredth of the time, and leaves the impulse of friction as it is but for the settlement.
-    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
-        let problem = Self::problem(rung);
-        if (problem.kind, problem.dimension) != (Kind::Settled, Dimension::Two) {
-            return Err(
-                "blocks that stick are judged by their creep, after a time in which gravity turns",
-            );
-        }
-        let incline = Incline {
+/// The path of the study with its problem.
+fn studied(size: Size) -> Vec<(Rung, Problem)> {
+    let cells: &[f64] = match size {
+        Size::Quick => &[1.0, 0.5],
+        Size::Full => &[1.0, 0.5, 0.25, 0.125],
+    };
+    let problem = Problem {
+        kind: Kind::Settled,
+        dimension: Dimension::Two,
+        scheme: StressScheme::Usl,
+        friction: STUDIED,
+    };
+    let rung = |&cell: &f64| (rung(VARIANTS[0].2[0], cell, STUDIED, ""), problem);
+    cells.iter().map(rung).collect()
+}
+
+/// The problem of a rung of any size; that of the study for a rung that is not of this case.
+fn problem(rung: &Rung) -> Problem {
+    let known = [Size::Quick, Size::Full].map(ladder).into_iter().flatten();
+    let mut problems = known
+        .filter(|(other, _)| other == rung)
+        .map(|(_, problem)| problem);
+    let studied = studied(Size::Full)[0].1;
+    problems.next().unwrap_or(studied)
+}
+
+fn incline(reference: Reference, rung: &Rung) -> Incline {
+    let problem = problem(rung);
+    let h = rung.cell;
+    let sign = if problem.kind == Kind::StickMirrored {
+        -1.0
+    } else {
+        1.0
+    };
+    let settled = Incline {
+        dimension: problem.dimension,
+        cell: h,
+        length: LENGTH,
+        base: 2.0 * h,
+        height: HEIGHT,
+        air: 2.0 * h,
+        blocks: vec![Block {
+            along: ALONG,
+            friction: problem.friction,
+        }],
+        gravity: [sign * reference.of(&WRONG_PULL) * GRAVITY, GRAVITY],
+        held: true,
+        damping: match problem.kind {
+            Kind::Stick | Kind::StickMirrored | Kind::StickAtOnce => Some(STICKING_DAMPING),
+            Kind::Walk(damping) => damping,
+            Kind::Settled | Kind::Printed => None,
+        },
+        tilting: matches!(problem.kind, Kind::Stick | Kind::StickMirrored).then_some(TILTING),
+    };
+    match problem.kind {
+        Kind::Printed => Incline {
+            length: 32.0,
+            height: 10.0,
             held: false,
-            ..self.incline(rung)
-        };
-        let mut scene = incline.scene("inclined_block", TIME);
-        guest::settings().apply(&mut scene);
-        scene.mesh.planes[1][0] = PlaneCondition::Fixed;
-        let speed = scene.materials[0].law.wave_speed(DENSITY);
-        let step = guest::COURANT * rung.cell / speed;
-        let scene = guest::prepared(guest::slab(scene), 1, step);
-        let (exact, base) = (Self::exact(&problem), incline.base);
-        let slid = move |_: &Vector, t| [exact.displacement(t), 0.0, 0.0];
-        Ok(Guest {
-            norm: Norm::Mean(0),
-            counts: Box::new(move |x| x[1] > base),
-            ..Guest::new(scene, slid).at_the_end()
-        })
+            ..settled
+        },
+        _ => settled,
     }
+}
 
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let incline = self.incline(rung);
-        incline.release(simulation, observer)?;
-        let tracks = follow(&incline, simulation, observer)?;
-        let problem = Self::problem(rung);
-        let moved = simulation.center(1).1[0] - 0.5 * (ALONG[0] + ALONG[1]);
-        let quantities = Self::quantities(&tracks[0], moved, &problem, incline.height);
-        let curve = sliding_curve(&tracks[0], &Self::exact(&problem), &rung.label);
-        Ok(Found::new(quantities, Some(curve)))
+/// The exact motion.
+fn exact(problem: &Problem) -> Slope {
+    Slope {
+        along: GRAVITY,
+        into: GRAVITY,
+        friction: problem.friction,
     }
+}
+
+/// `moved` is the displacement since the block was laid down \[m\].
+fn quantities(track: &Track, moved: f64, problem: &Problem, height: f64) -> Vec<Quantity> {
+    let exact = exact(problem);
+    if exact.sticks() {
+        return stuck(track, moved, &exact, TIME).into();
+    }
+    let end = track.way.last().map_or(f64::NAN, |w| w[0]);
+    vec![
+        Quantity::compared(WAY, track.end(), exact.displacement(end), "m"),
+        Quantity::compared(
+            ELASTIC,
+            track.end(),
+            exact.elastic_displacement(end, height, shear_wave_speed()),
+            "m",
+        ),
+        acceleration(track, &exact),
+    ]
+}
+
+/// What finite elements of the same size make of a flat block that walks.
+fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
+    let (Kind::Walk(damping), Dimension::Two) = (problem.kind, problem.dimension) else {
+        return None;
+    };
+    let elements = [ALONG[1] - ALONG[0], HEIGHT].map(|length| (length / rung.cell) as usize);
+    let block = ElasticBlock {
+        elements,
+        edge: rung.cell,
+        young: YOUNG,
+        poisson: POISSON,
+        density: DENSITY,
+    };
+    let slid = block.slide(&Release {
+        gravity: [GRAVITY; 2],
+        friction: problem.friction,
+        damping: damping.unwrap_or(0.0),
+        tilting: 0.0,
+        time: TIME,
+    });
+    Some(slid)
+}
+
+fn rungs(size: Size) -> Vec<Rung> {
+    ladder(size).into_iter().map(|(rung, _)| rung).collect()
+}
+
+fn judge(runs: &Runs<'_>) -> Verdict {
+    judge::verdict(&ladder(runs.size), runs.solved)
+}
+
+fn method(rung: &Rung) -> Settings {
+    Settings::new(Method {
+        scheme: problem(rung).scheme,
+        ..Method::DEFAULT
+    })
+    .courant(COURANT)
+}
+
+fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
+    let mut scene = incline(reference, rung).scene("inclined_block", TIME);
+    scene.time_step = settings.multiplier();
+    if problem(rung).kind == Kind::Printed {
+        scene.mesh.planes[2][1] = PlaneCondition::Sliding;
+        scene.time_step = TimeStep::Multiplier {
+            multiplier: 0.15,
+            allow_unstable: settings.allow_unstable,
+        };
+        scene.contact_distance = Some(0.5);
+    }
+    settings.apply(&mut scene);
+    scene
+}
+
+fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
+    incline(reference, rung).options(options)
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let incline = incline(reference, rung);
+    incline.release(simulation, observer)?;
+    let tracks = follow(&incline, simulation, observer)?;
+    let problem = problem(rung);
+    let moved = simulation.center(1).1[0] - 0.5 * (ALONG[0] + ALONG[1]);
+    let quantities = quantities(&tracks[0], moved, &problem, incline.height);
+    let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
+    Ok(Found::new(quantities, Some(curve)))
+}
+
+fn path(size: Size) -> Vec<Rung> {
+    studied(size).into_iter().map(|(rung, _)| rung).collect()
+}
+
+/// A scene file has one gravity for all of a run, so the block is released at once. It is so flat that the swing of its
+/// weight is over in a hundredth of the time, and leaves the impulse of friction as it is but for the settlement.
+fn guest(rung: &Rung) -> Result<Guest, &'static str> {
+    let problem = problem(rung);
+    if (problem.kind, problem.dimension) != (Kind::Settled, Dimension::Two) {
+        return Err(
+            "blocks that stick are judged by their creep, after a time in which gravity turns",
+        );
+    }
+    let incline = Incline {
+        held: false,
+        ..incline(Reference::CORRECT, rung)
+    };
+    let mut scene = incline.scene("inclined_block", TIME);
+    guest::settings().apply(&mut scene);
+    scene.mesh.planes[1][0] = PlaneCondition::Fixed;
+    let speed = scene.materials[0].law.wave_speed(DENSITY);
+    let step = guest::COURANT * rung.cell / speed;
+    let scene = guest::prepared(guest::slab(scene), 1, step);
+    let (exact, base) = (exact(&problem), incline.base);
+    let slid = move |_: &Vector, t| [exact.displacement(t), 0.0, 0.0];
+    Ok(Guest {
+        norm: Norm::Mean(0),
+        counts: Box::new(move |x| x[1] > base),
+        ..Guest::new(scene, slid).at_the_end()
+    })
 }

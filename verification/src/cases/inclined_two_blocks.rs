@@ -9,18 +9,11 @@
 //!
 //! `precision` studies the block that rubs, in two dimensions. `proctor verify inclined-two-blocks`.
 
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Dimension, Scene, StressScheme};
-
 use super::incline::{
     Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
 };
-use super::judging::error_at_most;
-use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::sliding::Slope;
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study, few};
 
 /// Time from the release to the end \[s\].
 const TIME: f64 = 2.0;
@@ -62,13 +55,23 @@ const FREE_GATE: f64 = 1e-9;
 /// Largest pull over the weight: round-off.
 const PULL_GATE: f64 = 1e-9;
 
+const WRONG_PULL: Wrong =
+    Wrong::factor("pull", 1.01).breaks_only(|gate| !gate.contains("over weight"));
+
 /// Two blocks on an incline.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InclinedTwoBlocks {
-    /// Gravity along the incline and out of it over that of the exact solution. Anything but 1 is a wrong scene, to
-    /// prove that the gates notice.
-    pub pull: f64,
-}
+pub static INCLINED_TWO_BLOCKS: Case = Case::new("inclined-two-blocks", "Do two blocks on one incline slide each with its own friction, and lift off when gravity is reversed?")
+    .ladder(Ladder::made(rungs))
+    .method(method)
+    .scene_by(scene)
+    .options(options)
+    .run(compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_PULL])
+    .studies(&[Plan::new(Ladder::made(path), &[
+        Measure::new("displacement", ELASTIC),
+        Measure::new("acceleration", ACCELERATIONS[0]),
+    ], 2).trying(few)])
+    .no_guest("its blocks settle without friction before they are released, and a scene file has one gravity and one friction for all of a run");
 
 /// Variants by dimension, scheme and whether gravity is reversed.
 const VARIANTS: [(&str, Dimension, StressScheme, bool); 12] = [
@@ -91,224 +94,189 @@ const VARIANTS: [(&str, Dimension, StressScheme, bool); 12] = [
     ),
 ];
 
-impl InclinedTwoBlocks {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self { pull: 1.0 };
+/// Dimension, scheme and whether gravity is reversed, of a rung.
+fn variant(rung: &Rung) -> (Dimension, StressScheme, bool) {
+    let found = VARIANTS.iter().find(|v| v.0 == rung.variant);
+    let &(_, dimension, scheme, lifts) = found.unwrap_or(&VARIANTS[0]);
+    (dimension, scheme, lifts)
+}
 
-    /// Dimension, scheme and whether gravity is reversed, of a rung.
-    fn variant(rung: &Rung) -> (Dimension, StressScheme, bool) {
-        let found = VARIANTS.iter().find(|v| v.0 == rung.variant);
-        let &(_, dimension, scheme, lifts) = found.unwrap_or(&VARIANTS[0]);
-        (dimension, scheme, lifts)
-    }
-
-    fn incline(self, rung: &Rung) -> Incline {
-        let (dimension, _, lifts) = Self::variant(rung);
-        let h = rung.cell;
-        Incline {
-            dimension,
-            cell: h,
-            length: 34.0,
-            base: 2.0 * h,
-            height: HEIGHT,
-            air: if lifts { 6.0 } else { 2.0 * h },
-            blocks: BLOCKS.to_vec(),
-            gravity: [
-                self.pull * GRAVITY,
-                if lifts { -self.pull * GRAVITY } else { GRAVITY },
-            ],
-            held: true,
-            damping: None,
-            tilting: None,
-        }
-    }
-
-    fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
-        let mut all = vec![];
-        for (i, (block, track)) in BLOCKS.iter().zip(tracks).enumerate() {
+fn incline(reference: Reference, rung: &Rung) -> Incline {
+    let (dimension, _, lifts) = variant(rung);
+    let h = rung.cell;
+    Incline {
+        dimension,
+        cell: h,
+        length: 34.0,
+        base: 2.0 * h,
+        height: HEIGHT,
+        air: if lifts { 6.0 } else { 2.0 * h },
+        blocks: BLOCKS.to_vec(),
+        gravity: [
+            reference.of(&WRONG_PULL) * GRAVITY,
             if lifts {
-                let free: Vec<[f64; 2]> = track
-                    .out
-                    .iter()
-                    .copied()
-                    .filter(|v| v[0] > FREE_FROM)
-                    .collect();
-                all.push(Quantity::compared(
-                    LIFTS[i],
-                    fitted_slope(&free),
-                    GRAVITY,
-                    "m/s²",
-                ));
-                continue;
-            }
-            let exact = Slope {
-                along: GRAVITY,
-                into: GRAVITY,
-                friction: block.friction,
-            };
-            let end = track.way.last().map_or(f64::NAN, |w| w[0]);
+                -reference.of(&WRONG_PULL) * GRAVITY
+            } else {
+                GRAVITY
+            },
+        ],
+        held: true,
+        damping: None,
+        tilting: None,
+    }
+}
+
+fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
+    let mut all = vec![];
+    for (i, (block, track)) in BLOCKS.iter().zip(tracks).enumerate() {
+        if lifts {
+            let free: Vec<[f64; 2]> = track
+                .out
+                .iter()
+                .copied()
+                .filter(|v| v[0] > FREE_FROM)
+                .collect();
             all.push(Quantity::compared(
-                WAYS[i],
-                track.end(),
-                exact.displacement(end),
-                "m",
-            ));
-            if i == 0 {
-                let elastic = exact.elastic_displacement(end, HEIGHT, shear_wave_speed());
-                all.push(Quantity::compared(ELASTIC, track.end(), elastic, "m"));
-            }
-            all.push(Quantity::compared(
-                ACCELERATIONS[i],
-                fitted_slope(&track.velocity),
-                exact.acceleration(),
+                LIFTS[i],
+                fitted_slope(&free),
+                GRAVITY,
                 "m/s²",
             ));
+            continue;
         }
-        let over_weight = |name, forces: &dyn Fn(&Track) -> f64| {
-            let value = tracks
-                .iter()
-                .map(|t| forces(t) / t.weight)
-                .fold(0.0, f64::max);
-            Quantity::of_zero(name, value)
+        let exact = Slope {
+            along: GRAVITY,
+            into: GRAVITY,
+            friction: block.friction,
         };
-        let largest = |forces: &mut dyn Iterator<Item = f64>| forces.fold(0.0, f64::max);
-        all.push(over_weight(PULL, &|t| {
-            largest(&mut t.force.iter().map(|f| -f))
-        }));
-        if lifts {
-            all.push(over_weight(HELD, &|t| {
-                let late = t.force.iter().zip(&t.out).filter(|(_, v)| v[0] > FREE_FROM);
-                largest(&mut late.map(|(f, _)| f.abs()))
-            }));
+        let end = track.way.last().map_or(f64::NAN, |w| w[0]);
+        all.push(Quantity::compared(
+            WAYS[i],
+            track.end(),
+            exact.displacement(end),
+            "m",
+        ));
+        if i == 0 {
+            let elastic = exact.elastic_displacement(end, HEIGHT, shear_wave_speed());
+            all.push(Quantity::compared(ELASTIC, track.end(), elastic, "m"));
         }
-        all
+        all.push(Quantity::compared(
+            ACCELERATIONS[i],
+            fitted_slope(&track.velocity),
+            exact.acceleration(),
+            "m/s²",
+        ));
     }
+    let over_weight = |name, forces: &dyn Fn(&Track) -> f64| {
+        let value = tracks
+            .iter()
+            .map(|t| forces(t) / t.weight)
+            .fold(0.0, f64::max);
+        Quantity::of_zero(name, value)
+    };
+    let largest = |forces: &mut dyn Iterator<Item = f64>| forces.fold(0.0, f64::max);
+    all.push(over_weight(PULL, &|t| {
+        largest(&mut t.force.iter().map(|f| -f))
+    }));
+    if lifts {
+        all.push(over_weight(HELD, &|t| {
+            let late = t.force.iter().zip(&t.out).filter(|(_, v)| v[0] > FREE_FROM);
+            largest(&mut late.map(|(f, _)| f.abs()))
+        }));
+    }
+    all
 }
 
-impl Case for InclinedTwoBlocks {
-    fn name(&self) -> &'static str {
-        "inclined-two-blocks"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let cells: &[(Dimension, f64)] = match size {
+        Size::Quick => &[(Dimension::Two, 1.0)],
+        Size::Full => &[
+            (Dimension::Two, 1.0),
+            (Dimension::Two, 0.5),
+            (Dimension::Three, 1.0),
+        ],
+    };
+    let of = |&(dimension, cell): &(Dimension, f64)| {
+        VARIANTS
+            .into_iter()
+            .filter(move |v| v.1 == dimension)
+            .map(move |v| Rung::new(v.0, cell))
+    };
+    cells.iter().flat_map(of).collect()
+}
 
-    fn question(&self) -> &'static str {
-        "Do two blocks on one incline slide each with its own friction, and lift off when gravity is reversed?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let cells: &[(Dimension, f64)] = match size {
-            Size::Quick => &[(Dimension::Two, 1.0)],
-            Size::Full => &[
-                (Dimension::Two, 1.0),
-                (Dimension::Two, 0.5),
-                (Dimension::Three, 1.0),
-            ],
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for rung in runs.rungs {
+        let mut gate = |name, bound, reason| {
+            let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
+            verdict.gates.push(gate);
         };
-        let of = |&(dimension, cell): &(Dimension, f64)| {
-            VARIANTS
-                .into_iter()
-                .filter(move |v| v.1 == dimension)
-                .map(move |v| Rung::new(v.0, cell))
-        };
-        cells.iter().flat_map(of).collect()
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for rung in self.rungs(size) {
-            let mut gate = |name, bound, reason| {
-                let gate = error_at_most(solved, &rung.label, name, bound, reason);
-                verdict.gates.push(gate);
-            };
-            gate(PULL, PULL_GATE, "contact never pulls; round-off is left");
-            if Self::variant(&rung).2 {
-                gate(HELD, 0.0, "bodies that have parted feel no force");
-                for name in LIFTS {
-                    gate(
-                        name,
-                        FREE_GATE,
-                        "a free body has the acceleration of gravity",
-                    );
-                }
-            } else {
-                for name in WAYS.into_iter().chain(ACCELERATIONS) {
-                    gate(
-                        name,
-                        SLIDING_GATE,
-                        "half a percent is what the project promises",
-                    );
-                }
+        gate(PULL, PULL_GATE, "contact never pulls; round-off is left");
+        if variant(&rung).2 {
+            gate(HELD, 0.0, "bodies that have parted feel no force");
+            for name in LIFTS {
+                gate(
+                    name,
+                    FREE_GATE,
+                    "a free body has the acceleration of gravity",
+                );
+            }
+        } else {
+            for name in WAYS.into_iter().chain(ACCELERATIONS) {
+                gate(
+                    name,
+                    SLIDING_GATE,
+                    "half a percent is what the project promises",
+                );
             }
         }
-        verdict
     }
+    verdict
 }
 
-impl Study for InclinedTwoBlocks {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let (variant, ..) = VARIANTS[0];
-        let cells: &[f64] = match size {
-            Size::Quick => &[1.0, 0.5],
-            Size::Full => &[1.0, 0.5, 0.25],
-        };
-        Rung::ladders(&[(variant, cells)])
-    }
+fn method(rung: &Rung) -> Settings {
+    let (_, scheme, _) = variant(rung);
+    Settings::new(Method {
+        scheme,
+        ..Method::DEFAULT
+    })
+    .courant(COURANT)
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("displacement", ELASTIC),
-            Measure::new("acceleration", ACCELERATIONS[0]),
-        ]
-    }
+fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
+    let (_, _, lifts) = variant(rung);
+    let time = if lifts { TIME_LIFTED } else { TIME };
+    let mut scene = incline(reference, rung).scene("inclined_two_blocks", time);
+    scene.time_step = settings.multiplier();
+    settings.apply(&mut scene);
+    scene
+}
 
-    fn tries(&self, size: Size, method: Method) -> bool {
-        few(size, method)
-    }
+fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
+    incline(reference, rung).options(options)
+}
 
-    fn refined_axes(&self) -> usize {
-        2
-    }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let incline = incline(reference, rung);
+    incline.release(simulation, observer)?;
+    let tracks = follow(&incline, simulation, observer)?;
+    let quantities = quantities(&tracks, variant(rung).2);
+    Ok(Found::new(quantities, None))
+}
 
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        let (_, scheme, _) = Self::variant(rung);
-        Settings::new(Method {
-            scheme,
-            ..Method::DEFAULT
-        })
-        .courant(COURANT)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let (_, _, lifts) = Self::variant(rung);
-        let time = if lifts { TIME_LIFTED } else { TIME };
-        let mut scene = self.incline(rung).scene("inclined_two_blocks", time);
-        scene.time_step = settings.multiplier();
-        settings.apply(&mut scene);
-        scene
-    }
-
-    fn options(&self, rung: &Rung, options: Options) -> Options {
-        self.incline(rung).options(options)
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "its blocks settle without friction before they are released, and a scene file has one gravity and one friction for all of a run",
-        )
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let incline = self.incline(rung);
-        incline.release(simulation, observer)?;
-        let tracks = follow(&incline, simulation, observer)?;
-        let quantities = Self::quantities(&tracks, Self::variant(rung).2);
-        Ok(Found::new(quantities, None))
-    }
+fn path(size: Size) -> Vec<Rung> {
+    let (variant, ..) = VARIANTS[0];
+    let cells: &[f64] = match size {
+        Size::Quick => &[1.0, 0.5],
+        Size::Full => &[1.0, 0.5, 0.25],
+    };
+    Rung::ladders(&[(variant, cells)])
 }

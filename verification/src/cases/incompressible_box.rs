@@ -9,19 +9,9 @@
 //! Expected: order 2 as at nu = 0.25, for every scheme; a locked box settles too little.
 //! `proctor verify incompressible-box`.
 
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Damping, Scene, StressScheme, VolumetricStrain};
-
 use super::boussinesq::compare::{Comparison, LEFT_OUT};
 use super::boussinesq::model::{self, Loading, QUARTER_LOAD, SIDE, YOUNG};
-use super::dynamics::ratio;
-use super::elastic;
-use super::judging::{error_of, of_variant, order_gate, table, value_of};
-use super::statics::relax;
-use crate::case::{Case, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
+use super::prelude::*;
 
 /// Poisson's ratio.
 const POISSON: f64 = 0.4999;
@@ -53,170 +43,118 @@ const MOST_STEPS: u64 = 100_000;
 /// down, (pi²/0.25 + pi²)^(1/2) sqrt(G/E).
 const SLOWEST: f64 = 4.0;
 
+const WRONG_POISSON: Wrong = Wrong::value("Poisson's ratio", POISSON, 0.28);
+
 /// The nearly incompressible box.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IncompressibleBox {
-    /// Poisson's ratio of the exact solution. Anything but the material's own is a wrong reference, to prove that
-    /// the gates notice.
-    pub reference_poisson: f64,
-}
+pub static INCOMPRESSIBLE_BOX: Case = Case::new("incompressible-box", "Does a nearly incompressible box settle as its exact solution says, and how much does it lock without means over cells?")
+    .ladder(Ladder::made(rungs))
+    .method(method)
+    .scene(scene)
+    .displacements()
+.residual()
+    .compare_after(settle, compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_POISSON])
+    .no_study("*boussinesq* is the same box; here a relaxation takes minutes, and means over cells are no setting of a study")
+        .no_guest("without means of volumetric strain over cells, which the manuals do not know, it locks");
 
-impl IncompressibleBox {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_poisson: POISSON,
+fn rungs(size: Size) -> Vec<Rung> {
+    let counts: &[u32] = match size {
+        Size::Quick => &[8],
+        Size::Full => &[8, 16],
     };
+    let variants = AVERAGED.iter().map(|(variant, _)| *variant).chain([LOCKED]);
+    variants
+        .flat_map(|variant| Rung::counted(variant, &format!("{variant} L/h"), SIDE, counts))
+        .collect()
 }
 
-impl Case for IncompressibleBox {
-    fn name(&self) -> &'static str {
-        "incompressible-box"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does a nearly incompressible box settle as its exact solution says, and how much does it lock without means over cells?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let counts: &[u32] = match size {
-            Size::Quick => &[8],
-            Size::Full => &[8, 16],
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    let finest = |variant: &str| {
+        let rung = runs.rungs.iter().rfind(|rung| rung.variant == variant);
+        rung.map_or("no rung".to_owned(), |rung| rung.label.clone())
+    };
+    for (variant, _) in AVERAGED {
+        let table = table(runs.solved, variant, &[SETTLEMENT, CENTRE, L2]);
+        let error = error_of(runs.solved, &finest(variant), SETTLEMENT);
+        let (bound, reason) = match runs.size {
+            Size::Full => (0.05, "within 5 % of the exact box at h = 1/16"),
+            Size::Quick => (
+                0.2,
+                "four times the bound at h = 1/16, as order 2 allows at 1/8",
+            ),
         };
-        let variants = AVERAGED.iter().map(|(variant, _)| *variant).chain([LOCKED]);
-        variants
-            .flat_map(|variant| Rung::counted(variant, &format!("{variant} L/h"), SIDE, counts))
-            .collect()
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err(
-            "*boussinesq* is the same box; here a relaxation takes minutes, and means over cells are no setting of a study",
-        )
-    }
-
-    with_own_settings!(but studies);
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let rungs = self.rungs(size);
-        let finest = |variant: &str| {
-            let rung = rungs.iter().rfind(|rung| rung.variant == variant);
-            rung.map_or("no rung".to_owned(), |rung| rung.label.clone())
-        };
-        for (variant, _) in AVERAGED {
-            let table = table(solved, variant, &[SETTLEMENT, CENTRE, L2]);
-            let error = error_of(solved, &finest(variant), SETTLEMENT);
-            let (bound, reason) = match size {
-                Size::Full => (0.05, "within 5 % of the exact box at h = 1/16"),
-                Size::Quick => (
-                    0.2,
-                    "four times the bound at h = 1/16, as order 2 allows at 1/8",
-                ),
-            };
-            let name = format!("{variant}: error of {SETTLEMENT} on the finest mesh");
-            verdict
-                .gates
-                .push(Gate::at_most(name, error, bound, reason));
-            if size == Size::Full {
-                let reason =
-                    "order 2 as at nu = 0.25; 0.3 is left for meshes that are not yet fine";
-                let gate = order_gate(&table, L2, 1.7, reason);
-                verdict.gates.push(of_variant(variant, gate));
-            }
-            let title = format!("{}, {variant}, means over cells", self.name());
-            verdict.tables.push((title, table));
+        let name = format!("{variant}: error of {SETTLEMENT} on the finest mesh");
+        verdict
+            .gates
+            .push(Gate::at_most(name, error, bound, reason));
+        if runs.size == Size::Full {
+            let reason = "order 2 as at nu = 0.25; 0.3 is left for meshes that are not yet fine";
+            let gate = order_gate(&table, L2, 1.7, reason);
+            verdict.gates.push(of_variant(variant, gate));
         }
-        let share = value_of(solved, &finest(LOCKED), SHARE);
-        verdict.gates.push(Gate::at_most(
-            format!("{LOCKED}: {SHARE} with the strain of each particle"),
-            share,
-            0.9,
-            "a box that did not lock without means over cells would prove nothing of them",
-        ));
-        let table = table(solved, LOCKED, &[SETTLEMENT, CENTRE, L2]);
-        verdict
-            .tables
-            .push((format!("{}, locked", self.name()), table));
-        verdict
+        let title = format!("incompressible-box, {variant}, means over cells");
+        verdict.tables.push((title, table));
     }
+    let share = value_of(runs.solved, &finest(LOCKED), SHARE);
+    verdict.gates.push(Gate::at_most(
+        format!("{LOCKED}: {SHARE} with the strain of each particle"),
+        share,
+        0.9,
+        "a box that did not lock without means over cells would prove nothing of them",
+    ));
+    let table = table(runs.solved, LOCKED, &[SETTLEMENT, CENTRE, L2]);
+    verdict
+        .tables
+        .push(("incompressible-box, locked".to_owned(), table));
+    verdict
 }
 
-impl Study for IncompressibleBox {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let mut path = self.rungs(size);
-        path.retain(|rung| rung.variant == AVERAGED[0].0);
-        path
-    }
+fn method(rung: &Rung) -> Settings {
+    let scheme = AVERAGED
+        .iter()
+        .find(|(variant, _)| *variant == rung.variant);
+    Settings::new(Method {
+        scheme: scheme.map_or(Method::DEFAULT.scheme, |(_, scheme)| *scheme),
+        ..Method::DEFAULT
+    })
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![Measure::new("displacement", L2)]
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let mut scene = model::scene(rung.cell, Loading::Patch);
+    scene.name = String::from("incompressible-box");
+    scene.materials = elastic(DENSITY, YOUNG, POISSON);
+    if rung.variant != LOCKED {
+        scene.volumetric_strain = VolumetricStrain::CellAverage;
     }
+    // Waves of pressure are 70 times as fast as those of shear. Each peak of theirs would stop the slow motion, which a
+    // steady damping lets go on: critical for the slowest wave, 2 omega m v.
+    scene.damping = Damping::Viscous {
+        alpha: 2.0 * SLOWEST * rung.cell / SIDE,
+    };
+    settings.apply(&mut scene);
+    scene.time_step = settings.multiplier();
+    scene
+}
 
-    fn refined_axes(&self) -> usize {
-        3
-    }
+fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
+    run.residual = relax(run.simulation, QUARTER_LOAD, REST, MOST_STEPS, run.observer)?;
+    Ok(())
+}
 
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        let scheme = AVERAGED
-            .iter()
-            .find(|(variant, _)| *variant == rung.variant);
-        Settings::new(Method {
-            scheme: scheme.map_or(Method::DEFAULT.scheme, |(_, scheme)| *scheme),
-            ..Method::DEFAULT
-        })
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let mut scene = model::scene(rung.cell, Loading::Patch);
-        self.name().clone_into(&mut scene.name);
-        scene.materials = elastic(DENSITY, YOUNG, POISSON);
-        if rung.variant != LOCKED {
-            scene.volumetric_strain = VolumetricStrain::CellAverage;
-        }
-        // Waves of pressure are 70 times as fast as those of shear. Each peak of theirs would stop the slow motion, which a
-        // steady damping lets go on: critical for the slowest wave, 2 omega m v.
-        scene.damping = Damping::Viscous {
-            alpha: 2.0 * SLOWEST * rung.cell / SIDE,
-        };
-        settings.apply(&mut scene);
-        scene.time_step = settings.multiplier();
-        scene
-    }
-
-    fn options(&self, _rung: &Rung, options: Options) -> Options {
-        Options {
-            displacement: true,
-            measure: true,
-            ..options
-        }
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "without means of volumetric strain over cells, which the manuals do not know, it locks",
-        )
-    }
-
-    fn run(
-        &self,
-        _rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let exact = model::exact(Loading::Patch, self.reference_poisson)?;
-        let residual = relax(simulation, QUARTER_LOAD, REST, MOST_STEPS, observer)?;
-        let comparison =
-            Comparison::new(simulation, &exact).ok_or("the simulation kept no displacements")?;
-        let (computed, reference) = comparison.settlement_under_patch();
-        let (in_centre, exact_in_centre) = comparison.settlement_around([0.5; 3]);
-        let quantities = vec![
-            Quantity::compared(SETTLEMENT, computed, reference, "m"),
-            Quantity::compared(CENTRE, in_centre, exact_in_centre, "m"),
-            Quantity::figure(SHARE, computed / reference, "1"),
-            ratio(L2, comparison.l2_outside(LEFT_OUT)),
-            Quantity::balance(RESIDUAL, residual, "1"),
-        ];
-        Ok(Found::new(quantities, None))
-    }
+fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+    let exact = model::exact(Loading::Patch, run.reference.of(&WRONG_POISSON))?;
+    let comparison =
+        Comparison::new(run.simulation, &exact).ok_or("the simulation kept no displacements")?;
+    let (computed, reference) = comparison.settlement_under_patch();
+    let (in_centre, exact_in_centre) = comparison.settlement_around([0.5; 3]);
+    let quantities = vec![
+        Quantity::compared(SETTLEMENT, computed, reference, "m"),
+        Quantity::compared(CENTRE, in_centre, exact_in_centre, "m"),
+        Quantity::figure(SHARE, computed / reference, "1"),
+        ratio(L2, comparison.l2_outside(LEFT_OUT)),
+        Quantity::balance(RESIDUAL, run.residual, "1"),
+    ];
+    Ok(Found::new(quantities, None))
 }

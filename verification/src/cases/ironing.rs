@@ -25,20 +25,7 @@
 mod judge;
 mod pressed;
 
-use proctor_contact::geometry::mortar::Point;
-use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
-use proctor_laws::NeoHookean;
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{Damping, Dimension, History, MortarContact, PlaneCondition, Scene, Vertices};
-use std::f64::consts::PI;
-
-use super::dynamics::at_intervals;
-use super::mortar::{NO_GUEST, PAPER, barrier, boundary, rigid_line, settings};
-use super::{NO_RESULTS, PARTED, body, cuboid, elastic, open_plane};
-use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
-use crate::guest::Guest;
-use crate::settings::Settings;
-use crate::study::{Failure, Measure, Observer, Study};
+use super::prelude::*;
 
 const BLOCK: [f64; 2] = [12.0, 4.0];
 const YOUNG: f64 = 600.0;
@@ -110,34 +97,41 @@ const READINGS: [Reading; 4] = [
     },
 ];
 
+const WRONG_FORCE: Wrong =
+    Wrong::factor("force", 1.1).breaks_only(|gate| gate.contains("error of"));
+
 /// The indenter in the block.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ironing {
-    /// Forces that are expected over those that were found elsewhere. Anything but 1 is a wrong reference, to prove that
-    /// the gates notice.
-    pub reference_force: f64,
+pub static IRONING: Case = Case::new(
+    "ironing",
+    "What force does it take to press an indenter into a soft block and to draw it along?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.scene(scene)
+.prepare(prepare)
+.run(compare)
+.judge_by(judge::verdict)
+.wrong_references(&[WRONG_FORCE])
+.studies(&[Plan::new(
+    Ladder::made(path),
+    &[Measure::new("force", pressed::HISTORY)],
+    2,
+)])
+.no_guest(NO_GUEST);
+
+fn reading(rung: &Rung) -> Reading {
+    let found = READINGS.iter().find(|r| r.variant == rung.variant);
+    *found.unwrap_or(&READINGS[0])
 }
 
-impl Ironing {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_force: 1.0,
-    };
-
-    fn reading(rung: &Rung) -> Reading {
-        let found = READINGS.iter().find(|r| r.variant == rung.variant);
-        *found.unwrap_or(&READINGS[0])
-    }
-
-    /// Quick runs end when the indenter is down.
-    fn end(rung: &Rung) -> f64 {
-        if rung.variant == pressed::VARIANT {
-            pressed::END
-        } else if rung.cell > 0.3 {
-            DOWN
-        } else {
-            PLATEAU[1]
-        }
+/// Quick runs end when the indenter is down.
+fn end(rung: &Rung) -> f64 {
+    if rung.variant == pressed::VARIANT {
+        pressed::END
+    } else if rung.cell > 0.3 {
+        DOWN
+    } else {
+        PLATEAU[1]
     }
 }
 
@@ -238,139 +232,107 @@ fn quantities(forces: &[[f64; 2]], expected: [f64; 3]) -> Vec<Quantity> {
 /// Vertical, then horizontal force over time.
 fn curve(label: &str, forces: &[[f64; 2]]) -> Curve {
     let line = |axis: usize| {
-        forces.iter().enumerate().map(move |(k, force)| CurvePoint {
-            at: (k + 1) as f64 * INTERVAL,
-            computed: force[axis],
-            exact: f64::NAN,
+        forces.iter().enumerate().map(move |(k, force)| {
+            CurvePoint::new((k + 1) as f64 * INTERVAL, force[axis], f64::NAN)
         })
     };
-    Curve {
-        title: format!("{label}: vertical and horizontal (lower) force"),
-        abscissa: "t in s",
-        ordinate: "force on the indenter in N",
-        points: line(1).chain([PARTED]).chain(line(0)).collect(),
+    Curve::new(
+        format!("{label}: vertical and horizontal (lower) force"),
+        ["t in s", "force on the indenter in N"],
+        line(1).chain([PARTED]).chain(line(0)),
+    )
+}
+
+fn rungs(size: Size) -> Vec<Rung> {
+    let (readings, cell, pressed): (&[Reading], f64, &[f64]) = match size {
+        Size::Quick => (&READINGS[..2], 2.0 * CELL, &[CELL]),
+        Size::Full => (&READINGS, CELL, &[2.0 * CELL, CELL, 0.5 * CELL]),
+    };
+    let cells = [cell];
+    let mut ladders: Vec<_> = readings.iter().map(|r| (r.variant, &cells[..])).collect();
+    ladders.push((pressed::VARIANT, pressed));
+    Rung::ladders(&ladders)
+}
+
+fn method(_rung: &Rung) -> Settings {
+    settings(PAPER, 3)
+}
+
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let reading = reading(rung);
+    let mut mesh = open_plane(h, [-2.0, 0.0], [14.0, 8.0]);
+    mesh.planes[1][0] = PlaneCondition::Fixed;
+    let mut scene = Scene::new(Dimension::Two, mesh, end(rung));
+    scene.name.clone_from(&rung.label);
+    scene.results = NO_RESULTS;
+    scene.time_step = settings.multiplier();
+    scene.damping = Damping::Viscous { alpha: DAMPING };
+    scene.materials = elastic(
+        DENSITY * reading.stiffness,
+        YOUNG * reading.stiffness,
+        POISSON,
+    );
+    if rung.variant == pressed::VARIANT {
+        scene.materials[0].law = NeoHookean::new(YOUNG, POISSON).into();
+        scene.damping = Damping::Viscous {
+            alpha: DAMPING * h / CELL,
+        };
+    }
+    scene.bodies = vec![body(
+        "block",
+        1,
+        cuboid([0.0; 3], [BLOCK[0], BLOCK[1], 0.0]),
+    )];
+    scene.mortar.boundaries = vec![boundary(1, Vertices::Spacing(SEGMENT))];
+    scene.mortar.lines = vec![rigid_line("indenter", 2, indenter(), Some(motion()))];
+    scene.mortar.contacts = vec![MortarContact {
+        friction: reading.friction,
+        tangential_stiffness: 1e4 * reading.stiffness,
+        ..barrier(
+            "indenter in block",
+            [1, 2],
+            CRITICAL_GAP,
+            KAPPA * reading.stiffness,
+        )
+    }];
+    settings.apply(&mut scene);
+    scene.transfer.pic_fraction = PIC;
+    scene
+}
+
+fn prepare(rung: &Rung, reference: Reference) {
+    if rung.variant == pressed::VARIANT {
+        let _ = pressed::reference(reference.of(&WRONG_FORCE));
     }
 }
 
-impl Case for Ironing {
-    fn name(&self) -> &'static str {
-        "ironing"
-    }
-
-    fn question(&self) -> &'static str {
-        "What force does it take to press an indenter into a soft block and to draw it along?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let (readings, cell, pressed): (&[Reading], f64, &[f64]) = match size {
-            Size::Quick => (&READINGS[..2], 2.0 * CELL, &[CELL]),
-            Size::Full => (&READINGS, CELL, &[2.0 * CELL, CELL, 0.5 * CELL]),
-        };
-        let cells = [cell];
-        let mut ladders: Vec<_> = readings.iter().map(|r| (r.variant, &cells[..])).collect();
-        ladders.push((pressed::VARIANT, pressed));
-        Rung::ladders(&ladders)
-    }
-
-    with_own_settings!();
-
-    fn prepare(&self, rung: &Rung) {
-        if rung.variant == pressed::VARIANT {
-            let _ = pressed::reference(self.reference_force);
-        }
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        judge::verdict(*self, size, solved)
-    }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let forces = forces(simulation, observer)?;
+    let (quantities, curve) = if rung.variant == pressed::VARIANT {
+        let known = pressed::reference(reference.of(&WRONG_FORCE))?;
+        (
+            pressed::quantities(&forces, &known),
+            pressed::curve(&rung.label, &forces, &known),
+        )
+    } else {
+        let figures = reading(rung).figures;
+        let expected = figures.map(|f| f * reference.of(&WRONG_FORCE));
+        (quantities(&forces, expected), curve(&rung.label, &forces))
+    };
+    Ok(Found::new(quantities, Some(curve)))
 }
 
-impl Study for Ironing {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Rung::ladders(match size {
-            Size::Quick => &[(pressed::VARIANT, &[2.0 * CELL, CELL])],
-            Size::Full => &[(pressed::VARIANT, &[2.0 * CELL, CELL, 0.5 * CELL])],
-        })
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![Measure::new("force", pressed::HISTORY)]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, _rung: &Rung) -> Settings {
-        settings(PAPER, 3)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let reading = Self::reading(rung);
-        let mut mesh = open_plane(h, [-2.0, 0.0], [14.0, 8.0]);
-        mesh.planes[1][0] = PlaneCondition::Fixed;
-        let mut scene = Scene::new(Dimension::Two, mesh, Self::end(rung));
-        scene.name.clone_from(&rung.label);
-        scene.results = NO_RESULTS;
-        scene.time_step = settings.multiplier();
-        scene.damping = Damping::Viscous { alpha: DAMPING };
-        scene.materials = elastic(
-            DENSITY * reading.stiffness,
-            YOUNG * reading.stiffness,
-            POISSON,
-        );
-        if rung.variant == pressed::VARIANT {
-            scene.materials[0].law = NeoHookean::new(YOUNG, POISSON).into();
-            scene.damping = Damping::Viscous {
-                alpha: DAMPING * h / CELL,
-            };
-        }
-        scene.bodies = vec![body(
-            "block",
-            1,
-            cuboid([0.0; 3], [BLOCK[0], BLOCK[1], 0.0]),
-        )];
-        scene.mortar.boundaries = vec![boundary(1, Vertices::Spacing(SEGMENT))];
-        scene.mortar.lines = vec![rigid_line("indenter", 2, indenter(), Some(motion()))];
-        scene.mortar.contacts = vec![MortarContact {
-            friction: reading.friction,
-            tangential_stiffness: 1e4 * reading.stiffness,
-            ..barrier(
-                "indenter in block",
-                [1, 2],
-                CRITICAL_GAP,
-                KAPPA * reading.stiffness,
-            )
-        }];
-        settings.apply(&mut scene);
-        scene.transfer.pic_fraction = PIC;
-        scene
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(NO_GUEST)
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let forces = forces(simulation, observer)?;
-        let (quantities, curve) = if rung.variant == pressed::VARIANT {
-            let known = pressed::reference(self.reference_force)?;
-            (
-                pressed::quantities(&forces, &known),
-                pressed::curve(&rung.label, &forces, &known),
-            )
-        } else {
-            let figures = Self::reading(rung).figures;
-            let expected = figures.map(|f| f * self.reference_force);
-            (quantities(&forces, expected), curve(&rung.label, &forces))
-        };
-        Ok(Found::new(quantities, Some(curve)))
-    }
+fn path(size: Size) -> Vec<Rung> {
+    Rung::ladders(match size {
+        Size::Quick => &[(pressed::VARIANT, &[2.0 * CELL, CELL])],
+        Size::Full => &[(pressed::VARIANT, &[2.0 * CELL, CELL, 0.5 * CELL])],
+    })
 }

@@ -1,31 +1,4 @@
-//! The cases: one small file each.
-
-/// What a [`Case`] that is a [`Study`] does with the settings that are its own. It is its own one study, but where it says
-/// what else is.
-macro_rules! with_own_settings {
-    () => {
-        fn studies(&self) -> Result<Vec<&dyn $crate::study::Study>, &'static str> {
-            Ok(vec![self])
-        }
-
-        with_own_settings!(but studies);
-    };
-    (but studies) => {
-        fn scene(&self, rung: &$crate::case::Rung) -> proctor_scene::Scene {
-            use $crate::study::Study;
-            self.scene_with(rung, &self.own_settings(rung))
-        }
-
-        fn solve(
-            &self,
-            rung: &$crate::case::Rung,
-            options: &proctor_scene::simulation::Options,
-            progress: &mut dyn FnMut(f64),
-        ) -> Result<$crate::case::Solved, $crate::case::CaseError> {
-            $crate::cases::solve_own(self, rung, options, progress)
-        }
-    };
-}
+//! The cases: one file each.
 
 mod angular_momentum;
 mod axis_aligned;
@@ -53,9 +26,10 @@ mod inclined_two_blocks;
 mod incompressible_box;
 mod ironing;
 mod judging;
-mod mortar;
+pub(crate) mod mortar;
 mod parts;
 mod plastic_wave;
+mod prelude;
 mod press;
 mod pressures;
 mod rings;
@@ -86,122 +60,85 @@ pub use run_out::outlines as cell_outlines;
 
 use std::sync::OnceLock;
 
-use proctor_scene::OnImbalance;
-use proctor_scene::simulation::{Options, Simulation};
+use crate::case::{Case, CurvePoint};
+use crate::study::Measure;
+pub(crate) use parts::{AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material};
 
-use crate::case::{Case, CaseError, CurvePoint, Found, Rung, Solved};
-use crate::study::{Failure, Measure, Study};
-pub(crate) use parts::{
-    AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material, open_plane,
-};
-
-/// Makes the types of the cases public, and the one list of them.
+/// Makes the cases public, and the one list of them.
 macro_rules! list {
-    ($($module:ident :: $case:ident [$($given:ident),+]),+ $(,)?) => {
-        $(pub use $module::$case;)+
+    ($($module:ident :: [$($case:ident),+]),+ $(,)?) => {
+        $(pub use $module::{$($case),+};)+
 
-        /// All cases, in the order in which they are shown. Whether one can be studied with any settings it says itself
-        /// ([`Case::studies`]).
-        pub(crate) static ALL: &[&dyn Case] = &[$($(&$case::$given),+),+];
+        /// All cases, in the order in which they are shown.
+        pub(crate) static ALL: &[&Case] = &[$($(&$module::$case),+),+];
     };
 }
 
 // A new case is a file, declared above, where the formatter finds it, and a line here.
 list! {
-    boussinesq::Boussinesq[GIVEN],
-    incompressible_box::IncompressibleBox[GIVEN],
-    base_acceleration::BaseAcceleration[GIVEN],
-    bar::Bar[GIVEN],
-    axis_aligned::AxisAligned[PLANE, SPACE],
-    self_weight::SelfWeight[GIVEN],
-    rotation::Rotation[GIVEN],
-    vortex::Vortex[GIVEN],
-    step_bar::StepBar[GIVEN],
-    sudden_weight::SuddenWeight[GIVEN],
-    plastic_wave::PlasticWave[GIVEN],
-    yielding_column::YieldingColumn[GIVEN],
-    softening_bar::SofteningBar[GIVEN],
-    footing::Footing[GIVEN],
-    collapse::Collapse[GIVEN],
-    slope::Slope[GIVEN],
-    fluid::Fluid[GIVEN],
-    element::Element[GIVEN],
-    homogeneous::Homogeneous[GIVEN],
-    shear_and_turn::ShearAndTurn[GIVEN],
-    spin::Spin[GIVEN],
-    staggered_start::StaggeredStart[GIVEN],
-    bar_energy::BarEnergy[GIVEN],
-    angular_momentum::AngularMomentum[GIVEN],
-    inclined_block::InclinedBlock[GIVEN],
-    inclined_two_blocks::InclinedTwoBlocks[GIVEN],
-    colliding_blocks::CollidingBlocks[GIVEN],
-    block_on_two_blocks::BlockOnTwoBlocks[GIVEN],
-    tilted_incline::TiltedIncline[GIVEN],
-    sphere_on_terrain::SphereOnTerrain[GIVEN],
-    hertz::Hertz[GIVEN],
-    rolling_disk::RollingDisk[GIVEN],
-    slipping_disk::SlippingDisk[GIVEN],
-    spinning_collision::SpinningCollision[GIVEN],
-    corner_block::CornerBlock[GIVEN],
-    hertz_slab::HertzSlab[GIVEN],
-    hertz_sphere::HertzSphere[GIVEN],
-    rolling_disk_slab::RollingDiskSlab[GIVEN],
-    cantilever::Cantilever[GIVEN],
-    rings::Rings[GIVEN],
-    ironing::Ironing[GIVEN],
-    grains::Grains[GIVEN],
+    boussinesq::[BOUSSINESQ],
+    incompressible_box::[INCOMPRESSIBLE_BOX],
+    base_acceleration::[BASE_ACCELERATION],
+    bar::[BAR],
+    axis_aligned::[AXIS_ALIGNED, AXIS_ALIGNED_3D],
+    self_weight::[SELF_WEIGHT],
+    rotation::[ROTATION],
+    vortex::[VORTEX],
+    step_bar::[STEP_BAR],
+    sudden_weight::[SUDDEN_WEIGHT],
+    plastic_wave::[PLASTIC_WAVE],
+    yielding_column::[YIELDING_COLUMN],
+    softening_bar::[SOFTENING_BAR],
+    footing::[FOOTING],
+    collapse::[COLLAPSE],
+    slope::[SLOPE],
+    fluid::[FLUID],
+    element::[ELEMENT],
+    homogeneous::[HOMOGENEOUS],
+    shear_and_turn::[SHEAR_AND_TURN],
+    spin::[SPIN],
+    staggered_start::[STAGGERED_START],
+    bar_energy::[BAR_ENERGY],
+    angular_momentum::[ANGULAR_MOMENTUM],
+    inclined_block::[INCLINED_BLOCK],
+    inclined_two_blocks::[INCLINED_TWO_BLOCKS],
+    colliding_blocks::[COLLIDING_BLOCKS],
+    block_on_two_blocks::[BLOCK_ON_TWO_BLOCKS],
+    tilted_incline::[TILTED_INCLINE],
+    sphere_on_terrain::[SPHERE_ON_TERRAIN],
+    hertz::[HERTZ],
+    rolling_disk::[ROLLING_DISK],
+    slipping_disk::[SLIPPING_DISK],
+    spinning_collision::[SPINNING_COLLISION],
+    corner_block::[CORNER_BLOCK],
+    hertz_slab::[HERTZ_SLAB],
+    hertz_sphere::[HERTZ_SPHERE],
+    rolling_disk_slab::[ROLLING_DISK_SLAB],
+    cantilever::[CANTILEVER],
+    rings::[RINGS],
+    ironing::[IRONING],
+    grains::[GRAINS],
 }
 
 /// The error of the stress, where a case has one.
-const STRESS_MEASURE: Measure = Measure::new("stress", dynamics::STRESS);
+pub(crate) const STRESS_MEASURE: Measure = Measure::new("stress", dynamics::STRESS);
 
 /// The errors of displacement and stress.
-const FIELDS: &[Measure] = &[
+pub(crate) const FIELDS: &[Measure] = &[
     Measure::new("displacement", dynamics::DISPLACEMENT),
     STRESS_MEASURE,
 ];
 
 /// Parts two lines of a curve.
-const PARTED: CurvePoint = CurvePoint {
+pub(crate) const PARTED: CurvePoint = CurvePoint {
     at: f64::NAN,
     computed: f64::NAN,
     exact: f64::NAN,
 };
 
-/// Runs a rung with its own settings.
-fn solve_own(
-    study: &dyn Study,
-    rung: &Rung,
-    options: &Options,
-    progress: &mut dyn FnMut(f64),
-) -> Result<Solved, CaseError> {
-    let settings = study.own_settings(rung);
-    study
-        .solve_with(rung, &settings, options, &mut |share| progress(share))
-        .map(|studied| studied.solved)
-}
-
-/// Runs the scene of a rung that has no settings but its own, and says what `run` found.
-fn solve_scene(
-    case: &dyn Case,
-    rung: &Rung,
-    options: &Options,
-    run: impl FnOnce(&mut Simulation) -> Result<Found, Failure>,
-) -> Result<Solved, CaseError> {
-    let simulate = || {
-        let mut scene = case.scene(rung);
-        scene.on_imbalance = OnImbalance::Stop;
-        scene.check()?;
-        let mut simulation = Simulation::new(&scene, options)?;
-        let found = run(&mut simulation)?;
-        Ok(Solved::new(found, &simulation))
-    };
-    simulate().map_err(|reason: Failure| CaseError::new(case.name(), rung, &reason))
-}
-
 /// A reference that takes long. That of the case as it is meant is computed once and kept; a wrong one is for a test, which
 /// asks for it once.
-fn reference<T>(
+pub(crate) fn known_reference<T>(
     given: &'static OnceLock<Result<T, String>>,
     is_given: bool,
     compute: impl FnOnce() -> Result<T, String>,

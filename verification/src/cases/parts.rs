@@ -1,10 +1,11 @@
 //! What scenes are made of: materials, bodies and meshes as most cases have them.
 
 use proctor_laws::{AnyLaw, LinearElastic};
-use proctor_scene::simulation::InitialState;
 use proctor_scene::{
-    Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, Shape, Vector,
+    Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, Scene, Shape, Vector,
 };
+use proctor_scene::simulation::{InitialState, Options};
+use std::sync::Arc;
 
 /// Nothing is written: a case reads the simulation itself.
 pub const NO_RESULTS: Results = Results {
@@ -72,4 +73,83 @@ pub fn open_plane(cell: f64, [left, below]: [f64; 2], [right, above]: [f64; 2]) 
     );
     mesh.planes[..2].fill([PlaneCondition::Free; 2]);
     mesh
+}
+
+/// The state of a body at rest that moves with a velocity \[m/s\] of a gradient \[1/s\].
+pub const fn moving(velocity: Vector, velocity_gradient: [[f64; 3]; 3]) -> InitialState {
+    InitialState {
+        velocity,
+        velocity_gradient,
+        ..AT_REST
+    }
+}
+
+/// The same along x, where the velocity varies along x alone.
+pub const fn moving_along_x(velocity: f64, gradient: f64) -> InitialState {
+    moving(
+        [velocity, 0.0, 0.0],
+        [[gradient, 0.0, 0.0], [0.0; 3], [0.0; 3]],
+    )
+}
+
+/// Stress along one axis alone \[Pa\].
+pub const fn uniaxial(stress: f64) -> [f64; 6] {
+    [stress, 0.0, 0.0, 0.0, 0.0, 0.0]
+}
+
+/// A mesh of the plane in square cells from the origin on, with sliding planes at all sides \[m\].
+pub fn strip(cell: f64, [along, up]: [usize; 2]) -> Mesh {
+    Mesh::new(Dimension::Two, [0.0; 3], [cell; 3], [along, up, 1])
+}
+
+/// Number of cells along a length \[m\].
+pub fn cells(length: f64, cell: f64) -> usize {
+    (length / cell).round() as usize
+}
+
+/// A rectangle of the plane, by two corners \[m\].
+pub fn rectangle([left, below]: [f64; 2], [right, above]: [f64; 2]) -> Shape {
+    cuboid([left, below, 0.0], [right, above, 0.0])
+}
+
+/// A scene in the plane without results, to be filled \[s\].
+pub fn plane_scene(name: &str, mesh: Mesh, time: f64) -> Scene {
+    bare_scene(name, Dimension::Two, mesh, time)
+}
+
+/// A scene without results, to be filled \[s\].
+pub fn bare_scene(name: &str, dimension: Dimension, mesh: Mesh, time: f64) -> Scene {
+    Scene {
+        name: name.to_owned(),
+        results: NO_RESULTS,
+        ..Scene::new(dimension, mesh, time)
+    }
+}
+
+/// Options with an initial state, by the place at the start \[m\].
+pub fn starting(
+    options: Options,
+    state: impl Fn(&Vector) -> InitialState + Send + Sync + 'static,
+) -> Options {
+    Options {
+        initial: Some(Arc::new(state)),
+        ..options
+    }
+}
+
+/// Options with a body force per mass \[m/s²\], by the place at the start \[m\] and the time \[s\].
+pub fn driven(
+    options: Options,
+    force: impl Fn(&Vector, f64) -> Vector + Send + Sync + 'static,
+) -> Options {
+    Options {
+        body_force: Some(Arc::new(move |x0, _, t| force(x0, t))),
+        ..options
+    }
+}
+
+/// Speed of pressure waves in an elastic solid \[m/s; Pa, kg/m³\].
+pub fn p_wave_speed(young: f64, poisson: f64, density: f64) -> f64 {
+    let confined = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+    (confined / density).sqrt()
 }

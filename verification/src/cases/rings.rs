@@ -12,21 +12,9 @@
 //! is stated: with MUSL, APIC takes 10 % and more at any time step and FLIP none; with USL both take 14 % and more.
 //! `proctor verify rings`.
 
-use std::sync::OnceLock;
-
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{Body, Dimension, MortarContact, Scene, Shape, TransferKind, Vertices};
-
-use super::dynamics::at_intervals;
-use super::judging::{error_of, table, value_of};
-use super::mortar::{NO_GUEST, PAPER, barrier, boundary, settings, without_pic};
-use super::{NO_RESULTS, PARTED, body, material, open_plane, reference};
-use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::fe::{Barrier, NeoHookean};
 use crate::exact::ring_impact::{Contact, RingImpact, Sample};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 const INNER: f64 = 0.03;
 const OUTER: f64 = 0.04;
@@ -67,13 +55,27 @@ const TOUCHING: [f64; 2] = [0.25e-3, 3.25e-3];
 const APIC: &str = "APIC";
 const FLIP: &str = "FLIP";
 
+const WRONG_SPEED: Wrong =
+    Wrong::factor("speed", 1.05).breaks_only(|gate| gate.contains("impulse"));
+
 /// The colliding rings.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rings {
-    /// Speed of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_speed: f64,
-}
+pub static RINGS: Case = Case::new(
+    "rings",
+    "Do two elastic rings that collide push each other away as they should?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.scene(scene)
+.prepare(prepare)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_SPEED])
+.studies(&[Plan::new(
+    Ladder::made(path),
+    &[Measure::new("impulse", IMPULSE)],
+    2,
+)])
+.no_guest(NO_GUEST);
 
 /// What a run gives to be judged.
 #[derive(Debug)]
@@ -84,51 +86,42 @@ struct History {
     energies: Vec<[f64; 4]>,
 }
 
-impl Rings {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_speed: 1.0,
-    };
-
-    fn reference(self) -> Result<&'static [Sample], String> {
-        static GIVEN: OnceLock<Result<Vec<Sample>, String>> = OnceLock::new();
-        let compute = || {
-            let ring = RingImpact {
-                inner: INNER,
-                outer: OUTER,
-                distance: 0.5 * APART,
-                speed: SPEED * self.reference_speed,
-                material: NeoHookean::from_bulk(BULK, SHEAR, DENSITY),
-                barrier: Barrier {
-                    stiffness: KAPPA,
-                    critical_gap: GAP,
-                    floor: FLOOR,
-                },
-            };
-            let count = (END / INTERVAL).round() as usize;
-            ring.history(ELEMENTS, INTERVAL, count)
-                .map_err(|e| format!("the reference: {e}"))
+fn known(reference: Reference) -> Result<&'static [Sample], String> {
+    static GIVEN: OnceLock<Result<Vec<Sample>, String>> = OnceLock::new();
+    let compute = || {
+        let ring = RingImpact {
+            inner: INNER,
+            outer: OUTER,
+            distance: 0.5 * APART,
+            speed: SPEED * reference.of(&WRONG_SPEED),
+            material: NeoHookean::from_bulk(BULK, SHEAR, DENSITY),
+            barrier: Barrier {
+                stiffness: KAPPA,
+                critical_gap: GAP,
+                floor: FLOOR,
+            },
         };
-        reference(&GIVEN, self == Self::GIVEN, compute).map(Vec::as_slice)
-    }
+        let count = (END / INTERVAL).round() as usize;
+        ring.history(ELEMENTS, INTERVAL, count)
+            .map_err(|e| format!("the reference: {e}"))
+    };
+    known_reference(&GIVEN, reference.is_correct(), compute).map(Vec::as_slice)
+}
 
-    fn rungs_of(cells: &[(&'static str, &[f64])]) -> Vec<Rung> {
-        cells
-            .iter()
-            .flat_map(|&(variant, cells)| {
-                cells.iter().map(move |&cell| Rung {
-                    label: format!("{variant} h={} mm", 1e3 * cell),
-                    cell,
-                    variant,
-                })
+fn rungs_of(cells: &[(&'static str, &[f64])]) -> Vec<Rung> {
+    cells
+        .iter()
+        .flat_map(|&(variant, cells)| {
+            cells.iter().map(move |&cell| {
+                Rung::labelled(format!("{variant} h={} mm", 1e3 * cell), variant, cell)
             })
-            .collect()
-    }
+        })
+        .collect()
 }
 
 /// Momentum of one ring before the impact \[N s\].
 fn momentum_of_one() -> f64 {
-    DENSITY * std::f64::consts::PI * (OUTER * OUTER - INNER * INNER) * SPEED
+    DENSITY * PI * (OUTER * OUTER - INNER * INNER) * SPEED
 }
 
 /// Time, kinetic, strain and barrier energy of both rings \[s, J\].
@@ -189,199 +182,170 @@ impl History {
     fn curve(&self, label: &str, reference: &[Sample]) -> Curve {
         let points = |kind: usize, of: fn(&Sample) -> f64| {
             let pairs = self.energies.iter().zip(reference);
-            pairs.map(move |(energies, sample)| CurvePoint {
-                at: sample.time,
-                computed: energies[kind],
-                exact: 2.0 * of(sample),
+            pairs.map(move |(energies, sample)| {
+                CurvePoint::new(sample.time, energies[kind], 2.0 * of(sample))
             })
         };
         let kinetic = points(1, |s| s.kinetic);
         let strain = points(2, |s| s.strain);
-        Curve {
-            title: format!("{label}: kinetic (upper) and strain energy"),
-            abscissa: "t in s",
-            ordinate: "energy in J",
-            points: kinetic.chain([PARTED]).chain(strain).collect(),
-        }
+        Curve::new(
+            format!("{label}: kinetic (upper) and strain energy"),
+            ["t in s", "energy in J"],
+            kinetic.chain([PARTED]).chain(strain),
+        )
     }
 }
 
-impl Case for Rings {
-    fn name(&self) -> &'static str {
-        "rings"
-    }
-
-    fn question(&self) -> &'static str {
-        "Do two elastic rings that collide push each other away as they should?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        match size {
-            Size::Quick => Self::rungs_of(&[(APIC, &[4e-3]), (FLIP, &[4e-3])]),
-            Size::Full => Self::rungs_of(&[(APIC, &[4e-3, 2e-3]), (FLIP, &[4e-3, 2e-3])]),
-        }
-    }
-
-    with_own_settings!();
-
-    fn prepare(&self, _rung: &Rung) {
-        let _ = self.reference();
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let rungs = self.rungs(size);
-        let mut gates = vec![];
-        for variant in [APIC, FLIP] {
-            let Some(finest) = rungs.iter().rfind(|rung| rung.variant == variant) else {
-                continue;
-            };
-            let value = |name| value_of(solved, &finest.label, name);
-            let error = |name| error_of(solved, &finest.label, name);
-            let mut at_most = |name: &str, value: f64, bound, reason| {
-                let name = format!("{}: {name}", finest.label);
-                gates.push(Gate::at_most(name, value, bound, reason));
-            };
-            at_most(
-                "error of the first contact",
-                error(BEGIN),
-                0.01e-3 / TOUCHING[0],
-                "the gap less the critical one, 15 mm, at 60 m/s, to 0.01 ms",
-            );
-            // With FLIP, which is there for the energy, the rings need the fine grid to part in time.
-            if variant == APIC || size == Size::Full {
-                at_most(
-                    "error of the last contact",
-                    error(LAST),
-                    0.2e-3 / TOUCHING[1],
-                    "the paper's figure, to 0.2 ms, a sixteenth of the contact",
-                );
-            }
-            at_most(
-                "error of the impulse",
-                error(IMPULSE),
-                0.03,
-                "the method's reference figures: 1.6 %",
-            );
-            at_most(
-                MOMENTUM,
-                value(MOMENTUM),
-                1e-10,
-                "action is reaction, to round-off of some thousand steps",
-            );
-            at_most(
-                GAIN,
-                value(GAIN),
-                0.01,
-                "contact adds no energy; a percent for the samples of a leapfrog",
-            );
-        }
-        Verdict {
-            tables: [APIC, FLIP]
-                .map(|v| (v.to_owned(), table(solved, v, &[IMPULSE])))
-                .into(),
-            gates,
-            for_the_record: solved
-                .iter()
-                .map(|(rung, s)| {
-                    format!(
-                        "{}: contact from {:.3} to {:.3} ms, impulse {:.1} N s (reference {:.1}), energy lost {:.1} %",
-                        rung.label,
-                        1e3 * s.value(BEGIN),
-                        1e3 * s.value(LAST),
-                        s.value(IMPULSE),
-                        s.quantity(IMPULSE)
-                            .and_then(|q| q.exact)
-                            .unwrap_or(f64::NAN),
-                        100.0 * s.value(LOSS),
-                    )
-                })
-                .collect(),
-            ..Verdict::default()
-        }
+fn rungs(size: Size) -> Vec<Rung> {
+    match size {
+        Size::Quick => rungs_of(&[(APIC, &[4e-3]), (FLIP, &[4e-3])]),
+        Size::Full => rungs_of(&[(APIC, &[4e-3, 2e-3]), (FLIP, &[4e-3, 2e-3])]),
     }
 }
 
-impl Study for Rings {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
-            Size::Quick => &[(APIC, &[8e-3, 4e-3])],
-            Size::Full => &[(APIC, &[8e-3, 4e-3, 2e-3])],
-        })
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![Measure::new("impulse", IMPULSE)]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        let method = Method {
-            transfer: if rung.variant == FLIP {
-                TransferKind::Flip
-            } else {
-                PAPER.transfer
-            },
-            ..PAPER
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut gates = vec![];
+    for variant in [APIC, FLIP] {
+        let Some(finest) = runs.rungs.iter().rfind(|rung| rung.variant == variant) else {
+            continue;
         };
-        settings(method, 3).courant(COURANT)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let mesh = open_plane(h, [-0.12, -0.08], [0.12, 0.08]);
-        let mut scene = Scene::new(Dimension::Two, mesh, END);
-        scene.name.clone_from(&rung.label);
-        scene.time_step = settings.multiplier();
-        scene.results = NO_RESULTS;
-        let law = proctor_laws::NeoHookean::new(
-            9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
-            (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
+        let value = |name| value_of(runs.solved, &finest.label, name);
+        let error = |name| error_of(runs.solved, &finest.label, name);
+        let mut at_most = |name: &str, value: f64, bound, reason| {
+            let name = format!("{}: {name}", finest.label);
+            gates.push(Gate::at_most(name, value, bound, reason));
+        };
+        at_most(
+            "error of the first contact",
+            error(BEGIN),
+            0.01e-3 / TOUCHING[0],
+            "the gap less the critical one, 15 mm, at 60 m/s, to 0.01 ms",
         );
-        scene.materials = material("rubber", DENSITY, law);
-        let segment = std::f64::consts::TAU * OUTER / VERTICES;
-        for (id, side) in [(1, -1.0), (2, 1.0)] {
-            let ring = Shape::Ring {
-                center: [side * (0.5 * APART + OUTER), 0.0, 0.0],
-                inner: INNER,
-                outer: OUTER,
-            };
-            scene.bodies.push(Body {
-                velocity: [-side * SPEED, 0.0, 0.0],
-                ..body(format!("ring {id}"), id, ring)
-            });
-            let boundary = boundary(id, Vertices::Spacing(segment));
-            scene.mortar.boundaries.push(boundary);
+        // With FLIP, which is there for the energy, the rings need the fine grid to part in time.
+        if variant == APIC || runs.size == Size::Full {
+            at_most(
+                "error of the last contact",
+                error(LAST),
+                0.2e-3 / TOUCHING[1],
+                "the paper's figure, to 0.2 ms, a sixteenth of the contact",
+            );
         }
-        scene.mortar.contacts = vec![MortarContact {
-            friction: 0.1,
-            tangential_stiffness: KAPPA_T,
-            ..barrier("rings", [2, 1], GAP, KAPPA)
-        }];
-        settings.apply(&mut scene);
-        without_pic(&mut scene);
-        scene
+        at_most(
+            "error of the impulse",
+            error(IMPULSE),
+            0.03,
+            "the method's reference figures: 1.6 %",
+        );
+        at_most(
+            MOMENTUM,
+            value(MOMENTUM),
+            1e-10,
+            "action is reaction, to round-off of some thousand steps",
+        );
+        at_most(
+            GAIN,
+            value(GAIN),
+            0.01,
+            "contact adds no energy; a percent for the samples of a leapfrog",
+        );
     }
+    Verdict {
+        tables: [APIC, FLIP]
+            .map(|v| (v.to_owned(), table(runs.solved, v, &[IMPULSE])))
+            .into(),
+        gates,
+        for_the_record: runs.solved
+            .iter()
+            .map(|(rung, s)| {
+                format!(
+                    "{}: contact from {:.3} to {:.3} ms, impulse {:.1} N s (reference {:.1}), energy lost {:.1} %",
+                    rung.label,
+                    1e3 * s.value(BEGIN),
+                    1e3 * s.value(LAST),
+                    s.value(IMPULSE),
+                    s.quantity(IMPULSE)
+                        .and_then(|q| q.exact)
+                        .unwrap_or(f64::NAN),
+                    100.0 * s.value(LOSS),
+                )
+            })
+            .collect(),
+        ..Verdict::default()
+    }
+}
 
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(NO_GUEST)
-    }
+fn method(rung: &Rung) -> Settings {
+    let method = Method {
+        transfer: if rung.variant == FLIP {
+            TransferKind::Flip
+        } else {
+            PAPER.transfer
+        },
+        ..PAPER
+    };
+    settings(method, 3).courant(COURANT)
+}
 
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let history = History::run(simulation, observer)?;
-        let reference = self.reference()?;
-        let quantities = history.quantities(simulation, reference);
-        Ok(Found::new(
-            quantities.ok_or("the rings never touch")?,
-            Some(history.curve(&rung.label, reference)),
-        ))
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let mesh = open_plane(h, [-0.12, -0.08], [0.12, 0.08]);
+    let mut scene = Scene::new(Dimension::Two, mesh, END);
+    scene.name.clone_from(&rung.label);
+    scene.time_step = settings.multiplier();
+    scene.results = NO_RESULTS;
+    let law = proctor_laws::NeoHookean::new(
+        9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
+        (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
+    );
+    scene.materials = material("rubber", DENSITY, law);
+    let segment = TAU * OUTER / VERTICES;
+    for (id, side) in [(1, -1.0), (2, 1.0)] {
+        let ring = Shape::Ring {
+            center: [side * (0.5 * APART + OUTER), 0.0, 0.0],
+            inner: INNER,
+            outer: OUTER,
+        };
+        scene.bodies.push(Body {
+            velocity: [-side * SPEED, 0.0, 0.0],
+            ..body(format!("ring {id}"), id, ring)
+        });
+        let boundary = boundary(id, Vertices::Spacing(segment));
+        scene.mortar.boundaries.push(boundary);
     }
+    scene.mortar.contacts = vec![MortarContact {
+        friction: 0.1,
+        tangential_stiffness: KAPPA_T,
+        ..barrier("rings", [2, 1], GAP, KAPPA)
+    }];
+    settings.apply(&mut scene);
+    without_pic(&mut scene);
+    scene
+}
+
+fn prepare(_rung: &Rung, reference: Reference) {
+    let _ = known(reference);
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let history = History::run(simulation, observer)?;
+    let reference = known(reference)?;
+    let quantities = history.quantities(simulation, reference);
+    Ok(Found::new(
+        quantities.ok_or("the rings never touch")?,
+        Some(history.curve(&rung.label, reference)),
+    ))
+}
+
+fn path(size: Size) -> Vec<Rung> {
+    rungs_of(match size {
+        Size::Quick => &[(APIC, &[8e-3, 4e-3])],
+        Size::Full => &[(APIC, &[8e-3, 4e-3, 2e-3])],
+    })
 }

@@ -18,23 +18,8 @@
 
 mod turn;
 
-use proctor_contact::geometry::mortar::Point;
-use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{
-    Damping, Dimension, Mortar, MortarContact, Results, Scene, Shape, TransferKind, Vertices,
-};
-use std::f64::consts::TAU;
-
-use super::dynamics::run;
-use super::judging::{error_of, table, value_of};
-use super::mortar::{angular_momentum, barrier, boundary, rigid_line, settings};
-use super::{body, elastic, open_plane};
-use crate::case::{Case, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::rolling_disk::RollingDisk as Exact;
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study, few};
 
 const GRAVITY: f64 = 9.81;
 const RADIUS: f64 = 0.5;
@@ -58,39 +43,65 @@ pub(super) const AREA: &str = "growth of the area";
 /// What spin and load have no part in.
 const AREA_OFF: &str = "growth of the area, less that of spin and load";
 
+const WRONG_GRAVITY: Wrong =
+    Wrong::factor("gravity", 1.04).breaks_only(|gate| gate.contains("error of the way"));
+
+/// Errors that are studied, of a slab too.
+pub(super) const MEASURES: &[Measure] = &[
+    Measure::new("displacement", WAY),
+    Measure::new("turn", RATIO),
+];
+
 /// The disk on the inclined plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RollingDisk {
-    /// Gravity of the reference over that of the scenes. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_gravity: f64,
-    /// The variant that is studied with other settings, `slip` or `stick`.
-    pub studied: &'static str,
+pub static ROLLING_DISK: Case = Case::new(
+    "rolling-disk",
+    "Does a soft disk on an inclined plane slide and roll as a rigid one does?",
+)
+.ladder(Ladder::sizes(
+    &[("slip", &[0.2, 0.1]), ("stick", &[0.1])],
+    &[
+        ("slip", &[0.2, 0.1, 0.05]),
+        ("stick", &[0.2, 0.1, 0.05]),
+        ("stiff", &[0.1]),
+    ],
+))
+.method(method)
+.scene(scene)
+.prepare(|rung, reference| {
+    let _ = turn::expected(&exact(reference, rung), rung.variant);
+})
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_GRAVITY])
+.studies(&[
+    Plan::new(
+        Ladder::sizes(&[("slip", &[0.2, 0.1])], &[("slip", &[0.2, 0.1, 0.05, 0.025])]),
+        MEASURES,
+        2,
+    )
+    .named("rolling-disk-slip"),
+    // What sticks comes below 1 % on the third mesh, what slips on the second.
+    Plan::new(
+        Ladder::sizes(&[("stick", &[0.2, 0.1, 0.05])], &[("stick", &[0.2, 0.1, 0.05, 0.025])]),
+        MEASURES,
+        2,
+    )
+    .trying(few),
+])
+.no_guest(
+    "its disk is followed by the vertices of its boundary in mortar contact, which the manuals do not know",
+);
+
+fn friction(variant: &str) -> f64 {
+    if variant == "slip" { 0.1 } else { 0.3 }
 }
 
-impl RollingDisk {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_gravity: 1.0,
-        studied: "stick",
-    };
-    /// The sliding disk alone, for studies.
-    pub const SLIP: Self = Self {
-        studied: "slip",
-        ..Self::GIVEN
-    };
-
-    fn friction(variant: &str) -> f64 {
-        if variant == "slip" { 0.1 } else { 0.3 }
-    }
-
-    fn exact(self, rung: &Rung) -> Exact {
-        Exact {
-            gravity: GRAVITY * self.reference_gravity,
-            inclination: INCLINATION_DEGREES.to_radians(),
-            friction: Self::friction(rung.variant),
-            radius: RADIUS,
-        }
+fn exact(reference: Reference, rung: &Rung) -> Exact {
+    Exact {
+        gravity: GRAVITY * reference.of(&WRONG_GRAVITY),
+        inclination: INCLINATION_DEGREES.to_radians(),
+        friction: friction(rung.variant),
+        radius: RADIUS,
     }
 }
 
@@ -114,260 +125,192 @@ fn plane(h: f64, from: f64, to: f64) -> Chain {
     }
 }
 
-impl Case for RollingDisk {
-    fn name(&self) -> &'static str {
-        if self.studied == "slip" {
-            "rolling-disk-slip"
-        } else {
-            "rolling-disk"
-        }
-    }
-
-    fn question(&self) -> &'static str {
-        "Does a soft disk on an inclined plane slide and roll as a rigid one does?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        Rung::ladders(match size {
-            Size::Quick => &[("slip", &[0.2, 0.1]), ("stick", &[0.1])],
-            Size::Full => &[
-                ("slip", &[0.2, 0.1, 0.05]),
-                ("stick", &[0.2, 0.1, 0.05]),
-                ("stiff", &[0.1]),
-            ],
-        })
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Ok(vec![&Self::SLIP, &Self::GIVEN])
-    }
-
-    with_own_settings!(but studies);
-
-    fn prepare(&self, rung: &Rung) {
-        let _ = turn::expected(&self.exact(rung), rung.variant);
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let error = |label: &str, name| error_of(solved, label, name);
-        let mut gates = vec![];
-        let mut at_most = |label: &str, what: &str, value: f64, bound: f64, reason| {
-            gates.push(Gate::at_most(
-                format!("{label}: {what}"),
-                value,
-                bound,
-                reason,
-            ));
-        };
-        let on_way = format!("error of the {WAY}");
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let error = |label: &str, name| error_of(runs.solved, label, name);
+    let mut gates = vec![];
+    let mut at_most = |label: &str, what: &str, value: f64, bound: f64, reason| {
+        gates.push(Gate::at_most(
+            format!("{label}: {what}"),
+            value,
+            bound,
+            reason,
+        ));
+    };
+    let on_way = format!("error of the {WAY}");
+    at_most(
+        "slip h=0.1",
+        &on_way,
+        error("slip h=0.1", WAY),
+        0.01,
+        "the method's reference figures: 0.46 %",
+    );
+    at_most(
+        "stick h=0.1",
+        &on_way,
+        error("stick h=0.1", WAY),
+        0.02,
+        "the method's reference figures: 1.3 %",
+    );
+    for label in ["slip h=0.1", "stick h=0.1"] {
+        let off = value_of(runs.solved, label, AREA_OFF);
         at_most(
-            "slip h=0.1",
+            label,
+            AREA_OFF,
+            off,
+            turn::SECOND_ORDER,
+            "strains are known to first order: the square of rho omega² R²/E",
+        );
+    }
+    let on_turn = format!("error of the {RATIO}");
+    for rung in runs.rungs {
+        let (bound, reason) = turn::bound(&rung);
+        let found = error(&rung.label, RATIO);
+        at_most(&rung.label, &on_turn, found, bound, reason);
+    }
+    if runs.size == Size::Full {
+        at_most(
+            "stick h=0.05",
             &on_way,
-            error("slip h=0.1", WAY),
-            0.01,
-            "the method's reference figures: 0.46 %",
+            error("stick h=0.05", WAY),
+            0.005,
+            "the method's reference figures: 0.18 %",
         );
         at_most(
-            "stick h=0.1",
+            "stiff h=0.1",
             &on_way,
+            error("stiff h=0.1", WAY),
             error("stick h=0.1", WAY),
-            0.02,
-            "the method's reference figures: 1.3 %",
+            "a stiffer disk is nearer to a rigid one",
         );
-        for label in ["slip h=0.1", "stick h=0.1"] {
-            let off = value_of(solved, label, AREA_OFF);
-            at_most(
-                label,
-                AREA_OFF,
-                off,
-                turn::SECOND_ORDER,
-                "strains are known to first order: the square of rho omega² R²/E",
-            );
-        }
-        let on_turn = format!("error of the {RATIO}");
-        for rung in self.rungs(size) {
-            let (bound, reason) = turn::bound(&rung);
-            let found = error(&rung.label, RATIO);
-            at_most(&rung.label, &on_turn, found, bound, reason);
-        }
-        if size == Size::Full {
-            at_most(
-                "stick h=0.05",
-                &on_way,
-                error("stick h=0.05", WAY),
-                0.005,
-                "the method's reference figures: 0.18 %",
-            );
-            at_most(
-                "stiff h=0.1",
-                &on_way,
-                error("stiff h=0.1", WAY),
-                error("stick h=0.1", WAY),
-                "a stiffer disk is nearer to a rigid one",
-            );
-        }
-        gates.push(turn::order(solved));
-        Verdict {
-            tables: ["slip", "stick", "stiff"]
-                .into_iter()
-                .filter(|v| solved.iter().any(|(rung, _)| rung.variant == *v))
-                .map(|v| (v.to_owned(), table(solved, v, &[WAY, RATIO])))
-                .collect(),
-            gates,
-            for_the_record: solved
-                .iter()
-                .map(|(rung, s)| {
-                    let ratio = s.quantity(RATIO);
-                    format!(
-                        "{}: {RATIO} is {:.4}, expected {:.4}; area growth {:.2} %, less that of spin and load {:.2} %",
-                        rung.label,
-                        s.value(RATIO),
-                        ratio.and_then(|q| q.exact).unwrap_or(f64::NAN),
-                        100.0 * s.value(AREA),
-                        100.0 * s.value(AREA_OFF),
-                    )
-                })
-                .collect(),
-            curves: vec![],
-        }
+    }
+    gates.push(turn::order(runs.solved));
+    Verdict {
+        tables: ["slip", "stick", "stiff"]
+            .into_iter()
+            .filter(|v| runs.solved.iter().any(|(rung, _)| rung.variant == *v))
+            .map(|v| (v.to_owned(), table(runs.solved, v, &[WAY, RATIO])))
+            .collect(),
+        gates,
+        for_the_record: runs.solved
+            .iter()
+            .map(|(rung, s)| {
+                let ratio = s.quantity(RATIO);
+                format!(
+                    "{}: {RATIO} is {:.4}, expected {:.4}; area growth {:.2} %, less that of spin and load {:.2} %",
+                    rung.label,
+                    s.value(RATIO),
+                    ratio.and_then(|q| q.exact).unwrap_or(f64::NAN),
+                    100.0 * s.value(AREA),
+                    100.0 * s.value(AREA_OFF),
+                )
+            })
+            .collect(),
+        curves: vec![],
     }
 }
 
-impl Study for RollingDisk {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let cells: &[f64] = match size {
-            // What sticks comes below 1 % on the third mesh, what slips on the second.
-            Size::Quick if self.studied == "stick" => &[0.2, 0.1, 0.05],
-            Size::Quick => &[0.2, 0.1],
-            Size::Full => &[0.2, 0.1, 0.05, 0.025],
-        };
-        Rung::ladders(&[(self.studied, cells)])
-    }
+pub(super) fn method(_rung: &Rung) -> Settings {
+    let method = Method {
+        transfer: TransferKind::Apic,
+        ..Method::DEFAULT
+    };
+    settings(method, 5)
+}
 
-    fn tries(&self, size: Size, method: Method) -> bool {
-        self.studied != "stick" || few(size, method)
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("displacement", WAY),
-            Measure::new("turn", RATIO),
-        ]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, _rung: &Rung) -> Settings {
-        let method = Method {
-            transfer: TransferKind::Apic,
-            ..Method::DEFAULT
-        };
-        settings(method, 5)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let (from, to) = (-1.2, 9.6);
-        let mesh = open_plane(h, [from, -0.4], [to, 1.4]);
-        let normal = GRAVITY * libm::cos(INCLINATION_DEGREES.to_radians());
-        let mut scene = Scene {
-            name: rung.label.clone(),
-            time_step: settings.multiplier(),
-            gravity: [0.0, -normal, 0.0],
-            materials: elastic(DENSITY, young(rung.variant), POISSON),
-            bodies: vec![body(
-                "disk",
-                1,
-                Shape::Sphere {
-                    center: [0.0, RADIUS + 0.5 * GAP, 0.0],
-                    radius: RADIUS,
-                },
+pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let (from, to) = (-1.2, 9.6);
+    let mesh = open_plane(h, [from, -0.4], [to, 1.4]);
+    let normal = GRAVITY * libm::cos(INCLINATION_DEGREES.to_radians());
+    let mut scene = Scene {
+        name: rung.label.clone(),
+        time_step: settings.multiplier(),
+        gravity: [0.0, -normal, 0.0],
+        materials: elastic(DENSITY, young(rung.variant), POISSON),
+        bodies: vec![body(
+            "disk",
+            1,
+            Shape::Sphere {
+                center: [0.0, RADIUS + 0.5 * GAP, 0.0],
+                radius: RADIUS,
+            },
+        )],
+        damping: Damping::Local { alpha: SETTLING },
+        mortar: Mortar {
+            boundaries: vec![boundary(1, Vertices::Spacing(TAU * RADIUS / 64.0))],
+            lines: vec![rigid_line(
+                "plane",
+                2,
+                plane(0.1, from + 0.2, to - 0.2),
+                None,
             )],
-            damping: Damping::Local { alpha: SETTLING },
-            mortar: Mortar {
-                boundaries: vec![boundary(1, Vertices::Spacing(TAU * RADIUS / 64.0))],
-                lines: vec![rigid_line(
-                    "plane",
-                    2,
-                    plane(0.1, from + 0.2, to - 0.2),
-                    None,
-                )],
-                contacts: vec![MortarContact {
-                    friction: Self::friction(rung.variant),
-                    tangential_stiffness: KAPPA_T,
-                    ..barrier("disk on plane", [2, 1], GAP, KAPPA)
-                }],
-                ..Mortar::default()
-            },
-            results: Results {
-                print: 0,
-                ..Results::default()
-            },
-            ..Scene::new(Dimension::Two, mesh, 2.0 * STAGE)
-        };
-        settings.apply(&mut scene);
-        scene.transfer.pic_fraction = PIC;
-        scene
-    }
+            contacts: vec![MortarContact {
+                friction: friction(rung.variant),
+                tangential_stiffness: KAPPA_T,
+                ..barrier("disk on plane", [2, 1], GAP, KAPPA)
+            }],
+            ..Mortar::default()
+        },
+        results: Results {
+            print: 0,
+            ..Results::default()
+        },
+        ..Scene::new(Dimension::Two, mesh, 2.0 * STAGE)
+    };
+    settings.apply(&mut scene);
+    scene.transfer.pic_fraction = PIC;
+    scene
+}
 
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "its disk is followed by the vertices of its boundary in mortar contact, which the manuals do not know",
-        )
+pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    // A slab is as thick as its one layer of cells, the plane 1 m.
+    let thickness = simulation.scene().mesh.cell[2];
+    let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
+        run_until(simulation, stop, &mut *observer, |simulation| {
+            let dt = 2.0 * (simulation.time() - simulation.velocity_time());
+            *turn += angular_velocity(simulation) * dt;
+        })
+    };
+    follow(simulation, STAGE, &mut 0.0)?;
+    let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
+    simulation.set_local_damping(None)?;
+    simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0])?;
+    let (_, start, _) = simulation.center(0);
+    let exact = exact(reference, rung);
+    let (mut points, mut turn) = (vec![], 0.0);
+    for k in 1..=20 {
+        let time = f64::from(k) / 20.0 * STAGE;
+        // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
+        follow(simulation, STAGE + time, &mut turn)?;
+        points.push(CurvePoint::new(
+            time,
+            simulation.center(0).1[0] - start[0],
+            exact.way_and_turn(time).0,
+        ));
     }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        // A slab is as thick as its one layer of cells, the plane 1 m.
-        let thickness = simulation.scene().mesh.cell[2];
-        let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
-            run(simulation, stop, &mut *observer, |simulation| {
-                let dt = 2.0 * (simulation.time() - simulation.velocity_time());
-                *turn += angular_velocity(simulation) * dt;
-            })
-        };
-        follow(simulation, STAGE, &mut 0.0)?;
-        let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
-        simulation.set_local_damping(None)?;
-        simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0])?;
-        let (_, start, _) = simulation.center(0);
-        let exact = self.exact(rung);
-        let (mut points, mut turn) = (vec![], 0.0);
-        for k in 1..=20 {
-            let time = f64::from(k) / 20.0 * STAGE;
-            // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
-            follow(simulation, STAGE + time, &mut turn)?;
-            points.push(CurvePoint {
-                at: time,
-                computed: simulation.center(0).1[0] - start[0],
-                exact: exact.way_and_turn(time).0,
-            });
-        }
-        let way = points.last().map_or(f64::NAN, |p| p.computed);
-        let growth = area(simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
-        let expected = turn::expected(&exact, rung.variant)?;
-        let of_spin = turn::growth(angular_velocity(simulation), young(rung.variant));
-        let quantities = vec![
-            Quantity::compared(WAY, way, exact.way_and_turn(STAGE).0, "m"),
-            Quantity::compared(RATIO, turn * RADIUS / way, expected, "1"),
-            Quantity::figure(AREA, growth, "1"),
-            Quantity::balance(AREA_OFF, (growth - of_spin).abs(), "1"),
-        ];
-        let curve = Curve {
-            title: format!("{}: way along the plane", rung.label),
-            abscissa: "t in s",
-            ordinate: "u_x in m",
-            points,
-        };
-        Ok(Found::new(quantities, Some(curve)))
-    }
+    let way = points.last().map_or(f64::NAN, |p| p.computed);
+    let growth = area(simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
+    let expected = turn::expected(&exact, rung.variant)?;
+    let of_spin = turn::growth(angular_velocity(simulation), young(rung.variant));
+    let quantities = vec![
+        Quantity::compared(WAY, way, exact.way_and_turn(STAGE).0, "m"),
+        Quantity::compared(RATIO, turn * RADIUS / way, expected, "1"),
+        Quantity::figure(AREA, growth, "1"),
+        Quantity::balance(AREA_OFF, (growth - of_spin).abs(), "1"),
+    ];
+    let curve = Curve::new(
+        format!("{}: way along the plane", rung.label),
+        ["t in s", "u_x in m"],
+        points,
+    );
+    Ok(Found::new(quantities, Some(curve)))
 }
 
 /// Sum of the particles' volumes \[m²\].

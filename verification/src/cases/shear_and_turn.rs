@@ -9,20 +9,10 @@
 //! in shear. In a turn of N steps the first keeps the deviator, the second makes it grow by exp(8 pi²/N), and takes chords
 //! of circles for a compression, (lambda + G) 4 pi²/N. Cells shrink with the step. `proctor verify shear-and-turn`.
 
-use std::sync::Arc;
-
-use proctor_laws::{LinearElastic, ObjectiveRate};
-use proctor_scene::simulation::{Condition, FieldNodes, InitialState, Options, Simulation};
-use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, TimeStep};
-
-use super::dynamics::advance;
-use super::judging::{error_at_most, error_gate, of_variant, order_gate, table, value_of};
-use super::{AT_REST, NO_RESULTS, body, cuboid, material, solve_scene};
-use crate::case::{Case, CaseError, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::objective_rate::{
     PlaneStress, Update, deviator, growth_per_turn, sheared, sheared_by, turned_by,
 };
-use crate::study::Study;
 
 /// Law with a rate; waves run at 1.2 m/s.
 const LAW: LinearElastic = LinearElastic::new(1.0, 0.3);
@@ -149,7 +139,7 @@ impl Variant {
     fn motion(self, rung: &Rung, dt: f64) -> Driven {
         let lower = self.lower(rung.cell);
         if self.turns {
-            let (sin, cos) = libm::sincos(std::f64::consts::TAU / f64::from(Self::steps_per(rung)));
+            let (sin, cos) = libm::sincos(TAU / f64::from(Self::steps_per(rung)));
             let half = 0.5 * WIDE * rung.cell;
             return Driven {
                 about: [lower[0] + half, lower[1] + half],
@@ -185,240 +175,229 @@ impl Condition for Driven {
     }
 }
 
+const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.05).breaks(|gate| {
+    gate.contains("shear,") && (gate.contains("off by") || gate.contains("closed form"))
+});
+const WRONG_RATE: Wrong =
+    Wrong::value("rate", 0.0, 1.0).breaks(|gate| gate.contains("closed form"));
+
 /// Stress under prescribed motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShearAndTurn {
-    /// Stiffness of what is referred to over that of the scene. Anything but 1 is a wrong reference, to prove that the
-    /// gates notice.
-    pub reference_stiffness: f64,
-    /// The rates of what is referred to are exchanged, for the same reason.
-    pub reference_exchanged: bool,
+pub static SHEAR_AND_TURN: Case = Case::new(
+    "shear-and-turn",
+    "Does the stress follow shear and ten turns as its objective rate says?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.options(options)
+.compare(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_STIFFNESS, WRONG_RATE])
+.no_study(
+    "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
+);
+
+fn update(reference: Reference, variant: Variant) -> Update {
+    match (variant.update, reference.of(&WRONG_RATE) != 0.0) {
+        (Update::HughesWinget, false) | (Update::Forward, true) => Update::HughesWinget,
+        _ => Update::Forward,
+    }
 }
 
-impl ShearAndTurn {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_stiffness: 1.0,
-        reference_exchanged: false,
+fn quantities(
+    reference: Reference,
+    variant: Variant,
+    rung: &Rung,
+    simulation: &Simulation,
+) -> Vec<Quantity> {
+    let elasticity = LAW.elasticity();
+    let stiffness = reference.of(&WRONG_STIFFNESS);
+    let constants = [stiffness * elasticity.lambda, stiffness * elasticity.shear];
+    let (update, steps) = (update(reference, variant), variant.steps(rung));
+    let per_turn = Variant::steps_per(rung);
+    let predicted = if variant.turns {
+        turned_by(update, STRESSED, constants, per_turn, steps)
+    } else {
+        sheared_by(update, SHEAR, steps).map(|s| constants[1] * s)
     };
-
-    fn update(self, variant: Variant) -> Update {
-        match (variant.update, self.reference_exchanged) {
-            (Update::HughesWinget, false) | (Update::Forward, true) => Update::HughesWinget,
-            _ => Update::Forward,
+    // The particle that is farthest off; all have the same history.
+    let largest = |of: &dyn Fn(PlaneStress) -> f64| {
+        let set = &simulation.sets()[0];
+        (0..set.len())
+            .map(|p| set.stress(p))
+            .map(|s| of([s[0], s[1], s[5]]))
+            .fold(
+                0.0,
+                |worst: f64, x| if x > worst || x.is_nan() { x } else { worst },
+            )
+    };
+    let apart = |a: PlaneStress, b: PlaneStress| {
+        libm::hypot(libm::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2])
+    };
+    let size = libm::hypot(deviator(predicted), predicted[0] + predicted[1]);
+    let off = largest(&|s| apart(s, predicted) / size);
+    let mut all = vec![Quantity::of_zero(PREDICTED, off)];
+    if !variant.turns {
+        let exact = sheared(SHEAR).map(|s| constants[1] * s);
+        let off = largest(&|s| libm::hypot(s[0] - exact[0], s[2] - exact[2]));
+        all.push(Quantity::of_zero(OFF, off / elasticity.shear));
+        return all;
+    }
+    let grown = largest(&|s| deviator(s) / deviator(STRESSED));
+    let grown = libm::log(grown) / f64::from(TURNS);
+    let pressure = largest(&|s| 0.5 * (STRESSED[0] + STRESSED[1] - s[0] - s[1]));
+    let pressure = pressure / (f64::from(TURNS) * (elasticity.lambda + elasticity.shear));
+    match variant.update {
+        Update::HughesWinget => {
+            all.push(Quantity::of_zero(GROWTH, grown));
+            all.push(Quantity::of_zero(PRESSURE, pressure));
+        }
+        Update::Forward => {
+            let growth = growth_per_turn(Update::Forward, per_turn);
+            all.push(Quantity::compared(GROWTH, grown, growth, "1"));
+            // Half of it, since the stress grows by (1 - cos) twice.
+            all.push(Quantity::compared(PRESSURE, pressure, 0.5 * growth, "1"));
         }
     }
-
-    fn quantities(self, variant: Variant, rung: &Rung, simulation: &Simulation) -> Vec<Quantity> {
-        let elasticity = LAW.elasticity();
-        let stiffness = self.reference_stiffness;
-        let constants = [stiffness * elasticity.lambda, stiffness * elasticity.shear];
-        let (update, steps) = (self.update(variant), variant.steps(rung));
-        let per_turn = Variant::steps_per(rung);
-        let predicted = if variant.turns {
-            turned_by(update, STRESSED, constants, per_turn, steps)
-        } else {
-            sheared_by(update, SHEAR, steps).map(|s| constants[1] * s)
-        };
-        // The particle that is farthest off; all have the same history.
-        let largest = |of: &dyn Fn(PlaneStress) -> f64| {
-            let set = &simulation.sets()[0];
-            (0..set.len())
-                .map(|p| set.stress(p))
-                .map(|s| of([s[0], s[1], s[5]]))
-                .fold(
-                    0.0,
-                    |worst: f64, x| if x > worst || x.is_nan() { x } else { worst },
-                )
-        };
-        let apart = |a: PlaneStress, b: PlaneStress| {
-            libm::hypot(libm::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2])
-        };
-        let size = libm::hypot(deviator(predicted), predicted[0] + predicted[1]);
-        let off = largest(&|s| apart(s, predicted) / size);
-        let mut all = vec![Quantity::of_zero(PREDICTED, off)];
-        if !variant.turns {
-            let exact = sheared(SHEAR).map(|s| constants[1] * s);
-            let off = largest(&|s| libm::hypot(s[0] - exact[0], s[2] - exact[2]));
-            all.push(Quantity::of_zero(OFF, off / elasticity.shear));
-            return all;
-        }
-        let grown = largest(&|s| deviator(s) / deviator(STRESSED));
-        let grown = libm::log(grown) / f64::from(TURNS);
-        let pressure = largest(&|s| 0.5 * (STRESSED[0] + STRESSED[1] - s[0] - s[1]));
-        let pressure = pressure / (f64::from(TURNS) * (elasticity.lambda + elasticity.shear));
-        match variant.update {
-            Update::HughesWinget => {
-                all.push(Quantity::of_zero(GROWTH, grown));
-                all.push(Quantity::of_zero(PRESSURE, pressure));
-            }
-            Update::Forward => {
-                let growth = growth_per_turn(Update::Forward, per_turn);
-                all.push(Quantity::compared(GROWTH, grown, growth, "1"));
-                // Half of it, since the stress grows by (1 - cos) twice.
-                all.push(Quantity::compared(PRESSURE, pressure, 0.5 * growth, "1"));
-            }
-        }
-        all
-    }
+    all
 }
 
-impl Case for ShearAndTurn {
-    fn name(&self) -> &'static str {
-        "shear-and-turn"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does the stress follow shear and ten turns as its objective rate says?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        VARIANTS
-            .iter()
-            .flat_map(|variant| {
-                let steps = match (size, variant.dimension) {
-                    (Size::Quick, Dimension::Three) => &STEPS[0][..1],
-                    (Size::Quick, Dimension::Two) | (Size::Full, Dimension::Three) => STEPS[0],
-                    (Size::Full, Dimension::Two) => STEPS[1],
-                };
-                let word = format!("{}, steps", variant.name);
-                Rung::counted(variant.name, &word, CELLS_PER_STEP, steps)
-            })
-            .collect()
-    }
-
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (h, variant) = (rung.cell, Variant::of(rung));
-        let axes = variant.dimension.axes();
-        let cells = std::array::from_fn(|axis| {
-            let [below, above] = variant.margins(axis);
-            if axis < axes {
-                below + WIDE as usize + above
-            } else {
-                1
-            }
-        });
-        let mut mesh = Mesh::new(variant.dimension, [0.0; 3], [h; 3], cells);
-        mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
-        // A step is as long as a shear, or a turn, of one second asks for.
-        let dt = 1.0 / f64::from(Variant::steps_per(rung));
-        let steps = variant.steps(rung);
-        let mut scene = Scene::new(variant.dimension, mesh, f64::from(steps) * dt);
-        scene.name = String::from("shear_and_turn");
-        scene.time_step = TimeStep::Fixed {
-            dt,
-            allow_unstable: false,
-        };
-        scene.results = NO_RESULTS;
-        let elasticity = LAW.elasticity();
-        let law = LinearElastic::with_rate(elasticity.young, elasticity.poisson, variant.rate());
-        scene.materials = material("elastic", DENSITY, law);
-        let lower = variant.lower(h);
-        let mut upper = lower;
-        for x in &mut upper[..axes] {
-            *x += WIDE * h;
-        }
-        let mut block = body("block", 1, cuboid(lower, upper));
-        block.particles_per_cell[..axes].fill(2);
-        scene.bodies = vec![block];
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err(
-            "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
-        )
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let variant = Variant::of(rung);
-        let (steps, end) = (u64::from(variant.steps(rung)), self.scene(rung).time);
-        let motion = variant.motion(rung, end / steps as f64);
-        let [xx, yy, xy] = if variant.turns { STRESSED } else { [0.0; 3] };
-        let mut options = Options {
-            initial: Some(Arc::new(move |x| InitialState {
-                velocity: motion.velocity(*x),
-                stress: [xx, yy, 0.0, 0.0, 0.0, xy],
-                ..AT_REST
-            })),
-            ..options.clone()
-        };
-        options.conditions.push(Arc::new(motion));
-        solve_scene(self, rung, &options, |simulation| {
-            advance(simulation, steps, &mut |share| progress(share))?;
-            let quantities = self.quantities(variant, rung, simulation);
-            Ok(Found::new(quantities, None))
+fn rungs(size: Size) -> Vec<Rung> {
+    VARIANTS
+        .iter()
+        .flat_map(|variant| {
+            let steps = match (size, variant.dimension) {
+                (Size::Quick, Dimension::Three) => &STEPS[0][..1],
+                (Size::Quick, Dimension::Two) | (Size::Full, Dimension::Three) => STEPS[0],
+                (Size::Full, Dimension::Two) => STEPS[1],
+            };
+            let word = format!("{}, steps", variant.name);
+            Rung::counted(variant.name, &word, CELLS_PER_STEP, steps)
         })
-    }
+        .collect()
+}
 
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for variant in VARIANTS {
-            let rungs: Vec<Rung> = self
-                .rungs(size)
-                .into_iter()
-                .filter(|rung| rung.variant == variant.name)
-                .collect();
-            for rung in &rungs {
-                let mut gate = |name, bound, reason| {
-                    let gate = error_at_most(solved, &rung.label, name, bound, reason);
-                    verdict.gates.push(gate);
-                };
-                gate(
-                    PREDICTED,
-                    1e-9,
-                    "the closed form of the update; round-off of some thousand steps is left",
-                );
-                let n = f64::from(Variant::steps_per(rung));
-                match (variant.turns, variant.update) {
-                    (false, _) => {}
-                    (true, Update::HughesWinget) => {
-                        let why = "turned by the midpoint rule a stress keeps its size";
-                        gate(GROWTH, 1e-10, why);
-                        gate(PRESSURE, 1e-10, why);
-                    }
-                    (true, Update::Forward) => {
-                        let why = "the next term is 92/N² of exp(8 pi²/N)";
-                        gate(GROWTH, 100.0 / (n * n), why);
-                        gate(PRESSURE, 100.0 / (n * n), "chords for strain, 1 - cos");
-                    }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for variant in VARIANTS {
+        let own: Vec<Rung> = runs
+            .rungs
+            .iter()
+            .filter(|rung| rung.variant == variant.name)
+            .cloned()
+            .collect();
+        for rung in &own {
+            let mut gate = |name, bound, reason| {
+                let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
+                verdict.gates.push(gate);
+            };
+            gate(
+                PREDICTED,
+                1e-9,
+                "the closed form of the update; round-off of some thousand steps is left",
+            );
+            let n = f64::from(Variant::steps_per(rung));
+            match (variant.turns, variant.update) {
+                (false, _) => {}
+                (true, Update::HughesWinget) => {
+                    let why = "turned by the midpoint rule a stress keeps its size";
+                    gate(GROWTH, 1e-10, why);
+                    gate(PRESSURE, 1e-10, why);
+                }
+                (true, Update::Forward) => {
+                    let why = "the next term is 92/N² of exp(8 pi²/N)";
+                    gate(GROWTH, 100.0 / (n * n), why);
+                    gate(PRESSURE, 100.0 / (n * n), "chords for strain, 1 - cos");
                 }
             }
-            if variant.turns {
-                let line = rungs.iter().map(|rung| {
-                    let growth = value_of(solved, &rung.label, GROWTH) * f64::from(TURNS);
-                    format!("{}: deviator times {:.6}", rung.label, libm::exp(growth))
-                });
-                verdict.for_the_record.extend(line);
-                continue;
-            }
-            let Some(finest) = rungs.last() else {
-                continue;
-            };
-            let increment = SHEAR / f64::from(Variant::steps_per(finest));
-            let (bound, reason) = match variant.update {
-                Update::HughesWinget => (increment, "the strain of a step is not turned by half"),
-                Update::Forward => (
-                    (1.0 + SHEAR) * increment,
-                    "the strain of a step is not turned by half, and what is there grows by half of its square",
-                ),
-            };
-            let bounded = error_gate(&rungs, solved, OFF, bound, reason);
-            verdict.gates.push(of_variant(variant.name, bounded));
-            let table = table(solved, variant.name, &[OFF]);
-            if rungs.len() > 1 {
-                let order = order_gate(&table, OFF, 0.95, "order 1: the strain is not turned");
-                verdict.gates.push(of_variant(variant.name, order));
-            }
-            verdict
-                .tables
-                .push((format!("{} to 3", variant.name), table));
+        }
+        if variant.turns {
+            let line = own.iter().map(|rung| {
+                let growth = value_of(runs.solved, &rung.label, GROWTH) * f64::from(TURNS);
+                format!("{}: deviator times {:.6}", rung.label, libm::exp(growth))
+            });
+            verdict.for_the_record.extend(line);
+            continue;
+        }
+        let Some(finest) = own.last() else {
+            continue;
+        };
+        let increment = SHEAR / f64::from(Variant::steps_per(finest));
+        let (bound, reason) = match variant.update {
+            Update::HughesWinget => (increment, "the strain of a step is not turned by half"),
+            Update::Forward => (
+                (1.0 + SHEAR) * increment,
+                "the strain of a step is not turned by half, and what is there grows by half of its square",
+            ),
+        };
+        let bounded = error_gate(&own, runs.solved, OFF, bound, reason);
+        verdict.gates.push(of_variant(variant.name, bounded));
+        let table = table(runs.solved, variant.name, &[OFF]);
+        if own.len() > 1 {
+            let order = order_gate(&table, OFF, 0.95, "order 1: the strain is not turned");
+            verdict.gates.push(of_variant(variant.name, order));
         }
         verdict
+            .tables
+            .push((format!("{} to 3", variant.name), table));
     }
+    verdict
+}
+
+/// End of the run \[s\].
+fn end(rung: &Rung) -> f64 {
+    let dt = 1.0 / f64::from(Variant::steps_per(rung));
+    f64::from(Variant::of(rung).steps(rung)) * dt
+}
+
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let (h, variant) = (rung.cell, Variant::of(rung));
+    let axes = variant.dimension.axes();
+    let cells = std::array::from_fn(|axis| {
+        let [below, above] = variant.margins(axis);
+        if axis < axes {
+            below + WIDE as usize + above
+        } else {
+            1
+        }
+    });
+    let mut mesh = Mesh::new(variant.dimension, [0.0; 3], [h; 3], cells);
+    mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
+    // A step is as long as a shear, or a turn, of one second asks for.
+    let dt = 1.0 / f64::from(Variant::steps_per(rung));
+    let mut scene = bare_scene("shear_and_turn", variant.dimension, mesh, end(rung));
+    scene.time_step = TimeStep::Fixed {
+        dt,
+        allow_unstable: false,
+    };
+    let elasticity = LAW.elasticity();
+    let law = LinearElastic::with_rate(elasticity.young, elasticity.poisson, variant.rate());
+    scene.materials = material("elastic", DENSITY, law);
+    let lower = variant.lower(h);
+    let mut upper = lower;
+    for x in &mut upper[..axes] {
+        *x += WIDE * h;
+    }
+    let mut block = body("block", 1, cuboid(lower, upper));
+    block.particles_per_cell[..axes].fill(2);
+    scene.bodies = vec![block];
+    scene
+}
+
+fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
+    let variant = Variant::of(rung);
+    let motion = variant.motion(rung, end(rung) / f64::from(variant.steps(rung)));
+    let [xx, yy, xy] = if variant.turns { STRESSED } else { [0.0; 3] };
+    options.initial = Some(Arc::new(move |x| InitialState {
+        velocity: motion.velocity(*x),
+        stress: [xx, yy, 0.0, 0.0, 0.0, xy],
+        ..AT_REST
+    }));
+    options.conditions.push(Arc::new(motion));
+    options
+}
+
+fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+    let (rung, simulation) = (run.rung, &*run.simulation);
+    let quantities = quantities(run.reference, Variant::of(rung), rung, simulation);
+    Ok(Found::new(quantities, None))
 }

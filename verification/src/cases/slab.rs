@@ -7,90 +7,32 @@
 use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_contact::geometry::mortar::outline::outline;
 use proctor_contact::geometry::mortar::space::refine::fill;
-use proctor_contact::geometry::surface::{Surface, SurfaceError};
-use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{
     Body, BodyBoundary, BoxLoad, Dimension, Mesh, Mortar, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,
 };
+use proctor_contact::geometry::surface::{Surface, SurfaceError};
 use std::fmt;
 use std::sync::Arc;
 
-use super::mortar::NO_GUEST;
-use crate::case::{Case, Found, Rung, Size};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
+use crate::case::{Rung, Size};
+use crate::settings::Method;
+use crate::study::Failure;
 
 /// The variant of a rung that is solved in the plane, and that which is solved as a slab.
 pub(super) const VARIANTS: [&str; 2] = ["plane", "slab"];
 
-/// A case that runs a study of the plane once in the plane and once as a slab. It is a study itself: of the slab, with
-/// the settings and the errors of the plane.
-pub(super) trait AsSlab: Case {
-    /// The study in the plane.
-    fn in_plane(&self) -> &'static dyn Study;
-
-    /// The rung of the study in the plane, and whether it is run as a slab.
-    fn of(&self, rung: &Rung) -> (Rung, bool);
-
-    /// The variant that is studied, and the cells of a size, coarse to fine \[m\].
-    fn studied(&self, size: Size) -> (&'static str, &'static [f64]);
+/// The methods that a study of a slab tries: contact in space takes most of the time, on any mesh.
+pub(super) fn tries(size: Size, method: Method) -> bool {
+    size == Size::Full || method == Method::DEFAULT
 }
 
-impl<T: AsSlab> Study for T {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Rung::ladders(&[self.studied(size)])
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        self.in_plane().measures()
-    }
-
-    fn tries(&self, size: Size, method: Method) -> bool {
-        // Contact in space takes most of the time, on any mesh.
-        size == Size::Full || method == Method::DEFAULT
-    }
-
-    fn refined_axes(&self) -> usize {
-        self.in_plane().refined_axes()
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        self.in_plane().own_settings(&self.of(rung).0)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        // The scene is known and has a slab; what has none is reported by `try_scene_with`.
-        let plane = || self.in_plane().scene_with(&self.of(rung).0, settings);
-        self.try_scene_with(rung, settings)
-            .unwrap_or_else(|_| plane())
-    }
-
-    fn try_scene_with(&self, rung: &Rung, settings: &Settings) -> Result<Scene, Failure> {
-        let (plane_rung, is_slab) = self.of(rung);
-        let plane = self.in_plane().scene_with(&plane_rung, settings);
-        Ok(if is_slab { slab(&plane)? } else { plane })
-    }
-
-    fn options(&self, rung: &Rung, options: Options) -> Options {
-        self.in_plane().options(&self.of(rung).0, options)
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(NO_GUEST)
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let plane = &self.of(rung).0;
-        self.in_plane().run(plane, settings, simulation, observer)
-    }
+/// A scene of the plane, or its slab.
+///
+/// # Errors
+/// Why it has no slab.
+pub(super) fn of(plane: Scene, is_slab: bool) -> Result<Scene, Failure> {
+    Ok(if is_slab { slab(&plane)? } else { plane })
 }
 
 /// A scene that has no slab.

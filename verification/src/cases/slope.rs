@@ -11,20 +11,8 @@
 //!
 //! `proctor verify slope`; `proctor report RECORD` draws the frames.
 
-use proctor_laws::{Band, MohrCoulomb, Residual, Softening};
-use proctor_scene::simulation::Options;
-use proctor_scene::{
-    Dimension, InitialStress, Mesh, PlaneCondition, Scene, Shape, TransferKind, VolumetricStrain,
-};
-
-use super::judging::{run_of, value_of};
+use super::prelude::*;
 use super::run_out::{self, FRONT, TOP};
-use super::{NO_RESULTS, body, material, solve_scene};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict,
-};
-use crate::settings::{Method, Settings};
-use crate::study::Study;
 
 /// Height of the bank and length of its crest \[m\].
 const HEIGHT: f64 = 5.0;
@@ -61,169 +49,152 @@ const METHOD: Method = Method {
     ..Method::DEFAULT
 };
 
+const WRONG_WORK: Wrong =
+    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("from nowhere"));
+
 /// The slope that fails.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slope {
-    /// Share of the work of gravity that the books count. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_work: f64,
-}
+pub static SLOPE: Case = Case::new(
+    "slope",
+    "Where does a slope come to rest that fails and softens, and does the mesh decide it?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_WORK])
+.no_study("nothing exact is known of where it comes to rest");
 
-impl Slope {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_work: 1.0,
+fn law(variant: &str) -> MohrCoulomb {
+    let [peak, residual] = STRENGTH;
+    let softening = Softening::Linear {
+        from: 0.0,
+        to: SOFTENED,
     };
-
-    fn law(variant: &str) -> MohrCoulomb {
-        let [peak, residual] = STRENGTH;
-        let softening = Softening::Linear {
-            from: 0.0,
-            to: SOFTENED,
-        };
-        let residual = Residual {
-            cohesion: Some(residual),
-            ..Residual::default()
-        };
-        let band = match variant {
-            LOCAL => Band::NONE,
-            _ => Band::of_width(WIDTH),
-        };
-        MohrCoulomb::new(YOUNG, POISSON, [0.0, peak, 0.0])
-            .softening(softening, residual)
-            .in_band(band)
-    }
+    let residual = Residual {
+        cohesion: Some(residual),
+        ..Residual::default()
+    };
+    let band = match variant {
+        LOCAL => Band::NONE,
+        _ => Band::of_width(WIDTH),
+    };
+    MohrCoulomb::new(YOUNG, POISSON, [0.0, peak, 0.0])
+        .softening(softening, residual)
+        .in_band(band)
 }
 
-impl Case for Slope {
-    fn name(&self) -> &'static str {
-        "slope"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let cells: &[f64] = match size {
+        Size::Quick => &[1.0, 0.5],
+        Size::Full => &[1.0, 0.5, 0.25, 0.125],
+    };
+    Rung::ladders(&[(LOCAL, cells), (CRACK_BAND, cells)])
+}
 
-    fn question(&self) -> &'static str {
-        "Where does a slope come to rest that fails and softens, and does the mesh decide it?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let cells: &[f64] = match size {
-            Size::Quick => &[1.0, 0.5],
-            Size::Full => &[1.0, 0.5, 0.25, 0.125],
-        };
-        Rung::ladders(&[(LOCAL, cells), (CRACK_BAND, cells)])
-    }
-
-    fn scene(&self, rung: &Rung) -> Scene {
-        let h = rung.cell;
-        let cells = |length: f64| (length / h).round() as usize;
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [0.0; 3],
-            [h; 3],
-            [cells(GROUND), cells(HEIGHT) + 2, 1],
-        );
-        mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
-        let mut scene = Scene::new(Dimension::Two, mesh, TIME);
-        scene.name.clone_from(&rung.label);
-        scene.results = NO_RESULTS;
-        scene.gravity = [0.0, -GRAVITY, 0.0];
-        scene.materials = material("clay", DENSITY, Self::law(rung.variant));
-        let corners = [
-            [0.0, 0.0],
-            [CREST + HEIGHT, 0.0],
-            [CREST, HEIGHT],
-            [0.0, HEIGHT],
-        ];
-        let shape = Shape::Polygon {
-            points: corners.iter().map(|p| [p[0], p[1], 0.0]).collect(),
-        };
-        let mut bank = body("bank", 1, shape);
-        bank.initial_stress = InitialStress::AtRest {
-            ratio: 1.0,
-            level: HEIGHT,
-            surcharge: 0.0,
-        };
-        scene.bodies = vec![bank];
-        scene.volumetric_strain = VolumetricStrain::CellAverage;
-        Settings::new(METHOD).apply(&mut scene);
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err("nothing exact is known of where it comes to rest")
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        solve_scene(self, rung, options, |simulation| {
-            let run = run_out::run(simulation, self.reference_work, &mut |share| {
-                progress(share);
-            })?;
-            let foot = CREST + HEIGHT;
-            let points = run.places.iter().map(|place| CurvePoint {
-                at: place.time,
-                computed: place.front - foot,
-                exact: f64::NAN,
-            });
-            let curve = Curve {
-                title: format!("front of the slope, {}", rung.label),
-                abscissa: "time (s)",
-                ordinate: "way of the front (m)",
-                points: points.collect(),
-            };
-            let mut quantities = run.quantities;
-            let front = run.places.last().map_or(f64::NAN, |place| place.front);
-            let beyond = (front - foot) / HEIGHT;
-            quantities.push(Quantity::figure(BEYOND, beyond, "1"));
-            Ok(Found {
-                drawings: vec![run.drawing],
-                ..Found::new(quantities, Some(curve))
-            })
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for variant in [LOCAL, CRACK_BAND] {
-            let mut points = vec![];
-            for rung in self.rungs(size) {
-                if rung.variant != variant {
-                    continue;
-                }
-                let label = &rung.label;
-                verdict.gates.extend(run_out::gates(solved, label, true));
-                if run_of(solved, label).is_none() {
-                    continue;
-                }
-                let value = |name: &str| value_of(solved, label, name);
-                let what = format!(
-                    "run-out {:.2} heights beyond the foot, highest point {:.2} m",
-                    value(BEYOND),
-                    value(TOP)
-                );
-                let line = run_out::said(solved, label, &what);
-                verdict.for_the_record.push(line);
-                points.push(CurvePoint {
-                    at: rung.cell,
-                    computed: value(FRONT) - CREST - HEIGHT,
-                    exact: f64::NAN,
-                });
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for variant in [LOCAL, CRACK_BAND] {
+        let mut points = vec![];
+        for rung in runs.rungs {
+            if rung.variant != variant {
+                continue;
             }
-            points.reverse();
-            verdict.for_the_record.push(match variant {
-                LOCAL => "local: energy per band is proportional to h: not converged".to_owned(),
-                _ => format!("{variant}: a band takes the same energy in cells of any size"),
-            });
-            verdict.curves.push(Curve {
-                title: format!("run-out against the cell size, {variant}"),
-                abscissa: "cell size (m)",
-                ordinate: "run-out beyond the foot (m)",
-                points,
-            });
+            let label = &rung.label;
+            verdict
+                .gates
+                .extend(run_out::gates(runs.solved, label, true));
+            if run_of(runs.solved, label).is_none() {
+                continue;
+            }
+            let value = |name: &str| value_of(runs.solved, label, name);
+            let what = format!(
+                "run-out {:.2} heights beyond the foot, highest point {:.2} m",
+                value(BEYOND),
+                value(TOP)
+            );
+            let line = run_out::said(runs.solved, label, &what);
+            verdict.for_the_record.push(line);
+            points.push(CurvePoint::new(
+                rung.cell,
+                value(FRONT) - CREST - HEIGHT,
+                f64::NAN,
+            ));
         }
-        verdict
+        points.reverse();
+        verdict.for_the_record.push(match variant {
+            LOCAL => "local: energy per band is proportional to h: not converged".to_owned(),
+            _ => format!("{variant}: a band takes the same energy in cells of any size"),
+        });
+        verdict.curves.push(Curve::new(
+            format!("run-out against the cell size, {variant}"),
+            ["cell size (m)", "run-out beyond the foot (m)"],
+            points,
+        ));
     }
+    verdict
+}
+
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let h = rung.cell;
+    let cells = |length: f64| (length / h).round() as usize;
+    let mut mesh = Mesh::new(
+        Dimension::Two,
+        [0.0; 3],
+        [h; 3],
+        [cells(GROUND), cells(HEIGHT) + 2, 1],
+    );
+    mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
+    let mut scene = Scene::new(Dimension::Two, mesh, TIME);
+    scene.name.clone_from(&rung.label);
+    scene.results = NO_RESULTS;
+    scene.gravity = [0.0, -GRAVITY, 0.0];
+    scene.materials = material("clay", DENSITY, law(rung.variant));
+    let corners = [
+        [0.0, 0.0],
+        [CREST + HEIGHT, 0.0],
+        [CREST, HEIGHT],
+        [0.0, HEIGHT],
+    ];
+    let shape = Shape::Polygon {
+        points: corners.iter().map(|p| [p[0], p[1], 0.0]).collect(),
+    };
+    let mut bank = body("bank", 1, shape);
+    bank.initial_stress = InitialStress::AtRest {
+        ratio: 1.0,
+        level: HEIGHT,
+        surcharge: 0.0,
+    };
+    scene.bodies = vec![bank];
+    scene.volumetric_strain = VolumetricStrain::CellAverage;
+    Settings::new(METHOD).apply(&mut scene);
+    scene
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let run = run_out::run(simulation, reference.of(&WRONG_WORK), observer)?;
+    let foot = CREST + HEIGHT;
+    let points = run
+        .places
+        .iter()
+        .map(|place| CurvePoint::new(place.time, place.front - foot, f64::NAN));
+    let curve = Curve::new(
+        format!("front of the slope, {}", rung.label),
+        ["time (s)", "way of the front (m)"],
+        points,
+    );
+    let mut quantities = run.quantities;
+    let front = run.places.last().map_or(f64::NAN, |place| place.front);
+    let beyond = (front - foot) / HEIGHT;
+    quantities.push(Quantity::figure(BEYOND, beyond, "1"));
+    Ok(Found {
+        drawings: vec![run.drawing],
+        ..Found::new(quantities, Some(curve))
+    })
 }

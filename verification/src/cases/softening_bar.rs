@@ -12,21 +12,8 @@
 //!
 //! Strains stay below 1e-3. `proctor verify softening-bar`.
 
-use std::f64::consts::PI;
-
-use proctor_laws::{Band, MohrCoulomb, Residual, Softening};
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Body, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene};
-
-use super::dynamics::step;
-use super::judging::{error_of, of_variant, table, value_of};
-use super::{NO_RESULTS, body, cuboid, solve_scene};
-use crate::case::{
-    Case, CaseError, Curve, CurvePoint, Found, Gate, Quantity, Rung, Size, Solved, Verdict,
-};
+use super::prelude::*;
 use crate::exact::softening_bar::SofteningBar as Exact;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Observer, Phase, Study};
 
 /// Length \[m\].
 const LENGTH: f64 = 2.0;
@@ -65,141 +52,144 @@ const ON_A_NODE: &str = "on a node";
 const ENERGY: &str = "dissipated over fracture energy";
 const PEAK: &str = "largest stress";
 
+const WRONG_OPENING: Wrong =
+    Wrong::factor("opening", 1.1).breaks(|gate| gate.contains("crack band"));
+
 /// The bar that parts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SofteningBar {
-    /// Opening of the exact band over that of the scene. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_opening: f64,
+pub static SOFTENING_BAR: Case = Case::new(
+    "softening-bar",
+    "What does a band take that softens, and does the mesh decide it?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.displacements()
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_OPENING])
+.no_study("what it asks is of the law and of the mesh, not of the method");
+
+fn exact(reference: Reference) -> Exact {
+    let elastic = STRENGTH * LENGTH / YOUNG;
+    Exact {
+        length: LENGTH,
+        young: YOUNG,
+        strength: WEAK * STRENGTH,
+        opening: reference.of(&WRONG_OPENING) * OPENING * elastic,
+    }
 }
 
-impl SofteningBar {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_opening: 1.0,
+/// A material of a strength \[Pa\] that has parted at the opening of the band. A plastic strain e along one axis counts
+/// 2/3 e.
+fn material(id: i64, variant: &str, strength: f64) -> Material {
+    let softening = Softening::Linear {
+        from: 0.0,
+        to: 2.0 / 3.0 * exact(Reference::CORRECT).opening / WIDTH,
     };
+    let parted = Residual {
+        tensile: Some(0.0),
+        ..Residual::default()
+    };
+    let band = match variant {
+        LOCAL => Band::NONE,
+        _ => Band::of_width(WIDTH),
+    };
+    // Cohesion that is never reached.
+    let law = MohrCoulomb::new(YOUNG, 0.0, [30.0, 1e3 * STRENGTH, 0.0])
+        .with_tensile(strength)
+        .softening(softening, parted)
+        .in_band(band);
+    Material {
+        name: format!("strength {strength}"),
+        id,
+        density: DENSITY,
+        law: law.into(),
+    }
+}
 
-    fn exact(self) -> Exact {
-        let elastic = STRENGTH * LENGTH / YOUNG;
+/// The exact bar of a rung. A band of the law as it stands is as wide as a cell.
+fn exact_in(reference: Reference, rung: &Rung) -> Exact {
+    let exact = exact(reference);
+    if rung.variant == LOCAL {
         Exact {
-            length: LENGTH,
-            young: YOUNG,
-            strength: WEAK * STRENGTH,
-            opening: self.reference_opening * OPENING * elastic,
+            opening: exact.opening * rung.cell / WIDTH,
+            ..exact
+        }
+    } else {
+        exact
+    }
+}
+
+/// Displacement of the end when the bar has been drawn \[m\].
+fn drawn_at_last(rung: &Rung) -> f64 {
+    DRAWN * exact_in(Reference::CORRECT, rung).opening
+}
+
+/// Velocity of the end, one bell over the time.
+fn drawing(rung: &Rung) -> History {
+    let most = 2.0 * drawn_at_last(rung) / TIME;
+    let rows = 0..=ROWS;
+    let share = |row: u32| f64::from(row) / f64::from(ROWS);
+    let speed = |row: u32| 0.5 * most * (1.0 - libm::cos(2.0 * PI * share(row)));
+    History {
+        times: rows.clone().map(|row| TIME * share(row)).collect(),
+        values: rows.map(|row| [speed(row), 0.0, 0.0]).collect(),
+    }
+}
+
+/// Displacement of the end \[m\] at a time \[s\].
+fn drawn(rung: &Rung, time: f64) -> f64 {
+    let share = (time / TIME).min(1.0);
+    let bell = share - libm::sin(2.0 * PI * share) / (2.0 * PI);
+    drawn_at_last(rung) * bell
+}
+
+/// Draws the bar apart.
+fn pull(
+    reference: Reference,
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    let (whole, exact) = (exact(reference), exact_in(reference, rung));
+    let (mut peak, mut points) = (0.0_f64, vec![]);
+    observer.phase(Phase::Stepping);
+    while simulation.time() < TIME * (1.0 - 1e-9) {
+        step(simulation, TIME, observer)?;
+        // The first body is the left part of the bar.
+        let stress = mean_stress(simulation, 0);
+        peak = peak.max(stress);
+        if simulation.time() >= TIME * points.len() as f64 / POINTS as f64 {
+            let u = drawn(rung, simulation.time());
+            points.push(CurvePoint::new(
+                u / exact.opening,
+                stress / STRENGTH,
+                exact.stress(u) / STRENGTH,
+            ));
+            observer.progress(simulation.time() / TIME);
         }
     }
-
-    /// A material of a strength \[Pa\] that has parted at the opening of the band. A plastic strain e along one axis counts
-    /// 2/3 e.
-    fn material(id: i64, variant: &str, strength: f64) -> Material {
-        let softening = Softening::Linear {
-            from: 0.0,
-            to: 2.0 / 3.0 * Self::GIVEN.exact().opening / WIDTH,
-        };
-        let parted = Residual {
-            tensile: Some(0.0),
-            ..Residual::default()
-        };
-        let band = match variant {
-            LOCAL => Band::NONE,
-            _ => Band::of_width(WIDTH),
-        };
-        // Cohesion that is never reached.
-        let law = MohrCoulomb::new(YOUNG, 0.0, [30.0, 1e3 * STRENGTH, 0.0])
-            .with_tensile(strength)
-            .softening(softening, parted)
-            .in_band(band);
-        Material {
-            name: format!("strength {strength}"),
-            id,
-            density: DENSITY,
-            law: law.into(),
-        }
-    }
-
-    /// The exact bar of a rung. A band of the law as it stands is as wide as a cell.
-    fn exact_in(self, rung: &Rung) -> Exact {
-        let exact = self.exact();
-        if rung.variant == LOCAL {
-            Exact {
-                opening: exact.opening * rung.cell / WIDTH,
-                ..exact
-            }
-        } else {
-            exact
-        }
-    }
-
-    /// Displacement of the end when the bar has been drawn \[m\].
-    fn drawn_at_last(rung: &Rung) -> f64 {
-        DRAWN * Self::GIVEN.exact_in(rung).opening
-    }
-
-    /// Velocity of the end, one bell over the time.
-    fn drawing(rung: &Rung) -> History {
-        let most = 2.0 * Self::drawn_at_last(rung) / TIME;
-        let rows = 0..=ROWS;
-        let share = |row: u32| f64::from(row) / f64::from(ROWS);
-        let speed = |row: u32| 0.5 * most * (1.0 - libm::cos(2.0 * PI * share(row)));
-        History {
-            times: rows.clone().map(|row| TIME * share(row)).collect(),
-            values: rows.map(|row| [speed(row), 0.0, 0.0]).collect(),
-        }
-    }
-
-    /// Displacement of the end \[m\] at a time \[s\].
-    fn drawn(rung: &Rung, time: f64) -> f64 {
-        let share = (time / TIME).min(1.0);
-        let bell = share - libm::sin(2.0 * PI * share) / (2.0 * PI);
-        Self::drawn_at_last(rung) * bell
-    }
-
-    /// Draws the bar apart.
-    fn run(
-        self,
-        rung: &Rung,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let exact = self.exact_in(rung);
-        let (mut peak, mut points) = (0.0_f64, vec![]);
-        observer.phase(Phase::Stepping);
-        while simulation.time() < TIME * (1.0 - 1e-9) {
-            step(simulation, TIME, observer)?;
-            // The first body is the left part of the bar.
-            let stress = mean_stress(simulation, 0);
-            peak = peak.max(stress);
-            if simulation.time() >= TIME * points.len() as f64 / POINTS as f64 {
-                let u = Self::drawn(rung, simulation.time());
-                points.push(CurvePoint {
-                    at: u / exact.opening,
-                    computed: stress / STRENGTH,
-                    exact: exact.stress(u) / STRENGTH,
-                });
-                observer.progress(simulation.time() / TIME);
-            }
-        }
-        observer.phase(Phase::Comparing);
-        // Lost in the whole bar, one cell wide.
-        let dissipated = simulation.plastic_work() / rung.cell;
-        let whole = self.exact().fracture_energy();
-        let quantities = vec![
-            Quantity::compared(
-                ENERGY,
-                dissipated / whole,
-                exact.fracture_energy() / whole,
-                "1",
-            ),
-            Quantity::compared(PEAK, peak, exact.strength, "Pa"),
-        ];
-        let curve = Curve {
-            title: format!("stress of the bar, {}", rung.label),
-            abscissa: "displacement of the end over the last opening",
-            ordinate: "stress over strength",
-            points,
-        };
-        Ok(Found::new(quantities, Some(curve)))
-    }
+    observer.phase(Phase::Comparing);
+    // Lost in the whole bar, one cell wide.
+    let dissipated = simulation.plastic_work() / rung.cell;
+    let whole = whole.fracture_energy();
+    let quantities = vec![
+        Quantity::compared(
+            ENERGY,
+            dissipated / whole,
+            exact.fracture_energy() / whole,
+            "1",
+        ),
+        Quantity::compared(PEAK, peak, exact.strength, "Pa"),
+    ];
+    let curve = Curve::new(
+        format!("stress of the bar, {}", rung.label),
+        [
+            "displacement of the end over the last opening",
+            "stress over strength",
+        ],
+        points,
+    );
+    Ok(Found::new(quantities, Some(curve)))
 }
 
 /// Mean of the stress along the bar in a body \[Pa\].
@@ -209,129 +199,104 @@ fn mean_stress(simulation: &Simulation, index: usize) -> f64 {
     sum / set.len() as f64
 }
 
-impl Case for SofteningBar {
-    fn name(&self) -> &'static str {
-        "softening-bar"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let finest = |counts: &'static [u32]| match size {
+        Size::Quick => &counts[..2],
+        Size::Full => counts,
+    };
+    let of =
+        |variant, counts| Rung::counted(variant, &format!("{variant} L/h"), LENGTH, finest(counts));
+    let mut rungs = of(CRACK_BAND, &[11, 21, 41]);
+    rungs.extend(of(LOCAL, &[11, 21, 41]));
+    rungs.extend(of(ON_A_NODE, &[12, 22, 42]));
+    rungs
+}
 
-    fn question(&self) -> &'static str {
-        "What does a band take that softens, and does the mesh decide it?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let finest = |counts: &'static [u32]| match size {
-            Size::Quick => &counts[..2],
-            Size::Full => counts,
-        };
-        let of = |variant, counts| {
-            Rung::counted(variant, &format!("{variant} L/h"), LENGTH, finest(counts))
-        };
-        let mut rungs = of(CRACK_BAND, &[11, 21, 41]);
-        rungs.extend(of(LOCAL, &[11, 21, 41]));
-        rungs.extend(of(ON_A_NODE, &[12, 22, 42]));
-        rungs
-    }
-
-    fn scene(&self, rung: &Rung) -> Scene {
-        let h = rung.cell;
-        let cells = (LENGTH / h).round() as usize;
-        let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells + 2, 1, 1]);
-        mesh.planes[0][1] = PlaneCondition::Free;
-        let mut scene = Scene::new(Dimension::Two, mesh, TIME);
-        scene.name = String::from("softening_bar");
-        scene.results = NO_RESULTS;
-        // The rate of viscous damping is alpha sqrt(E/rho)/h.
-        scene.damping = Damping::Viscous { alpha: RATE * h };
-        scene.materials = vec![
-            Self::material(1, rung.variant, STRENGTH),
-            Self::material(2, rung.variant, WEAK * STRENGTH),
-        ];
-        let half = 0.5 * h;
-        let part = |name: &str, id, [from, to]: [f64; 2]| {
-            body(name, id, cuboid([from, 0.0, 0.0], [to, h, 0.0]))
-        };
-        let middle = [0.5 * LENGTH - half, 0.5 * LENGTH + half];
-        scene.bodies = vec![
-            part("left", 1, [0.0, middle[0]]),
-            Body {
-                material: 1,
-                ..part("middle", 2, middle)
-            },
-            part("right", 3, [middle[1], LENGTH]),
-            Body {
-                motion: Some(Self::drawing(rung)),
-                ..part("grip", 4, [LENGTH, LENGTH + h])
-            },
-        ];
-        Settings::new(Method::DEFAULT).apply(&mut scene);
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err("what it asks is of the law and of the mesh, not of the method")
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let options = Options {
-            displacement: true,
-            ..options.clone()
-        };
-        solve_scene(self, rung, &options, |simulation| {
-            self.run(rung, simulation, &mut |share| progress(share))
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    let own = |variant| {
+        runs.rungs
+            .iter()
+            .filter(move |rung| rung.variant == variant)
+    };
+    let energy = |rung: &Rung| value_of(runs.solved, &rung.label, ENERGY);
+    let gates = |variant: &'static str, low: f64, high: f64, reason| {
+        own(variant).flat_map(move |rung| {
+            let name = |word| format!("{word} {ENERGY}, {}", rung.label);
+            [
+                Gate::at_least(name("least"), energy(rung), low, reason),
+                Gate::at_most(name("most"), energy(rung), high, reason),
+            ]
         })
+    };
+    let aligned = "the band is the weak cell, and takes what it should";
+    let offset = "the band is one to two cells wide, by where the mesh lies";
+    let mut all: Vec<Gate> = gates(CRACK_BAND, 0.98, 1.05, aligned).collect();
+    all.extend(gates(ON_A_NODE, 0.98, 1.6, offset));
+    for rung in own(LOCAL) {
+        let name = format!(
+            "{}: error of {ENERGY}, which is cell over width",
+            rung.label
+        );
+        let error = error_of(runs.solved, &rung.label, ENERGY);
+        let reason = "proportional to the cell: not converged, and never will";
+        all.push(of_variant(LOCAL, Gate::at_most(name, error, 0.05, reason)));
     }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let rungs = self.rungs(size);
-        let own = |variant| rungs.iter().filter(move |rung| rung.variant == variant);
-        let energy = |rung: &Rung| value_of(solved, &rung.label, ENERGY);
-        let gates = |variant: &'static str, low: f64, high: f64, reason| {
-            own(variant).flat_map(move |rung| {
-                let name = |word| format!("{word} {ENERGY}, {}", rung.label);
-                [
-                    Gate::at_least(name("least"), energy(rung), low, reason),
-                    Gate::at_most(name("most"), energy(rung), high, reason),
-                ]
-            })
-        };
-        let aligned = "the band is the weak cell, and takes what it should";
-        let offset = "the band is one to two cells wide, by where the mesh lies";
-        let mut all: Vec<Gate> = gates(CRACK_BAND, 0.98, 1.05, aligned).collect();
-        all.extend(gates(ON_A_NODE, 0.98, 1.6, offset));
-        for rung in own(LOCAL) {
-            let name = format!(
-                "{}: error of {ENERGY}, which is cell over width",
-                rung.label
+    for variant in [CRACK_BAND, ON_A_NODE] {
+        for rung in own(variant) {
+            let error = error_of(runs.solved, &rung.label, PEAK);
+            let gate = Gate::at_most(
+                format!("{}: {PEAK}", rung.label),
+                error,
+                0.02,
+                "its weak middle decides",
             );
-            let error = error_of(solved, &rung.label, ENERGY);
-            let reason = "proportional to the cell: not converged, and never will";
-            all.push(of_variant(LOCAL, Gate::at_most(name, error, 0.05, reason)));
+            all.push(of_variant(variant, gate));
         }
-        for variant in [CRACK_BAND, ON_A_NODE] {
-            for rung in own(variant) {
-                let error = error_of(solved, &rung.label, PEAK);
-                let gate = Gate::at_most(
-                    format!("{}: {PEAK}", rung.label),
-                    error,
-                    0.02,
-                    "its weak middle decides",
-                );
-                all.push(of_variant(variant, gate));
-            }
-        }
-        verdict.gates = all;
-        for variant in [CRACK_BAND, LOCAL, ON_A_NODE] {
-            let name = format!("softening-bar, {variant}, uGIMP, USL, FLIP");
-            verdict
-                .tables
-                .push((name, table(solved, variant, &[ENERGY, PEAK])));
-        }
-        verdict
     }
+    verdict.gates = all;
+    for variant in [CRACK_BAND, LOCAL, ON_A_NODE] {
+        let name = format!("softening-bar, {variant}, uGIMP, USL, FLIP");
+        verdict
+            .tables
+            .push((name, table(runs.solved, variant, &[ENERGY, PEAK])));
+    }
+    verdict
+}
+
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let h = rung.cell;
+    let cells = (LENGTH / h).round() as usize;
+    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells + 2, 1, 1]);
+    mesh.planes[0][1] = PlaneCondition::Free;
+    let mut scene = plane_scene("softening_bar", mesh, TIME);
+    // The rate of viscous damping is alpha sqrt(E/rho)/h.
+    scene.damping = Damping::Viscous { alpha: RATE * h };
+    scene.materials = vec![
+        material(1, rung.variant, STRENGTH),
+        material(2, rung.variant, WEAK * STRENGTH),
+    ];
+    let half = 0.5 * h;
+    let part = |name: &str, id, [from, to]: [f64; 2]| {
+        body(name, id, cuboid([from, 0.0, 0.0], [to, h, 0.0]))
+    };
+    let middle = [0.5 * LENGTH - half, 0.5 * LENGTH + half];
+    scene.bodies = vec![
+        part("left", 1, [0.0, middle[0]]),
+        Body {
+            material: 1,
+            ..part("middle", 2, middle)
+        },
+        part("right", 3, [middle[1], LENGTH]),
+        Body {
+            motion: Some(drawing(rung)),
+            ..part("grip", 4, [LENGTH, LENGTH + h])
+        },
+    ];
+    Settings::new(Method::DEFAULT).apply(&mut scene);
+    scene
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    pull(run.reference, run.rung, run.simulation, run.observer)
 }

@@ -10,18 +10,9 @@
 //! of Hughes and Winget makes no strain of equal chords and turns by their angle, so that what is left is round-off: the
 //! stress is `R sigma R^T`, its principal values stay, and so do plastic strain and plastic work. `proctor verify spin`.
 
-use std::sync::Arc;
-
-use proctor_scene::simulation::{Condition, FieldNodes, InitialState, Options, Simulation};
-use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, TimeStep};
-
-use super::dynamics::step;
-use super::judging::error_at_most;
+use super::prelude::*;
 use super::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
-use super::{AT_REST, NO_RESULTS, body, cuboid, material, solve_scene};
-use crate::case::{Case, CaseError, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::turned::{Matrix, Tensor, invariants, length, rotation, turn, turned};
-use crate::study::{Failure, Observer, Phase, Study};
 
 /// Young's modulus \[Pa\] and density \[kg/m³\]: waves run at 1.1 m/s.
 const YOUNG: f64 = 1.0;
@@ -208,179 +199,157 @@ fn off_by(start: &Yielded, now: &Yielded, rotation: &Matrix) -> Off {
     ]
 }
 
+const WRONG_ANGLE: Wrong =
+    Wrong::factor("angle", 1.001).breaks_only(|gate| gate.contains("turned"));
+const WRONG_STRAIN: Wrong = Wrong::value("strain", 0.0, 1e-5);
+
 /// A body that has yielded and spins.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spin {
-    /// Angle of the exact spin over that of the scene. Anything but 1 is a wrong reference, to prove that the gates notice.
-    pub reference_angle: f64,
-    /// Compression along x per turn while the body spins, which a rigid one has not, for the same reason.
-    pub strained: f64,
+pub static SPIN: Case = Case::new(
+    "spin",
+    "Does the stress of a body that has yielded turn with it, without any more yielding?",
+)
+.ladder(Ladder::made(rungs))
+.scene(scene)
+.options(options)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_ANGLE, WRONG_STRAIN])
+.no_study(
+    "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
+);
+
+/// How all nodes move.
+fn motion(reference: Reference, rung: &Rung) -> Driven {
+    let (variant, dt) = (Variant::of(rung), time_step(rung));
+    let [lower, upper] = variant.corners(rung.cell);
+    let steps = f64::from(steps_per_turn(rung));
+    let step = turn(variant.axis(), TAU / steps);
+    let mut spins = step.map(|row| row.map(|x| x / dt));
+    spins[0][0] -= reference.of(&WRONG_STRAIN);
+    let straining = f64::from(STRAINING) * dt;
+    Driven {
+        about: std::array::from_fn(|i| 0.5 * (lower[i] + upper[i])),
+        strains: variant.strain().map(|row| row.map(|e| e / straining)),
+        until: straining,
+        spins,
+    }
 }
 
-impl Spin {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_angle: 1.0,
-        strained: 0.0,
+/// Does steps of the scene up to a number.
+fn advance(
+    simulation: &mut Simulation,
+    steps: u64,
+    observer: &dyn Observer,
+) -> Result<(), Failure> {
+    let end = simulation.scene().time;
+    while simulation.steps() < steps {
+        step(simulation, end, observer)?;
+    }
+    Ok(())
+}
+
+/// Strains and spins the body, and looks at it on the way.
+fn spin(
+    reference: Reference,
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    observer.phase(Phase::Stepping);
+    let variant = Variant::of(rung);
+    advance(simulation, u64::from(STRAINING), observer)?;
+    let starts = yielded(simulation)?;
+    let (all, mut off) = (looks(rung), [0.0; 4]);
+    for look in 1..=all {
+        let steps = look * steps_per_turn(rung) / LOOKS;
+        advance(simulation, u64::from(STRAINING + steps), observer)?;
+        observer.progress(f64::from(look) / f64::from(all));
+        let turns = f64::from(steps) / f64::from(steps_per_turn(rung));
+        let angle = reference.of(&WRONG_ANGLE) * turns.fract() * std::f64::consts::TAU;
+        let rotation = rotation(variant.axis(), angle);
+        for (start, now) in starts.iter().zip(yielded(simulation)?) {
+            keep(&mut off, off_by(start, &now, &rotation));
+        }
+    }
+    observer.phase(Phase::Comparing);
+    let names = [TURNED, PRINCIPAL, MULTIPLIER, WORK];
+    let quantities = names.into_iter().zip(off);
+    let quantities = quantities.map(|(name, off)| Quantity::of_zero(name, off));
+    Ok(Found::new(quantities.collect(), None))
+}
+
+fn rungs(size: Size) -> Vec<Rung> {
+    let steps: &[u32] = match size {
+        Size::Quick => &[256],
+        Size::Full => &[256, 1024],
     };
-
-    /// How all nodes move.
-    fn motion(self, rung: &Rung) -> Driven {
-        let (variant, dt) = (Variant::of(rung), time_step(rung));
-        let [lower, upper] = variant.corners(rung.cell);
-        let steps = f64::from(steps_per_turn(rung));
-        let step = turn(variant.axis(), std::f64::consts::TAU / steps);
-        let mut spins = step.map(|row| row.map(|x| x / dt));
-        spins[0][0] -= self.strained;
-        let straining = f64::from(STRAINING) * dt;
-        Driven {
-            about: std::array::from_fn(|i| 0.5 * (lower[i] + upper[i])),
-            strains: variant.strain().map(|row| row.map(|e| e / straining)),
-            until: straining,
-            spins,
-        }
-    }
-
-    /// Does steps of the scene up to a number.
-    fn advance(
-        simulation: &mut Simulation,
-        steps: u64,
-        observer: &dyn Observer,
-    ) -> Result<(), Failure> {
-        let end = simulation.scene().time;
-        while simulation.steps() < steps {
-            step(simulation, end, observer)?;
-        }
-        Ok(())
-    }
-
-    /// Strains and spins the body, and looks at it on the way.
-    fn spin(
-        self,
-        rung: &Rung,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        observer.phase(Phase::Stepping);
-        let variant = Variant::of(rung);
-        Self::advance(simulation, u64::from(STRAINING), observer)?;
-        let starts = yielded(simulation)?;
-        let (all, mut off) = (looks(rung), [0.0; 4]);
-        for look in 1..=all {
-            let steps = look * steps_per_turn(rung) / LOOKS;
-            Self::advance(simulation, u64::from(STRAINING + steps), observer)?;
-            observer.progress(f64::from(look) / f64::from(all));
-            let turns = f64::from(steps) / f64::from(steps_per_turn(rung));
-            let angle = self.reference_angle * turns.fract() * std::f64::consts::TAU;
-            let rotation = rotation(variant.axis(), angle);
-            for (start, now) in starts.iter().zip(yielded(simulation)?) {
-                keep(&mut off, off_by(start, &now, &rotation));
-            }
-        }
-        observer.phase(Phase::Comparing);
-        let names = [TURNED, PRINCIPAL, MULTIPLIER, WORK];
-        let quantities = names.into_iter().zip(off);
-        let quantities = quantities.map(|(name, off)| Quantity::of_zero(name, off));
-        Ok(Found::new(quantities.collect(), None))
-    }
+    VARIANTS
+        .iter()
+        .flat_map(|v| {
+            let word = format!("{}, steps in a turn", v.name);
+            Rung::counted(v.name, &word, CELLS_PER_STEP, steps)
+        })
+        .collect()
 }
 
-impl Case for Spin {
-    fn name(&self) -> &'static str {
-        "spin"
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    let turns = "turned by the midpoint rule; round-off of some thousand steps is left";
+    let flows = "no strain that would load it; round-off is left";
+    for rung in runs.rungs {
+        let bounds = [
+            (TURNED, turns),
+            (PRINCIPAL, turns),
+            (MULTIPLIER, flows),
+            (WORK, flows),
+        ];
+        let gates = bounds
+            .map(|(name, reason)| error_at_most(runs.solved, &rung.label, name, 1e-10, reason));
+        verdict.gates.extend(gates);
     }
+    verdict
+}
 
-    fn question(&self) -> &'static str {
-        "Does the stress of a body that has yielded turn with it, without any more yielding?"
-    }
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let (h, variant) = (rung.cell, Variant::of(rung));
+    let axes = variant.dimension.axes();
+    let mut mesh = Mesh::new(variant.dimension, [0.0; 3], [h; 3], [1; 3]);
+    mesh.cells[..axes].fill(WIDE + 2 * MARGIN);
+    mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
+    let spinning = looks(rung) * steps_per_turn(rung) / LOOKS;
+    let dt = time_step(rung);
+    let mut scene = bare_scene(
+        "spin",
+        variant.dimension,
+        mesh,
+        f64::from(STRAINING + spinning) * dt,
+    );
+    scene.time_step = TimeStep::Fixed {
+        dt,
+        allow_unstable: false,
+    };
+    let solid = Yielding {
+        variant: variant.law,
+        young: YOUNG,
+        strength: STRENGTH,
+    };
+    scene.materials = material(variant.law, DENSITY, solid.law());
+    let [lower, upper] = variant.corners(h);
+    let mut block = body("block", 1, cuboid(lower, upper));
+    block.particles_per_cell[..axes].fill(2);
+    scene.bodies = vec![block];
+    scene
+}
 
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let steps: &[u32] = match size {
-            Size::Quick => &[256],
-            Size::Full => &[256, 1024],
-        };
-        VARIANTS
-            .iter()
-            .flat_map(|v| {
-                let word = format!("{}, steps in a turn", v.name);
-                Rung::counted(v.name, &word, CELLS_PER_STEP, steps)
-            })
-            .collect()
-    }
+fn options(rung: &Rung, reference: Reference, mut options: Options) -> Options {
+    let motion = motion(reference, rung);
+    options.initial = Some(Arc::new(move |x| {
+        moving(motion.velocity(*x, 0.0), [[0.0; 3]; 3])
+    }));
+    options.conditions.push(Arc::new(motion));
+    options
+}
 
-    fn scene(&self, rung: &Rung) -> Scene {
-        let (h, variant) = (rung.cell, Variant::of(rung));
-        let axes = variant.dimension.axes();
-        let mut mesh = Mesh::new(variant.dimension, [0.0; 3], [h; 3], [1; 3]);
-        mesh.cells[..axes].fill(WIDE + 2 * MARGIN);
-        mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
-        let spinning = looks(rung) * steps_per_turn(rung) / LOOKS;
-        let dt = time_step(rung);
-        let mut scene = Scene::new(
-            variant.dimension,
-            mesh,
-            f64::from(STRAINING + spinning) * dt,
-        );
-        scene.name = String::from("spin");
-        scene.time_step = TimeStep::Fixed {
-            dt,
-            allow_unstable: false,
-        };
-        scene.results = NO_RESULTS;
-        let solid = Yielding {
-            variant: variant.law,
-            young: YOUNG,
-            strength: STRENGTH,
-        };
-        scene.materials = material(variant.law, DENSITY, solid.law());
-        let [lower, upper] = variant.corners(h);
-        let mut block = body("block", 1, cuboid(lower, upper));
-        block.particles_per_cell[..axes].fill(2);
-        scene.bodies = vec![block];
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err(
-            "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
-        )
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let motion = self.motion(rung);
-        let mut options = Options {
-            initial: Some(Arc::new(move |x| InitialState {
-                velocity: motion.velocity(*x, 0.0),
-                ..AT_REST
-            })),
-            ..options.clone()
-        };
-        options.conditions.push(Arc::new(motion));
-        solve_scene(self, rung, &options, |simulation| {
-            self.spin(rung, simulation, &mut |share| progress(share))
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let turns = "turned by the midpoint rule; round-off of some thousand steps is left";
-        let flows = "no strain that would load it; round-off is left";
-        for rung in self.rungs(size) {
-            let bounds = [
-                (TURNED, turns),
-                (PRINCIPAL, turns),
-                (MULTIPLIER, flows),
-                (WORK, flows),
-            ];
-            let gates = bounds
-                .map(|(name, reason)| error_at_most(solved, &rung.label, name, 1e-10, reason));
-            verdict.gates.extend(gates);
-        }
-        verdict
-    }
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    spin(run.reference, run.rung, run.simulation, run.observer)
 }

@@ -9,21 +9,8 @@
 //! follow the normals of the slave, and their resultant lies 0.1 % of R beside the line of the centres, which gives to one
 //! disk what it takes from the other. The order is therefore that of both together. `proctor verify spinning-collision`.
 
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{
-    Dimension, Mortar, MortarContact, Scene, Shape, TransferKind, Vector, Vertices,
-};
-use std::f64::consts::TAU;
-
-use super::dynamics::run;
-use super::judging::{error_at_most, order_gate, table};
-use super::mortar::{NO_GUEST, angular_momentum, barrier, boundary, settings};
-use super::{NO_RESULTS, body, elastic, open_plane};
-use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::hertz::{Hertz, contact_modulus};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 const RADIUS: f64 = 0.5;
 const YOUNG: f64 = 2e7;
@@ -50,17 +37,28 @@ const SPIN: [&str; 2] = [
 ];
 const BOTH: &str = "spin per impulse of friction, both";
 
-/// The two disks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpinningCollision {
-    /// Arm of the reference over that of the disks. Anything but 1 is a wrong reference, to prove that the gates notice.
-    pub reference_arm: f64,
-}
+const WRONG_ARM: Wrong = Wrong::factor("arm", 1.04);
 
-impl SpinningCollision {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self { reference_arm: 1.0 };
-}
+/// The two disks.
+pub static SPINNING_COLLISION: Case = Case::new(
+    "spinning-collision",
+    "Do two disks that graze each other spin as much as the impulse of their friction says?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.scene(scene)
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_ARM])
+.studies(&[Plan::new(
+    Ladder::made(rungs),
+    &[
+        Measure::new("spin of the master", SPIN[0]),
+        Measure::new("spin of the slave", SPIN[1]),
+    ],
+    2,
+)])
+.no_guest(NO_GUEST);
 
 /// Arm of the friction \[m\] under a normal force \[N/m\].
 fn arm(load: f64) -> f64 {
@@ -87,163 +85,130 @@ fn force_on(simulation: &Simulation, id: i64) -> [f64; 2] {
     [f[0] * n[0] + f[1] * n[1], f[0] * n[1] - f[1] * n[0]]
 }
 
-impl Case for SpinningCollision {
-    fn name(&self) -> &'static str {
-        "spinning-collision"
-    }
-
-    fn question(&self) -> &'static str {
-        "Do two disks that graze each other spin as much as the impulse of their friction says?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let cells: &[f64] = match size {
-            Size::Quick => &[0.2, 0.1],
-            Size::Full => &[0.2, 0.1, 0.05],
-        };
-        Rung::ladders(&[(VARIANT, cells)])
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let table = table(solved, VARIANT, &[SPIN[0], SPIN[1], BOTH]);
-        let (finest, bound, order) = match size {
-            Size::Quick => ("disks h=0.1", 0.04, 1.7),
-            Size::Full => ("disks h=0.05", 0.01, 1.8),
-        };
-        for spin in SPIN {
-            verdict.gates.push(error_at_most(
-                solved,
-                finest,
-                spin,
-                bound,
-                "one percent at a tenth of the radius, four times as much at a fifth",
-            ));
-        }
-        let reason = "inertia of mass on nodes is h² off";
-        verdict.gates.push(order_gate(&table, BOTH, order, reason));
-        verdict.tables.push((VARIANT.to_owned(), table));
-        verdict
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    let cells: &[f64] = match size {
+        Size::Quick => &[0.2, 0.1],
+        Size::Full => &[0.2, 0.1, 0.05],
+    };
+    Rung::ladders(&[(VARIANT, cells)])
 }
 
-impl Study for SpinningCollision {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        self.rungs(size)
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("spin of the master", SPIN[0]),
-            Measure::new("spin of the slave", SPIN[1]),
-        ]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, _rung: &Rung) -> Settings {
-        let method = Method {
-            transfer: TransferKind::Apic,
-            ..Method::DEFAULT
-        };
-        settings(method, 5)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let mesh = open_plane(rung.cell, [-1.2, -1.2], [1.2, 1.2]);
-        let half = RADIUS + 0.6 * GAP;
-        // Half of the way past each other lies before the contact, half behind it.
-        let before = 0.5 * VELOCITY[1] * TIME;
-        let disk = |name: &str, id, side: f64| {
-            let shape = Shape::Sphere {
-                center: [side * half, side * before, 0.0],
-                radius: RADIUS,
-            };
-            let mut disk = body(name, id, shape);
-            disk.velocity = VELOCITY.map(|v| -side * v);
-            disk
-        };
-        let mut scene = Scene {
-            name: rung.label.clone(),
-            time_step: settings.multiplier(),
-            materials: elastic(DENSITY, YOUNG, POISSON),
-            bodies: vec![disk("master", 1, -1.0), disk("slave", 2, 1.0)],
-            results: NO_RESULTS,
-            mortar: Mortar {
-                boundaries: [1, 2]
-                    .map(|id| boundary(id, Vertices::Spacing(SPACING)))
-                    .to_vec(),
-                contacts: vec![MortarContact {
-                    friction: FRICTION,
-                    tangential_stiffness: KAPPA_T,
-                    ..barrier("disk on disk", [1, 2], GAP, KAPPA)
-                }],
-                ..Mortar::default()
-            },
-            ..Scene::new(Dimension::Two, mesh, TIME)
-        };
-        settings.apply(&mut scene);
-        scene
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(NO_GUEST)
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let (mut impulse, mut expected, mut pressed) = ([0.0; 2], [0.0; 2], 0.0);
-        let mut points = vec![];
-        for k in 1..=LOOKS {
-            let time = f64::from(k) / f64::from(LOOKS) * TIME;
-            let mut before = simulation.velocity_time();
-            run(simulation, time, &mut *observer, |simulation| {
-                // A force kicks over the time between the velocities before and after it.
-                let after = simulation.velocity_time();
-                for (body, id) in (1..=2).enumerate() {
-                    let [normal, tangential] = force_on(simulation, id);
-                    impulse[body] += tangential * (after - before);
-                    expected[body] +=
-                        self.reference_arm * arm(normal) * tangential * (after - before);
-                    pressed += 0.5 * normal * (after - before);
-                }
-                before = after;
-            })?;
-            points.push(CurvePoint {
-                at: time,
-                computed: angular_momentum(simulation, 1),
-                exact: expected[1],
-            });
-        }
-        let gained = [0, 1].map(|body| angular_momentum(simulation, body));
-        let mut quantities = vec![];
-        for (body, spin) in SPIN.into_iter().enumerate() {
-            let [gained, expected] = [gained[body], expected[body]].map(|l| l / impulse[body]);
-            quantities.push(Quantity::compared(spin, gained, expected, "m"));
-        }
-        let [gained, expected, impulses] = [gained, expected, impulse].map(|of| of[0] + of[1]);
-        let (gained, expected) = (gained / impulses, expected / impulses);
-        quantities.push(Quantity::compared(BOTH, gained, expected, "m"));
-        quantities.push(Quantity::figure(
-            "impulse of friction over that of pressure",
-            impulse[1] / pressed,
-            "1",
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    let table = table(runs.solved, VARIANT, &[SPIN[0], SPIN[1], BOTH]);
+    let (finest, bound, order) = match runs.size {
+        Size::Quick => ("disks h=0.1", 0.04, 1.7),
+        Size::Full => ("disks h=0.05", 0.01, 1.8),
+    };
+    for spin in SPIN {
+        verdict.gates.push(error_at_most(
+            runs.solved,
+            finest,
+            spin,
+            bound,
+            "one percent at a tenth of the radius, four times as much at a fifth",
         ));
-        let curve = Curve {
-            title: format!("{}: angular momentum of the slave", rung.label),
-            abscissa: "t in s",
-            ordinate: "L in kg m²/s per m",
-            points,
-        };
-        Ok(Found::new(quantities, Some(curve)))
     }
+    let reason = "inertia of mass on nodes is h² off";
+    verdict.gates.push(order_gate(&table, BOTH, order, reason));
+    verdict.tables.push((VARIANT.to_owned(), table));
+    verdict
+}
+
+fn method(_rung: &Rung) -> Settings {
+    let method = Method {
+        transfer: TransferKind::Apic,
+        ..Method::DEFAULT
+    };
+    settings(method, 5)
+}
+
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let mesh = open_plane(rung.cell, [-1.2, -1.2], [1.2, 1.2]);
+    let half = RADIUS + 0.6 * GAP;
+    // Half of the way past each other lies before the contact, half behind it.
+    let before = 0.5 * VELOCITY[1] * TIME;
+    let disk = |name: &str, id, side: f64| {
+        let shape = Shape::Sphere {
+            center: [side * half, side * before, 0.0],
+            radius: RADIUS,
+        };
+        let mut disk = body(name, id, shape);
+        disk.velocity = VELOCITY.map(|v| -side * v);
+        disk
+    };
+    let mut scene = Scene {
+        name: rung.label.clone(),
+        time_step: settings.multiplier(),
+        materials: elastic(DENSITY, YOUNG, POISSON),
+        bodies: vec![disk("master", 1, -1.0), disk("slave", 2, 1.0)],
+        results: NO_RESULTS,
+        mortar: Mortar {
+            boundaries: [1, 2]
+                .map(|id| boundary(id, Vertices::Spacing(SPACING)))
+                .to_vec(),
+            contacts: vec![MortarContact {
+                friction: FRICTION,
+                tangential_stiffness: KAPPA_T,
+                ..barrier("disk on disk", [1, 2], GAP, KAPPA)
+            }],
+            ..Mortar::default()
+        },
+        ..Scene::new(Dimension::Two, mesh, TIME)
+    };
+    settings.apply(&mut scene);
+    scene
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let (mut impulse, mut expected, mut pressed) = ([0.0; 2], [0.0; 2], 0.0);
+    let mut points = vec![];
+    for k in 1..=LOOKS {
+        let time = f64::from(k) / f64::from(LOOKS) * TIME;
+        let mut before = simulation.velocity_time();
+        run_until(simulation, time, &mut *observer, |simulation| {
+            // A force kicks over the time between the velocities before and after it.
+            let after = simulation.velocity_time();
+            for (body, id) in (1..=2).enumerate() {
+                let [normal, tangential] = force_on(simulation, id);
+                impulse[body] += tangential * (after - before);
+                expected[body] +=
+                    reference.of(&WRONG_ARM) * arm(normal) * tangential * (after - before);
+                pressed += 0.5 * normal * (after - before);
+            }
+            before = after;
+        })?;
+        points.push(CurvePoint::new(
+            time,
+            angular_momentum(simulation, 1),
+            expected[1],
+        ));
+    }
+    let gained = [0, 1].map(|body| angular_momentum(simulation, body));
+    let mut quantities = vec![];
+    for (body, spin) in SPIN.into_iter().enumerate() {
+        let [gained, expected] = [gained[body], expected[body]].map(|l| l / impulse[body]);
+        quantities.push(Quantity::compared(spin, gained, expected, "m"));
+    }
+    let [gained, expected, impulses] = [gained, expected, impulse].map(|of| of[0] + of[1]);
+    let (gained, expected) = (gained / impulses, expected / impulses);
+    quantities.push(Quantity::compared(BOTH, gained, expected, "m"));
+    quantities.push(Quantity::figure(
+        "impulse of friction over that of pressure",
+        impulse[1] / pressed,
+        "1",
+    ));
+    let curve = Curve::new(
+        format!("{}: angular momentum of the slave", rung.label),
+        ["t in s", "L in kg m²/s per m"],
+        points,
+    );
+    Ok(Found::new(quantities, Some(curve)))
 }

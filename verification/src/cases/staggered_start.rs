@@ -14,20 +14,8 @@
 //! 1.2 h/L as error.
 //! `proctor verify staggered-start`.
 
-use std::f64::consts::PI;
-use std::sync::Arc;
-
-use proctor_scene::simulation::{InitialState, Options, Simulation};
-use proctor_scene::{Dimension, DomainUpdate, Mesh, Scene, StressScheme, TransferKind, Weighting};
-
-use super::dynamics::{DISPLACEMENT, STRESS, advance, errors};
-use super::judging::{error_gate, of_variant, order_gate, table};
-use super::{AT_REST, FIELDS, NO_RESULTS, body, cuboid, elastic};
-use crate::case::{Case, Found, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::axis_aligned_mms::{AxisAlignedMms, Law};
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 /// Length \[m\].
 const LENGTH: f64 = 1.0;
@@ -45,223 +33,132 @@ const COURANT: f64 = 0.2;
 const STAGGERED: &str = "staggered";
 /// All at t = 0.
 const AT_ONCE: &str = "at once";
+const ORDER_STAGGERED: f64 = 1.7;
+const OF_STAGGERED: &str = "in one dimension USF with a staggered start has 1.8e-3 at 32 cells, here at most twice that, and orders from 1.9 to 1.7";
+const OF_AT_ONCE: &str = "a strain that is ahead by dt for good: 1 in the long run";
+const WRONG_AMPLITUDE: Wrong =
+    Wrong::factor("amplitude", 1.1).breaks(|gate| gate.contains(DISPLACEMENT));
 
 /// A bar that starts at once, or staggered.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StaggeredStart {
-    /// Amplitude of the exact solution over that of the scene. Anything but 1 is a wrong reference, to prove that the
-    /// gates notice.
-    pub reference_amplitude: f64,
+pub static STAGGERED_START: Case = Case::new(
+    "staggered-start",
+    "Is USF of order 2 where velocity and strain start half a step apart, and of order 1 where they do not?",
+)
+.ladder(cells_along(&[STAGGERED, AT_ONCE], [&[16, 32, 64], &[16, 32, 64, 128]]))
+.method(|_| settings())
+.scene(scene)
+.displacements()
+.options(start)
+.compare(compare)
+.gates_of_variants(&[
+    error(DISPLACEMENT)
+        .at_most_by(
+            |finest| 2.0 * 1.8e-3 * libm::pow(32.0 * finest.cell / LENGTH, ORDER_STAGGERED),
+            OF_STAGGERED,
+        )
+        .on(|rung| rung.variant == STAGGERED),
+    order(DISPLACEMENT)
+        .at_least(ORDER_STAGGERED, OF_STAGGERED)
+        .on(|rung| rung.variant == STAGGERED),
+    error(DISPLACEMENT)
+        .at_most_by(|finest| 1.1 * error_of_a_strain_ahead(finest), OF_AT_ONCE)
+        .on(|rung| rung.variant == AT_ONCE),
+    order(DISPLACEMENT).at_least(0.9, OF_AT_ONCE).on(|rung| rung.variant == AT_ONCE),
+])
+.tables(&[TableRule::new(
+    "staggered-start, {variant}, cpGIMP, USF, FLIP, c dt/h = 0.2",
+    &[DISPLACEMENT, STRESS],
+)])
+.wrong_references(&[WRONG_AMPLITUDE])
+.studies(&[Plan::new(
+    cells_along(&[STAGGERED], [&[16, 32, 64], &[16, 32, 64, 128, 256]]),
+    FIELDS,
+    1,
+)])
+.no_guest("its force and its state at the start are another at every place, and no scene file can say that");
+
+const fn cells_along(variants: &'static [&'static str], counts: [&'static [u32]; 2]) -> Ladder {
+    Ladder::variants(variants, " ", "L/h", LENGTH, counts)
 }
 
-impl StaggeredStart {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_amplitude: 1.0,
+fn settings() -> Settings {
+    Settings::new(Method {
+        weighting: Weighting::ContiguousGimp(DomainUpdate::Stretch),
+        scheme: StressScheme::Usf,
+        transfer: TransferKind::Flip,
+    })
+    .courant(COURANT)
+}
+
+/// The motion with its amplitude times `factor`.
+fn exact(factor: f64) -> AxisAlignedMms<1> {
+    AxisAlignedMms {
+        law: Law::RateElastic,
+        lambda: 0.0,
+        mu: 0.5 * YOUNG,
+        density: DENSITY,
+        amplitude: factor * AMPLITUDE,
+        wave_number: PI / LENGTH,
+        angular_frequency: PI / LENGTH * wave_speed(),
+        phases: [0.0],
+    }
+}
+
+/// Wave speed at rest \[m/s\].
+fn wave_speed() -> f64 {
+    (YOUNG / DENSITY).sqrt()
+}
+
+/// Time of the comparison \[s\].
+fn end() -> f64 {
+    END * LENGTH / wave_speed()
+}
+
+/// Relative error of the displacement of a body whose strain is ahead by a step. `u + dt v(0)` is what the strain
+/// belongs to, so that `dt v(0) (1 - cos W t)` is missing from u in the end, and `v(0) = W A sin(k X)`.
+fn error_of_a_strain_ahead(rung: &Rung) -> f64 {
+    let (sin, cos) = libm::sincos(END * PI);
+    COURANT * rung.cell / LENGTH * PI * (1.0 - cos) / sin
+}
+
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let mesh = strip(h, [cells(LENGTH, h), 1]);
+    settings.applied(Scene {
+        time_step: settings.equal_steps(end(), h, wave_speed()).0,
+        materials: elastic(DENSITY, YOUNG, 0.0),
+        bodies: vec![body("bar", 1, rectangle([0.0; 2], [LENGTH, h]))],
+        ..plane_scene("staggered_start", mesh, end())
+    })
+}
+
+/// Only the case itself, with its own settings, starts at once.
+fn start(rung: &Rung, _: Reference, options: Options) -> Options {
+    let (_, steps) = settings().equal_steps(end(), rung.cell, wave_speed());
+    let ahead = if rung.variant == AT_ONCE {
+        end() / steps as f64
+    } else {
+        0.0
     };
-
-    /// The motion with its amplitude times `factor`.
-    fn exact(factor: f64) -> AxisAlignedMms<1> {
-        AxisAlignedMms {
-            law: Law::RateElastic,
-            lambda: 0.0,
-            mu: 0.5 * YOUNG,
-            density: DENSITY,
-            amplitude: factor * AMPLITUDE,
-            wave_number: PI / LENGTH,
-            angular_frequency: PI / LENGTH * Self::wave_speed(),
-            phases: [0.0],
-        }
-    }
-
-    /// Wave speed at rest \[m/s\].
-    fn wave_speed() -> f64 {
-        (YOUNG / DENSITY).sqrt()
-    }
-
-    /// Time of the comparison \[s\].
-    fn end() -> f64 {
-        END * LENGTH / Self::wave_speed()
-    }
-
-    /// Relative error of the displacement of a body whose strain is ahead by a step. `u + dt v(0)` is what the strain
-    /// belongs to, so that `dt v(0) (1 - cos W t)` is missing from u in the end, and `v(0) = W A sin(k X)`.
-    fn error_of_a_strain_ahead(rung: &Rung) -> f64 {
-        let angle = END * PI;
-        let (sin, cos) = libm::sincos(angle);
-        COURANT * rung.cell / LENGTH * PI * (1.0 - cos) / sin
-    }
-
-    fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
-        Rung::counted(variant, &format!("{variant} L/h"), LENGTH, counts)
-    }
+    let (start, force) = (exact(1.0), exact(1.0));
+    let options = starting(options, move |x| {
+        let [rate] = start.stretch_rates([x[0]], 0.0);
+        let stretch = 1.0 + ahead * rate;
+        let mut state = moving_along_x(start.velocity([x[0]], 0.0)[0], rate);
+        state.stress[0] = YOUNG * libm::log(stretch);
+        state.deformation[0][0] = stretch;
+        state
+    });
+    driven(options, move |x, t| {
+        [force.body_force([x[0]], t)[0], 0.0, 0.0]
+    })
 }
 
-impl Case for StaggeredStart {
-    fn name(&self) -> &'static str {
-        "staggered-start"
-    }
-
-    fn question(&self) -> &'static str {
-        "Is USF of order 2 where velocity and strain start half a step apart, and of order 1 where they do not?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let counts: &[u32] = match size {
-            Size::Quick => &[16, 32, 64],
-            Size::Full => &[16, 32, 64, 128],
-        };
-        [STAGGERED, AT_ONCE]
-            .into_iter()
-            .flat_map(|variant| Self::rungs_of(variant, counts))
-            .collect()
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for (variant, order, reason) in [
-            (
-                STAGGERED,
-                1.7,
-                "in one dimension USF with a staggered start has 1.8e-3 at 32 cells, here at most twice that, and orders from 1.9 to 1.7",
-            ),
-            (
-                AT_ONCE,
-                0.9,
-                "a strain that is ahead by dt for good: 1 in the long run",
-            ),
-        ] {
-            let rungs: Vec<Rung> = self
-                .rungs(size)
-                .into_iter()
-                .filter(|rung| rung.variant == variant)
-                .collect();
-            let Some(finest) = rungs.last() else {
-                continue;
-            };
-            let bound = if variant == STAGGERED {
-                2.0 * 1.8e-3 * libm::pow(32.0 * finest.cell / LENGTH, order)
-            } else {
-                1.1 * Self::error_of_a_strain_ahead(finest)
-            };
-            let table = table(solved, variant, &[DISPLACEMENT, STRESS]);
-            let gates = [
-                error_gate(&rungs, solved, DISPLACEMENT, bound, reason),
-                order_gate(&table, DISPLACEMENT, order, reason),
-            ];
-            verdict
-                .gates
-                .extend(gates.map(|gate| of_variant(variant, gate)));
-            let title = format!(
-                "{}, {variant}, cpGIMP, USF, FLIP, c dt/h = 0.2",
-                self.name()
-            );
-            verdict.tables.push((title, table));
-        }
-        verdict
-    }
-}
-
-impl Study for StaggeredStart {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(
-            STAGGERED,
-            match size {
-                Size::Quick => &[16, 32, 64],
-                Size::Full => &[16, 32, 64, 128, 256],
-            },
-        )
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        FIELDS.to_vec()
-    }
-
-    fn refined_axes(&self) -> usize {
-        1
-    }
-
-    fn own_settings(&self, _: &Rung) -> Settings {
-        Settings::new(Method {
-            weighting: Weighting::ContiguousGimp(DomainUpdate::Stretch),
-            scheme: StressScheme::Usf,
-            transfer: TransferKind::Flip,
-        })
-        .courant(COURANT)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let cells = (LENGTH / h).round() as usize;
-        let mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells, 1, 1]);
-        let mut scene = Scene::new(Dimension::Two, mesh, Self::end());
-        scene.name = String::from("staggered_start");
-        scene.time_step = settings.equal_steps(scene.time, h, Self::wave_speed()).0;
-        scene.results = NO_RESULTS;
-        scene.materials = elastic(DENSITY, YOUNG, 0.0);
-        scene.bodies = vec![body("bar", 1, cuboid([0.0; 3], [LENGTH, h, 0.0]))];
-        settings.apply(&mut scene);
-        scene
-    }
-
-    fn options(&self, rung: &Rung, options: Options) -> Options {
-        // Only the case itself, with its own settings, starts at once.
-        let (_, steps) =
-            self.own_settings(rung)
-                .equal_steps(Self::end(), rung.cell, Self::wave_speed());
-        let ahead = if rung.variant == AT_ONCE {
-            Self::end() / steps as f64
-        } else {
-            0.0
-        };
-        let start = Self::exact(1.0);
-        let force = start.clone();
-        Options {
-            displacement: true,
-            initial: Some(Arc::new(move |x| {
-                let x = [x[0]];
-                let [rate] = start.stretch_rates(x, 0.0);
-                let stretch = 1.0 + ahead * rate;
-                let mut deformation = AT_REST.deformation;
-                deformation[0][0] = stretch;
-                InitialState {
-                    velocity: [start.velocity(x, 0.0)[0], 0.0, 0.0],
-                    velocity_gradient: [[rate, 0.0, 0.0], [0.0; 3], [0.0; 3]],
-                    stress: [YOUNG * libm::log(stretch), 0.0, 0.0, 0.0, 0.0, 0.0],
-                    deformation,
-                }
-            })),
-            body_force: Some(Arc::new(move |x0, _, t| {
-                [force.body_force([x0[0]], t)[0], 0.0, 0.0]
-            })),
-            ..options
-        }
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "its force and its state at the start are another at every place, and no scene file can say that",
-        )
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let (_, steps) =
-            settings.equal_steps(simulation.scene().time, rung.cell, Self::wave_speed());
-        advance(simulation, steps, observer)?;
-        let (exact, t) = (Self::exact(self.reference_amplitude), simulation.time());
-        let quantities = errors(
-            simulation,
-            |x| [exact.displacement([x[0]], t)[0], 0.0, 0.0],
-            |x| [exact.stress([x[0]], t)[0], 0.0, 0.0, 0.0, 0.0, 0.0],
-        );
-        Ok(Found::new(quantities, None))
-    }
+fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+    let (exact, t) = (exact(run.reference.of(&WRONG_AMPLITUDE)), run.time());
+    let quantities = run.errors(
+        |x| [exact.displacement([x[0]], t)[0], 0.0, 0.0],
+        |x| uniaxial(exact.stress([x[0]], t)[0]),
+    );
+    Ok(Found::new(quantities, None))
 }

@@ -3,6 +3,7 @@
 use proctor_scene::simulation::Simulation;
 
 use super::dynamics::step;
+use crate::case::Run;
 use crate::settings::Settings;
 use crate::study::{Failure, Observer, Phase};
 
@@ -62,4 +63,16 @@ pub fn relax(
         "no equilibrium in {most} steps: unbalanced force over load {least:.3e}, wanted {tolerance:.3e}"
     )
     .into())
+}
+
+impl Run<'_> {
+    /// Relaxes a body of a length \[m\] until the unbalanced force is at most `tolerance` times `load` \[N\].
+    ///
+    /// # Errors
+    /// As [`relax`].
+    pub fn relax(&mut self, load: f64, tolerance: f64, length: f64) -> Result<(), Failure> {
+        let most = most_steps(self.settings, length / self.rung.cell);
+        self.residual = relax(self.simulation, load, tolerance, most, self.observer)?;
+        Ok(())
+    }
 }

@@ -12,20 +12,9 @@
 //! Expected: the displacement has a kink, which spreads to an L2 error of order 1; the stress a jump, order 1/3; the
 //! impact has order 2/3, as the last of the wave's impulse comes late.
 
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{
-    Contact, ContactNormal, Dimension, History, Mesh, PlaneCondition, Scene, Traction, Vector,
-};
-
-use super::dynamics::{DISPLACEMENT, STRESS, along, errors, run};
-use super::judging::{error_gate, of_variant, order_gate, table};
-use super::{FIELDS, NO_RESULTS, body, cuboid, elastic};
-use crate::case::{Case, Curve, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::bar_impact::MovingBar;
 use crate::exact::step_bar::StepBar as Exact;
-use crate::guest::{self, Guest};
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 
 /// Length \[m\].
 const LENGTH: f64 = 1.0;
@@ -66,368 +55,342 @@ const REBOUND: &str = "speed of the rebound";
 /// What a simulation that keeps displacements does not lack.
 const MISSING: &str = "the simulation kept no initial positions";
 
+const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.1).breaks(|gate| {
+    ["error of L2(u)", "error of way of", "error of duration"]
+        .iter()
+        .any(|name| gate.contains(name))
+});
+const WRONG_LOAD: Wrong = Wrong::factor("load", 1.06).breaks(|gate| {
+    ["error of L2(u)", "speed", "pressure"]
+        .iter()
+        .any(|name| gate.contains(name))
+});
+
 /// The bar.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StepBar {
-    /// Stiffness of the exact bar over that of the scene. Anything but 1 is a wrong reference, to prove that the
-    /// gates notice.
-    pub reference_stiffness: f64,
-    /// Load, or speed, of the exact bar over that of the scene, for the same reason.
-    pub reference_load: f64,
+pub static STEP_BAR: Case = Case::new(
+    "step-bar",
+    "Does a front run with c, double at a wall, and throw a bar back from one?",
+)
+.ladder(Ladder::made(rungs))
+.method(|_| Settings::new(Method::DEFAULT).courant(COURANT))
+.scene(scene)
+.displacements()
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_STIFFNESS, WRONG_LOAD])
+.studies(&[Plan::new(Ladder::made(path), FIELDS, 1)])
+.guest(guest);
+
+/// The exact bar, as the case refers to it.
+fn exact(reference: Reference) -> Exact {
+    Exact {
+        length: LENGTH,
+        modulus: reference.of(&WRONG_STIFFNESS) * YOUNG,
+        density: DENSITY,
+        pressure: reference.of(&WRONG_LOAD) * STRAIN * YOUNG,
+    }
 }
 
-impl StepBar {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_stiffness: 1.0,
-        reference_load: 1.0,
+/// Time that a wave of the scene takes along the bar \[s\].
+fn transit() -> f64 {
+    exact(Reference::CORRECT).transit()
+}
+
+/// Speed of the thrown bar \[m/s\].
+fn speed() -> f64 {
+    STRAIN * (YOUNG / DENSITY).sqrt()
+}
+
+fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
+    Rung::counted(variant, &format!("{variant} L/h"), LENGTH, counts)
+}
+
+/// Cross-section of the bar \[m²\]: one cell high, 1 m thick.
+fn section(simulation: &Simulation) -> f64 {
+    simulation.scene().mesh.cell[1]
+}
+
+fn pressed(
+    reference: Reference,
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    let exact = exact(reference);
+    run_until(simulation, COMPARED * transit(), observer, |_| ())?;
+    let t = simulation.time();
+    let mut quantities = errors(
+        simulation,
+        |x| [exact.displacement(x[0], t), 0.0, 0.0],
+        |x| [exact.stress(x[0], t), 0.0, 0.0, 0.0, 0.0, 0.0],
+    );
+    let curve = curve(simulation, &exact, rung);
+    quantities.push(Quantity::compared(
+        FRONT,
+        way_of_the_front(simulation)?,
+        exact.wave_speed() * t,
+        "m",
+    ));
+    quantities.push(Quantity::compared(
+        SPEED,
+        speed_behind_the_front(simulation, t)?,
+        exact.speed_behind_the_front(),
+        "m/s",
+    ));
+    let [from, to] = REFLECTED.map(|transits| transits * transit());
+    let mut sample = |stop| -> Result<[f64; 2], Failure> {
+        run_until(simulation, stop, observer, |_| ())?;
+        Ok([simulation.velocity_time(), simulation.momentum()[0]])
     };
-
-    /// The exact bar, as the case refers to it.
-    fn exact(self) -> Exact {
-        Exact {
-            length: LENGTH,
-            modulus: self.reference_stiffness * YOUNG,
-            density: DENSITY,
-            pressure: self.reference_load * STRAIN * YOUNG,
-        }
-    }
-
-    /// Time that a wave of the scene takes along the bar \[s\].
-    fn transit() -> f64 {
-        Self::GIVEN.exact().transit()
-    }
-
-    /// Speed of the thrown bar \[m/s\].
-    fn speed() -> f64 {
-        STRAIN * (YOUNG / DENSITY).sqrt()
-    }
-
-    fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
-        Rung::counted(variant, &format!("{variant} L/h"), LENGTH, counts)
-    }
-
-    /// Cross-section of the bar \[m²\]: one cell high, 1 m thick.
-    fn section(simulation: &Simulation) -> f64 {
-        simulation.scene().mesh.cell[1]
-    }
-
-    fn pressed(
-        self,
-        rung: &Rung,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let exact = self.exact();
-        run(simulation, COMPARED * Self::transit(), observer, |_| ())?;
-        let t = simulation.time();
-        let mut quantities = errors(
-            simulation,
-            |x| [exact.displacement(x[0], t), 0.0, 0.0],
-            |x| [exact.stress(x[0], t), 0.0, 0.0, 0.0, 0.0, 0.0],
-        );
-        let curve = Self::curve(simulation, &exact, rung);
-        quantities.push(Quantity::compared(
-            FRONT,
-            Self::way_of_the_front(simulation)?,
-            exact.wave_speed() * t,
-            "m",
-        ));
-        quantities.push(Quantity::compared(
-            SPEED,
-            Self::speed_behind_the_front(simulation, t)?,
-            exact.speed_behind_the_front(),
-            "m/s",
-        ));
-        let [from, to] = REFLECTED.map(|transits| transits * Self::transit());
-        let mut sample = |stop| -> Result<[f64; 2], Failure> {
-            run(simulation, stop, observer, |_| ())?;
-            Ok([simulation.velocity_time(), simulation.momentum()[0]])
-        };
-        let (before, after) = (sample(from)?, sample(to)?);
-        // What pressure and wall push together.
-        let force = (after[1] - before[1]) / (after[0] - before[0]);
-        let held = force / Self::section(simulation) + STRAIN * YOUNG;
-        quantities.push(Quantity::compared(HELD, held, 2.0 * exact.pressure, "Pa"));
-        Ok(Found::new(quantities, curve))
-    }
-
-    /// How far from the loaded end the stress is a third of the pressure \[m\]: a front that dispersion of third order has
-    /// spread is an integral of Airy's function, which has a third of its jump where the front would be.
-    fn way_of_the_front(simulation: &Simulation) -> Result<f64, Failure> {
-        let set = &simulation.sets()[0];
-        let layers = along(simulation, 0, |p, x| [-set.stress(p)[0], x]).ok_or(MISSING)?;
-        let level = STRAIN * YOUNG / 3.0;
-        let pair = layers
-            .windows(2)
-            .find(|pair| pair[0].computed < level && pair[1].computed >= level)
-            .ok_or("no stress is a third of the pressure")?;
-        let [a, b] = [pair[0], pair[1]];
-        let share = (level - a.computed) / (b.computed - a.computed);
-        Ok(LENGTH - (a.at + share * (b.at - a.at)))
-    }
-
-    /// Mean speed over the half of the way that is behind the front by most \[m/s\]: displacements over the time since it
-    /// passed.
-    fn speed_behind_the_front(simulation: &Simulation, t: f64) -> Result<f64, Failure> {
-        let (mut sum, mut mass) = (0.0, 0.0);
-        let way = COMPARED * LENGTH;
-        for p in 0..simulation.particles() {
-            let depth = LENGTH - simulation.initial_position(0, p).ok_or(MISSING)?[0];
-            if depth < 0.5 * way {
-                let m = simulation.mass_and_volume(0, p).0;
-                let u = -simulation.displacement(0, p).ok_or(MISSING)?[0];
-                sum += m * u / (t * (1.0 - depth / way));
-                mass += m;
-            }
-        }
-        Ok(sum / mass)
-    }
-
-    /// Axial stress along the bar against the exact one, over the pressure.
-    fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
-        let (set, t) = (&simulation.sets()[0], simulation.time());
-        let points = along(simulation, 0, |p, x| {
-            [set.stress(p)[0], exact.stress(x, t)].map(|s| s / (STRAIN * YOUNG))
-        })?;
-        Some(Curve {
-            title: format!(
-                "stress along the bar after {COMPARED} transits, {}",
-                rung.label
-            ),
-            abscissa: "x (m)",
-            ordinate: "stress / p",
-            points,
-        })
-    }
-
-    fn thrown(
-        self,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let exact = MovingBar {
-            length: LENGTH,
-            modulus: self.reference_stiffness * YOUNG,
-            density: DENSITY,
-            velocity: -self.reference_load * Self::speed(),
-        }
-        .at_a_wall();
-        let (mut impulse, mut moment, mut judged) = (0.0, 0.0, [0.0; 2]);
-        let mut kicked = simulation.velocity_time();
-        let mut force_at = simulation.time();
-        let [from, to] = PRESSED.map(|transits| transits * Self::transit());
-        run(simulation, PARTED * Self::transit(), observer, |s| {
-            // The force is that at the positions before the step; it kicks velocities from half step to half step.
-            let kick = s.velocity_time() - kicked;
-            let force = s.contact_force(0)[0];
-            impulse += force * kick;
-            moment += force * kick * force_at;
-            if (from..to).contains(&force_at) {
-                judged = [judged[0] + force * kick, judged[1] + kick];
-            }
-            (kicked, force_at) = (s.velocity_time(), s.time());
-        })?;
-        let pressure = judged[0] / judged[1] / Self::section(simulation);
-        let rebound = simulation.center(0).2[0];
-        let quantities = vec![
-            Quantity::compared(DURATION, 2.0 * moment / impulse, exact.duration, "s"),
-            Quantity::compared(PRESSURE, pressure, exact.stress, "Pa"),
-            Quantity::compared(REBOUND, rebound, exact.velocity, "m/s"),
-        ];
-        Ok(Found::new(quantities, None))
-    }
+    let (before, after) = (sample(from)?, sample(to)?);
+    // What pressure and wall push together.
+    let force = (after[1] - before[1]) / (after[0] - before[0]);
+    let held = force / section(simulation) + STRAIN * YOUNG;
+    quantities.push(Quantity::compared(HELD, held, 2.0 * exact.pressure, "Pa"));
+    Ok(Found::new(quantities, curve))
 }
 
-impl Case for StepBar {
-    fn name(&self) -> &'static str {
-        "step-bar"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does a front run with c, double at a wall, and throw a bar back from one?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let counts: &[u32] = match size {
-            Size::Quick => &[32, 64, 128],
-            Size::Full => &[32, 64, 128, 256],
-        };
-        [LOADED, THROWN]
-            .into_iter()
-            .flat_map(|variant| Self::rungs_of(variant, counts))
-            .collect()
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let kink = "a kink over w, with the error w of what it bends: w^(3/2)";
-        let front = "a tenth of the width w over which dispersion spreads it";
-        let mean = "ringing averages out, and leaves no more than w²";
-        let impact = "the last of the wave's impulse comes w late, or never";
-        // Of each gate the power of w/L that bounds it, and by how much.
-        for (variant, gates, orders) in [
-            (
-                LOADED,
-                &[
-                    (DISPLACEMENT, 1.0, 1.5, kink),
-                    (FRONT, 0.1, 1.0, front),
-                    (SPEED, 1.0, 2.0, mean),
-                    (HELD, 1.0, 2.0, mean),
-                ][..],
-                &[
-                    (DISPLACEMENT, 0.8, "order 1 of a kink, less 0.2"),
-                    (STRESS, 0.25, "order 1/3 of a jump, less 0.08"),
-                ][..],
-            ),
-            (
-                THROWN,
-                &[
-                    (DURATION, 0.5, 1.0, impact),
-                    (PRESSURE, 1.0, 2.0, mean),
-                    (REBOUND, 0.5, 1.0, impact),
-                ],
-                &[(DURATION, 0.6, "2/3, as the front spreads")],
-            ),
-        ] {
-            let rungs: Vec<Rung> = self
-                .rungs(size)
-                .into_iter()
-                .filter(|rung| rung.variant == variant)
-                .collect();
-            let Some(finest) = rungs.last() else {
-                continue;
-            };
-            let spread = libm::pow(finest.cell / LENGTH, 2.0 / 3.0);
-            let mut names: Vec<_> = gates.iter().map(|gate| gate.0).collect();
-            names.extend((variant == LOADED).then_some(STRESS));
-            let table = table(solved, variant, &names);
-            let bounds = gates.iter().map(|&(name, share, power, reason)| {
-                let bound = share * libm::pow(spread, power);
-                error_gate(&rungs, solved, name, bound, reason)
-            });
-            let orders = orders
-                .iter()
-                .map(|&(name, bound, reason)| order_gate(&table, name, bound, reason));
-            verdict
-                .gates
-                .extend(bounds.chain(orders).map(|gate| of_variant(variant, gate)));
-            verdict
-                .tables
-                .push((format!("step-bar, {variant}, uGIMP, USL, FLIP"), table));
-        }
-        verdict
-    }
+/// How far from the loaded end the stress is a third of the pressure \[m\]: a front that dispersion of third order has
+/// spread is an integral of Airy's function, which has a third of its jump where the front would be.
+fn way_of_the_front(simulation: &Simulation) -> Result<f64, Failure> {
+    let set = &simulation.sets()[0];
+    let layers = along(simulation, 0, |p, x| [-set.stress(p)[0], x]).ok_or(MISSING)?;
+    let level = STRAIN * YOUNG / 3.0;
+    let pair = layers
+        .windows(2)
+        .find(|pair| pair[0].computed < level && pair[1].computed >= level)
+        .ok_or("no stress is a third of the pressure")?;
+    let [a, b] = [pair[0], pair[1]];
+    let share = (level - a.computed) / (b.computed - a.computed);
+    Ok(LENGTH - (a.at + share * (b.at - a.at)))
 }
 
-impl Study for StepBar {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(
+/// Mean speed over the half of the way that is behind the front by most \[m/s\]: displacements over the time since it
+/// passed.
+fn speed_behind_the_front(simulation: &Simulation, t: f64) -> Result<f64, Failure> {
+    let (mut sum, mut mass) = (0.0, 0.0);
+    let way = COMPARED * LENGTH;
+    for p in 0..simulation.particles() {
+        let depth = LENGTH - simulation.initial_position(0, p).ok_or(MISSING)?[0];
+        if depth < 0.5 * way {
+            let m = simulation.mass_and_volume(0, p).0;
+            let u = -simulation.displacement(0, p).ok_or(MISSING)?[0];
+            sum += m * u / (t * (1.0 - depth / way));
+            mass += m;
+        }
+    }
+    Ok(sum / mass)
+}
+
+/// Axial stress along the bar against the exact one, over the pressure.
+fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
+    let (set, t) = (&simulation.sets()[0], simulation.time());
+    let points = along(simulation, 0, |p, x| {
+        [set.stress(p)[0], exact.stress(x, t)].map(|s| s / (STRAIN * YOUNG))
+    })?;
+    Some(Curve::new(
+        format!(
+            "stress along the bar after {COMPARED} transits, {}",
+            rung.label
+        ),
+        ["x (m)", "stress / p"],
+        points,
+    ))
+}
+
+fn thrown(
+    reference: Reference,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<Found, Failure> {
+    let exact = MovingBar {
+        length: LENGTH,
+        modulus: reference.of(&WRONG_STIFFNESS) * YOUNG,
+        density: DENSITY,
+        velocity: -reference.of(&WRONG_LOAD) * speed(),
+    }
+    .at_a_wall();
+    let (mut impulse, mut moment, mut judged) = (0.0, 0.0, [0.0; 2]);
+    let mut kicked = simulation.velocity_time();
+    let mut force_at = simulation.time();
+    let [from, to] = PRESSED.map(|transits| transits * transit());
+    run_until(simulation, PARTED * transit(), observer, |s| {
+        // The force is that at the positions before the step; it kicks velocities from half step to half step.
+        let kick = s.velocity_time() - kicked;
+        let force = s.contact_force(0)[0];
+        impulse += force * kick;
+        moment += force * kick * force_at;
+        if (from..to).contains(&force_at) {
+            judged = [judged[0] + force * kick, judged[1] + kick];
+        }
+        (kicked, force_at) = (s.velocity_time(), s.time());
+    })?;
+    let pressure = judged[0] / judged[1] / section(simulation);
+    let rebound = simulation.center(0).2[0];
+    let quantities = vec![
+        Quantity::compared(DURATION, 2.0 * moment / impulse, exact.duration, "s"),
+        Quantity::compared(PRESSURE, pressure, exact.stress, "Pa"),
+        Quantity::compared(REBOUND, rebound, exact.velocity, "m/s"),
+    ];
+    Ok(Found::new(quantities, None))
+}
+
+fn rungs(size: Size) -> Vec<Rung> {
+    let counts: &[u32] = match size {
+        Size::Quick => &[32, 64, 128],
+        Size::Full => &[32, 64, 128, 256],
+    };
+    [LOADED, THROWN]
+        .into_iter()
+        .flat_map(|variant| rungs_of(variant, counts))
+        .collect()
+}
+
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    let kink = "a kink over w, with the error w of what it bends: w^(3/2)";
+    let front = "a tenth of the width w over which dispersion spreads it";
+    let mean = "ringing averages out, and leaves no more than w²";
+    let impact = "the last of the wave's impulse comes w late, or never";
+    // Of each gate the power of w/L that bounds it, and by how much.
+    for (variant, gates, orders) in [
+        (
             LOADED,
-            match size {
-                Size::Quick => &[16, 32, 64],
-                Size::Full => &[16, 32, 64, 128, 256],
-            },
-        )
+            &[
+                (DISPLACEMENT, 1.0, 1.5, kink),
+                (FRONT, 0.1, 1.0, front),
+                (SPEED, 1.0, 2.0, mean),
+                (HELD, 1.0, 2.0, mean),
+            ][..],
+            &[
+                (DISPLACEMENT, 0.8, "order 1 of a kink, less 0.2"),
+                (STRESS, 0.25, "order 1/3 of a jump, less 0.08"),
+            ][..],
+        ),
+        (
+            THROWN,
+            &[
+                (DURATION, 0.5, 1.0, impact),
+                (PRESSURE, 1.0, 2.0, mean),
+                (REBOUND, 0.5, 1.0, impact),
+            ],
+            &[(DURATION, 0.6, "2/3, as the front spreads")],
+        ),
+    ] {
+        let own: Vec<Rung> = runs
+            .rungs
+            .iter()
+            .filter(|rung| rung.variant == variant)
+            .cloned()
+            .collect();
+        let Some(finest) = own.last() else {
+            continue;
+        };
+        let spread = libm::pow(finest.cell / LENGTH, 2.0 / 3.0);
+        let mut names: Vec<_> = gates.iter().map(|gate| gate.0).collect();
+        names.extend((variant == LOADED).then_some(STRESS));
+        let table = table(runs.solved, variant, &names);
+        let bounds = gates.iter().map(|&(name, share, power, reason)| {
+            let bound = share * libm::pow(spread, power);
+            error_gate(&own, runs.solved, name, bound, reason)
+        });
+        let orders = orders
+            .iter()
+            .map(|&(name, bound, reason)| order_gate(&table, name, bound, reason));
+        verdict
+            .gates
+            .extend(bounds.chain(orders).map(|gate| of_variant(variant, gate)));
+        verdict
+            .tables
+            .push((format!("step-bar, {variant}, uGIMP, USL, FLIP"), table));
     }
+    verdict
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        FIELDS.to_vec()
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let (h, thrown) = (rung.cell, rung.variant == THROWN);
+    let cells = (LENGTH / h).round() as usize;
+    let start = if thrown { WALL_CELLS as f64 * h } else { 0.0 };
+    let before = if thrown { WALL_CELLS } else { 0 };
+    let mut mesh = Mesh::new(
+        Dimension::Two,
+        [0.0; 3],
+        [h; 3],
+        [before + cells + AIR, 1, 1],
+    );
+    mesh.planes[0][1] = PlaneCondition::Free;
+    let transits = if thrown { PARTED } else { REFLECTED[1] };
+    let mut scene = plane_scene("step_bar", mesh, transits * transit());
+    scene.materials = elastic(DENSITY, YOUNG, 0.0);
+    scene.bodies = vec![body(
+        "bar",
+        1,
+        cuboid([start, 0.0, 0.0], [start + LENGTH, h, 0.0]),
+    )];
+    if thrown {
+        scene.mesh.planes[0][0] = PlaneCondition::Free;
+        scene.bodies[0].velocity[0] = -speed();
+        let mut wall = body("wall", 2, rectangle([0.0; 2], [start, h]));
+        wall.motion = Some(History {
+            times: vec![0.0, scene.time],
+            values: vec![[0.0; 3]; 2],
+        });
+        scene.bodies.push(wall);
+        scene.contacts = vec![Contact {
+            name: "bar on wall".to_owned(),
+            id: 1,
+            friction: 0.0,
+            master: 2,
+            slave: 1,
+            normal: ContactNormal::Collinear,
+        }];
+    } else {
+        scene.tractions = vec![Traction {
+            p1: [LENGTH, 0.0, 0.0],
+            p2: [LENGTH, h, 0.0],
+            traction: [-STRAIN * YOUNG, 0.0, 0.0].into(),
+        }];
     }
+    scene.time_step = settings.multiplier();
+    settings.apply(&mut scene);
+    scene
+}
 
-    fn refined_axes(&self) -> usize {
-        1
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    if rung.variant == THROWN {
+        thrown(reference, simulation, observer)
+    } else {
+        pressed(reference, rung, simulation, observer)
     }
+}
 
-    fn own_settings(&self, _: &Rung) -> Settings {
-        Settings::new(Method::DEFAULT).courant(COURANT)
-    }
+fn path(size: Size) -> Vec<Rung> {
+    rungs_of(
+        LOADED,
+        match size {
+            Size::Quick => &[16, 32, 64],
+            Size::Full => &[16, 32, 64, 128, 256],
+        },
+    )
+}
 
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let (h, thrown) = (rung.cell, rung.variant == THROWN);
-        let cells = (LENGTH / h).round() as usize;
-        let start = if thrown { WALL_CELLS as f64 * h } else { 0.0 };
-        let before = if thrown { WALL_CELLS } else { 0 };
-        let mut mesh = Mesh::new(
-            Dimension::Two,
-            [0.0; 3],
-            [h; 3],
-            [before + cells + AIR, 1, 1],
-        );
-        mesh.planes[0][1] = PlaneCondition::Free;
-        let transits = if thrown { PARTED } else { REFLECTED[1] };
-        let mut scene = Scene::new(Dimension::Two, mesh, transits * Self::transit());
-        scene.name = String::from("step_bar");
-        scene.results = NO_RESULTS;
-        scene.materials = elastic(DENSITY, YOUNG, 0.0);
-        scene.bodies = vec![body(
-            "bar",
-            1,
-            cuboid([start, 0.0, 0.0], [start + LENGTH, h, 0.0]),
-        )];
-        if thrown {
-            scene.mesh.planes[0][0] = PlaneCondition::Free;
-            scene.bodies[0].velocity[0] = -Self::speed();
-            let mut wall = body("wall", 2, cuboid([0.0; 3], [start, h, 0.0]));
-            wall.motion = Some(History {
-                times: vec![0.0, scene.time],
-                values: vec![[0.0; 3]; 2],
-            });
-            scene.bodies.push(wall);
-            scene.contacts = vec![Contact {
-                name: "bar on wall".to_owned(),
-                id: 1,
-                friction: 0.0,
-                master: 2,
-                slave: 1,
-                normal: ContactNormal::Collinear,
-            }];
-        } else {
-            scene.tractions = vec![Traction {
-                p1: [LENGTH, 0.0, 0.0],
-                p2: [LENGTH, h, 0.0],
-                traction: [-STRAIN * YOUNG, 0.0, 0.0].into(),
-            }];
-        }
-        scene.time_step = settings.multiplier();
-        settings.apply(&mut scene);
-        scene
+fn guest(rung: &Rung) -> Result<Guest, &'static str> {
+    if rung.variant != LOADED {
+        return Err("what is known of the thrown bar is how long it presses on the wall");
     }
-
-    fn options(&self, _: &Rung, options: Options) -> Options {
-        Options {
-            displacement: true,
-            ..options
-        }
-    }
-
-    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
-        if rung.variant != LOADED {
-            return Err("what is known of the thrown bar is how long it presses on the wall");
-        }
-        let mut scene = guest::slab(self.scene_with(rung, &guest::settings()));
-        scene.time = COMPARED * Self::transit();
-        let scene = guest::with_nodal_loads(scene);
-        let exact = self.exact();
-        let step = guest::COURANT * rung.cell / exact.wave_speed();
-        let scene = guest::prepared(scene, 1, step);
-        let moved = move |x: &Vector, t| [exact.displacement(x[0], t), 0.0, 0.0];
-        Ok(Guest::new(scene, moved).at_the_end())
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        _: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        if rung.variant == THROWN {
-            self.thrown(simulation, observer)
-        } else {
-            self.pressed(rung, simulation, observer)
-        }
-    }
+    let mut scene = guest::slab(scene(rung, &guest::settings()));
+    scene.time = COMPARED * transit();
+    let scene = guest::with_nodal_loads(scene);
+    let exact = exact(Reference::CORRECT);
+    let step = guest::COURANT * rung.cell / exact.wave_speed();
+    let scene = guest::prepared(scene, 1, step);
+    let moved = move |x: &Vector, t| [exact.displacement(x[0], t), 0.0, 0.0];
+    Ok(Guest::new(scene, moved).at_the_end())
 }

@@ -9,18 +9,8 @@
 //! of order 1 of the stress and 5/3 of the displacement. The base is where two layers of particles are extrapolated to.
 //! `proctor verify sudden-weight`.
 
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, Vector};
-
-use super::dynamics::{ratio, step};
-use super::judging::{error_gate, order_gate, table};
-use super::{NO_RESULTS, body, cuboid, elastic};
-use crate::case::{Case, Curve, CurvePoint, Found, Quantity, Rung, Size, Solved, Verdict};
-use crate::convergence::relative_l2;
+use super::prelude::*;
 use crate::exact::sudden_weight::SuddenWeight as Exact;
-use crate::guest::{self, Guest};
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Phase, Study};
 
 /// Height \[m\].
 const HEIGHT: f64 = 1.0;
@@ -51,15 +41,30 @@ const PEAK: &str = "base pressure at 2 H/c";
 const TOP: &str = "top at 2 H/c";
 const BACK: &str = "top at 4 H/c, over that at 2 H/c";
 
+const WRONG_GRAVITY: Wrong = Wrong::factor("gravity", 1.05);
+const WRONG_SPEED: Wrong = Wrong::factor("wave speed", 1.05).breaks(|gate| gate.contains("L2"));
+
 /// The column that is let go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SuddenWeight {
-    /// Gravity of the exact solution over that of the scene. Anything but 1 is a wrong reference, to prove that the
-    /// gates notice.
-    pub reference_gravity: f64,
-    /// Wave speed of the exact solution over that of the scene, for the same reason.
-    pub reference_speed: f64,
-}
+pub static SUDDEN_WEIGHT: Case = Case::new(
+    "sudden-weight",
+    "Does a column that is let go swing to twice its weight?",
+)
+.ladder(Ladder::made(rungs))
+.method(|_| Settings::new(Method::DEFAULT).courant(COURANT))
+.scene(scene)
+.displacements()
+.run(compare)
+.judge_by(judge)
+.wrong_references(&[WRONG_GRAVITY, WRONG_SPEED])
+.studies(&[Plan::new(
+    Ladder::made(path),
+    &[
+        Measure::new("displacement", DISPLACEMENT),
+        Measure::new("stress", STRESS),
+    ],
+    1,
+)])
+.guest(guest);
 
 /// What was seen at one time.
 #[derive(Clone, Copy, Debug)]
@@ -69,254 +74,212 @@ struct Seen {
     top: f64,
 }
 
-impl SuddenWeight {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_gravity: 1.0,
-        reference_speed: 1.0,
-    };
+/// Modulus of confined compression \[Pa\].
+fn modulus() -> f64 {
+    YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON))
+}
 
-    /// Modulus of confined compression \[Pa\].
-    fn modulus() -> f64 {
-        YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON))
+/// Gravity of the scene \[m/s²\].
+fn gravity() -> f64 {
+    STRAIN * modulus() / (DENSITY * HEIGHT)
+}
+
+fn exact(reference: Reference) -> Exact {
+    Exact {
+        height: HEIGHT,
+        wave_speed: reference.of(&WRONG_SPEED) * (modulus() / DENSITY).sqrt(),
+        gravity: reference.of(&WRONG_GRAVITY) * gravity(),
     }
+}
 
-    /// Gravity of the scene \[m/s²\].
-    fn gravity() -> f64 {
-        STRAIN * Self::modulus() / (DENSITY * HEIGHT)
-    }
+fn rungs_of(counts: &[u32]) -> Vec<Rung> {
+    Rung::counted(VARIANT, "H/h", HEIGHT, counts)
+}
 
-    fn exact(self) -> Exact {
-        Exact {
-            height: HEIGHT,
-            wave_speed: self.reference_speed * (Self::modulus() / DENSITY).sqrt(),
-            gravity: self.reference_gravity * Self::gravity(),
+/// Mean over the layer of particles that began at a height \[m\].
+fn layer(
+    simulation: &Simulation,
+    height: f64,
+    value: impl Fn(usize) -> Option<f64>,
+) -> Result<f64, Failure> {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for p in 0..simulation.particles() {
+        let y = simulation.initial_position(0, p).ok_or(MISSING)?[1];
+        if (y - height).abs() < 1e-3 * simulation.scene().mesh.cell[1] {
+            sum += value(p).ok_or(MISSING)?;
+            count += 1.0;
         }
     }
+    Ok(sum / count)
+}
 
-    fn rungs_of(counts: &[u32]) -> Vec<Rung> {
-        Rung::counted(VARIANT, "H/h", HEIGHT, counts)
-    }
-
-    /// Mean over the layer of particles that began at a height \[m\].
-    fn layer(
-        simulation: &Simulation,
-        height: f64,
-        value: impl Fn(usize) -> Option<f64>,
-    ) -> Result<f64, Failure> {
-        let (mut sum, mut count) = (0.0, 0.0);
-        for p in 0..simulation.particles() {
-            let y = simulation.initial_position(0, p).ok_or(MISSING)?[1];
-            if (y - height).abs() < 1e-3 * simulation.scene().mesh.cell[1] {
-                sum += value(p).ok_or(MISSING)?;
-                count += 1.0;
-            }
-        }
-        Ok(sum / count)
-    }
-
-    /// Pressure on the base and displacement of the top now.
-    fn ends(simulation: &Simulation, settings: &Settings) -> Result<Seen, Failure> {
-        let depth = 0.5 * simulation.scene().mesh.cell[1] / settings.particles_per_cell as f64;
-        let stress = |p: usize| Some(simulation.sets()[0].stress(p)[1]);
-        let lowest = Self::layer(simulation, depth, stress)?;
-        let next = Self::layer(simulation, 3.0 * depth, stress)?;
-        let sunk = |p: usize| Some(simulation.displacement(0, p)?[1]);
-        let uppermost = Self::layer(simulation, HEIGHT - depth, sunk)?;
-        let below = Self::layer(simulation, HEIGHT - 3.0 * depth, sunk)?;
-        Ok(Seen {
-            time: simulation.time(),
-            base: -(1.5 * lowest - 0.5 * next),
-            // The stress at the top is zero, so u = u(H) - b (H - z)², and the second layer is three times as deep.
-            top: uppermost + (uppermost - below) / 8.0,
-        })
-    }
+/// Pressure on the base and displacement of the top now.
+fn ends(simulation: &Simulation, settings: &Settings) -> Result<Seen, Failure> {
+    let depth = 0.5 * simulation.scene().mesh.cell[1] / settings.particles_per_cell as f64;
+    let stress = |p: usize| Some(simulation.sets()[0].stress(p)[1]);
+    let lowest = layer(simulation, depth, stress)?;
+    let next = layer(simulation, 3.0 * depth, stress)?;
+    let sunk = |p: usize| Some(simulation.displacement(0, p)?[1]);
+    let uppermost = layer(simulation, HEIGHT - depth, sunk)?;
+    let below = layer(simulation, HEIGHT - 3.0 * depth, sunk)?;
+    Ok(Seen {
+        time: simulation.time(),
+        base: -(1.5 * lowest - 0.5 * next),
+        // The stress at the top is zero, so u = u(H) - b (H - z)², and the second layer is three times as deep.
+        top: uppermost + (uppermost - below) / 8.0,
+    })
 }
 
 /// What a simulation that keeps displacements does not lack.
 const MISSING: &str = "the simulation kept no initial positions";
 
-impl Case for SuddenWeight {
-    fn name(&self) -> &'static str {
-        "sudden-weight"
-    }
+fn rungs(size: Size) -> Vec<Rung> {
+    rungs_of(match size {
+        Size::Quick => &[16, 32, 64],
+        Size::Full => &[16, 32, 64, 128],
+    })
+}
 
-    fn question(&self) -> &'static str {
-        "Does a column that is let go swing to twice its weight?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
-            Size::Quick => &[16, 32, 64],
-            Size::Full => &[16, 32, 64, 128],
-        })
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let names = [DISPLACEMENT, STRESS, BASE, PEAK, TOP, BACK];
-        let table = table(solved, VARIANT, &names);
-        let rungs = self.rungs(size);
-        let fineness = rungs.last().map_or(f64::NAN, |rung| rung.cell / HEIGHT);
-        let spread = libm::pow(fineness, 2.0 / 3.0);
-        let kink = "the kink of the stress is spread over w = (h² H)^(1/3), where the stress is off by w: w^(3/2) over all";
-        let twice = "w² over the width w of the kink: w^(5/2) over all";
-        let end = "w², as the displacement is off by where the kink is";
-        let mut gates: Vec<_> = [
-            (DISPLACEMENT, libm::pow(spread, 2.5), twice),
-            (STRESS, libm::pow(spread, 1.5), kink),
-            (BASE, libm::pow(spread, 1.5), kink),
-            (
-                PEAK,
-                0.5 * spread,
-                "half the width w of the kink, which is the peak itself",
-            ),
-            (TOP, spread * spread, end),
-            (BACK, spread * spread, end),
-        ]
-        .into_iter()
-        .map(|(name, bound, reason)| error_gate(&rungs, solved, name, bound, reason))
-        .collect();
-        gates.push(order_gate(
-            &table,
-            DISPLACEMENT,
-            1.4,
-            "5/3 of a kink in the stress, less 0.3",
-        ));
-        gates.push(order_gate(&table, STRESS, 0.8, "1 of a kink, less 0.2"));
-        Verdict {
-            gates,
-            tables: vec![("sudden-weight, uGIMP, USL, FLIP".to_owned(), table)],
-            ..Verdict::default()
-        }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let names = [DISPLACEMENT, STRESS, BASE, PEAK, TOP, BACK];
+    let table = table(runs.solved, VARIANT, &names);
+    let fineness = runs
+        .rungs
+        .last()
+        .map_or(f64::NAN, |rung| rung.cell / HEIGHT);
+    let spread = libm::pow(fineness, 2.0 / 3.0);
+    let kink = "the kink of the stress is spread over w = (h² H)^(1/3), where the stress is off by w: w^(3/2) over all";
+    let twice = "w² over the width w of the kink: w^(5/2) over all";
+    let end = "w², as the displacement is off by where the kink is";
+    let mut gates: Vec<_> = [
+        (DISPLACEMENT, libm::pow(spread, 2.5), twice),
+        (STRESS, libm::pow(spread, 1.5), kink),
+        (BASE, libm::pow(spread, 1.5), kink),
+        (
+            PEAK,
+            0.5 * spread,
+            "half the width w of the kink, which is the peak itself",
+        ),
+        (TOP, spread * spread, end),
+        (BACK, spread * spread, end),
+    ]
+    .into_iter()
+    .map(|(name, bound, reason)| error_gate(runs.rungs, runs.solved, name, bound, reason))
+    .collect();
+    gates.push(order_gate(
+        &table,
+        DISPLACEMENT,
+        1.4,
+        "5/3 of a kink in the stress, less 0.3",
+    ));
+    gates.push(order_gate(&table, STRESS, 0.8, "1 of a kink, less 0.2"));
+    Verdict {
+        gates,
+        tables: vec![("sudden-weight, uGIMP, USL, FLIP".to_owned(), table)],
+        ..Verdict::default()
     }
 }
 
-impl Study for SuddenWeight {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        Self::rungs_of(match size {
-            Size::Quick => &[16, 32, 64],
-            Size::Full => &[16, 32, 64, 128, 256],
-        })
-    }
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let cells = (HEIGHT / h).round() as usize;
+    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [WIDTH, cells + AIR, 1]);
+    mesh.planes[1][1] = PlaneCondition::Free;
+    let exact = exact(Reference::CORRECT);
+    let mut scene = plane_scene("sudden_weight", mesh, exact.period());
+    // Half the period is a whole number of steps.
+    scene.time_step = settings
+        .equal_steps(0.5 * exact.period(), h, exact.wave_speed)
+        .0;
+    scene.gravity = [0.0, -exact.gravity, 0.0];
+    scene.materials = elastic(DENSITY, YOUNG, POISSON);
+    let column = rectangle([0.0; 2], [WIDTH as f64 * h, HEIGHT]);
+    scene.bodies = vec![body("column", 1, column)];
+    settings.apply(&mut scene);
+    scene
+}
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("displacement", DISPLACEMENT),
-            Measure::new("stress", STRESS),
-        ]
-    }
-
-    fn refined_axes(&self) -> usize {
-        1
-    }
-
-    fn own_settings(&self, _: &Rung) -> Settings {
-        Settings::new(Method::DEFAULT).courant(COURANT)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let h = rung.cell;
-        let cells = (HEIGHT / h).round() as usize;
-        let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [WIDTH, cells + AIR, 1]);
-        mesh.planes[1][1] = PlaneCondition::Free;
-        let exact = Self::GIVEN.exact();
-        let mut scene = Scene::new(Dimension::Two, mesh, exact.period());
-        scene.name = String::from("sudden_weight");
-        // Half the period is a whole number of steps.
-        scene.time_step = settings
-            .equal_steps(0.5 * exact.period(), h, exact.wave_speed)
-            .0;
-        scene.results = NO_RESULTS;
-        scene.gravity = [0.0, -exact.gravity, 0.0];
-        scene.materials = elastic(DENSITY, YOUNG, POISSON);
-        let column = cuboid([0.0; 3], [WIDTH as f64 * h, HEIGHT, 0.0]);
-        scene.bodies = vec![body("column", 1, column)];
-        settings.apply(&mut scene);
-        scene
-    }
-
-    fn options(&self, _: &Rung, options: Options) -> Options {
-        Options {
-            displacement: true,
-            ..options
-        }
-    }
-
-    fn guest(&self, rung: &Rung) -> Result<Guest, &'static str> {
-        let scene = guest::slab(self.scene_with(rung, &guest::settings()));
-        let exact = self.exact();
-        let step = guest::COURANT * rung.cell / exact.wave_speed;
-        let scene = guest::prepared(scene, guest::FRAMES, step);
-        let sunk = move |x: &Vector, t| [0.0, exact.displacement(x[1], t), 0.0];
-        Ok(Guest::new(scene, sunk))
-    }
-
-    fn run(
-        &self,
-        rung: &Rung,
-        settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let of_scene = Self::GIVEN.exact();
-        let (_, half) =
-            settings.equal_steps(0.5 * of_scene.period(), rung.cell, of_scene.wave_speed);
-        let exact = self.exact();
-        let every = (2 * half / SAMPLES).max(1);
-        let (mut of_u, mut of_stress, mut seen) = (vec![], vec![], vec![]);
-        let mut middle = None;
-        let end = simulation.scene().time;
-        observer.phase(Phase::Stepping);
-        while simulation.steps() < 2 * half {
-            step(simulation, end, observer)?;
-            let now = simulation.steps();
-            if !(2 * half - now).is_multiple_of(every) && now != half {
-                continue;
-            }
-            observer.phase(Phase::Comparing);
-            let (set, t) = (&simulation.sets()[0], simulation.time());
-            for p in 0..set.len() {
-                let z = simulation.initial_position(0, p).ok_or(MISSING)?[1];
-                let u = simulation.displacement(0, p).ok_or(MISSING)?[1];
-                let mass = simulation.mass_and_volume(0, p).0;
-                of_u.push((mass, [u], [exact.displacement(z, t)]));
-                of_stress.push((mass, [set.stress(p)[1]], [exact.stress(z, t, DENSITY)]));
-            }
-            let ends = Self::ends(simulation, settings)?;
-            if now == half {
-                middle = Some(ends);
-            }
-            seen.push(ends);
-            observer.progress(now as f64 / (2 * half) as f64);
-            observer.phase(Phase::Stepping);
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        settings,
+        reference,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let of_scene = exact(Reference::CORRECT);
+    let (_, half) = settings.equal_steps(0.5 * of_scene.period(), rung.cell, of_scene.wave_speed);
+    let exact = exact(reference);
+    let every = (2 * half / SAMPLES).max(1);
+    let (mut of_u, mut of_stress, mut seen) = (vec![], vec![], vec![]);
+    let mut middle = None;
+    let end = simulation.scene().time;
+    observer.phase(Phase::Stepping);
+    while simulation.steps() < 2 * half {
+        step(simulation, end, observer)?;
+        let now = simulation.steps();
+        if !(2 * half - now).is_multiple_of(every) && now != half {
+            continue;
         }
         observer.phase(Phase::Comparing);
-        let middle = middle.ok_or(MISSING)?;
-        let back = seen.last().ok_or(MISSING)?;
-        let pressure = |t: f64| -exact.stress(0.0, t, DENSITY);
-        let of_base = seen.iter().map(|s| (1.0, [s.base], [pressure(s.time)]));
-        let weight = DENSITY * exact.gravity * HEIGHT;
-        let quantities = vec![
-            ratio(DISPLACEMENT, relative_l2(of_u)),
-            ratio(STRESS, relative_l2(of_stress)),
-            ratio(BASE, relative_l2(of_base)),
-            Quantity::compared(PEAK, middle.base, 2.0 * weight, "Pa"),
-            Quantity::compared(TOP, middle.top, 2.0 * exact.at_rest(HEIGHT), "m"),
-            Quantity::of_zero(BACK, back.top / middle.top),
-        ];
-        let points = seen.iter().map(|s| CurvePoint {
-            at: s.time * of_scene.wave_speed / HEIGHT,
-            computed: s.base / (STRAIN * Self::modulus()),
-            exact: pressure(s.time) / (STRAIN * Self::modulus()),
-        });
-        let curve = Curve {
-            title: format!("pressure on the base over time, {}", rung.label),
-            abscissa: "c t / H",
-            ordinate: "pressure / (rho g H)",
-            points: points.collect(),
-        };
-        Ok(Found::new(quantities, Some(curve)))
+        let (set, t) = (&simulation.sets()[0], simulation.time());
+        for p in 0..set.len() {
+            let z = simulation.initial_position(0, p).ok_or(MISSING)?[1];
+            let u = simulation.displacement(0, p).ok_or(MISSING)?[1];
+            let mass = simulation.mass_and_volume(0, p).0;
+            of_u.push((mass, [u], [exact.displacement(z, t)]));
+            of_stress.push((mass, [set.stress(p)[1]], [exact.stress(z, t, DENSITY)]));
+        }
+        let ends = ends(simulation, settings)?;
+        if now == half {
+            middle = Some(ends);
+        }
+        seen.push(ends);
+        observer.progress(now as f64 / (2 * half) as f64);
+        observer.phase(Phase::Stepping);
     }
+    observer.phase(Phase::Comparing);
+    let middle = middle.ok_or(MISSING)?;
+    let back = seen.last().ok_or(MISSING)?;
+    let pressure = |t: f64| -exact.stress(0.0, t, DENSITY);
+    let of_base = seen.iter().map(|s| (1.0, [s.base], [pressure(s.time)]));
+    let weight = DENSITY * exact.gravity * HEIGHT;
+    let quantities = vec![
+        ratio(DISPLACEMENT, relative_l2(of_u)),
+        ratio(STRESS, relative_l2(of_stress)),
+        ratio(BASE, relative_l2(of_base)),
+        Quantity::compared(PEAK, middle.base, 2.0 * weight, "Pa"),
+        Quantity::compared(TOP, middle.top, 2.0 * exact.at_rest(HEIGHT), "m"),
+        Quantity::of_zero(BACK, back.top / middle.top),
+    ];
+    let points = seen.iter().map(|s| {
+        CurvePoint::new(
+            s.time * of_scene.wave_speed / HEIGHT,
+            s.base / (STRAIN * modulus()),
+            pressure(s.time) / (STRAIN * modulus()),
+        )
+    });
+    let curve = Curve::new(
+        format!("pressure on the base over time, {}", rung.label),
+        ["c t / H", "pressure / (rho g H)"],
+        points,
+    );
+    Ok(Found::new(quantities, Some(curve)))
+}
+
+fn path(size: Size) -> Vec<Rung> {
+    rungs_of(match size {
+        Size::Quick => &[16, 32, 64],
+        Size::Full => &[16, 32, 64, 128, 256],
+    })
+}
+
+fn guest(rung: &Rung) -> Result<Guest, &'static str> {
+    let scene = guest::slab(scene(rung, &guest::settings()));
+    let exact = exact(Reference::CORRECT);
+    let step = guest::COURANT * rung.cell / exact.wave_speed;
+    let scene = guest::prepared(scene, guest::FRAMES, step);
+    let sunk = move |x: &Vector, t| [0.0, exact.displacement(x[1], t), 0.0];
+    Ok(Guest::new(scene, sunk))
 }

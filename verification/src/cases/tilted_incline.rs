@@ -20,27 +20,13 @@
 
 mod frame;
 
-use std::sync::Arc;
-
-use proctor_contact::geometry::surface::Surface;
-use proctor_files::stl::parse;
-use proctor_scene::simulation::{InitialState, Options, Simulation};
-use proctor_scene::{
-    Dimension, Mesh, RigidSurface, Scene, Shape, StressScheme, TransferKind, Vector,
-};
-
-use super::dynamics::run;
 use super::incline::{
     ACCELERATION, COURANT, CREEP, Track, WAY, acceleration, dot, follow_along, sliding_curve, stuck,
 };
-use super::judging::{error_at_most, run_of};
-use super::{AT_REST, NO_RESULTS, body, elastic};
-use crate::case::{Case, Found, Quantity, Rung, Size, Solved, Verdict};
+use super::prelude::*;
 use crate::exact::sliding::Slope;
-use crate::guest::Guest;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Measure, Observer, Study};
 use frame::Frame;
+use proctor_files::stl::parse;
 
 /// Angle of the plane with the horizontal \[degrees\].
 const TILT: f64 = 30.0;
@@ -90,12 +76,28 @@ const SIDEWAYS_GATE: f64 = 2e-4;
 /// Deepest penetration over the cell.
 const DEPTH_GATE: f64 = 0.05;
 
+const WRONG_PULL: Wrong = Wrong::factor("pull", 1.02)
+    .breaks_only(|gate| {
+        gate.starts_with("USL")
+            && (gate.contains("mu=0 soft:") || gate.contains("mu=0.5 soft:"))
+            && !gate.contains("penetration")
+    })
+    .on(|rung| rung.variant == "USL");
+
 /// The block on a tilted plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TiltedIncline {
-    /// Gravity over that of the exact solution. Anything but 1 is a wrong scene, to prove that the gates notice.
-    pub pull: f64,
-}
+pub static TILTED_INCLINE: Case = Case::new("tilted-incline", "Does a block slide on an STL plane tilted against the mesh as Coulomb's law says, and stick where it should?")
+    .ladder(Ladder::made(rungs))
+    .method(method)
+    .scene_by(scene)
+    .options(options)
+    .run(compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_PULL])
+    .studies(&[Plan::new(Ladder::made(path), &[
+        Measure::new("displacement", WAY),
+        Measure::new("acceleration", ACCELERATION),
+    ], 2)])
+    .no_guest("its block settles on a rough plane before friction changes, and a scene file has one friction for all of a run");
 
 /// What is asked of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -131,7 +133,7 @@ impl Problem {
         if self.pulled_later() {
             0.0
         } else {
-            TiltedIncline::exact(self).along
+            exact(self).along
         }
     }
 }
@@ -154,325 +156,287 @@ fn shear_wave_speed(young: f64) -> f64 {
     (young / (2.0 * (1.0 + POISSON)) / DENSITY).sqrt()
 }
 
-impl TiltedIncline {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self { pull: 1.0 };
-
-    /// All rungs of a size with their problems.
-    fn ladder(size: Size) -> Vec<(Rung, Problem)> {
-        const ALL: &[f64] = &[0.0, 0.1, 0.2, 0.3, 0.4, STUDIED];
-        // The friction closest to sticking is the hardest: it alone where a run takes long.
-        let (young, soft, groups): (f64, &str, &[Group]) = match size {
-            Size::Quick => (SOFT, " soft", &[(0.25, false, &[0.0, STUDIED])]),
-            Size::Full => (
-                STIFF,
-                "",
-                &[
-                    (0.25, false, ALL),
-                    (0.125, false, &[STUDIED]),
-                    (0.25, true, &[STUDIED]),
-                ],
-            ),
-        };
-        let mut all = vec![];
-        for &(h, turned, frictions) in groups {
-            for (variant, scheme, _) in VARIANTS.into_iter().filter(|v| v.2 == turned) {
-                let mut add = |kind: Kind, friction: f64, word: &str| {
-                    let rung = Rung {
-                        label: format!("{variant} h={h} mu={friction}{word}{soft}"),
-                        cell: h,
-                        variant,
-                    };
-                    let problem = Problem {
-                        kind,
-                        scheme,
-                        turned,
-                        friction,
-                        young,
-                    };
-                    all.push((rung, problem));
+/// All rungs of a size with their problems.
+fn ladder(size: Size) -> Vec<(Rung, Problem)> {
+    const ALL: &[f64] = &[0.0, 0.1, 0.2, 0.3, 0.4, STUDIED];
+    // The friction closest to sticking is the hardest: it alone where a run takes long.
+    let (young, soft, groups): (f64, &str, &[Group]) = match size {
+        Size::Quick => (SOFT, " soft", &[(0.25, false, &[0.0, STUDIED])]),
+        Size::Full => (
+            STIFF,
+            "",
+            &[
+                (0.25, false, ALL),
+                (0.125, false, &[STUDIED]),
+                (0.25, true, &[STUDIED]),
+            ],
+        ),
+    };
+    let mut all = vec![];
+    for &(h, turned, frictions) in groups {
+        for (variant, scheme, _) in VARIANTS.into_iter().filter(|v| v.2 == turned) {
+            let mut add = |kind: Kind, friction: f64, word: &str| {
+                let rung = Rung::labelled(
+                    format!("{variant} h={h} mu={friction}{word}{soft}"),
+                    variant,
+                    h,
+                );
+                let problem = Problem {
+                    kind,
+                    scheme,
+                    turned,
+                    friction,
+                    young,
                 };
-                for &friction in frictions {
-                    add(Kind::Slide, friction, "");
-                }
-                add(Kind::Stick, STICKING, "");
-                if frictions == ALL {
-                    add(Kind::Stick, CLOSE, " damped");
-                    add(Kind::Pulled, STUDIED, " pulled from rest");
-                } else if size == Size::Full && !turned {
-                    add(Kind::Undamped, STUDIED, " without PIC");
-                }
+                all.push((rung, problem));
+            };
+            for &friction in frictions {
+                add(Kind::Slide, friction, "");
+            }
+            add(Kind::Stick, STICKING, "");
+            if frictions == ALL {
+                add(Kind::Stick, CLOSE, " damped");
+                add(Kind::Pulled, STUDIED, " pulled from rest");
+            } else if size == Size::Full && !turned {
+                add(Kind::Undamped, STUDIED, " without PIC");
             }
         }
-        all
     }
+    all
+}
 
-    /// The path of the study with its problem.
-    fn studied(size: Size) -> Vec<(Rung, Problem)> {
-        let (young, cells): (f64, &[f64]) = match size {
-            Size::Quick => (SOFT, &[0.5, 0.25]),
-            Size::Full => (STIFF, &[0.5, 0.25, 0.125]),
-        };
-        let (variant, scheme, turned) = VARIANTS[0];
-        let problem = Problem {
-            kind: Kind::Slide,
-            scheme,
-            turned,
-            friction: STUDIED,
-            young,
-        };
-        let rung = |&h: &f64| Rung {
-            label: format!("{variant} h={h} mu={STUDIED} E={young:e}"),
-            cell: h,
+/// The path of the study with its problem.
+fn studied(size: Size) -> Vec<(Rung, Problem)> {
+    let (young, cells): (f64, &[f64]) = match size {
+        Size::Quick => (SOFT, &[0.5, 0.25]),
+        Size::Full => (STIFF, &[0.5, 0.25, 0.125]),
+    };
+    let (variant, scheme, turned) = VARIANTS[0];
+    let problem = Problem {
+        kind: Kind::Slide,
+        scheme,
+        turned,
+        friction: STUDIED,
+        young,
+    };
+    let rung = |&h: &f64| {
+        Rung::labelled(
+            format!("{variant} h={h} mu={STUDIED} E={young:e}"),
             variant,
-        };
-        cells.iter().map(|h| (rung(h), problem)).collect()
-    }
-
-    /// The problem of a rung of any size; that of the study for a rung that is not of this case.
-    fn problem(rung: &Rung) -> Problem {
-        let sizes = [Size::Quick, Size::Full];
-        let known = sizes
-            .into_iter()
-            .flat_map(|size| Self::studied(size).into_iter().chain(Self::ladder(size)));
-        let mut problems = known
-            .filter(|(other, _)| other == rung)
-            .map(|(_, problem)| problem);
-        let studied = Self::studied(Size::Full)[0].1;
-        problems.next().unwrap_or(studied)
-    }
-
-    /// The exact motion.
-    fn exact(problem: &Problem) -> Slope {
-        let tilt = TILT.to_radians();
-        Slope {
-            along: GRAVITY * libm::sin(tilt),
-            into: GRAVITY * libm::cos(tilt),
-            friction: problem.friction,
-        }
-    }
-
-    /// Settles the block on the plane and releases it.
-    fn release(
-        frame: &Frame,
-        problem: &Problem,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<(), Failure> {
-        // As it is to be from the release on.
-        let scene = simulation.scene().clone();
-        let (slope, along) = (Self::exact(problem), problem.pull_before());
-        let held =
-            std::array::from_fn(|axis| along * frame.down[axis] - slope.into * frame.out[axis]);
-        simulation.set_gravity(held)?;
-        simulation.set_surface_friction(0, if problem.pulled_later() { 0.0 } else { ROUGH })?;
-        simulation.set_local_damping(Some(DAMPING))?;
-        run(simulation, scene.time - TIME, observer, |_| ())?;
-        let after = (problem.friction == CLOSE).then_some(CLOSE_DAMPING);
-        simulation.set_local_damping(after)?;
-        simulation.set_gravity(scene.gravity)?;
-        simulation.set_surface_friction(0, problem.friction)?;
-        Ok(())
-    }
-
-    fn quantities(track: &Track, deepest: f64, sideways: f64, problem: &Problem) -> Vec<Quantity> {
-        let exact = Self::exact(problem);
-        let end = track.way.last().map_or(f64::NAN, |w| w[0]);
-        let mut all = vec![Quantity::of_zero(DEPTH, deepest)];
-        if problem.kind == Kind::Stick {
-            all.extend(stuck(track, track.end(), &exact, TIME));
-        } else {
-            // A block that is pulled from rest is compared with the elastic one.
-            let way = if problem.kind == Kind::Pulled {
-                exact.elastic_displacement(end, HEIGHT, shear_wave_speed(problem.young))
-            } else {
-                exact.displacement(end)
-            };
-            all.push(Quantity::compared(WAY, track.end(), way, "m"));
-            all.push(acceleration(track, &exact));
-            if problem.turned {
-                all.push(Quantity::of_zero(SIDEWAYS, sideways / track.end()));
-            }
-        }
-        all
-    }
-}
-
-impl Case for TiltedIncline {
-    fn name(&self) -> &'static str {
-        "tilted-incline"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does a block slide on an STL plane tilted against the mesh as Coulomb's law says, and stick where it should?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let ladder = Self::ladder(size).into_iter();
-        ladder.map(|(rung, _)| rung).collect()
-    }
-
-    with_own_settings!();
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        for (rung, problem) in Self::ladder(size) {
-            let mut gate = |name, bound, reason| {
-                let gate = error_at_most(solved, &rung.label, name, bound, reason);
-                verdict.gates.push(gate);
-            };
-            match problem.kind {
-                Kind::Slide => {
-                    let reason = "one percent for every friction is what the project promises";
-                    gate(ACCELERATION, SLIDING_GATE, reason);
-                    gate(WAY, SLIDING_GATE, reason);
-                    if problem.turned {
-                        let reason = "nothing pushes the block sideways; a mesh that is not aligned with it must not either";
-                        gate(SIDEWAYS, SIDEWAYS_GATE, reason);
-                    }
-                }
-                Kind::Stick => {
-                    gate(CREEP, CREEP_GATE, "a block that sticks does not creep");
-                    gate(WAY, STICK_GATE, "it shears, the free block slides 10 m");
-                }
-                Kind::Pulled | Kind::Undamped => {
-                    if let Some(s) = run_of(solved, &rung.label) {
-                        let rigid = Self::exact(&problem).displacement(TIME);
-                        verdict.for_the_record.push(format!(
-                            "{}: displacement off by {:+.2} % from a rigid block, acceleration by {:.2} %",
-                            rung.label,
-                            100.0 * (s.value(WAY) / rigid - 1.0),
-                            100.0 * s.error(ACCELERATION),
-                        ));
-                    }
-                    continue;
-                }
-            }
-            gate(
-                DEPTH,
-                DEPTH_GATE,
-                "a bound on the step keeps particles out to a residue of the sweeps",
-            );
-        }
-        verdict
-    }
-}
-
-impl Study for TiltedIncline {
-    fn path(&self, size: Size) -> Vec<Rung> {
-        let path = Self::studied(size).into_iter();
-        path.map(|(rung, _)| rung).collect()
-    }
-
-    fn measures(&self) -> Vec<Measure> {
-        vec![
-            Measure::new("displacement", WAY),
-            Measure::new("acceleration", ACCELERATION),
-        ]
-    }
-
-    fn refined_axes(&self) -> usize {
-        2
-    }
-
-    fn own_settings(&self, rung: &Rung) -> Settings {
-        Settings::new(Method {
-            scheme: Self::problem(rung).scheme,
-            ..Method::DEFAULT
-        })
-        .courant(COURANT)
-    }
-
-    fn scene_with(&self, rung: &Rung, settings: &Settings) -> Scene {
-        let problem = Self::problem(rung);
-        let h = rung.cell;
-        let frame = Frame::new(h, problem.turned);
-        let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], frame.cells);
-        let settling = PERIODS * 4.0 * HEIGHT / shear_wave_speed(problem.young);
-        let mut scene = Scene::new(Dimension::Three, mesh, settling + TIME);
-        scene.name = String::from("tilted_incline");
-        scene.gravity = [0.0, 0.0, -self.pull * GRAVITY];
-        scene.results = NO_RESULTS;
-        scene.materials = elastic(DENSITY, problem.young, POISSON);
-        scene.bodies.push(body(
-            "block",
-            1,
-            Shape::Particles(Arc::new(frame.seeds(h, settings.particles_per_cell))),
-        ));
-        // The text is sound by construction; were it not, a scene without the plane fails every gate.
-        let plane = parse(frame.stl().as_bytes()).ok();
-        scene.surfaces.extend(plane.and_then(|corners| {
-            Some(RigidSurface {
-                name: "incline".to_owned(),
-                surface: Arc::new(Surface::new(&corners).ok()?),
-                friction: problem.friction,
-                distance_threshold: h,
-                penalty_stiffness: None,
-                motion: None,
-            })
-        }));
-        scene.time_step = settings.multiplier();
-        settings.apply(&mut scene);
-        if settings.method.transfer == TransferKind::Flip && problem.kind != Kind::Undamped {
-            scene.transfer.pic_fraction = PIC;
-        }
-        scene
-    }
-
-    fn options(&self, rung: &Rung, options: Options) -> Options {
-        let problem = Self::problem(rung);
-        let frame = Frame::new(rung.cell, problem.turned);
-        let (slope, along) = (Self::exact(&problem), problem.pull_before());
-        let (down, out, foot) = (frame.down, frame.out, frame.corner);
-        // The weight of what lies above, carried by the plane.
-        let initial = move |x: &Vector| {
-            let height = dot(&std::array::from_fn(|axis| x[axis] - foot[axis]), &out);
-            let above = DENSITY * (HEIGHT - height);
-            let component = |a: usize, b: usize| {
-                above
-                    * (along * (down[a] * out[b] + out[a] * down[b]) - slope.into * out[a] * out[b])
-            };
-            let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
-            InitialState {
-                stress: pairs.map(|(a, b)| component(a, b)),
-                ..AT_REST
-            }
-        };
-        Options {
-            initial: Some(Arc::new(initial)),
-            ..options
-        }
-    }
-
-    fn guest(&self, _rung: &Rung) -> Result<Guest, &'static str> {
-        Err(
-            "its block settles on a rough plane before friction changes, and a scene file has one friction for all of a run",
+            h,
         )
-    }
+    };
+    cells.iter().map(|h| (rung(h), problem)).collect()
+}
 
-    fn run(
-        &self,
-        rung: &Rung,
-        _settings: &Settings,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, Failure> {
-        let problem = Self::problem(rung);
-        let frame = Frame::new(rung.cell, problem.turned);
-        Self::release(&frame, &problem, simulation, observer)?;
-        let weight = GRAVITY * libm::cos(TILT.to_radians());
-        let mut deepest = 0.0_f64;
-        let directions = [frame.down, frame.out];
-        let aside = |simulation: &Simulation| dot(&simulation.center(0).1, &frame.across);
-        let begin = aside(simulation);
-        let tracks = follow_along(directions, &[0], weight, simulation, observer, |s| {
-            if s.steps().is_multiple_of(50) {
-                let gaps = (0..s.particles()).filter_map(|p| s.surface_gap(0, 0, p, 0.0));
-                deepest = gaps.fold(deepest, |d, (gap, _)| d.max(-gap / rung.cell));
-            }
-        })?;
-        let quantities = Self::quantities(&tracks[0], deepest, aside(simulation) - begin, &problem);
-        let curve = sliding_curve(&tracks[0], &Self::exact(&problem), &rung.label);
-        Ok(Found::new(quantities, Some(curve)))
+/// The problem of a rung of any size; that of the study for a rung that is not of this case.
+fn problem(rung: &Rung) -> Problem {
+    let sizes = [Size::Quick, Size::Full];
+    let known = sizes
+        .into_iter()
+        .flat_map(|size| studied(size).into_iter().chain(ladder(size)));
+    let mut problems = known
+        .filter(|(other, _)| other == rung)
+        .map(|(_, problem)| problem);
+    let studied = studied(Size::Full)[0].1;
+    problems.next().unwrap_or(studied)
+}
+
+/// The exact motion.
+fn exact(problem: &Problem) -> Slope {
+    let tilt = TILT.to_radians();
+    Slope {
+        along: GRAVITY * libm::sin(tilt),
+        into: GRAVITY * libm::cos(tilt),
+        friction: problem.friction,
     }
+}
+
+/// Settles the block on the plane and releases it.
+fn release(
+    frame: &Frame,
+    problem: &Problem,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<(), Failure> {
+    // As it is to be from the release on.
+    let scene = simulation.scene().clone();
+    let (slope, along) = (exact(problem), problem.pull_before());
+    let held = std::array::from_fn(|axis| along * frame.down[axis] - slope.into * frame.out[axis]);
+    simulation.set_gravity(held)?;
+    simulation.set_surface_friction(0, if problem.pulled_later() { 0.0 } else { ROUGH })?;
+    simulation.set_local_damping(Some(DAMPING))?;
+    run_until(simulation, scene.time - TIME, observer, |_| ())?;
+    let after = (problem.friction == CLOSE).then_some(CLOSE_DAMPING);
+    simulation.set_local_damping(after)?;
+    simulation.set_gravity(scene.gravity)?;
+    simulation.set_surface_friction(0, problem.friction)?;
+    Ok(())
+}
+
+fn quantities(track: &Track, deepest: f64, sideways: f64, problem: &Problem) -> Vec<Quantity> {
+    let exact = exact(problem);
+    let end = track.way.last().map_or(f64::NAN, |w| w[0]);
+    let mut all = vec![Quantity::of_zero(DEPTH, deepest)];
+    if problem.kind == Kind::Stick {
+        all.extend(stuck(track, track.end(), &exact, TIME));
+    } else {
+        // A block that is pulled from rest is compared with the elastic one.
+        let way = if problem.kind == Kind::Pulled {
+            exact.elastic_displacement(end, HEIGHT, shear_wave_speed(problem.young))
+        } else {
+            exact.displacement(end)
+        };
+        all.push(Quantity::compared(WAY, track.end(), way, "m"));
+        all.push(acceleration(track, &exact));
+        if problem.turned {
+            all.push(Quantity::of_zero(SIDEWAYS, sideways / track.end()));
+        }
+    }
+    all
+}
+
+fn rungs(size: Size) -> Vec<Rung> {
+    let ladder = ladder(size).into_iter();
+    ladder.map(|(rung, _)| rung).collect()
+}
+
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    for (rung, problem) in ladder(runs.size) {
+        let mut gate = |name, bound, reason| {
+            let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
+            verdict.gates.push(gate);
+        };
+        match problem.kind {
+            Kind::Slide => {
+                let reason = "one percent for every friction is what the project promises";
+                gate(ACCELERATION, SLIDING_GATE, reason);
+                gate(WAY, SLIDING_GATE, reason);
+                if problem.turned {
+                    let reason = "nothing pushes the block sideways; a mesh that is not aligned with it must not either";
+                    gate(SIDEWAYS, SIDEWAYS_GATE, reason);
+                }
+            }
+            Kind::Stick => {
+                gate(CREEP, CREEP_GATE, "a block that sticks does not creep");
+                gate(WAY, STICK_GATE, "it shears, the free block slides 10 m");
+            }
+            Kind::Pulled | Kind::Undamped => {
+                if let Some(s) = run_of(runs.solved, &rung.label) {
+                    let rigid = exact(&problem).displacement(TIME);
+                    verdict.for_the_record.push(format!(
+                        "{}: displacement off by {:+.2} % from a rigid block, acceleration by {:.2} %",
+                        rung.label,
+                        100.0 * (s.value(WAY) / rigid - 1.0),
+                        100.0 * s.error(ACCELERATION),
+                    ));
+                }
+                continue;
+            }
+        }
+        gate(
+            DEPTH,
+            DEPTH_GATE,
+            "a bound on the step keeps particles out to a residue of the sweeps",
+        );
+    }
+    verdict
+}
+
+fn method(rung: &Rung) -> Settings {
+    Settings::new(Method {
+        scheme: problem(rung).scheme,
+        ..Method::DEFAULT
+    })
+    .courant(COURANT)
+}
+
+fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
+    let problem = problem(rung);
+    let h = rung.cell;
+    let frame = Frame::new(h, problem.turned);
+    let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], frame.cells);
+    let settling = PERIODS * 4.0 * HEIGHT / shear_wave_speed(problem.young);
+    let mut scene = bare_scene("tilted_incline", Dimension::Three, mesh, settling + TIME);
+    scene.gravity = [0.0, 0.0, -reference.of(&WRONG_PULL) * GRAVITY];
+    scene.materials = elastic(DENSITY, problem.young, POISSON);
+    scene.bodies.push(body(
+        "block",
+        1,
+        Shape::Particles(Arc::new(frame.seeds(h, settings.particles_per_cell))),
+    ));
+    // The text is sound by construction; were it not, a scene without the plane fails every gate.
+    let plane = parse(frame.stl().as_bytes()).ok();
+    scene.surfaces.extend(plane.and_then(|corners| {
+        Some(RigidSurface {
+            name: "incline".to_owned(),
+            surface: Arc::new(Surface::new(&corners).ok()?),
+            friction: problem.friction,
+            distance_threshold: h,
+            penalty_stiffness: None,
+            motion: None,
+        })
+    }));
+    scene.time_step = settings.multiplier();
+    settings.apply(&mut scene);
+    if settings.method.transfer == TransferKind::Flip && problem.kind != Kind::Undamped {
+        scene.transfer.pic_fraction = PIC;
+    }
+    scene
+}
+
+fn options(rung: &Rung, _: Reference, options: Options) -> Options {
+    let problem = problem(rung);
+    let frame = Frame::new(rung.cell, problem.turned);
+    let (slope, along) = (exact(&problem), problem.pull_before());
+    let (down, out, foot) = (frame.down, frame.out, frame.corner);
+    // The weight of what lies above, carried by the plane.
+    let initial = move |x: &Vector| {
+        let height = dot(&std::array::from_fn(|axis| x[axis] - foot[axis]), &out);
+        let above = DENSITY * (HEIGHT - height);
+        let component = |a: usize, b: usize| {
+            above * (along * (down[a] * out[b] + out[a] * down[b]) - slope.into * out[a] * out[b])
+        };
+        let pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+        InitialState {
+            stress: pairs.map(|(a, b)| component(a, b)),
+            ..AT_REST
+        }
+    };
+    Options {
+        initial: Some(Arc::new(initial)),
+        ..options
+    }
+}
+
+fn compare(run: Run<'_>) -> Result<Found, Failure> {
+    let Run {
+        rung,
+        simulation,
+        observer,
+        ..
+    } = run;
+    let problem = problem(rung);
+    let frame = Frame::new(rung.cell, problem.turned);
+    release(&frame, &problem, simulation, observer)?;
+    let weight = GRAVITY * libm::cos(TILT.to_radians());
+    let mut deepest = 0.0_f64;
+    let directions = [frame.down, frame.out];
+    let aside = |simulation: &Simulation| dot(&simulation.center(0).1, &frame.across);
+    let begin = aside(simulation);
+    let tracks = follow_along(directions, &[0], weight, simulation, observer, |s| {
+        if s.steps().is_multiple_of(50) {
+            let gaps = (0..s.particles()).filter_map(|p| s.surface_gap(0, 0, p, 0.0));
+            deepest = gaps.fold(deepest, |d, (gap, _)| d.max(-gap / rung.cell));
+        }
+    })?;
+    let quantities = quantities(&tracks[0], deepest, aside(simulation) - begin, &problem);
+    let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
+    Ok(Found::new(quantities, Some(curve)))
+}
+
+fn path(size: Size) -> Vec<Rung> {
+    let path = studied(size).into_iter();
+    path.map(|(rung, _)| rung).collect()
 }

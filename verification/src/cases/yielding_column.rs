@@ -15,20 +15,9 @@
 //! of the cell, and the stress of each is off by the weight of h/4, which is 1.3 % of the whole at 32 cells and 0.6 % at 64
 //! with any law. Expected: order 1 or better of the stress, 2 of the displacement. `proctor verify yielding-column`.
 
-use std::f64::consts::PI;
-
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Damping, Dimension, Mesh, PlaneCondition, Scene, Weighting};
-
-use super::dynamics::{DISPLACEMENT, along, l2, ratio, step};
-use super::judging::{error_gate, of_variant, order_gate, table};
-use super::statics::{most_steps, relax};
+use super::prelude::*;
 use super::yielding::{self, LAWS, Yielding, of_law};
-use super::{NO_RESULTS, body, cuboid, material, solve_scene};
-use crate::case::{Case, CaseError, Curve, Found, Quantity, Rung, Size, Solved, Verdict};
 use crate::exact::yielding_column::YieldingColumn as Exact;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Observer, Phase, Study};
 
 /// Height \[m\].
 const HEIGHT: f64 = 1.0;
@@ -65,238 +54,199 @@ const PLASTIC: &str = "plastic work";
 /// What a simulation that keeps displacements does not lack.
 const MISSING: &str = "the simulation kept no initial positions";
 
+const WRONG_STRENGTH: Wrong =
+    Wrong::factor("strength", 1.25).breaks_only(|gate| !gate.contains("vertical"));
+const WRONG_GRAVITY: Wrong = Wrong::factor("gravity", 1.04);
+
 /// The column that yields under its own weight.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct YieldingColumn {
-    /// Strength of the exact column over that of the scene. Anything but 1 is a wrong reference, to prove that the gates
-    /// notice.
-    pub reference_strength: f64,
-    /// Gravity of the exact column over that of the scene, for the same reason.
-    pub reference_gravity: f64,
+pub static YIELDING_COLUMN: Case = Case::new("yielding-column", "Does a column that yields under its own weight come to rest with the right stresses and settlement?")
+    .ladder(Ladder::made(rungs))
+    .scene(scene)
+    .displacements()
+.residual()
+.compare_after(|run| settle(run.rung, run.simulation, run.observer), compare)
+    .judge_by(judge)
+    .wrong_references(&[WRONG_STRENGTH, WRONG_GRAVITY])
+    .no_study("its answer depends on the way, which has a rise of gravity and a damping of its own");
+
+fn solid(variant: &'static str, strength: f64) -> Yielding {
+    Yielding {
+        variant,
+        young: YOUNG,
+        strength,
+    }
 }
 
-impl YieldingColumn {
-    /// The case as it is meant.
-    pub const GIVEN: Self = Self {
-        reference_strength: 1.0,
-        reference_gravity: 1.0,
+/// The exact column, as the case refers to it.
+fn exact(reference: Reference, rung: &Rung) -> Exact {
+    Exact {
+        solid: solid(rung.variant, reference.of(&WRONG_STRENGTH) * STRENGTH).exact(),
+        height: HEIGHT,
+        density: DENSITY,
+        gravity: reference.of(&WRONG_GRAVITY) * GRAVITY,
+    }
+}
+
+/// Speed of waves in the elastic column \[m/s\].
+fn wave_speed(rung: &Rung) -> f64 {
+    (exact(Reference::CORRECT, rung).solid.confined_modulus() / DENSITY).sqrt()
+}
+
+/// Time over which gravity rises \[s\].
+fn rise(rung: &Rung) -> f64 {
+    PERIODS * 4.0 * HEIGHT / wave_speed(rung)
+}
+
+/// Factor of the viscous damping, whose rate is alpha sqrt(E/rho)/h: a swing of the frequency w stops turning round at
+/// a rate of 2 w.
+fn damping(rung: &Rung) -> Damping {
+    let rate = OVERDAMPED * PI * wave_speed(rung) / HEIGHT;
+    Damping::Viscous {
+        alpha: rate * rung.cell / (YOUNG / DENSITY).sqrt(),
+    }
+}
+
+/// Lets gravity rise, as 10 s³ - 15 s⁴ + 6 s⁵, and the column come to rest.
+fn settle(
+    rung: &Rung,
+    simulation: &mut Simulation,
+    observer: &mut dyn Observer,
+) -> Result<(), Failure> {
+    let rise = rise(rung);
+    observer.phase(Phase::Stepping);
+    while simulation.time() < rise {
+        let s = simulation.time() / rise;
+        let share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+        simulation.set_gravity([0.0, -share * GRAVITY, 0.0])?;
+        step(simulation, rise, observer)?;
+    }
+    simulation.set_gravity([0.0, -GRAVITY, 0.0])?;
+    let weight = DENSITY * GRAVITY * HEIGHT * WIDTH as f64 * rung.cell;
+    let most = most_steps(&settings(), HEIGHT / rung.cell);
+    relax(simulation, weight, RESIDUAL, most, observer)?;
+    Ok(())
+}
+
+fn settings() -> Settings {
+    Settings::new(METHOD)
+}
+
+/// How far the top has sunk \[m\]: the stress there is zero, so u = u(H) - b (H - z)², and the second layer of
+/// particles is three times as deep as the first.
+fn settlement(simulation: &Simulation) -> Result<f64, Failure> {
+    let sunk = along(simulation, 1, |p, _| {
+        let u = simulation.displacement(0, p);
+        [u.map_or(f64::NAN, |u| -u[1]), f64::NAN]
+    });
+    match sunk.ok_or(MISSING)?[..] {
+        [.., below, top] => Ok(top.computed + (top.computed - below.computed) / 8.0),
+        _ => Err("the column has no two layers of particles".into()),
+    }
+}
+
+fn found(reference: Reference, rung: &Rung, simulation: &Simulation) -> Result<Found, Failure> {
+    let (exact, set) = (exact(reference, rung), &simulation.sets()[0]);
+    let displacement = l2(simulation, |p, x| {
+        let u = [0.0, exact.displacement(x[1]), 0.0];
+        Some((simulation.displacement(0, p)?, u))
+    });
+    let vertical = l2(simulation, |p, x| {
+        Some(([set.stress(p)[1]], [-exact.compression(x[1])]))
+    });
+    let lateral = l2(simulation, |p, x| {
+        let s = set.stress(p);
+        let s_exact = -exact.lateral_compression(x[1]);
+        let yields = exact.compression(x[1]) > exact.solid.limit;
+        let compared = ([s[0], s[2]], [s_exact; 2]);
+        Some(if yields {
+            compared
+        } else {
+            ([0.0; 2], [0.0; 2])
+        })
+    });
+    let plastic = exact.plastic_work() * WIDTH as f64 * rung.cell;
+    let quantities = vec![
+        ratio(DISPLACEMENT, displacement),
+        ratio(VERTICAL, vertical),
+        ratio(LATERAL, lateral),
+        Quantity::compared(
+            SETTLEMENT,
+            settlement(simulation)?,
+            -exact.displacement(HEIGHT),
+            "m",
+        ),
+        Quantity::compared(PLASTIC, simulation.plastic_work(), plastic, "J"),
+    ];
+    Ok(Found::new(quantities, curve(simulation, &exact, rung)))
+}
+
+/// Lateral stress over the initial height.
+fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
+    let set = &simulation.sets()[0];
+    let points = along(simulation, 1, |p, y| {
+        [-set.stress(p)[0] / 1e3, exact.lateral_compression(y) / 1e3]
+    })?;
+    Some(Curve::new(format!("lateral compression over the column, {}", rung.label), ["initial height (m)", "lateral compression (kPa)"], points))
+}
+
+fn rungs(size: Size) -> Vec<Rung> {
+    let counts: &[u32] = match size {
+        Size::Quick => &[8, 16, 32],
+        Size::Full => &[8, 16, 32, 64],
     };
-
-    fn solid(variant: &'static str, strength: f64) -> Yielding {
-        Yielding {
-            variant,
-            young: YOUNG,
-            strength,
-        }
-    }
-
-    /// The exact column, as the case refers to it.
-    fn exact(self, rung: &Rung) -> Exact {
-        Exact {
-            solid: Self::solid(rung.variant, self.reference_strength * STRENGTH).exact(),
-            height: HEIGHT,
-            density: DENSITY,
-            gravity: self.reference_gravity * GRAVITY,
-        }
-    }
-
-    /// Speed of waves in the elastic column \[m/s\].
-    fn wave_speed(rung: &Rung) -> f64 {
-        (Self::GIVEN.exact(rung).solid.confined_modulus() / DENSITY).sqrt()
-    }
-
-    /// Time over which gravity rises \[s\].
-    fn rise(rung: &Rung) -> f64 {
-        PERIODS * 4.0 * HEIGHT / Self::wave_speed(rung)
-    }
-
-    /// Factor of the viscous damping, whose rate is alpha sqrt(E/rho)/h: a swing of the frequency w stops turning round at
-    /// a rate of 2 w.
-    fn damping(rung: &Rung) -> Damping {
-        let rate = OVERDAMPED * PI * Self::wave_speed(rung) / HEIGHT;
-        Damping::Viscous {
-            alpha: rate * rung.cell / (YOUNG / DENSITY).sqrt(),
-        }
-    }
-
-    /// Lets gravity rise, as 10 s³ - 15 s⁴ + 6 s⁵, and the column come to rest.
-    fn settle(
-        rung: &Rung,
-        simulation: &mut Simulation,
-        observer: &mut dyn Observer,
-    ) -> Result<(), Failure> {
-        let rise = Self::rise(rung);
-        observer.phase(Phase::Stepping);
-        while simulation.time() < rise {
-            let s = simulation.time() / rise;
-            let share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-            simulation.set_gravity([0.0, -share * GRAVITY, 0.0])?;
-            step(simulation, rise, observer)?;
-        }
-        simulation.set_gravity([0.0, -GRAVITY, 0.0])?;
-        let weight = DENSITY * GRAVITY * HEIGHT * WIDTH as f64 * rung.cell;
-        let most = most_steps(&Self::settings(), HEIGHT / rung.cell);
-        relax(simulation, weight, RESIDUAL, most, observer)?;
-        Ok(())
-    }
-
-    fn settings() -> Settings {
-        Settings::new(METHOD)
-    }
-
-    /// How far the top has sunk \[m\]: the stress there is zero, so u = u(H) - b (H - z)², and the second layer of
-    /// particles is three times as deep as the first.
-    fn settlement(simulation: &Simulation) -> Result<f64, Failure> {
-        let sunk = along(simulation, 1, |p, _| {
-            let u = simulation.displacement(0, p);
-            [u.map_or(f64::NAN, |u| -u[1]), f64::NAN]
-        });
-        match sunk.ok_or(MISSING)?[..] {
-            [.., below, top] => Ok(top.computed + (top.computed - below.computed) / 8.0),
-            _ => Err("the column has no two layers of particles".into()),
-        }
-    }
-
-    fn found(self, rung: &Rung, simulation: &Simulation) -> Result<Found, Failure> {
-        let (exact, set) = (self.exact(rung), &simulation.sets()[0]);
-        let displacement = l2(simulation, |p, x| {
-            let u = [0.0, exact.displacement(x[1]), 0.0];
-            Some((simulation.displacement(0, p)?, u))
-        });
-        let vertical = l2(simulation, |p, x| {
-            Some(([set.stress(p)[1]], [-exact.compression(x[1])]))
-        });
-        let lateral = l2(simulation, |p, x| {
-            let s = set.stress(p);
-            let s_exact = -exact.lateral_compression(x[1]);
-            let yields = exact.compression(x[1]) > exact.solid.limit;
-            let compared = ([s[0], s[2]], [s_exact; 2]);
-            Some(if yields {
-                compared
-            } else {
-                ([0.0; 2], [0.0; 2])
-            })
-        });
-        let plastic = exact.plastic_work() * WIDTH as f64 * rung.cell;
-        let quantities = vec![
-            ratio(DISPLACEMENT, displacement),
-            ratio(VERTICAL, vertical),
-            ratio(LATERAL, lateral),
-            Quantity::compared(
-                SETTLEMENT,
-                Self::settlement(simulation)?,
-                -exact.displacement(HEIGHT),
-                "m",
-            ),
-            Quantity::compared(PLASTIC, simulation.plastic_work(), plastic, "J"),
-        ];
-        Ok(Found::new(
-            quantities,
-            Self::curve(simulation, &exact, rung),
-        ))
-    }
-
-    /// Lateral stress over the initial height.
-    fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
-        let set = &simulation.sets()[0];
-        let points = along(simulation, 1, |p, y| {
-            [-set.stress(p)[0] / 1e3, exact.lateral_compression(y) / 1e3]
-        })?;
-        Some(Curve {
-            title: format!("lateral compression over the column, {}", rung.label),
-            abscissa: "initial height (m)",
-            ordinate: "lateral compression (kPa)",
-            points,
-        })
-    }
+    yielding::rungs("H/h", HEIGHT, counts)
 }
 
-impl Case for YieldingColumn {
-    fn name(&self) -> &'static str {
-        "yielding-column"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does a column that yields under its own weight come to rest with the right stresses and settlement?"
-    }
-
-    fn rungs(&self, size: Size) -> Vec<Rung> {
-        let counts: &[u32] = match size {
-            Size::Quick => &[8, 16, 32],
-            Size::Full => &[8, 16, 32, 64],
-        };
-        yielding::rungs("H/h", HEIGHT, counts)
-    }
-
-    fn scene(&self, rung: &Rung) -> Scene {
-        let h = rung.cell;
-        let cells = (HEIGHT / h).round() as usize;
-        let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [WIDTH, cells + AIR, 1]);
-        mesh.planes[1][1] = PlaneCondition::Free;
-        let mut scene = Scene::new(Dimension::Two, mesh, Self::rise(rung));
-        scene.name = String::from("yielding_column");
-        scene.gravity = [0.0, -GRAVITY, 0.0];
-        scene.damping = Self::damping(rung);
-        scene.time_step = Self::settings().multiplier();
-        scene.results = NO_RESULTS;
-        let law = Self::solid(rung.variant, STRENGTH).law();
-        scene.materials = material(rung.variant, DENSITY, law);
-        let column = cuboid([0.0; 3], [WIDTH as f64 * h, HEIGHT, 0.0]);
-        scene.bodies = vec![body("column", 1, column)];
-        Self::settings().apply(&mut scene);
-        scene
-    }
-
-    fn studies(&self) -> Result<Vec<&dyn Study>, &'static str> {
-        Err("its answer depends on the way, which has a rise of gravity and a damping of its own")
-    }
-
-    fn solve(
-        &self,
-        rung: &Rung,
-        options: &Options,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
-        let options = Options {
-            displacement: true,
-            measure: true,
-            ..options.clone()
-        };
-        solve_scene(self, rung, &options, |simulation| {
-            Self::settle(rung, simulation, &mut |share| progress(share))?;
-            self.found(rung, simulation)
-        })
-    }
-
-    fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-        let mut verdict = Verdict::default();
-        let above = "half a percent: it is the weight above, whatever the law";
-        let surface = "one percent: it is on the yield surface";
-        let slopes = "one percent: both slopes, integrated over the height";
-        let way = "one percent: no stress was higher on the way; strains of 1e-3 are not in the reference";
-        let order = "1 at least: slopes have a kink where it yields";
-        for law in LAWS {
-            let rungs = of_law(law, self.rungs(size));
-            let names = [DISPLACEMENT, VERTICAL, LATERAL, SETTLEMENT, PLASTIC];
-            let table = table(solved, law, &names);
-            let bounds = [
-                (VERTICAL, 5e-3, above),
-                (LATERAL, 1e-2, surface),
-                (SETTLEMENT, 1e-2, slopes),
-                (PLASTIC, 1e-2, way),
-            ]
-            .map(|(name, bound, reason)| error_gate(&rungs, solved, name, bound, reason));
-            let orders =
-                [DISPLACEMENT, VERTICAL, LATERAL].map(|name| order_gate(&table, name, 0.9, order));
-            let gates = bounds.into_iter().chain(orders);
-            verdict
-                .gates
-                .extend(gates.map(|gate| of_variant(law, gate)));
-            verdict.tables.push((
-                format!("yielding-column, {law}, B-spline, USL, FLIP"),
-                table,
-            ));
-        }
+fn judge(runs: &Runs<'_>) -> Verdict {
+    let mut verdict = Verdict::default();
+    let above = "half a percent: it is the weight above, whatever the law";
+    let surface = "one percent: it is on the yield surface";
+    let slopes = "one percent: both slopes, integrated over the height";
+    let way =
+        "one percent: no stress was higher on the way; strains of 1e-3 are not in the reference";
+    let order = "1 at least: slopes have a kink where it yields";
+    for law in LAWS {
+        let own = of_law(law, runs.rungs.to_vec());
+        let names = [DISPLACEMENT, VERTICAL, LATERAL, SETTLEMENT, PLASTIC];
+        let table = table(runs.solved, law, &names);
+        let bounds = [
+            (VERTICAL, 5e-3, above),
+            (LATERAL, 1e-2, surface),
+            (SETTLEMENT, 1e-2, slopes),
+            (PLASTIC, 1e-2, way),
+        ]
+        .map(|(name, bound, reason)| error_gate(&own, runs.solved, name, bound, reason));
+        let orders =
+            [DISPLACEMENT, VERTICAL, LATERAL].map(|name| order_gate(&table, name, 0.9, order));
+        let gates = bounds.into_iter().chain(orders);
         verdict
+            .gates
+            .extend(gates.map(|gate| of_variant(law, gate)));
+        verdict.tables.push((
+            format!("yielding-column, {law}, B-spline, USL, FLIP"),
+            table,
+        ));
     }
+    verdict
+}
+
+fn scene(rung: &Rung, _: &Settings) -> Scene {
+    let h = rung.cell;
+    let cells = (HEIGHT / h).round() as usize;
+    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [WIDTH, cells + AIR, 1]);
+    mesh.planes[1][1] = PlaneCondition::Free;
+    let mut scene = plane_scene("yielding_column", mesh, rise(rung));
+    scene.gravity = [0.0, -GRAVITY, 0.0];
+    scene.damping = damping(rung);
+    scene.time_step = settings().multiplier();
+    let law = solid(rung.variant, STRENGTH).law();
+    scene.materials = material(rung.variant, DENSITY, law);
+    let column = rectangle([0.0; 2], [WIDTH as f64 * h, HEIGHT]);
+    scene.bodies = vec![body("column", 1, column)];
+    settings().apply(&mut scene);
+    scene
+}
+
+fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+    found(run.reference, run.rung, run.simulation)
 }

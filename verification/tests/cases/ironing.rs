@@ -1,28 +1,11 @@
 //! The indenter in the block.
 
-use super::{failing, holds, solve};
+use super::{failing, quick};
 use proctor_files::json::read;
-use proctor_verification::case::{Case, Quantity, Rung, Size, Solved};
-use proctor_verification::cases::Ironing;
+use proctor_verification::case::{Quantity, Rung, Size, Solved};
+use proctor_verification::cases::IRONING;
 use proctor_verification::sensitivity::{Reaction, reactions};
 use std::path::Path;
-
-#[test]
-fn gates_hold() {
-    holds(&Ironing::GIVEN);
-}
-
-/// Twice the bound of the forces.
-#[test]
-fn a_wrong_reference_breaks_every_gate_on_a_force() {
-    let wrong = Ironing {
-        reference_force: 1.1,
-    };
-    let verdict = wrong.judge(Size::Quick, &solve(&wrong));
-    let failing = failing(&verdict);
-    assert_eq!(failing.len(), 3, "{failing:?}");
-    assert!(failing.iter().all(|line| line.contains("error of")));
-}
 
 /// What the whole ladder should give: the figures themselves, and no error.
 fn figures() -> Vec<(Rung, Solved)> {
@@ -74,7 +57,7 @@ fn figures() -> Vec<(Rung, Solved)> {
         };
         (rung, solved)
     };
-    let rungs = Ironing::GIVEN.rungs(Size::Full).into_iter();
+    let rungs = IRONING.rungs(Size::Full).into_iter();
     rungs.map(run).collect()
 }
 
@@ -90,20 +73,20 @@ fn mistaken(solved: &[(Rung, Solved)], size: Size, variant: &str, other: &str) -
         q.value = from.value(q.name);
         q.error = q.exact.map(|exact| (q.value / exact - 1.0).abs());
     }
-    failing(&Ironing::GIVEN.judge(size, &mixed))
+    failing(&IRONING.judge(size, &mixed))
 }
 
 #[test]
 fn friction_is_told_from_none() {
-    let quick = solve(&Ironing::GIVEN);
+    let quick = quick(&IRONING);
     let (with, without) = ("600 Pa, friction", "600 Pa");
     for (variant, other) in [(with, without), (without, with)] {
-        let failing = mistaken(&quick, Size::Quick, variant, other);
+        let failing = mistaken(quick, Size::Quick, variant, other);
         assert_eq!(failing.len(), 1, "{failing:?}");
         assert!(failing[0].contains("what friction adds to the force at 60 s"));
     }
     let full = figures();
-    assert!(Ironing::GIVEN.judge(Size::Full, &full).passed());
+    assert!(IRONING.judge(Size::Full, &full).passed());
     for stiff in ["600 Pa", "600 kPa"] {
         let with = format!("{stiff}, friction");
         for (variant, other) in [(with.as_str(), stiff), (stiff, with.as_str())] {
@@ -127,7 +110,7 @@ fn friction_is_told_from_none() {
 #[test]
 fn every_gate_of_the_whole_ladder_reacts() {
     let full = figures();
-    for Reaction { gate, to } in reactions(&Ironing::GIVEN, Size::Full, &full) {
+    for Reaction { gate, to } in reactions(&IRONING, Size::Full, &full) {
         assert!(!to.is_empty(), "nothing makes it fail: {}", gate.name);
         assert!(
             to.iter().all(|n| gate.name.contains(n.quantity)),
@@ -140,9 +123,9 @@ fn every_gate_of_the_whole_ladder_reacts() {
 fn the_scene_file_is_the_case_with_friction() {
     let file = Path::new("../fixtures/scenes/ironing_2d.json");
     let given = read(file).unwrap_or_else(|e| panic!("{e}"));
-    let rungs = Ironing::GIVEN.rungs(Size::Full);
+    let rungs = IRONING.rungs(Size::Full);
     let rung = rungs.iter().find(|r| r.variant == "600 Pa, friction");
-    let meant = Ironing::GIVEN.scene(rung.expect("a rung"));
+    let meant = IRONING.scene_of(rung.expect("a rung")).expect("a scene");
     let said = |scene: &proctor_scene::Scene| {
         let contact = &scene.mortar.contacts[0];
         format!(

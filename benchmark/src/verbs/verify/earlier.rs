@@ -61,9 +61,9 @@ impl Earlier {
     /// Those of some cases that were asked for then, as far as the record knows, and ended in one of these ways.
     pub fn those(
         &self,
-        cases: &[&'static dyn Case],
+        cases: &[&'static Case],
         states: &[CaseState],
-    ) -> Vec<&'static dyn Case> {
+    ) -> Vec<&'static Case> {
         let asked = self.record.cases_asked();
         let cases = cases.iter().copied();
         cases
@@ -83,7 +83,7 @@ impl Earlier {
     /// would be written over.
     pub fn without(
         &self,
-        again: &[&'static dyn Case],
+        again: &[&'static Case],
         now: &Record,
         path: &Path,
         in_place: bool,

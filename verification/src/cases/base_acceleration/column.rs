@@ -1,20 +1,7 @@
 //! The column between rollers on a base that shakes along its axis: scene, run, comparison with the images.
 
-use std::f64::consts::PI;
-
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{
-    BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene, TimeStep, Vector,
-};
-
-use crate::case::{Curve, CurvePoint};
-use crate::cases::dynamics::{l2, step};
-use crate::cases::{NO_RESULTS, body, cuboid, elastic};
-use crate::convergence::relative_l2;
+use crate::cases::prelude::*;
 use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
-use crate::guest::{self, Compared, Guest};
-use crate::settings::Settings;
-use crate::study::{Failure, Observer, Phase};
 
 /// Height of the column \[m\].
 const HEIGHT: f64 = 1.0;
@@ -140,13 +127,11 @@ impl Column {
         let mut mesh = Mesh::new(self.dimension, [0.0; 3], [h; 3], number);
         mesh.planes[axis][1] = PlaneCondition::Free;
         let (dt, steps) = self.time_step();
-        let mut scene = Scene::new(self.dimension, mesh, steps as f64 * dt);
-        scene.name = String::from("shaken_column");
+        let mut scene = bare_scene("shaken_column", self.dimension, mesh, steps as f64 * dt);
         scene.time_step = TimeStep::Fixed {
             dt,
             allow_unstable: self.settings.allow_unstable,
         };
-        scene.results = NO_RESULTS;
         scene.materials = elastic(DENSITY, YOUNG, POISSON);
         let mut upper = [WIDTH as f64 * h; 3];
         upper[axis] = HEIGHT;
@@ -249,11 +234,7 @@ impl Column {
         let mut points: Vec<CurvePoint> = self
             .particles(simulation)?
             .into_iter()
-            .map(|[z, v, _]| CurvePoint {
-                at: z,
-                computed: v / a,
-                exact: at(z, t) / a,
-            })
+            .map(|[z, v, _]| CurvePoint::new(z, v / a, at(z, t) / a))
             .collect();
         CurvePoint::one_per_place(&mut points, 0.1 * self.cell);
         Ok(Response {

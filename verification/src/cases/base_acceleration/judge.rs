@@ -1,8 +1,7 @@
 //! Gates and tables of the shaken column and of the manual's block.
 
 use super::{BASE, L2, LOWEST, TOP, UPPERMOST};
-use crate::case::{Gate, Rung, Size, Solved, Verdict};
-use crate::cases::judging::{error_at_most, error_of, of_variant, order_gate, run_of, table};
+use crate::cases::prelude::*;
 
 /// Largest relative error of the top velocity at H/h = 32.
 const TOP_GATE: f64 = 0.01;

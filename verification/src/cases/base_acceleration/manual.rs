@@ -1,13 +1,8 @@
 //! The manual's own check: the particles at the base of its shaken block follow the record.
 
-use proctor_files::records::{Harmonic, accelerogram};
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{BaseMotion, Dimension, Mesh, Motion, Scene, TimeStep};
-
-use crate::cases::dynamics::step;
-use crate::cases::{NO_RESULTS, body, cuboid, elastic_law, material};
+use crate::cases::prelude::*;
 use crate::exact::base_column::SineRecord;
-use crate::study::{Failure, Observer, Phase};
+use proctor_files::records::{Harmonic, accelerogram};
 
 /// Cell size \[m\].
 pub const CELL: f64 = 0.1;
@@ -53,17 +48,16 @@ impl Block {
         let origin = [self.corner - margin, self.corner - margin, 0.0];
         let mesh = Mesh::new(Dimension::Three, origin, [CELL; 3], [across, across, up]);
         let record = Harmonic::of_the_manual();
-        let mut scene = Scene::new(
+        let mut scene = bare_scene(
+            "base_acceleration",
             Dimension::Three,
             mesh,
             record.intervals as f64 * record.interval,
         );
-        scene.name = String::from("base_acceleration");
         scene.time_step = TimeStep::Fixed {
             dt: self.dt,
             allow_unstable: false,
         };
-        scene.results = NO_RESULTS;
         scene.materials = material("elastic_1", 2500.0, elastic_law(self.young, 0.25));
         let far = self.corner + WIDTH;
         scene.bodies = vec![body(

@@ -1,10 +1,7 @@
 //! Displacements of the particles against the exact ones at the particles' own initial positions.
 
-use proctor_scene::simulation::Simulation;
-
 use super::model::{LOAD, MIDDLE, PATCH, POISSON, SIDE, YOUNG};
-use crate::case::{Curve, CurvePoint};
-use crate::convergence::relative_l2;
+use crate::cases::prelude::*;
 use crate::exact::boussinesq_box::BoxSolution;
 use crate::exact::boussinesq_half_space;
 
@@ -136,21 +133,12 @@ impl Comparison {
 
     /// `u_z` along the particles nearest to the axis.
     pub fn curve(&self, title: String) -> Curve {
-        let points = self
+        let points: Vec<_> = self
             .axis()
             .iter()
-            .map(|s| CurvePoint {
-                at: s.x[2],
-                computed: s.computed[2],
-                exact: s.exact[2],
-            })
+            .map(|s| CurvePoint::new(s.x[2], s.computed[2], s.exact[2]))
             .collect();
-        Curve {
-            title,
-            abscissa: "z (m)",
-            ordinate: "u_z (m)",
-            points,
-        }
+        Curve::new(title, ["z (m)", "u_z (m)"], points)
     }
 }
 

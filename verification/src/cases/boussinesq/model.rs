@@ -1,10 +1,6 @@
 //! The scene of the quarter box, and the exact solution of the whole one.
 
-use proctor_scene::{
-    Damping, Dimension, Mesh, PlaneCondition, PointLoad, Scene, StressScheme, Traction,
-};
-
-use crate::cases::{NO_RESULTS, body, cuboid, elastic};
+use crate::cases::prelude::*;
 use crate::exact::boussinesq_box::{BoxProblem, BoxSolution, InvalidBox};
 
 /// Side of the cube \[m\].

@@ -1,8 +1,6 @@
 //! The vertices of the beam when it hangs: where they are, and where their particles would take them.
 
-use proctor_scene::simulation::Simulation;
-
-use crate::case::Quantity;
+use crate::cases::prelude::*;
 
 pub(super) const FROM_PARTICLES: &str = "vertices from where their particles take them, rms";
 pub(super) const FARTHEST: &str = "the same, farthest vertex";

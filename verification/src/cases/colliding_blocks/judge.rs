@@ -1,9 +1,7 @@
 //! Gates and tables of the collisions.
 
-use super::CollidingBlocks;
 use super::{BALANCE, DURATION, ENERGY, IMPULSE, LOST, MOMENTUM, RESTITUTION};
-use crate::case::{Rung, Solved, Verdict};
-use crate::cases::judging::{error_at_most, of_variant, order_gate, run_of, table};
+use crate::cases::prelude::*;
 
 /// Largest change of momentum over that of both bodies.
 const MOMENTUM_GATE: f64 = 1e-12;
@@ -28,7 +26,7 @@ pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
             "contact forces are equal and opposite; round-off is left",
         );
         gate(ENERGY, ENERGY_GATE, "contact only takes energy");
-        let impact = CollidingBlocks::variant(rung).impact();
+        let impact = super::variant(rung).impact();
         if impact.is_some() {
             gate(
                 BALANCE,

@@ -1,12 +1,6 @@
 //! Bars between rollers and blocks in the open.
 
-use proctor_scene::{
-    Body, Contact, ContactNormal, Dimension, Material, Mesh, PlaneCondition, Scene, StressScheme,
-    TransferKind,
-};
-
-use crate::case::Size;
-use crate::cases::{NO_RESULTS, body, cuboid, elastic_law};
+use crate::cases::prelude::*;
 use crate::exact::bar_impact::{BarImpact, MovingBar};
 
 /// Length of the first body \[m\].
@@ -184,9 +178,12 @@ impl Variant {
         let transit = l_1.max(l_2) / (YOUNG / DENSITY).sqrt();
         let pressed = self.impact().and_then(|impact| impact.press());
         let time = pressed.map_or(0.0, |press| 1.5 * press.parted);
-        let mut scene = Scene::new(self.dimension, mesh, time.max(3.0 * transit));
-        scene.name = String::from("colliding_blocks");
-        scene.results = NO_RESULTS;
+        let mut scene = bare_scene(
+            "colliding_blocks",
+            self.dimension,
+            mesh,
+            time.max(3.0 * transit),
+        );
         let (poisson, friction) = match self.kind {
             Kind::Bars(_) => (0.0, 0.0),
             Kind::Blocks => (POISSON, FRICTION),

@@ -1,13 +1,13 @@
 //! What must hold of any stress that a law returns, whatever it was before.
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
-use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_laws::{AnyLaw, ConeMatch, DruckerPrager, MohrCoulomb, Point, Tresca, VonMises};
-
 use super::super::judging::error_at_most;
 use super::{DENSITY, POISSON, YOUNG};
-use crate::case::{Gate, Quantity, Rung, Solved};
+use proctor_laws::Point;
+
+use crate::cases::prelude::*;
 use crate::random::Random;
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
+use proctor_kernel::lanes::{LaneChoice, Selected};
 
 /// Strength of the laws \[Pa\]: yield stress, cohesion.
 const STRENGTH: f64 = 1.0;

@@ -1,16 +1,8 @@
 //! Flow between walls.
 
-use proctor_laws::{AnyLaw, Bingham, Newtonian};
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{BaseMotion, Dimension, History, Mesh, Motion, PlaneCondition, Scene};
-
-use super::{Fluid, Problem};
-use crate::case::{Curve, Found, Rung};
-use crate::cases::dynamics::{along, l2, ratio, run as run_until};
-use crate::cases::{NO_RESULTS, body, cuboid, material};
+use super::{Problem, WRONG_FORCE, WRONG_VISCOSITY};
+use crate::cases::prelude::*;
 use crate::exact::channel::Channel;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Observer};
 
 /// Distance of the walls \[m\].
 const WIDTH: f64 = 1.0;
@@ -45,9 +37,9 @@ pub(super) const FORCE: Problem = Problem {
     variant: "force",
     cells: &[10, 20],
     scene: |rung| scene(rung, newtonian(), Driven::ByForce),
-    run: |case, rung, simulation, observer| {
-        let exact = channel(case, 0.0);
-        let g = case.reference_force * FORCE_ALONG;
+    run: |reference, rung, simulation, observer| {
+        let exact = channel(reference, 0.0);
+        let g = reference.of(&WRONG_FORCE) * FORCE_ALONG;
         flow(rung, simulation, observer, |y, time| {
             exact.driven_by_force(g, y, time)
         })
@@ -61,9 +53,9 @@ pub(super) const DRAG: Problem = Problem {
     variant: "drag",
     cells: &[10, 20],
     scene: |rung| scene(rung, newtonian(), Driven::ByWall),
-    run: |case, rung, simulation, observer| {
-        let exact = channel(case, 0.0);
-        let speed = case.reference_force * SPEED;
+    run: |reference, rung, simulation, observer| {
+        let exact = channel(reference, 0.0);
+        let speed = reference.of(&WRONG_FORCE) * SPEED;
         flow(rung, simulation, observer, |y, time| {
             exact.dragged(speed, y, time)
         })
@@ -77,9 +69,9 @@ pub(super) const FORCE_OF_BINGHAM: Problem = Problem {
     variant: "Bingham force",
     cells: &[10, 20],
     scene: |rung| scene(rung, bingham(plug_stress()), Driven::ByForce),
-    run: |case, rung, simulation, observer| {
-        let exact = channel(case, plug_stress());
-        let g = case.reference_force * FORCE_ALONG;
+    run: |reference, rung, simulation, observer| {
+        let exact = channel(reference, plug_stress());
+        let g = reference.of(&WRONG_FORCE) * FORCE_ALONG;
         at_last(rung, simulation, observer, |y| {
             (exact.driven_by_force_at_last(g, y), f64::NAN)
         })
@@ -93,9 +85,9 @@ pub(super) const DRAG_OF_BINGHAM: Problem = Problem {
     variant: "Bingham drag",
     cells: &[10, 20],
     scene: |rung| scene(rung, bingham(drag_stress()), Driven::ByWall),
-    run: |case, rung, simulation, observer| {
-        let exact = channel(case, drag_stress());
-        let speed = case.reference_force * SPEED;
+    run: |reference, rung, simulation, observer| {
+        let exact = channel(reference, drag_stress());
+        let speed = reference.of(&WRONG_FORCE) * SPEED;
         at_last(rung, simulation, observer, |y| {
             (speed * y / WIDTH, exact.dragging_stress(speed))
         })
@@ -129,10 +121,10 @@ fn drag_stress() -> f64 {
     YIELD_OVER_DRAG * VISCOSITY * SPEED / WIDTH
 }
 
-fn channel(case: Fluid, yield_stress: f64) -> Channel {
+fn channel(reference: Reference, yield_stress: f64) -> Channel {
     Channel {
         width: WIDTH,
-        viscosity: case.reference_viscosity * VISCOSITY,
+        viscosity: reference.of(&WRONG_VISCOSITY) * VISCOSITY,
         density: DENSITY,
         yield_stress,
     }
@@ -156,11 +148,9 @@ fn scene(rung: &Rung, law: AnyLaw, driven: Driven) -> Scene {
     let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [1, cells, 1]);
     mesh.planes[0] = [PlaneCondition::Antisymmetric; 2];
     mesh.planes[1] = [PlaneCondition::Fixed; 2];
-    let mut scene = Scene::new(Dimension::Two, mesh, AT_END * CROSSING);
-    scene.name = String::from("fluid_flow");
-    scene.results = NO_RESULTS;
+    let mut scene = plane_scene("fluid_flow", mesh, AT_END * CROSSING);
     scene.materials = material("fluid", DENSITY, law);
-    scene.bodies = vec![body("fluid", 1, cuboid([0.0; 3], [h, WIDTH, 0.0]))];
+    scene.bodies = vec![body("fluid", 1, rectangle([0.0; 2], [h, WIDTH]))];
     match driven {
         Driven::ByForce => scene.gravity = [FORCE_ALONG, 0.0, 0.0],
         Driven::ByWall => {
@@ -229,10 +219,9 @@ fn profile(rung: &Rung, simulation: &Simulation, exact: impl Fn(f64) -> f64) -> 
     let points = along(simulation, 1, |p, y| {
         [1e6 * set.velocity(p)[0], 1e6 * exact(y)]
     })?;
-    Some(Curve {
-        title: format!("velocity over the channel, {}", rung.label),
-        abscissa: "distance from the wall at rest (m)",
-        ordinate: "velocity (µm/s)",
+    Some(Curve::new(
+        format!("velocity over the channel, {}", rung.label),
+        ["distance from the wall at rest (m)", "velocity (µm/s)"],
         points,
-    })
+    ))
 }

@@ -1,19 +1,8 @@
 //! A column of water at rest.
 
-use std::f64::consts::PI;
-
-use proctor_laws::Newtonian;
-use proctor_scene::simulation::Simulation;
-use proctor_scene::{Damping, Dimension, Mesh, PlaneCondition, Scene, Weighting};
-
-use super::{Fluid, Problem};
-use crate::case::{Curve, Found, Rung};
-use crate::cases::dynamics::{DISPLACEMENT, along, l2, ratio};
-use crate::cases::statics::{most_steps, relax};
-use crate::cases::{NO_RESULTS, body, cuboid, material};
+use super::{Problem, WRONG_FORCE};
+use crate::cases::prelude::*;
 use crate::exact::self_weight::{Law, SelfWeightColumn};
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Observer};
 
 /// Height \[m\].
 const HEIGHT: f64 = 1.0;
@@ -54,22 +43,20 @@ fn scene(rung: &Rung) -> Scene {
     let cells = (HEIGHT / h).round() as usize;
     let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [1, cells + 1, 1]);
     mesh.planes[1][1] = PlaneCondition::Free;
-    let mut scene = Scene::new(Dimension::Two, mesh, 1.0);
-    scene.name = String::from("fluid_at_rest");
+    let mut scene = plane_scene("fluid_at_rest", mesh, 1.0);
     scene.gravity = [0.0, -GRAVITY, 0.0];
     // The rate of viscous damping is alpha sqrt(K/rho)/h; a quarter wave swings with pi c/2H.
     scene.damping = Damping::Viscous {
         alpha: OVERDAMPED * PI * h / HEIGHT,
     };
-    scene.results = NO_RESULTS;
     scene.materials = material("water", DENSITY, Newtonian::new(BULK, 0.0));
-    scene.bodies = vec![body("column", 1, cuboid([0.0; 3], [h, HEIGHT, 0.0]))];
+    scene.bodies = vec![body("column", 1, rectangle([0.0; 2], [h, HEIGHT]))];
     Settings::new(METHOD).apply(&mut scene);
     scene
 }
 
 fn run(
-    case: Fluid,
+    reference: Reference,
     rung: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
@@ -81,7 +68,7 @@ fn run(
         law: Law::RateElastic,
         height: HEIGHT,
         density: DENSITY,
-        gravity: case.reference_force * GRAVITY,
+        gravity: reference.of(&WRONG_FORCE) * GRAVITY,
         lambda: BULK,
         mu: 0.0,
     };
@@ -100,11 +87,12 @@ fn run(
     let points = along(simulation, 1, |p, y| {
         [pressure(p) / 1e3, -exact.vertical_stress(y) / 1e3]
     });
-    let curve = points.map(|points| Curve {
-        title: format!("pressure over the column, {}", rung.label),
-        abscissa: "initial height (m)",
-        ordinate: "pressure (kPa)",
-        points,
+    let curve = points.map(|points| {
+        Curve::new(
+            format!("pressure over the column, {}", rung.label),
+            ["initial height (m)", "pressure (kPa)"],
+            points,
+        )
     });
     let quantities = vec![
         ratio(PRESSURE, pressures),

@@ -1,20 +1,9 @@
 //! A standing wave of sound that viscosity takes.
 
-use std::f64::consts::PI;
-use std::sync::Arc;
-
-use libm::{log, sin};
-use proctor_laws::Newtonian;
-use proctor_scene::simulation::{InitialField, InitialState, Simulation};
-use proctor_scene::{Dimension, Mesh, Scene, TimeStep, Vector};
-
-use super::{Fluid, Problem};
-use crate::case::{Found, Quantity, Rung};
-use crate::cases::dynamics::step;
-use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, material};
+use super::{Problem, WRONG_VISCOSITY};
+use crate::cases::prelude::*;
 use crate::exact::sound::DampedSound;
-use crate::settings::{Method, Settings};
-use crate::study::{Failure, Observer, Phase};
+use libm::{log, sin};
 
 /// Length between the walls \[m\].
 const LENGTH: f64 = 1.0;
@@ -50,10 +39,10 @@ fn diffusivity() -> f64 {
     2.0 * DECAY * SPEED * LENGTH / PI
 }
 
-fn exact(case: Fluid) -> DampedSound {
+fn exact(reference: Reference) -> DampedSound {
     DampedSound {
         speed: SPEED,
-        diffusivity: case.reference_viscosity * diffusivity(),
+        diffusivity: reference.of(&WRONG_VISCOSITY) * diffusivity(),
         wave_number: PI / LENGTH,
     }
 }
@@ -73,13 +62,11 @@ fn scene(rung: &Rung) -> Scene {
     let cells = (LENGTH / h).round() as usize;
     let mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells, 1, 1]);
     let end = PERIODS * 2.0 * LENGTH / SPEED;
-    let mut scene = Scene::new(Dimension::Two, mesh, end);
-    scene.name = String::from("fluid_sound");
-    scene.results = NO_RESULTS;
+    let mut scene = plane_scene("fluid_sound", mesh, end);
     let viscosity = 0.75 * DENSITY * diffusivity();
     let law = Newtonian::new(DENSITY * SPEED * SPEED, viscosity);
     scene.materials = material("fluid", DENSITY, law);
-    scene.bodies = vec![body("fluid", 1, cuboid([0.0; 3], [LENGTH, h, 0.0]))];
+    scene.bodies = vec![body("fluid", 1, rectangle([0.0; 2], [LENGTH, h]))];
     Settings::new(Method::DEFAULT).apply(&mut scene);
     let steps = (end * SPEED / (COURANT * h * CELLS * h / LENGTH)).ceil();
     scene.time_step = TimeStep::Fixed {
@@ -91,7 +78,7 @@ fn scene(rung: &Rung) -> Scene {
 
 /// Steps to the end; the decay of the mode in the velocities.
 fn run(
-    case: Fluid,
+    reference: Reference,
     _: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
@@ -117,7 +104,7 @@ fn run(
         all.push(amplitude(simulation)?);
     }
     observer.phase(Phase::Comparing);
-    let exact = exact(case).decay();
+    let exact = exact(reference).decay();
     // The first velocity is half a step from the next, all others are a whole one apart.
     let rate = decay(&all[1..], end / simulation.steps() as f64);
     let quantity = Quantity::compared(RATE, rate, exact, "1/s");

@@ -1,8 +1,7 @@
 //! Outlines of the grains.
 
-use std::f64::consts::TAU;
-
 use super::PART;
+use crate::cases::prelude::*;
 use crate::random::Random;
 
 /// Seed of the shapes.

@@ -1,10 +1,8 @@
 //! What a run of the grains is summed up to, step by step.
 
-use proctor_scene::simulation::Simulation;
-
 use super::apart::{self, Polyline, Room};
 use super::{FLOOR, GAP, PLATE, SPEED, WALLS};
-use crate::case::{Drawing, Quantity};
+use crate::cases::prelude::*;
 
 /// Samples of a run.
 const SAMPLES: usize = 245;

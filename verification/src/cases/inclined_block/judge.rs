@@ -1,8 +1,7 @@
 //! Gates of the inclined block, and what is said of the manual's own scene.
 
-use super::{ACCELERATION, CREEP, GRAVITY, InclinedBlock, Kind, Problem, TIME, WAY};
-use crate::case::{Curve, CurvePoint, Gate, Rung, Solved, Verdict};
-use crate::cases::judging::{error_of, run_of};
+use super::{ACCELERATION, CREEP, GRAVITY, Kind, Problem, TIME, WAY, by_elements};
+use crate::cases::prelude::*;
 
 /// Largest relative error of acceleration and displacement.
 const SLIDING_GATE: f64 = 5e-3;
@@ -30,7 +29,7 @@ pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict
         };
         for (rung, problem) in ladder.iter().filter(of_group) {
             if let (Kind::Walk(_), Some(s)) = (problem.kind, run_of(solved, &rung.label)) {
-                let elements = InclinedBlock::by_elements(rung, problem).map(|slid| {
+                let elements = by_elements(rung, problem).map(|slid| {
                     let creep = slid.creep / (GRAVITY * TIME);
                     format!("; finite elements {creep:.1e}, {:.2} m", slid.way)
                 });
@@ -110,11 +109,11 @@ fn picture(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Option<Curv
         match &mut all {
             None => all = Some(line.clone()),
             Some(all) => {
-                all.points.push(CurvePoint {
-                    at: line.points.first().map_or(0.0, |p| p.at),
-                    computed: f64::NAN,
-                    exact: f64::NAN,
-                });
+                all.points.push(CurvePoint::new(
+                    line.points.first().map_or(0.0, |p| p.at),
+                    f64::NAN,
+                    f64::NAN,
+                ));
                 all.points.extend_from_slice(&line.points);
             }
         }

@@ -1,8 +1,9 @@
 //! Gates and tables of the indenter in the block.
 
-use super::{ACROSS, Ironing, MEAN, OVER, PRESSED, READINGS, RIPPLE, Reading, pressed};
-use crate::case::{Case, Gate, Rung, Size, Solved, Verdict};
-use crate::cases::judging::table;
+use super::{
+    ACROSS, MEAN, OVER, PRESSED, READINGS, RIPPLE, Reading, WRONG_FORCE, pressed, reading,
+};
+use crate::cases::prelude::*;
 
 /// What friction adds to each of the figures, from runs of the other implementation with one and the same slave, and how
 /// far off it may be \[N\]. Without friction it is none: half of it is the most that tells the two apart.
@@ -15,14 +16,20 @@ const ADDED: [(&str, f64, f64); 3] = [
 const ACROSS_OFF: f64 = 10.0;
 
 /// Tables, gates and lines for the record.
-pub fn verdict(case: Ironing, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
-    let mut gates = pressed::gates(&case.rungs(size), solved);
-    for rung in case.rungs(size) {
+pub fn verdict(runs: &Runs<'_>) -> Verdict {
+    let Runs {
+        size,
+        rungs,
+        solved,
+        ..
+    } = *runs;
+    let mut gates = pressed::gates(rungs, solved);
+    for rung in rungs {
         if rung.variant == pressed::VARIANT {
             continue;
         }
-        let reading = Ironing::reading(&rung);
-        let found = solved.iter().find(|(other, _)| *other == rung);
+        let reading = reading(rung);
+        let found = solved.iter().find(|(other, _)| other == rung);
         let error = |name| found.map_or(f64::NAN, |(_, s)| s.error(name));
         let value = |of: Option<&(Rung, Solved)>, name| of.map_or(f64::NAN, |(_, s)| s.value(name));
         let mut at_most = |name: String, value, bound, reason| {
@@ -70,7 +77,7 @@ pub fn verdict(case: Ironing, size: Size, solved: &[(Rung, Solved)]) -> Verdict 
             let added = (value(found, name) - value(without, name)) / reading.stiffness;
             at_most(
                 format!("what friction adds to the {name}, less {figure} N"),
-                (added - figure * case.reference_force).abs(),
+                (added - figure * runs.reference.of(&WRONG_FORCE)).abs(),
                 off,
                 "the method's reference figures; without friction nothing is added",
             );

@@ -4,11 +4,9 @@ use super::{
     APART, BLOCK, CELL, CRITICAL_GAP, DAMPING, DENSITY, DEPTH, DOWN, INTERVAL, KAPPA, POISSON,
     RADIUS, RAMP, YOUNG,
 };
-use crate::case::{Curve, CurvePoint, Gate, Quantity, Rung, Solved};
-use crate::cases::judging::error_of;
+use crate::cases::prelude::*;
 use crate::exact::fe::{Barrier, Indenter, NeoHookean};
 use crate::exact::indented_block::IndentedBlock;
-use std::sync::OnceLock;
 
 /// Name of the runs.
 pub const VARIANT: &str = "neo-Hookean";
@@ -81,18 +79,13 @@ pub fn quantities(forces: &[[f64; 2]], known: &[f64]) -> Vec<Quantity> {
 /// Both forces over time.
 pub fn curve(label: &str, forces: &[[f64; 2]], known: &[f64]) -> Curve {
     let pairs = forces.iter().zip(known).enumerate();
-    Curve {
-        title: format!("{label}: vertical force against finite elements"),
-        abscissa: "t in s",
-        ordinate: "force on the indenter in N",
-        points: pairs
-            .map(|(k, (force, exact))| CurvePoint {
-                at: (k + 1) as f64 * INTERVAL,
-                computed: force[1],
-                exact: *exact,
-            })
-            .collect(),
-    }
+    Curve::new(
+        format!("{label}: vertical force against finite elements"),
+        ["t in s", "force on the indenter in N"],
+        pairs.map(|(k, (force, exact))| {
+            CurvePoint::new((k + 1) as f64 * INTERVAL, force[1], *exact)
+        }),
+    )
 }
 
 /// The force within what the figures of the whole way are held to, and half of it on the next mesh.

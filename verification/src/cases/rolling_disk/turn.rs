@@ -1,13 +1,10 @@
 //! How far the disk should turn on its way, and how far from that a mesh may leave it.
 
-use std::f64::consts::{PI, TAU};
-use std::sync::OnceLock;
-
 use super::{
-    DENSITY, GAP, GRAVITY, INCLINATION_DEGREES, KAPPA, KAPPA_T, POISSON, RADIUS, RATIO,
-    RollingDisk, YOUNG, young,
+    DENSITY, GAP, GRAVITY, INCLINATION_DEGREES, KAPPA, KAPPA_T, POISSON, RADIUS, RATIO, YOUNG,
+    friction, young,
 };
-use crate::case::{Gate, Rung, Solved};
+use crate::cases::prelude::*;
 use crate::exact::fe::Barrier;
 use crate::exact::hertz::{Hertz, contact_modulus};
 use crate::exact::hertz_layer::LayerContact;
@@ -66,7 +63,7 @@ fn rolling(variant: &str) -> Result<&'static RollingCreep, String> {
             contact,
             radius: RADIUS,
             stiffness: KAPPA_T,
-            friction: RollingDisk::friction(variant),
+            friction: friction(variant),
         })
     };
     let known = KNOWN[usize::from(variant == "stiff")].get_or_init(compute);
@@ -110,7 +107,7 @@ pub(super) fn bound(rung: &Rung) -> (f64, &'static str) {
         // Mass on nodes has h²/6 more than its particles of the second moment along each axis (linear weights).
         let inertia = 2.0 / 3.0 * cell * cell;
         (
-            flattening() + BESIDE / RollingDisk::friction(rung.variant) * cell + inertia,
+            flattening() + BESIDE / friction(rung.variant) * cell + inertia,
             "the arm of the friction is shorter by the flattening, the pressure lies beside the middle by 0.015 h at most, inertia is larger by 2/3 (h/R)²",
         )
     } else {

@@ -1,7 +1,6 @@
 //! The height of a terrain over the ground, from its triangles one by one, as a check of the kernel's search.
 
-use proctor_contact::geometry::surface::Surface;
-use proctor_scene::Vector;
+use crate::cases::prelude::*;
 
 /// Triangles by the squares of the ground that they lie over.
 pub struct HeightField {

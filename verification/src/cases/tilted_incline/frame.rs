@@ -1,11 +1,9 @@
 //! The tilted plane as an STL text, and the block on it as particles.
 
-use std::fmt::Write as _;
-
-use libm::{cos, sin};
-use proctor_scene::{ParticleSeed, Vector};
-
 use super::{HEIGHT, LENGTH, TILT};
+use crate::cases::prelude::*;
+use libm::{cos, sin};
+use std::fmt::Write as _;
 
 /// Angle between its fall and the x axis where it is turned \[degrees\].
 const TURN: f64 = 33.0;

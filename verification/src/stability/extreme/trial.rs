@@ -214,7 +214,7 @@ pub(super) fn kept(what: &str, drift: f64, grown: f64) -> [Gate; 2] {
 }
 
 /// The gates of a verification case with its short ladder.
-pub(super) fn of_case(case: &dyn Case) -> Result<Vec<Gate>, Unexpected> {
+pub(super) fn of_case(case: &Case) -> Result<Vec<Gate>, Unexpected> {
     let mut solved = vec![];
     for rung in case.rungs(Size::Quick) {
         let found = case.solve(&rung, &options(None), &mut |_| ());

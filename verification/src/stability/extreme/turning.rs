@@ -11,7 +11,7 @@ use super::trial::{
 };
 use super::{Extreme, Finding, Unexpected};
 use crate::case::Gate;
-use crate::cases::{AT_REST, ShearAndTurn};
+use crate::cases::{AT_REST, SHEAR_AND_TURN};
 use crate::stability::map::SCHEMES;
 
 /// The rows of this file.
@@ -108,7 +108,7 @@ fn ten_turns() -> Result<Finding, Unexpected> {
             grown = worst(grown, balance.grown);
         }
     }
-    let mut gates = of_case(&ShearAndTurn::GIVEN)?;
+    let mut gates = of_case(&SHEAR_AND_TURN)?;
     gates.extend(kept("free disc", drift, grown));
     gates.extend([
         Gate::at_most(

@@ -1,0 +1,309 @@
+//! Gates and tables as data: the number that is bounded, on which rungs, the side, the bound and its reason.
+
+use super::wrong::Reference;
+use super::{Gate, Relation, Rung, Size, Solved, Verdict};
+use crate::convergence::{ConvergenceTable, Row};
+
+/// The runs of a ladder, as they are judged. The number of a run that failed is NaN, which no gate passes.
+pub struct Runs<'a> {
+    /// The size of the ladder.
+    pub size: Size,
+    /// All rungs, those that failed among them.
+    pub rungs: &'a [Rung],
+    /// The rungs that were solved.
+    pub solved: &'a [(Rung, Solved)],
+    /// The reference that they were compared with.
+    pub reference: Reference,
+}
+
+impl Runs<'_> {
+    /// The run of the rung with that label.
+    #[must_use]
+    pub fn run(&self, label: &str) -> Option<&Solved> {
+        let found = self.solved.iter().find(|(rung, _)| rung.label == label);
+        found.map(|(_, solved)| solved)
+    }
+
+    /// Relative error of a quantity of the run of the rung with that label.
+    #[must_use]
+    pub fn error(&self, label: &str, name: &str) -> f64 {
+        self.run(label).map_or(f64::NAN, |run| run.error(name))
+    }
+
+    /// Value of a quantity of the run of the rung with that label.
+    #[must_use]
+    pub fn value(&self, label: &str, name: &str) -> f64 {
+        self.run(label).map_or(f64::NAN, |run| run.value(name))
+    }
+
+    /// Variants of the rungs, each once.
+    #[must_use]
+    pub fn variants(&self) -> Vec<&'static str> {
+        let mut variants: Vec<&'static str> = vec![];
+        for rung in self.rungs {
+            if !variants.contains(&rung.variant) {
+                variants.push(rung.variant);
+            }
+        }
+        variants
+    }
+
+    /// The finest rung of a variant; of the ladder where there is none.
+    #[must_use]
+    pub fn finest(&self, variant: Option<&str>) -> Option<&Rung> {
+        let of = |rung: &&Rung| variant.is_none_or(|variant| rung.variant == variant);
+        self.rungs.iter().rfind(of)
+    }
+
+    /// Errors of the named quantities over the rungs of a variant, coarse to fine.
+    #[must_use]
+    pub fn table(&self, variant: Option<&str>, names: &[&'static str]) -> ConvergenceTable {
+        let mut table = ConvergenceTable::new(names.iter().copied());
+        let own = |rung: &Rung| variant.is_none_or(|variant| rung.variant == variant);
+        for (rung, solved) in self.solved.iter().filter(|(rung, _)| own(rung)) {
+            let row = Row {
+                h: rung.cell,
+                errors: names.iter().map(|name| solved.error(name)).collect(),
+                particles: solved.particles,
+                steps: solved.steps as usize,
+            };
+            // One error per name, by construction.
+            let _ = table.push(row);
+        }
+        table
+    }
+
+    /// A gate on the finest rung and the ladder of a variant, whose name it has first.
+    #[must_use]
+    pub fn gate_of(&self, variant: &str, rule: &GateRule) -> Gate {
+        rule.gate(self, Scope::Variants, self.finest(Some(variant)))
+    }
+
+    /// Order of a quantity between the two finest rungs of a variant, NaN where there is none.
+    #[must_use]
+    pub fn order(&self, variant: Option<&str>, name: &'static str) -> f64 {
+        let table = self.table(variant, &[name]);
+        let last = table.rows().len().checked_sub(1);
+        let order = last.and_then(|last| table.order(0, last));
+        order.unwrap_or(f64::NAN)
+    }
+}
+
+/// The runs that a list of gates is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// The whole ladder, which has one variant.
+    Ladder,
+    /// Each variant by itself.
+    Variants,
+    /// Each rung by itself.
+    Rungs,
+}
+
+/// The number of a quantity that is bounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Number {
+    /// Its relative error.
+    Error,
+    /// Its value.
+    Value,
+    /// The observed order of its error.
+    Order,
+    /// One over that order.
+    ReciprocalOrder,
+}
+
+/// A bound.
+#[derive(Clone, Copy)]
+enum Bound {
+    /// One of each size.
+    Of([f64; 2]),
+    /// By the rung, of which it is a function.
+    By(fn(&Rung) -> f64),
+}
+
+/// A gate as data.
+#[derive(Clone, Copy)]
+pub struct GateRule {
+    number: Number,
+    quantity: &'static str,
+    relation: Relation,
+    bound: Bound,
+    reasons: [&'static str; 2],
+    on: fn(&Rung) -> bool,
+}
+
+/// A gate on the relative error of a quantity: of the finest rung, or of each.
+#[must_use]
+pub const fn error(quantity: &'static str) -> GateRule {
+    GateRule::new(Number::Error, quantity)
+}
+
+/// A gate on the value of a quantity: of the finest rung, or of each.
+#[must_use]
+pub const fn value(quantity: &'static str) -> GateRule {
+    GateRule::new(Number::Value, quantity)
+}
+
+/// A gate on the observed order of a quantity between the two finest rungs.
+#[must_use]
+pub const fn order(quantity: &'static str) -> GateRule {
+    GateRule::new(Number::Order, quantity)
+}
+
+/// A gate on one over that order, by which it is bounded from above.
+#[must_use]
+pub const fn reciprocal_order(quantity: &'static str) -> GateRule {
+    GateRule::new(Number::ReciprocalOrder, quantity)
+}
+
+impl GateRule {
+    const fn new(number: Number, quantity: &'static str) -> Self {
+        Self {
+            number,
+            quantity,
+            relation: Relation::AtMost,
+            // Nothing is at most that.
+            bound: Bound::Of([f64::NAN; 2]),
+            reasons: [""; 2],
+            on: |_| true,
+        }
+    }
+
+    /// An upper bound and its reason.
+    #[must_use]
+    pub const fn at_most(self, bound: f64, reason: &'static str) -> Self {
+        self.at_most_of([bound; 2], [reason; 2])
+    }
+
+    /// Upper bounds of the short ladder and of the full one, with their reasons.
+    #[must_use]
+    pub const fn at_most_of(mut self, bounds: [f64; 2], reasons: [&'static str; 2]) -> Self {
+        self.bound = Bound::Of(bounds);
+        self.reasons = reasons;
+        self
+    }
+
+    /// An upper bound that is a function of the rung, the finest one.
+    #[must_use]
+    pub const fn at_most_by(mut self, bound: fn(&Rung) -> f64, reason: &'static str) -> Self {
+        self.bound = Bound::By(bound);
+        self.reasons = [reason; 2];
+        self
+    }
+
+    /// A lower bound and its reason.
+    #[must_use]
+    pub const fn at_least(mut self, bound: f64, reason: &'static str) -> Self {
+        self.relation = Relation::AtLeast;
+        self.bound = Bound::Of([bound; 2]);
+        self.reasons = [reason; 2];
+        self
+    }
+
+    /// On certain rungs alone, or on the variants of such.
+    #[must_use]
+    pub const fn on(mut self, rungs: fn(&Rung) -> bool) -> Self {
+        self.on = rungs;
+        self
+    }
+
+    /// The gate on a rung, or on the ladder of which it is the finest one.
+    fn gate(&self, runs: &Runs<'_>, scope: Scope, rung: Option<&Rung>) -> Gate {
+        let label = rung.map_or("no rung", |rung| &rung.label);
+        let name = self.quantity;
+        let variant = match scope {
+            Scope::Ladder => None,
+            Scope::Variants | Scope::Rungs => rung.map(|rung| rung.variant),
+        };
+        let value = match self.number {
+            Number::Error => runs.error(label, name),
+            Number::Value => runs.value(label, name),
+            Number::Order => runs.order(variant, name),
+            Number::ReciprocalOrder => 1.0 / runs.order(variant, name),
+        };
+        let full = usize::from(runs.size == Size::Full);
+        let bound = match self.bound {
+            Bound::Of(bounds) => bounds[full],
+            Bound::By(bound) => rung.map_or(f64::NAN, bound),
+        };
+        let mut title = match (self.number, scope) {
+            (Number::Error | Number::Value, Scope::Rungs) => format!("{label}: {name}"),
+            (Number::Error, _) => format!("error of {name}, {label}"),
+            (Number::Value, _) => format!("{name}, {label}"),
+            (Number::Order, _) => format!("observed order of {name}"),
+            (Number::ReciprocalOrder, _) => format!("one over the observed order of {name}"),
+        };
+        if let (Scope::Variants, Some(variant)) = (scope, variant) {
+            title = format!("{variant}: {title}");
+        }
+        Gate {
+            name: title,
+            value,
+            relation: self.relation,
+            bound,
+            reason: self.reasons[full],
+        }
+    }
+}
+
+/// A table of errors as data.
+#[derive(Clone, Copy)]
+pub struct TableRule {
+    /// Its title, in which `{variant}` stands for the name of the variant.
+    pub title: &'static str,
+    /// Its quantities.
+    pub names: &'static [&'static str],
+    /// The variants that have one.
+    pub of: fn(&str) -> bool,
+}
+
+impl TableRule {
+    /// The errors of quantities over the rungs of each variant.
+    #[must_use]
+    pub const fn new(title: &'static str, names: &'static [&'static str]) -> Self {
+        Self {
+            title,
+            names,
+            of: |_| true,
+        }
+    }
+
+    /// The same for certain variants alone.
+    #[must_use]
+    pub const fn of(mut self, variants: fn(&str) -> bool) -> Self {
+        self.of = variants;
+        self
+    }
+}
+
+/// The verdict of gates and tables on runs.
+pub(crate) fn verdict(
+    runs: &Runs<'_>,
+    scope: Scope,
+    gates: &[GateRule],
+    tables: &[TableRule],
+) -> Verdict {
+    let mut verdict = Verdict::default();
+    let on = |rung: Option<&Rung>| -> Vec<Gate> {
+        let acts = |gate: &&GateRule| rung.is_none_or(|rung| (gate.on)(rung));
+        let own = gates.iter().filter(acts);
+        own.map(|gate| gate.gate(runs, scope, rung)).collect()
+    };
+    verdict.gates = match scope {
+        Scope::Ladder => on(runs.finest(None)),
+        Scope::Variants => (runs.variants().into_iter())
+            .flat_map(|variant| on(runs.finest(Some(variant))))
+            .collect(),
+        Scope::Rungs => runs.rungs.iter().flat_map(|rung| on(Some(rung))).collect(),
+    };
+    for variant in runs.variants() {
+        for rule in tables.iter().filter(|rule| (rule.of)(variant)) {
+            let title = rule.title.replace("{variant}", variant);
+            verdict
+                .tables
+                .push((title, runs.table(Some(variant), rule.names)));
+        }
+    }
+    verdict
+}
