@@ -1,7 +1,7 @@
-//! Contact on the grid in the cycle, and what it tells of itself; what it is made of is in [`contact`](crate::pairs).
+//! Contact on the grid in the cycle; impulses, normals and gaps of its pairs at a node are in [`pairs`](crate::pairs).
 //!
-//! - [`faces`]: what is known of the surface of a body at the nodes, and of the particles near it.
-//! - [`meeting`]: the nodes of a slab where bodies meet, and what happens there.
+//! - [`faces`]: the surface of a body at the nodes, with the particles near it.
+//! - [`contact_nodes`]: the nodes of a slab where bodies meet, and contact there.
 
 mod bonds;
 pub(crate) mod contact_nodes;
@@ -10,7 +10,12 @@ mod plan_entries;
 mod slab_contact;
 
 use crate::kinds::{ContactType, InteractionResult};
+use crate::pairs::overlap::overlap;
+use crate::pairs::{Pair, Tunnelling, broad};
 use crate::values::{Contact, ContactValues, PairValues};
+use contact_nodes::{ContactNodes, ContactResult, DEEP, NodeLists, NodeTunnelling, Overlapped};
+use faces::Faces;
+use proctor_geometry::memory::Memory;
 use proctor_kernel::model::{CycleSettings, Shape, StressScheme, Vector};
 use proctor_kernel::simulation::{
     BalanceTraits, BodyList, BodyRun, EventKind, Grid, InitialOverlap, Interaction,
@@ -18,12 +23,6 @@ use proctor_kernel::simulation::{
     StepView, VelocityMapping,
 };
 use slab_contact::SharedContact;
-
-use crate::pairs::overlap::overlap;
-use crate::pairs::{Pair, Tunnelling, broad};
-use contact_nodes::{ContactNodes, ContactResult, DEEP, NodeLists, NodeTunnelling, Overlapped};
-use faces::Faces;
-use proctor_geometry::memory::Memory;
 use std::any::Any;
 
 /// Contact on the grid.
