@@ -98,8 +98,8 @@ fn windows_hold_where_differences_pass_through_zero() {
         assert_eq!(bar.verdict, Verdict::Asymptotic);
         assert!((found - (6.0 * t).sin()).abs() <= bar.width, "{t}");
     }
-    assert!(histories.gate().passed());
-    assert_relative_eq!(histories.gate().order.unwrap(), 1.0, max_relative = 1e-6);
+    assert!(histories.gate(1.0).passed());
+    assert_relative_eq!(histories.gate(1.0).order.unwrap(), 1.0, max_relative = 1e-6);
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn the_gate_says_until_when_a_history_settles() {
         times: &times,
         values: [&a, &b, &c],
     }
-    .gate();
+    .gate(1.0);
     assert!(!gate.passed());
     let until = gate.until.unwrap();
     assert!((0.5..0.53).contains(&until), "{until}");

@@ -119,7 +119,8 @@ impl Verify {
         }
         if self.calibrates() {
             let table = self.amount.more_than_the_verdict();
-            return refine::run(self.ladders.as_deref(), table, out);
+            let options = self.settings.options()?;
+            return refine::run(self.ladders.as_deref(), &options, table, out);
         }
         let chosen = names::chosen(&self.cases, case::all(), "case", Case::name)?;
         if self.list {

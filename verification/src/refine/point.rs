@@ -2,8 +2,8 @@
 //!
 //! The particle nearest to a point moves by up to a quarter of a cell from mesh to mesh, which would be an error of order 1.
 
-use nalgebra::{DMatrix, DVector};
-use proctor_kernel::scene::Vector;
+use nalgebra::DMatrix;
+use proctor_kernel::scene::{Scene, Vector};
 use proctor_kernel::simulation::Simulation;
 use std::collections::HashMap;
 
@@ -36,26 +36,18 @@ impl MaterialPoint {
             }
         }
         let (_, set) = nearest?;
-        let scene = simulation.scene();
-        let per_cell = scene.bodies[set].particles_per_cell;
-        // Two layers of particles at least, from a point on the edge of the body.
-        let reach = |axis: usize| scene.mesh.cell[axis] * (2.0 / per_cell[axis] as f64).max(1.0);
+        let reach = reach(simulation.scene(), set);
         let particles = &simulation.sets()[set];
         let near: Vec<(u64, Vector)> = (0..particles.len())
             .filter_map(|p| Some((particles.id[p], simulation.initial_position(set, p)?)))
-            .filter(|(_, at)| (0..axes).all(|k| (at[k] - x[k]).abs() <= reach(k)))
+            .filter(|(_, at)| (0..axes).all(|k| (at[k] - x[k]).abs() <= reach[k]))
             .collect();
-        let rows = near.iter().flat_map(|(_, at)| {
-            std::iter::once(1.0).chain((0..axes).map(|k| (at[k] - x[k]) / reach(k)))
-        });
-        let matrix = DMatrix::from_row_iterator(near.len(), 1 + axes, rows);
-        // The value at the point is the first coefficient of the fit.
-        let inverse = matrix.pseudo_inverse(FLAT).ok()?;
-        let first: DVector<f64> = inverse.row(0).transpose();
+        let places: Vec<Vector> = near.iter().map(|(_, at)| *at).collect();
+        let weights = fit(&places, x, &reach, axes)?;
         let ids = near.iter().map(|(id, _)| *id);
         Some(Self {
             set,
-            weights: ids.zip(first.iter().copied()).collect(),
+            weights: ids.zip(weights).collect(),
         })
     }
 
@@ -84,4 +76,28 @@ impl MaterialPoint {
         }
         sums
     }
+}
+
+/// Distance along each axis within which particles of a body count for a point \[m\]: two layers of them at least, from a
+/// point on the edge of the body.
+#[must_use]
+pub(super) fn reach(scene: &Scene, body: usize) -> Vector {
+    let per_cell = scene.bodies[body].particles_per_cell;
+    std::array::from_fn(|axis| scene.mesh.cell[axis] * (2.0 / per_cell[axis] as f64).max(1.0))
+}
+
+/// Weights with which values at `places` \[m\] give the value at `x` of their linear fit; `None` where there are none.
+#[must_use]
+pub(super) fn fit(places: &[Vector], x: &Vector, reach: &Vector, axes: usize) -> Option<Vec<f64>> {
+    let row = |at: &Vector| {
+        let slopes = (0..axes).map(|k| (at[k] - x[k]) / reach[k]);
+        std::iter::once(1.0).chain(slopes).collect::<Vec<f64>>()
+    };
+    let matrix = DMatrix::from_row_iterator(places.len(), 1 + axes, places.iter().flat_map(row));
+    if places.is_empty() {
+        return None;
+    }
+    // The value at the point is the first coefficient of the fit.
+    let inverse = matrix.pseudo_inverse(FLAT).ok()?;
+    Some(inverse.row(0).iter().copied().collect())
 }

@@ -45,7 +45,7 @@ impl Verdict {
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
-            Self::Same => "the same on all meshes",
+            Self::Same => "same on all meshes",
             Self::Asymptotic => "asymptotic",
             Self::TooFast => "too fast, takes 1",
             Self::TooSlow => "settles too slowly",

@@ -35,7 +35,8 @@ impl Histories<'_> {
     }
 
     /// Largest magnitude on any mesh.
-    fn size(&self) -> f64 {
+    #[must_use]
+    pub fn size(&self) -> f64 {
         let count = self.count();
         let all = self.values.iter().flat_map(|values| &values[..count]);
         all.fold(0.0, |size: f64, value| size.max(value.abs()))
@@ -72,10 +73,11 @@ impl Histories<'_> {
         Rule::NORM.estimate(self.cells, differences, self.size())
     }
 
-    /// How the history settles as a whole.
+    /// How the history settles as a whole. Differences are round-off where they are small beside `scale`, the largest energy of
+    /// the scene for one of its energies: before bodies touch, strain energy is nothing else.
     #[must_use]
-    pub fn gate(&self) -> Gate {
-        let (count, scale) = (self.count(), self.size());
+    pub fn gate(&self, scale: f64) -> Gate {
+        let count = self.count();
         let settles = |differences: [f64; 2]| {
             differences[0].max(differences[1]) <= ROUND_OFF * scale
                 || order(self.cells, differences).is_some_and(|p| p >= LEAST)

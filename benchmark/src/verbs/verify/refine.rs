@@ -1,10 +1,14 @@
 //! `proctor verify refine`: the calibration of the error bars of `proctor refine`.
 
 use crate::exit::{Failure, Outcome};
+use crate::interrupt::Interrupt;
 use crate::record::Record;
+use crate::refine::judge::Refined;
+use crate::refine::kept::SCENES;
 use crate::refine::ladders;
 use crate::show::paint::{Mark, Paint};
 use crate::show::{Table, percent};
+use proctor_kernel::simulation::Options;
 use proctor_verification::refine::calibration::{Calibration, Coverage};
 use proctor_verification::refine::{Rule, Verdict};
 use std::io::Write;
@@ -15,11 +19,16 @@ pub const NAME: &str = "refine";
 /// The kept full ladders of all cases.
 const LADDERS: &str = "fixtures/expected/full.json";
 
-/// Judges the rule on the ladders of a record, by default those that are kept.
+/// Judges the rule on the ladders of a record, by default those that are kept, and the gate of a scene on kept scenes.
 ///
 /// # Errors
 /// A record that cannot be read or holds no ladder.
-pub fn run(record: Option<&Path>, table: bool, out: &mut dyn Write) -> Result<Outcome, Failure> {
+pub fn run(
+    record: Option<&Path>,
+    options: &Options,
+    table: bool,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failure> {
     let path = record.unwrap_or(Path::new(LADDERS));
     if !path.is_file() {
         return Err(Failure::BadInput(format!(
@@ -56,14 +65,52 @@ pub fn run(record: Option<&Path>, table: bool, out: &mut dyn Write) -> Result<Ou
             gate.bound
         )?;
     }
-    let failed = gates.iter().filter(|gate| !gate.passed()).count();
+    let mut failed = gates.iter().filter(|gate| !gate.passed()).count();
+    let interrupt = Interrupt::listen()?;
+    for scene in SCENES {
+        let (held, found) = match scene.refined(options, &interrupt) {
+            Ok(None) => return Ok(interrupt.outcome()),
+            Ok(Some((refined, _))) => {
+                (refined.until().is_none() == scene.settles, orders(&refined))
+            }
+            Err(reason) => (false, reason),
+        };
+        failed += usize::from(!held);
+        let mark = if held { Mark::Held } else { Mark::Failed };
+        let must = if scene.settles {
+            "must settle"
+        } else {
+            "must not settle"
+        };
+        writeln!(
+            out,
+            "{} {}: {found}; {must}",
+            paint.symbol(mark),
+            scene.name
+        )?;
+    }
     let word = if failed == 0 { "PASS" } else { "FAIL" };
-    writeln!(out, "{word}: {failed} of {} gates miss", gates.len())?;
+    let all = gates.len() + SCENES.len();
+    writeln!(out, "{word}: {failed} of {all} gates miss")?;
     Ok(if failed == 0 {
         Outcome::Fine
     } else {
         Outcome::Failed
     })
+}
+
+/// The orders of the energies of a scene, and until when they settle where they do not to the end.
+fn orders(refined: &Refined) -> String {
+    let orders = refined.gates.map(|gate| gate.order.unwrap_or(f64::NAN));
+    let until = refined
+        .until()
+        .map(|until| format!(", until {until:.3} s only"));
+    format!(
+        "kinetic and strain energy of order {:.1} and {:.1}{}",
+        orders[0],
+        orders[1],
+        until.unwrap_or_default()
+    )
 }
 
 /// Coverage and width by group, verdicts, and every bar that does not hold the truth.

@@ -1,6 +1,6 @@
 //! The state of a simulation as frames, history rows and checkpoints.
 
-use super::history::HistoryRows;
+use super::history::{HistoryRows, STRESS};
 use super::{RunError, boundaries, grid, state};
 use crate::output::checkpoint::CHECKPOINT;
 use crate::output::earlier;
@@ -133,9 +133,6 @@ pub(super) fn worst(all: &mut Vec<ResultWarning>, more: Vec<ResultWarning>) {
         }
     }
 }
-
-/// Components of the stress, in the order of the particles.
-pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
 
 /// The particles in order of the identifier with the fields of the scene.
 fn frame(simulation: &Simulation) -> Frame {

@@ -1,7 +1,9 @@
 //! The columns of `history.csv`, and their values of one state.
 
-use super::files::STRESS;
 use proctor_kernel::simulation::{Energy, Simulation};
+
+/// Components of the stress, in the order of the particles.
+pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
 
 /// Rows of the history of a simulation.
 pub struct HistoryRows {
