@@ -10,6 +10,7 @@ pub mod measure;
 pub mod precision;
 mod progress;
 pub mod record;
+pub mod refine;
 pub mod report;
 mod say;
 pub mod show;

@@ -12,6 +12,7 @@ pub mod generated;
 pub mod guest;
 pub mod mill;
 pub mod random;
+pub mod refine;
 pub mod sensitivity;
 pub mod settings;
 pub mod stability;

@@ -9,6 +9,7 @@ mod exact;
 mod generated;
 mod guest;
 mod mill;
+mod refine;
 mod sensitivity;
 mod stability;
 mod study;

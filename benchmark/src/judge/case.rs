@@ -94,7 +94,13 @@ impl<'a> Docket<'a> {
     }
 
     /// Takes a change into the verdict: as the ledger says where it knows it, as it stands otherwise.
-    fn add(&mut self, mut change: Change) {
+    fn add(&mut self, change: Change) {
+        self.add_in_bars(change, None);
+    }
+
+    /// The same of a value that moved by so many half-widths of its bar in BASE. A bar excuses no moved number; it says
+    /// whether the move is one.
+    fn add_in_bars(&mut self, mut change: Change, bars: Option<f64>) {
         let name = self.finding.case.to_string();
         if let Some(ledger) = self.rules.ledger {
             if change.moved != Moved::Same && ledger.accepts(self.ladder, &name, &change) {
@@ -116,7 +122,12 @@ impl<'a> Docket<'a> {
             }
         }
         self.marks.add(change.moved);
-        if let Some(line) = line(&change) {
+        if let Some(mut line) = line(&change) {
+            match bars {
+                Some(bars) if bars > 1.0 => line += ", out of the bar",
+                Some(bars) => line += &format!(", by {} of the bar", crate::show::number(bars)),
+                None => {}
+            }
             match change.moved {
                 Moved::Close | Moved::Accepted => self.finding.told.push(line),
                 _ => self.finding.reasons.push(line),
@@ -175,7 +186,8 @@ pub(super) fn judge(
         docket.add(failures);
     }
     for change in change::compare(own, head) {
-        docket.add(change);
+        let bars = change::in_bars(&change, own);
+        docket.add_in_bars(change, bars);
     }
     if change::gate_holds(head) == Some(false) {
         let held = change::gate_holds(own) == Some(true);

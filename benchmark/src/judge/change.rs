@@ -234,6 +234,11 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
                 (_, Found::Nothing) => Moved::Missing,
                 (Found::Nothing, _) => Moved::Appeared,
                 _ if one && before.equals(&after) => Moved::Same,
+                (Found::Word(before), Found::Word(after))
+                    if one && Meaning::of_label(key) == Meaning::Settling =>
+                {
+                    settled(before, after)
+                }
                 _ => Moved::Worse,
             },
             base: before,
@@ -241,6 +246,26 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
         });
     }
     changes
+}
+
+/// How the verdict of a bar moved: to `asymptotic` is better, from it worse, all else neither.
+fn settled(before: &str, after: &str) -> Moved {
+    let asymptotic = proctor_verification::refine::Verdict::Asymptotic.word();
+    match (before == asymptotic, after == asymptotic) {
+        (true, false) => Moved::Worse,
+        (false, true) => Moved::Better,
+        _ => Moved::Close,
+    }
+}
+
+/// By how many half-widths of its bar in BASE a value moved; `None` for what has no bar.
+#[must_use]
+pub fn in_bars(change: &Change, base: &Series) -> Option<f64> {
+    let name = change.number.strip_prefix("value_")?;
+    let bars = base.counters.get(&format!("uncertainty_{name}"))?;
+    let bar = worst(Better::Less, bars);
+    let (from, to) = (change.base.number()?, change.head.number()?);
+    (bar > 0.0 && from != to).then(|| (to - from).abs() / bar)
 }
 
 /// Whether a gate lies on the right side of its bound; `None` for what is no gate. One without a value does not.
@@ -269,7 +294,7 @@ fn side(series: &Series) -> Better {
 
 fn better(meaning: Meaning, base: &Series, head: &Series) -> Better {
     match meaning {
-        Meaning::Error | Meaning::Balance | Meaning::Count => Better::Less,
+        Meaning::Error | Meaning::Uncertainty | Meaning::Balance | Meaning::Count => Better::Less,
         Meaning::Order => Better::More,
         // A tighter bound lies where better values lie.
         Meaning::GateValue | Meaning::GateBound if side(base) == side(head) => side(base),

@@ -2,6 +2,7 @@
 //! made from the record alone.
 
 use super::key;
+pub use super::refined::{BandDetail, RefinedDetail};
 use crate::precision::findings::LineFindings;
 use crate::precision::{Findings, Studied};
 use crate::show::chart::Chart;
@@ -29,6 +30,9 @@ pub struct Details {
     /// Where each method is stable.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stability: Option<StabilityDetail>,
+    /// Scenes with error bars.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub refined: Vec<RefinedDetail>,
 }
 
 /// What a case asked and how it was judged.
@@ -150,6 +154,7 @@ impl Details {
             && self.studies.is_empty()
             && self.plans.is_empty()
             && self.stability.is_none()
+            && self.refined.is_empty()
     }
 
     /// Adds a case that was run. Of each variant the curve of the finest run is kept.

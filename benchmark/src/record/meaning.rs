@@ -1,6 +1,6 @@
 //! What a number of a row is, as its key says.
 
-use super::row::{GATE_BOUND, GATE_SIDE, GATE_VALUE};
+use super::row::{GATE_BOUND, GATE_SIDE, GATE_VALUE, VERDICT};
 
 /// What a counter or a label of a row stands for, and with it how two records are compared in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -9,6 +9,10 @@ pub enum Meaning {
     Error,
     /// Observed order of convergence (`observed_order…`): more is better.
     Order,
+    /// Half-width of the bar of a refined quantity (`uncertainty_…`): less is better.
+    Uncertainty,
+    /// How a refined quantity settles (the label `verdict` of a bar): what leaves `asymptotic` is worse.
+    Settling,
     /// What should be zero and has no scale to be relative to (`balance_…`): less is better.
     Balance,
     /// What was computed (`value_…`, the time that was reached, the time step): neither is better.
@@ -33,9 +37,11 @@ pub enum Meaning {
 
 impl Meaning {
     /// Every meaning that is judged, in the order in which it is told.
-    pub const JUDGED: [Self; 11] = [
+    pub const JUDGED: [Self; 13] = [
         Self::Error,
         Self::Order,
+        Self::Uncertainty,
+        Self::Settling,
         Self::Balance,
         Self::Figure,
         Self::Reference,
@@ -59,6 +65,7 @@ impl Meaning {
             "time" | "dt" | "dt_over_critical" => Self::Figure,
             _ if key.starts_with("error_") => Self::Error,
             _ if key.starts_with("observed_order") => Self::Order,
+            _ if key.starts_with("uncertainty_") => Self::Uncertainty,
             _ if key.starts_with("balance_") => Self::Balance,
             _ if key.starts_with("value_") => Self::Figure,
             _ if key.starts_with("exact_") => Self::Reference,
@@ -73,6 +80,7 @@ impl Meaning {
         match key {
             "state_hash" => Self::Hash,
             GATE_SIDE => Self::GateSide,
+            VERDICT => Self::Settling,
             _ => Self::Information,
         }
     }
@@ -83,6 +91,8 @@ impl Meaning {
         match self {
             Self::Error => "errors",
             Self::Order => "orders",
+            Self::Uncertainty => "bars",
+            Self::Settling => "verdicts of bars",
             Self::Balance => "balances",
             Self::Figure => "figures",
             Self::Reference => "references",
@@ -106,6 +116,7 @@ mod tests {
         for (key, meaning) in [
             ("error_l2_u", Meaning::Error),
             ("observed_order_bar_l2_u", Meaning::Order),
+            ("uncertainty_tip_uy", Meaning::Uncertainty),
             ("balance_momentum", Meaning::Balance),
             ("value_force", Meaning::Figure),
             ("exact_force", Meaning::Reference),
@@ -120,6 +131,7 @@ mod tests {
             assert_eq!(Meaning::of(key), meaning, "{key}");
         }
         assert_eq!(Meaning::of_label("state_hash"), Meaning::Hash);
+        assert_eq!(Meaning::of_label("verdict"), Meaning::Settling);
         assert_eq!(Meaning::of_label("lanes"), Meaning::Information);
     }
 }

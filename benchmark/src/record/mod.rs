@@ -12,6 +12,7 @@ mod join;
 mod machine;
 mod meaning;
 mod read;
+mod refined;
 pub(crate) mod row;
 mod series;
 mod table;

@@ -13,6 +13,8 @@ pub(crate) const GATE_VALUE: &str = "gate_value";
 pub(crate) const GATE_BOUND: &str = "gate_bound";
 /// Label of a gate: `at most` or `at least`.
 pub(crate) const GATE_SIDE: &str = "gate_side";
+/// Label of the bar of a refined quantity: how its values settle.
+pub(crate) const VERDICT: &str = "verdict";
 /// Counter that holds the pass of a row.
 pub(super) const PASS: &str = "pass";
 

@@ -11,6 +11,7 @@ mod glance;
 mod html;
 mod machine;
 mod plans;
+mod refined;
 mod since;
 mod speed;
 mod stability;
@@ -33,6 +34,7 @@ pub fn page(record: &Record, since: Option<&Since<'_>>) -> String {
     let sections: Vec<Section> = [
         since.map(|since| since::section(since, &mut pictures)),
         cases::section(record, &mut pictures),
+        refined::section(record, &mut pictures),
         stability::section(record),
         speed::section(record, &mut pictures),
         plans::section(record),

@@ -3,7 +3,7 @@
 use super::gates;
 use super::html::escape;
 use crate::record::Record;
-use crate::record::details::{CaseDetail, GateDetail};
+use crate::record::details::{CaseDetail, GateDetail, RefinedDetail};
 use crate::stability::extreme::ROWS as EXTREME;
 use std::fmt::Write as _;
 
@@ -12,6 +12,8 @@ pub fn word(record: &Record) -> &'static str {
     let gates = gates(record);
     if record.incomplete() {
         "INTERRUPTED"
+    } else if gates.is_empty() && !record.details.refined.is_empty() {
+        "error bars"
     } else if gates.is_empty() {
         "nothing was judged"
     } else if gates.iter().all(|gate| gate.passed) && failed_rows(record) == 0 {
@@ -24,6 +26,9 @@ pub fn word(record: &Record) -> &'static str {
 /// The verdict with what it rests on, and what failed.
 pub fn html(record: &Record) -> String {
     let word = word(record);
+    if word == "error bars" {
+        return of_bars(record);
+    }
     let class = if word == "PASS" {
         "verdict"
     } else {
@@ -70,6 +75,22 @@ pub fn html(record: &Record) -> String {
         "<div class=\"{class}\" role=\"status\"><strong>{}</strong> {text} <span class=\"soft\">A gate is a bound that a \
          result must keep, such as 1 % for the error against an exact solution.</span></div>\n",
         escape(word),
+    )
+}
+
+/// The verdict of a record that holds refined scenes alone: how many of their values have a bar.
+fn of_bars(record: &Record) -> String {
+    let of = |scene: &RefinedDetail| {
+        let [bars, all] = scene.bars;
+        format!(
+            "{bars} of {all} values of {} have a bar.",
+            escape(&scene.scene)
+        )
+    };
+    let scenes: Vec<String> = record.details.refined.iter().map(of).collect();
+    format!(
+        "<div class=\"verdict\" role=\"status\"><strong>error bars</strong> {}</div>\n",
+        scenes.join(" ")
     )
 }
 

@@ -8,6 +8,8 @@ pub mod keys;
 pub mod paint;
 pub mod picture;
 pub mod precision;
+pub mod refine;
+pub mod refine_methods;
 pub mod short;
 pub mod stability;
 pub mod summary;

@@ -14,6 +14,7 @@ mod new;
 mod noise;
 mod plan;
 mod precision;
+mod refine;
 mod report;
 mod run;
 mod schema;
@@ -45,6 +46,8 @@ pub enum Verb {
     Verify(verify::Verify),
     /// Show the error against the run time, for every case with an exact solution.
     Precision(precision::Precision),
+    /// Give the results of a scene error bars, from runs on three meshes.
+    Refine(refine::Refine),
     /// Find the largest stable time step of each method, predicted and measured.
     Stability(stability::Stability),
     /// Run laboratory tests on the materials of a scene, without a grid.
@@ -75,6 +78,7 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
         Some(Verb::Plan(plan)) => plan.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
         Some(Verb::Precision(precision)) => precision.run(out),
+        Some(Verb::Refine(refine)) => refine.run(out),
         Some(Verb::Stability(stability)) => stability.run(out),
         Some(Verb::Element(element)) => element.run(out),
         Some(Verb::Bench(bench)) => bench.run(out),

@@ -3,6 +3,7 @@
 mod earlier;
 mod generated;
 mod mill;
+mod refine;
 
 use super::settings::Settings;
 use super::{Amount, names};
@@ -36,10 +37,12 @@ use std::time::Instant;
     A short ladder, as record: proctor verify --quick --json record.json\n\
     After Ctrl-C, or a case that failed: proctor verify --resume record.json\n\
     A thousand random scenes: proctor verify --generated 1000 --seed 7\n\
-    A hundred manufactured solutions: proctor verify mill --count 100 --seed 7")]
+    A hundred manufactured solutions: proctor verify mill --count 100 --seed 7\n\
+    The error bars of `proctor refine` against known errors: proctor verify refine")]
 pub struct Verify {
     /// Cases to run [default: all]; `mill` alone runs manufactured solutions: random motions whose body force follows from
-    /// them, on finer and finer meshes, judged by orders and errors
+    /// them, on finer and finer meshes, judged by orders and errors; `refine` alone judges the error bars of `proctor refine`
+    /// on kept ladders whose errors are known
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
     /// Run the short ladder of each case
@@ -73,6 +76,9 @@ pub struct Verify {
     /// Run this problem of the mill instead of random ones: a file that the mill wrote for a problem that missed a gate
     #[arg(long, value_name = "FILE")]
     problem: Option<PathBuf>,
+    /// Record of full ladders for `refine` [default: fixtures/expected/full.json]
+    #[arg(long, value_name = "RECORD")]
+    ladders: Option<PathBuf>,
     /// Folder for generated scenes that violate their property, or problems that miss a gate
     /// [default: target/proctor/generated or target/proctor/mill]
     #[arg(long, value_name = "DIR")]
@@ -110,6 +116,11 @@ impl Verify {
         self.go_together()?;
         if self.mills() {
             return self.mill(out);
+        }
+        if self.calibrates() {
+            let table = self.amount.more_than_the_verdict();
+            let options = self.settings.options()?;
+            return refine::run(self.ladders.as_deref(), &options, table, out);
         }
         let chosen = names::chosen(&self.cases, case::all(), "case", Case::name)?;
         if self.list {
@@ -158,6 +169,11 @@ impl Verify {
         self.cases.iter().any(|name| name == mill::NAME)
     }
 
+    /// True where the calibration of error bars is meant, not cases.
+    fn calibrates(&self) -> bool {
+        self.cases.iter().any(|name| name == refine::NAME)
+    }
+
     /// Looks at arguments that belong to random scenes and problems alone.
     ///
     /// # Errors
@@ -166,7 +182,15 @@ impl Verify {
         let of_record = self.quick || self.list || self.repetitions > 1;
         let of_record = of_record || self.resume.is_some() || self.failed.is_some();
         let with_mill = self.cases.len() > 1 || of_record;
-        let fault = if self.mills() {
+        let fault = if self.calibrates() {
+            let with_refine = with_mill || self.json.is_some() || self.generated.is_some();
+            let with_refine = with_refine || self.seed.is_some() || self.out.is_some();
+            with_refine.then_some("found `refine` beside cases or their options; accepted: `refine` alone, with --ladders")
+        } else if self.ladders.is_some() {
+            Some(
+                "found --ladders without `refine`; accepted: proctor verify refine --ladders RECORD",
+            )
+        } else if self.mills() {
             with_mill.then_some("found `mill` beside other cases or options of cases; accepted: `mill` alone, with --seed, --count, --problem, --out, --json and --threads")
         } else if self.count.is_some() || self.problem.is_some() {
             Some(

@@ -22,6 +22,7 @@ mod pipe;
 mod plan;
 mod precision;
 mod report;
+mod refine;
 mod restart;
 mod run;
 #[cfg(unix)]

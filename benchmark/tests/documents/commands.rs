@@ -41,6 +41,9 @@ fn how(arguments: &[&str]) -> How {
             How::NotRun("all cases take a minute; tests/cases.rs of the verification runs them")
         }
         ["verify", "--generated", ..] => How::Instead(&["verify", "--generated", "12"]),
+        ["verify", "refine", ..] => {
+            How::NotRun("the kept ladders are not there; tests/command/refine.rs reads them")
+        }
         ["verify", "mill", ..] => How::Instead(&["verify", "mill", "--count", "2", "--seed", "5"]),
         // Names and options are looked at; the runs are those of tests/cases.rs.
         ["verify", rest @ ..] if rest.contains(&"--quick") => How::With(&["--list"]),

@@ -1,6 +1,7 @@
 //! Charts of what was computed: error against time, convergence, curves, speed.
 
 mod precision;
+pub mod refine;
 mod slopes;
 
 pub use precision::error_against_time;

@@ -141,6 +141,19 @@ impl SourceMap {
         self.told(&paths, &error.to_string())
     }
 
+    /// A problem with a value that is sound by itself, with its place where it has one.
+    #[must_use]
+    pub fn of_problem(&self, problem: &Problem) -> String {
+        let spelt = self.spelt(&problem.path);
+        let location = problem.location.clone().or_else(|| self.place(&spelt));
+        Problem {
+            path: spelt,
+            location,
+            ..problem.clone()
+        }
+        .to_string()
+    }
+
     /// What mortar contact calls by words of its own: a contact by its path, a rigid line or surface by its name, the
     /// boundary of a body by the identifier.
     fn of_mortar(&self, path: &str) -> Vec<String> {

@@ -15,9 +15,11 @@ mod boundaries;
 mod error;
 mod files;
 mod grid;
+mod history;
 mod state;
 
 pub use error::RunError;
+pub use history::HistoryRows;
 
 use crate::output::summary::{
     OVERLAP, Status, SummaryDrift, SummaryEnergy, SummaryEvent, VOLUME_RATIO, Warning, YieldingBody,

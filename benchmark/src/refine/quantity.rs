@@ -1,0 +1,303 @@
+//! Quantities of a run: which columns at which time, their units, and those that are taken where the user names none.
+
+use super::run::{LETTERS, MeshRun};
+use std::fmt;
+
+/// A quantity of every mesh of a refinement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// Name in the table.
+    pub name: String,
+    /// Column of the history.
+    pub column: String,
+    /// When it is read.
+    pub when: When,
+}
+
+/// When a column is read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum When {
+    /// At the end of the judged time.
+    End,
+    /// Its largest value.
+    Max,
+    /// Its mean in time.
+    Mean,
+    /// Its mean over the last fifth.
+    Late,
+    /// The growth over the last fifth over its time: of an impulse the mean force \[N\].
+    LateRate,
+    /// At a time \[s\].
+    At(f64),
+}
+
+impl When {
+    /// Whether the bar is that of a window in time, not of the number alone.
+    #[must_use]
+    pub fn is_local(self) -> bool {
+        matches!(self, Self::End | Self::At(_))
+    }
+}
+
+impl fmt::Display for When {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::End => write!(f, "end"),
+            Self::Max => write!(f, "max"),
+            Self::Mean => write!(f, "mean"),
+            Self::Late | Self::LateRate => write!(f, "last fifth"),
+            Self::At(time) => write!(f, "{time} s"),
+        }
+    }
+}
+
+impl Quantity {
+    /// A column at the end, under its own name.
+    fn at_end(column: &str) -> Self {
+        Self {
+            name: column.to_owned(),
+            column: column.to_owned(),
+            when: When::End,
+        }
+    }
+
+    /// From `NAME=COLUMN@WHEN`.
+    ///
+    /// # Errors
+    /// What is accepted.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let accepted = || {
+            format!(
+                "found {text:?}; accepted: NAME=COLUMN@end, @max, @mean or @T with a time in seconds"
+            )
+        };
+        let (name, rest) = text.split_once('=').ok_or_else(accepted)?;
+        let (column, when) = rest.rsplit_once('@').ok_or_else(accepted)?;
+        let when = match when {
+            "end" => When::End,
+            "max" => When::Max,
+            "mean" => When::Mean,
+            time => {
+                let time: f64 = time
+                    .trim_end_matches('s')
+                    .trim()
+                    .parse()
+                    .map_err(|_| accepted())?;
+                if !(time >= 0.0 && time.is_finite()) {
+                    return Err(accepted());
+                }
+                When::At(time)
+            }
+        };
+        if name.is_empty() || column.is_empty() {
+            return Err(accepted());
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            column: column.to_owned(),
+            when,
+        })
+    }
+
+    /// Whether it is the extent of a body that flows.
+    #[must_use]
+    pub fn is_extent(&self) -> bool {
+        let words = ["_front_", "_back_", "_height"];
+        words.iter().any(|word| self.column.contains(word))
+    }
+
+    /// Its unit, from the name of its column.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        if self.when == When::LateRate {
+            return "N";
+        }
+        unit(&self.column)
+    }
+
+    /// Its value on a mesh, for the first `count` output times; not a number where the mesh did not come so far.
+    #[must_use]
+    pub fn value(&self, run: &MeshRun, count: usize) -> f64 {
+        let Some(values) = run.columns.get(&self.column) else {
+            return f64::NAN;
+        };
+        let count = count.min(values.len());
+        if count == 0 {
+            return f64::NAN;
+        }
+        let (values, times) = (&values[..count], &run.times[..count]);
+        let end = times[count - 1];
+        let late = times.partition_point(|time| *time < 0.8 * end - 1e-9 * end);
+        match self.when {
+            When::End => values[count - 1],
+            When::Max => values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            When::Mean => mean(times, values),
+            When::Late => mean(&times[late..], &values[late..]),
+            When::LateRate => (values[count - 1] - values[late]) / (end - times[late]),
+            When::At(time) => values[nearest(times, time)],
+        }
+    }
+}
+
+/// The place of the output time nearest to a time.
+#[must_use]
+pub fn nearest(times: &[f64], time: f64) -> usize {
+    let next = times.partition_point(|t| *t < time).min(times.len() - 1);
+    match next.checked_sub(1) {
+        Some(before) if time - times[before] < times[next] - time => before,
+        _ => next,
+    }
+}
+
+/// Mean in time, by the trapezoidal rule.
+fn mean(times: &[f64], values: &[f64]) -> f64 {
+    let [Some(first), Some(last)] = [times.first(), times.last()] else {
+        return f64::NAN;
+    };
+    if times.len() == 1 {
+        return values[0];
+    }
+    let pieces = times.windows(2).zip(values.windows(2));
+    let area: f64 = pieces
+        .map(|(t, v)| 0.5 * (v[0] + v[1]) * (t[1] - t[0]))
+        .sum();
+    area / (last - first)
+}
+
+/// The unit of a column of the history, by its name; empty where the name tells none.
+#[must_use]
+pub fn unit(column: &str) -> &'static str {
+    let ends = |words: &[&str]| {
+        words.iter().any(|word| {
+            LETTERS
+                .iter()
+                .any(|letter| column.ends_with(&format!("_{word}{letter}")))
+        })
+    };
+    if column.contains("energy") {
+        "J"
+    } else if column.contains("impulse") {
+        "N s"
+    } else if column.starts_with("momentum_") {
+        "kg m/s"
+    } else if column.ends_with("_mass") {
+        "kg"
+    } else if ends(&["contact_f"]) {
+        "N"
+    } else if column.ends_with("_time") {
+        "s"
+    } else if ends(&["v"]) {
+        "m/s"
+    } else if ends(&["u", ""])
+        || column.ends_with("_height")
+        || ["_front_", "_back_"]
+            .iter()
+            .any(|part| column.contains(part))
+    {
+        "m"
+    } else if ["xx", "yy", "zz", "yz", "xz", "xy"]
+        .iter()
+        .any(|pair| column.ends_with(&format!("_s{pair}")))
+    {
+        "Pa"
+    } else {
+        ""
+    }
+}
+
+/// The quantities of a scene where the user names none: centres, velocities and extents of the bodies, probes, energies,
+/// impulses of contact and the mean of its force over the last fifth. Forces at one time depend on chance, stresses of probes
+/// have wide bars, and the remainder of the energy and `…_algorithmic` measure the method: none of them is taken.
+#[must_use]
+pub fn usual(run: &MeshRun) -> Vec<Quantity> {
+    let mut all = vec![];
+    let left_out = |column: &str| {
+        column.ends_with("_mass")
+            || column.starts_with("momentum_")
+            || column == "velocity_time"
+            || column == "kinetic_energy"
+            || column == "energy_remainder"
+            || column.ends_with("_algorithmic")
+            || column.starts_with("boundary_drift")
+            || matches!(unit(column), "Pa" | "N" | "")
+    };
+    for column in run.columns.keys().filter(|column| !left_out(column)) {
+        all.push(Quantity::at_end(column));
+        if column.contains("_impulse_") {
+            all.push(Quantity {
+                name: column.replace("_impulse_", "_late_force_"),
+                column: column.clone(),
+                when: When::LateRate,
+            });
+        }
+    }
+    // Lengths first, then velocities, impulses and forces, energies.
+    let rank = |quantity: &Quantity| {
+        let order = ["m", "m/s", "N s", "N", "J"];
+        order.iter().position(|unit| *unit == quantity.unit())
+    };
+    // Of two columns that are one, the scene's stands before the body's.
+    let of_body =
+        |quantity: &Quantity| quantity.unit() == "J" && quantity.column.starts_with("body");
+    all.sort_by_key(|quantity| {
+        (
+            rank(quantity),
+            !is_probe(&quantity.column),
+            of_body(quantity),
+        )
+    });
+    all
+}
+
+/// Whether a column belongs to a probe.
+fn is_probe(column: &str) -> bool {
+    !(column.starts_with("body") || column.starts_with("surface") || column.contains("energy"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quantity_is_a_name_a_column_and_a_time() {
+        let found = Quantity::parse("tip=tip_uy@end").expect("a quantity");
+        assert_eq!((found.name.as_str(), found.when), ("tip", When::End));
+        let found = Quantity::parse("push=body1_contact_fx@0.25").expect("a quantity");
+        assert_eq!((found.unit(), found.when), ("N", When::At(0.25)));
+        for wrong in [
+            "tip",
+            "tip=tip_uy",
+            "=tip_uy@end",
+            "a=b@soon",
+            "a=b@-1",
+            "a=@max",
+        ] {
+            assert!(Quantity::parse(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn columns_tell_their_unit() {
+        for (column, found) in [
+            ("tip_uy", "m"),
+            ("body12_x", "m"),
+            ("body12_vx", "m/s"),
+            ("body1_front_x", "m"),
+            ("strain_energy", "J"),
+            ("energy_friction", "J"),
+            ("body1_contact_fy", "N"),
+            ("body1_impulse_y", "N s"),
+            ("tip_sxy", "Pa"),
+            ("boundary_drift", ""),
+        ] {
+            assert_eq!(unit(column), found, "{column}");
+        }
+    }
+
+    #[test]
+    fn means_are_over_time() {
+        assert_eq!(mean(&[0.0, 1.0, 3.0], &[0.0, 2.0, 2.0]), 5.0 / 3.0);
+        assert_eq!(nearest(&[0.0, 1.0, 2.0], 1.4), 1);
+        assert_eq!(nearest(&[0.0, 1.0, 2.0], 9.0), 2);
+    }
+}

@@ -1,0 +1,269 @@
+//! A scene on one mesh: its history, impulses of contact, and extents of the bodies that flow.
+
+use super::extent::Extents;
+use crate::measure::{Spent, Stopwatch};
+use proctor_files::run::HistoryRows;
+use proctor_kernel::scene::{Probe, Scene, TimeStep, Vector};
+use proctor_kernel::simulation::{Options, SetupError, Simulation};
+use proctor_verification::refine::field::Snapshot;
+use proctor_verification::refine::point::MaterialPoint;
+use std::collections::BTreeMap;
+
+/// Output times of a scene that writes none.
+const OUTPUTS: usize = 20;
+/// Components of the stress.
+const STRESS: [&str; 6] = ["sxx", "syy", "szz", "syz", "sxz", "sxy"];
+/// Names of the axes.
+pub const LETTERS: [&str; 3] = ["x", "y", "z"];
+
+/// A scene on one mesh, run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshRun {
+    /// Cell size \[m\].
+    pub cell: f64,
+    /// Number of cells along each axis.
+    pub cells: Vec<usize>,
+    /// Number of particles at the start.
+    pub particles: usize,
+    /// Number of steps.
+    pub steps: u64,
+    /// Time that it took.
+    pub spent: Spent,
+    /// Output times \[s\], the start first.
+    pub times: Vec<f64>,
+    /// Values by the name of their column, one for each time.
+    pub columns: BTreeMap<String, Vec<f64>>,
+    /// Lower and upper corner of the box that held all particles at all output times \[m\].
+    pub bounds: [Vector; 2],
+    /// Fields of the particles at the time at which they were asked for.
+    pub snapshot: Option<Snapshot>,
+    /// Why the run failed.
+    pub fault: Option<String>,
+    /// Whether it was interrupted.
+    pub interrupted: bool,
+}
+
+/// Runs a scene. `go` hears in every step of the share that is done and answers whether to go on. The fields of the particles
+/// are kept at the last output until `snapshot_at` \[s\], where that is given.
+///
+/// # Errors
+/// Why the scene cannot be set up.
+pub fn run(
+    scene: &Scene,
+    options: &Options,
+    snapshot_at: Option<f64>,
+    go: &(dyn Fn(f64) -> bool + Sync),
+) -> Result<MeshRun, Box<SetupError>> {
+    let (scene, probes) = prepared(scene);
+    let options = with_displacement(options);
+    let mut stopwatch = Stopwatch::default();
+    let simulation = stopwatch.time(|| Simulation::new(&scene, &options));
+    let mut simulation = simulation.map_err(Box::new)?;
+    let mut recorder = Recorder::new(&simulation, &probes);
+    recorder.note(&mut simulation);
+    let particles = simulation.particles();
+    let (mut fault, mut interrupted) = (None, false);
+    let mut snapshot = None;
+    let outputs = scene.results.print as f64;
+    let team = simulation.team();
+    for number in 1..=scene.results.print {
+        let stop = scene.time * (number as f64 / outputs);
+        let slack = match scene.time_step {
+            TimeStep::Fixed { dt, .. } => 0.5 * dt,
+            _ => 0.0,
+        };
+        let (simulation, recorder) = (&mut simulation, &mut recorder);
+        let ended = stopwatch.time(|| {
+            team.lead(|| {
+                while simulation.time() + slack < stop {
+                    match simulation.step(stop) {
+                        Err(error) => return Some(Some(error.to_string())),
+                        Ok(info) => recorder.add_impulses(simulation, info.dt),
+                    }
+                    if !go(simulation.time() / scene.time) {
+                        return Some(None);
+                    }
+                }
+                None
+            })
+        });
+        match ended {
+            None => {
+                recorder.note(simulation);
+                let next = stop + scene.time / outputs;
+                if snapshot_at.is_some_and(|time| (stop..next).contains(&(time * (1.0 + 1e-9)))) {
+                    snapshot = Some(Snapshot::of(simulation));
+                }
+            }
+            Some(error) => {
+                interrupted = error.is_none();
+                fault = error;
+                break;
+            }
+        }
+    }
+    let axes = scene.dimension.axes();
+    Ok(MeshRun {
+        cell: scene.size_of_cell(),
+        cells: scene.mesh.cells[..axes].to_vec(),
+        particles,
+        steps: simulation.steps(),
+        spent: stopwatch.spent,
+        times: recorder.times,
+        columns: recorder.names.into_iter().zip(recorder.columns).collect(),
+        bounds: recorder.bounds,
+        snapshot,
+        fault,
+        interrupted,
+    })
+}
+
+/// Names of the columns that a scene gives.
+///
+/// # Errors
+/// Why the scene cannot be set up.
+pub fn columns(scene: &Scene, options: &Options) -> Result<Vec<String>, Box<SetupError>> {
+    let (scene, probes) = prepared(scene);
+    let options = with_displacement(options);
+    let simulation = Simulation::new(&scene, &options).map_err(Box::new)?;
+    Ok(Recorder::new(&simulation, &probes).names)
+}
+
+/// The scene without its probes, which are read at material points instead, and with outputs; and the probes.
+fn prepared(scene: &Scene) -> (Scene, Vec<Probe>) {
+    let mut scene = scene.clone();
+    let probes = std::mem::take(&mut scene.probes);
+    scene.results.checkpoint = false;
+    if scene.results.print == 0 {
+        scene.results.print = OUTPUTS;
+    }
+    (scene, probes)
+}
+
+fn with_displacement(options: &Options) -> Options {
+    Options {
+        displacement: true,
+        ..options.clone()
+    }
+}
+
+/// Columns of a run as they grow.
+struct Recorder {
+    rows: HistoryRows,
+    points: Vec<(String, Option<MaterialPoint>)>,
+    extents: Extents,
+    /// Sets and surfaces with contact, each with its impulse so far \[N s\].
+    impulses: Vec<(Touched, Vector)>,
+    names: Vec<String>,
+    columns: Vec<Vec<f64>>,
+    times: Vec<f64>,
+    bounds: [Vector; 2],
+}
+
+/// A body or a rigid surface that contact pushes, by its place.
+#[derive(Clone, Copy)]
+enum Touched {
+    Body(usize),
+    Surface(usize),
+}
+
+impl Recorder {
+    fn new(simulation: &Simulation, probes: &[Probe]) -> Self {
+        let letters = &LETTERS[..simulation.plan().axes];
+        let rows = HistoryRows::new(simulation);
+        let mut names = rows.columns(simulation);
+        let points: Vec<(String, Option<MaterialPoint>)> = probes
+            .iter()
+            .map(|probe| {
+                let point = MaterialPoint::at(simulation, &probe.position);
+                (probe.name.clone(), point)
+            })
+            .collect();
+        for (name, _) in &points {
+            names.extend(letters.iter().map(|l| format!("{name}_u{l}")));
+            names.extend(letters.iter().map(|l| format!("{name}_v{l}")));
+            names.extend(STRESS.iter().map(|s| format!("{name}_{s}")));
+        }
+        let bodies = 0..simulation.sets().len();
+        let touched = bodies.filter(|set| simulation.has_contact(*set));
+        let surfaces = 0..simulation.scene().surfaces.len();
+        let impulses: Vec<(Touched, Vector)> = touched
+            .map(Touched::Body)
+            .chain(surfaces.map(Touched::Surface))
+            .map(|touched| (touched, [0.0; 3]))
+            .collect();
+        for (touched, _) in &impulses {
+            let of = match touched {
+                Touched::Body(set) => format!("body{}", simulation.body_and_material(*set).0),
+                Touched::Surface(surface) => format!("surface{surface}"),
+            };
+            names.extend(letters.iter().map(|l| format!("{of}_impulse_{l}")));
+        }
+        let extents = Extents::new(simulation);
+        names.extend(extents.names());
+        Self {
+            rows,
+            points,
+            extents,
+            impulses,
+            columns: vec![vec![]; names.len()],
+            names,
+            times: vec![],
+            bounds: [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]],
+        }
+    }
+
+    /// Adds what contact pushed in a step of `dt` \[s\].
+    fn add_impulses(&mut self, simulation: &Simulation, dt: f64) {
+        for (touched, impulse) in &mut self.impulses {
+            let force = match touched {
+                Touched::Body(set) => simulation.contact_force(*set),
+                Touched::Surface(surface) => simulation.surface_force(*surface),
+            };
+            *impulse = std::array::from_fn(|axis| impulse[axis] + dt * force[axis]);
+        }
+    }
+
+    /// Adds a value to every column.
+    fn note(&mut self, simulation: &mut Simulation) {
+        let energy = simulation.energy();
+        let simulation = &*simulation;
+        let axes = simulation.plan().axes;
+        let mut row = self.rows.row(simulation, &energy);
+        for (_, point) in &self.points {
+            let values: [f64; 12] = point.as_ref().map_or([f64::NAN; 12], |point| {
+                let particles = &simulation.sets()[point.set];
+                point.values(simulation, |p| {
+                    let u = simulation.displacement(point.set, p).unwrap_or_default();
+                    let (v, s) = (particles.velocity(p), particles.stress(p));
+                    [
+                        u[0], u[1], u[2], v[0], v[1], v[2], s[0], s[1], s[2], s[3], s[4], s[5],
+                    ]
+                })
+            });
+            row.extend_from_slice(&values[..axes]);
+            row.extend_from_slice(&values[3..3 + axes]);
+            row.extend_from_slice(&values[6..]);
+        }
+        for (_, impulse) in &self.impulses {
+            row.extend_from_slice(&impulse[..axes]);
+        }
+        row.extend(self.extents.values(simulation));
+        for (column, value) in self.columns.iter_mut().zip(row) {
+            column.push(value);
+        }
+        self.times.push(simulation.time());
+        self.add_bounds(simulation);
+    }
+
+    fn add_bounds(&mut self, simulation: &Simulation) {
+        for set in 0..simulation.sets().len() {
+            for p in 0..simulation.sets()[set].len() {
+                let x = simulation.position(set, p);
+                let [low, high] = &mut self.bounds;
+                *low = std::array::from_fn(|axis| low[axis].min(x[axis]));
+                *high = std::array::from_fn(|axis| high[axis].max(x[axis]));
+            }
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The columns of `history.csv`, and their values of one state.
+
+use proctor_kernel::simulation::{Energy, Simulation};
+
+/// Components of the stress, in the order of the particles.
+pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
+
+/// Rows of the history of a simulation.
+pub struct HistoryRows {
+    probes: Vec<ProbedParticle>,
+}
+
+/// A probe and the particle that it follows.
+struct ProbedParticle {
+    name: String,
+    set: usize,
+    id: u64,
+}
+
+impl HistoryRows {
+    /// Of a simulation at its start, when the particle nearest to each probe is found.
+    #[must_use]
+    pub fn new(simulation: &Simulation) -> Self {
+        Self {
+            probes: probed(simulation),
+        }
+    }
+
+    /// Names of the history columns behind time and step.
+    #[must_use]
+    pub fn columns(&self, simulation: &Simulation) -> Vec<String> {
+        let letters = &["x", "y", "z"][..simulation.plan().axes];
+        let mut names = vec!["kinetic_energy".to_string(), "strain_energy".into()];
+        names.extend(letters.iter().map(|l| format!("momentum_{l}")));
+        for set in 0..simulation.sets().len() {
+            let (body, _) = simulation.body_and_material(set);
+            names.push(format!("body{body}_mass"));
+            names.extend(letters.iter().map(|l| format!("body{body}_{l}")));
+            names.extend(letters.iter().map(|l| format!("body{body}_v{l}")));
+            if simulation.has_contact(set) {
+                names.extend(letters.iter().map(|l| format!("body{body}_contact_f{l}")));
+            }
+        }
+        for surface in 0..simulation.scene().surfaces.len() {
+            names.extend(
+                letters
+                    .iter()
+                    .map(|l| format!("surface{surface}_contact_f{l}")),
+            );
+        }
+        for probe in &self.probes {
+            names.extend(letters.iter().map(|l| format!("{}_u{l}", probe.name)));
+            names.extend(letters.iter().map(|l| format!("{}_v{l}", probe.name)));
+            names.extend(
+                STRESS
+                    .iter()
+                    .map(|s| format!("{}_s{}", probe.name, s.to_lowercase())),
+            );
+            let layout = simulation.sets()[probe.set].layout;
+            names.extend(layout.components().map(|(variable, i, _)| {
+                format!("{}_{}", probe.name, variable.component(i).replace(' ', "_"))
+            }));
+        }
+        names.push("velocity_time".into());
+        names.extend(BALANCE.map(str::to_owned));
+        if has_drift(simulation) {
+            names.extend(DRIFT.map(str::to_owned));
+        }
+        for (set, _) in simulation.yielding() {
+            let (body, _) = simulation.body_and_material(set);
+            names.extend(YIELDING.map(|channel| format!("body{body}_energy_{channel}")));
+        }
+        names
+    }
+
+    /// One row of the history, for the energy balance of the same state; a probed particle that was removed leaves empty cells.
+    #[must_use]
+    pub fn row(&self, simulation: &Simulation, energy: &Energy) -> Vec<f64> {
+        let axes = simulation.plan().axes;
+        let mut row = vec![simulation.kinetic_energy(), simulation.strain_energy()];
+        row.extend_from_slice(&simulation.momentum()[..axes]);
+        for set in 0..simulation.sets().len() {
+            let (mass, x, v) = simulation.center(set);
+            row.push(mass);
+            row.extend_from_slice(&x[..axes]);
+            row.extend_from_slice(&v[..axes]);
+            if simulation.has_contact(set) {
+                row.extend_from_slice(&simulation.contact_force(set)[..axes]);
+            }
+        }
+        for surface in 0..simulation.scene().surfaces.len() {
+            row.extend_from_slice(&simulation.surface_force(surface)[..axes]);
+        }
+        for probe in &self.probes {
+            let set = &simulation.sets()[probe.set];
+            if let Some(p) = set.id.iter().position(|id| *id == probe.id) {
+                let u = simulation
+                    .displacement(probe.set, p)
+                    .unwrap_or([f64::NAN; 3]);
+                row.extend_from_slice(&u[..axes]);
+                row.extend_from_slice(&set.velocity(p)[..axes]);
+                row.extend_from_slice(&set.stress(p));
+                row.extend(set.variables(p));
+            } else {
+                let cells = 2 * axes + STRESS.len() + set.layout.components().count();
+                row.extend(std::iter::repeat_n(f64::NAN, cells));
+            }
+        }
+        row.push(simulation.velocity_time());
+        row.extend([
+            energy.kinetic,
+            energy.contact,
+            energy.external_work,
+            energy.damping,
+            energy.friction,
+            energy.impact,
+            energy.plastic,
+            energy.removed,
+            energy.remainder,
+        ]);
+        if has_drift(simulation) {
+            // Between two stages all bodies with a boundary may be driven: empty cells.
+            let drift = simulation.boundary_drift();
+            row.extend(drift.map_or([f64::NAN; 2], |drift| [drift.distance, drift.in_cells]));
+        }
+        for (_, energy) in simulation.yielding() {
+            row.extend([energy.stored, energy.plastic, energy.algorithmic]);
+        }
+        row
+    }
+}
+
+/// The energy balance at the time of the row; `kinetic_energy` is that of the velocities, at `velocity_time`.
+const BALANCE: [&str; 9] = [
+    "energy_kinetic",
+    "energy_contact",
+    "energy_external_work",
+    "energy_damping",
+    "energy_friction",
+    "energy_impact",
+    "energy_plastic",
+    "energy_removed",
+    "energy_remainder",
+];
+
+/// Where the work of the strain of a body went that yields \[J\].
+const YIELDING: [&str; 3] = ["stored", "plastic", "algorithmic"];
+
+/// How far the farthest vertex of mortar contact is off its body \[m\], and over the smallest size of a cell.
+const DRIFT: [&str; 2] = ["boundary_drift", "boundary_drift_in_cells"];
+
+/// Whether a body has a boundary, whose vertices could drift.
+fn has_drift(simulation: &Simulation) -> bool {
+    !simulation.scene().mortar.boundaries.is_empty()
+}
+
+/// The particle nearest to each probe.
+fn probed(simulation: &Simulation) -> Vec<ProbedParticle> {
+    let scene = simulation.scene();
+    let follow = |position: &[f64; 3]| {
+        let mut best: Option<(f64, u64, usize)> = None;
+        for (s, set) in simulation.sets().iter().enumerate() {
+            for p in 0..set.len() {
+                let x = simulation
+                    .initial_position(s, p)
+                    .unwrap_or_else(|| simulation.position(s, p));
+                let square: f64 = (0..simulation.plan().axes)
+                    .map(|axis| (x[axis] - position[axis]).powi(2))
+                    .sum();
+                // Of equally near particles the one with the smallest identifier, whatever their order.
+                if best.is_none_or(|(d, id, _)| (square, set.id[p]) < (d, id)) {
+                    best = Some((square, set.id[p], s));
+                }
+            }
+        }
+        best
+    };
+    scene
+        .probes
+        .iter()
+        .filter_map(|probe| {
+            let (_, id, set) = follow(&probe.position)?;
+            Some(ProbedParticle {
+                name: probe.name.clone(),
+                set,
+                id,
+            })
+        })
+        .collect()
+}
