@@ -2,6 +2,7 @@
 
 pub mod choices;
 pub mod cost;
+pub mod costs;
 pub mod findings;
 pub mod peers;
 pub mod rows;

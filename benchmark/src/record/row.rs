@@ -14,7 +14,7 @@ pub(crate) const GATE_BOUND: &str = "gate_bound";
 /// Label of a gate: `at most` or `at least`.
 pub(crate) const GATE_SIDE: &str = "gate_side";
 /// Counter that holds the pass of a row.
-pub(super) const PASS: &str = "pass";
+pub(crate) const PASS: &str = "pass";
 
 /// Number of threads of a row whose scene decides it, as far as the machine has them.
 pub const BY_SCENE: usize = 0;

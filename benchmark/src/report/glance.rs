@@ -13,8 +13,8 @@ struct Answer {
     about: &'static str,
     anchor: &'static str,
     said: [String; 2],
-    /// Whether it is one to worry about.
-    bad: bool,
+    /// Its look: none, `near` to failing, or `bad`.
+    look: &'static str,
 }
 
 /// The first screen below the verdict.
@@ -22,45 +22,60 @@ struct Answer {
 pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
     let (costs, speeds) = (Costs::all(record), Speed::all(record));
     let mut answers: Vec<Answer> = vec![];
-    let mut answer = |about, anchor, found: Option<[String; 2]>, bad| {
+    let mut answer = |about, anchor, found: Option<[String; 2]>, look| {
         answers.extend(found.map(|said| Answer {
             about,
             anchor,
             said,
-            bad,
+            look,
         }));
     };
-    let failing = gates::ranked(record).iter().any(|(_, gate)| !gate.passed);
+    let ranked = gates::ranked(record);
+    let nearest = if ranked.iter().any(|(_, gate)| !gate.passed) {
+        "bad"
+    } else if ranked.iter().any(|(_, gate)| gate.is_near()) {
+        "near"
+    } else {
+        ""
+    };
     answer(
         "Nearest gate",
         "nearest",
         verdict::headline(record),
-        failing,
+        nearest,
     );
     answer(
         "Cheapest method",
         "cheapest",
         cheapest::headline(&costs),
-        false,
+        "",
     );
     answer(
         "Stability",
         "stable",
         stability::headline(record),
-        stability::failing(record),
+        if stability::failing(record) {
+            "bad"
+        } else {
+            ""
+        },
     );
-    answer("Speed", "fast", speed::headline(&speeds), false);
-    let (what, bad) = since::headline(since);
-    answer("Changes", "since", Some(what), bad);
+    answer("Speed", "fast", speed::headline(&speeds), "");
+    let (what, look) = since::headline(since);
+    answer("Changes", "since", Some(what), look);
     let mut html = String::from("<dl class=\"answers\">\n");
     for Answer {
         about,
         anchor,
         said: [big, text],
-        bad,
+        look,
     } in &answers
     {
-        let class = if *bad { " class=\"bad\"" } else { "" };
+        let class = if look.is_empty() {
+            String::new()
+        } else {
+            format!(" class=\"{look}\"")
+        };
         let _ = writeln!(
             html,
             "<div{class}><dt><a href=\"#{anchor}\">{about}</a></dt><dd><strong>{}</strong> {}</dd></div>",
@@ -93,6 +108,10 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
         ],
     ];
     for panels in columns {
+        // A column without a panel takes no room.
+        if panels.iter().all(|(.., body)| body.is_none()) {
+            continue;
+        }
         html.push_str("<div>\n");
         for (id, heading, body) in panels {
             let Some(body) = body else { continue };

@@ -209,12 +209,12 @@ fn ratio(ratio: f64) -> String {
     }
 }
 
-/// What changed, in a word and a sentence, and whether it is one to worry about.
+/// What changed, in a word and a sentence, and its look: none, `near` or `bad`.
 #[must_use]
-pub fn headline(since: Option<&Since<'_>>) -> ([String; 2], bool) {
+pub fn headline(since: Option<&Since<'_>>) -> ([String; 2], &'static str) {
     let Some(since) = since else {
         let text = "no earlier record was given to compare with";
-        return (["–".to_owned(), text.to_owned()], false);
+        return (["–".to_owned(), text.to_owned()], "");
     };
     let verdict = since.comparison.verdict();
     let mut parts = vec![];
@@ -240,7 +240,12 @@ pub fn headline(since: Option<&Since<'_>>) -> ([String; 2], bool) {
         compared.count()
     );
     let word = show::verdict_word(&since.comparison).to_owned();
-    ([word, text], verdict != Verdict::Fine)
+    let look = match verdict {
+        Verdict::Fine => "",
+        Verdict::Worse => "bad",
+        Verdict::CannotCompare => "near",
+    };
+    ([word, text], look)
 }
 
 fn commit(record: &Record) -> String {

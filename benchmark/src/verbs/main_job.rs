@@ -8,6 +8,7 @@ use crate::bench::config::{Asked, Config};
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
+use crate::precision::costs::Costs;
 use crate::precision::{Effort, Studied, run as study_run};
 use crate::progress::{self, Whole, ladders};
 use crate::record::Record;
@@ -291,7 +292,9 @@ impl Job<'_> {
             all.push(studied);
         }
         if amount.more_than_the_verdict() && !amount.all() && !all.is_empty() {
-            self.tell(|out| short::studies(&all, out))?;
+            let costs = Costs::all(record);
+            let runs = all.iter().map(|studied| studied.runs.len()).sum();
+            self.tell(|out| short::studies(&costs, all.len(), runs, out))?;
         }
         Ok(())
     }

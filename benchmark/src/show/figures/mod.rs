@@ -1,5 +1,6 @@
 //! Charts of what was computed: error against time, convergence, curves, speed.
 
+pub mod history;
 mod precision;
 mod slopes;
 
