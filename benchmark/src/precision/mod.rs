@@ -1,5 +1,6 @@
 //! Error against run time: every case with an exact solution, solved with many settings.
 
+pub mod bounds;
 pub mod choices;
 pub mod cost;
 pub mod costs;

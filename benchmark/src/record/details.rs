@@ -249,6 +249,7 @@ impl Details {
                                 measure.word
                             ),
                             &best,
+                            if number == 0 { &studied.peers } else { &[] },
                         ),
                     },
                 ],

@@ -7,11 +7,12 @@
 //! | critcmp | critcmp, as its own `--export` writes it | mean and median \[ns\] | particles per second |
 //! | CSV | everything else | every row \[s\] | every counter and label |
 //! | gates | people: Markdown, a table per case | none | what each gate found, and its bound |
+//! | summary, badge | the summary of a CI job, shields.io | CPU \[s\] | verdict, errors of other solvers |
 //! | junit | GitHub, GitLab, Jenkins and test viewers | of a case \[s\] | a test per gate |
 //!
 //! [`super::otava`] is a table over several records.
 
-use super::{CaseKey, Cases, Record, Series, junit};
+use super::{CaseKey, Cases, Record, Series, junit, summary};
 use crate::show::number;
 use crate::statistics::{Summary, median, ratio_interval};
 use serde_json::{Map, Value, json};
@@ -32,6 +33,10 @@ pub enum Format {
     Gates,
     /// A test per gate, as JUnit XML.
     Junit,
+    /// Verdict and other solvers, as Markdown.
+    Summary,
+    /// A badge for the endpoint of shields.io.
+    Badge,
 }
 
 /// Why a record cannot be exported.
@@ -66,6 +71,8 @@ pub fn text(record: &Record, format: Format, baseline: &str) -> Result<String, E
         Format::Critcmp => critcmp(&cases, baseline),
         Format::Csv => return csv(record),
         Format::Gates => return gates(record),
+        Format::Summary => return Ok(summary::markdown(record)),
+        Format::Badge => Some(summary::badge(record)),
         Format::Junit => return junit::text(record).ok_or(ExportError::Nothing),
     };
     value

@@ -17,6 +17,7 @@ pub mod otava;
 mod read;
 pub(crate) mod row;
 mod series;
+pub mod summary;
 mod table;
 
 pub use details::Details;

@@ -4,7 +4,7 @@ use super::cheapest::{self, Costs};
 use super::html::escape;
 use super::since::{self, Since};
 use super::speed::{self, Speed};
-use super::{gates, stability, verdict};
+use super::{gates, guests, stability, verdict};
 use crate::record::Record;
 use std::fmt::Write as _;
 
@@ -51,6 +51,12 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
         "",
     );
     answer(
+        "Other solvers",
+        "guests",
+        guests::headline(record),
+        if guests::failing(record) { "bad" } else { "" },
+    );
+    answer(
         "Stability",
         "stable",
         stability::headline(record),
@@ -83,7 +89,7 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
             escape(text)
         );
     }
-    html.push_str("</dl>\n<div class=\"panels\">\n");
+    html.push_str("</dl>\n");
     let columns = [
         vec![(
             "cheapest",
@@ -91,6 +97,7 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
             cheapest::panel(&costs),
         )],
         vec![
+            ("guests", "Other solvers", guests::panel(record)),
             (
                 "nearest",
                 "Gates nearest to their bounds",
@@ -107,11 +114,13 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
             ),
         ],
     ];
+    // A column without a panel takes no room.
+    let shown = |panels: &&Vec<(&str, &str, Option<String>)>| {
+        panels.iter().any(|(.., body)| body.is_some())
+    };
+    let columns: Vec<_> = columns.iter().filter(shown).collect();
+    let _ = writeln!(html, "<div class=\"panels columns-{}\">", columns.len());
     for panels in columns {
-        // A column without a panel takes no room.
-        if panels.iter().all(|(.., body)| body.is_none()) {
-            continue;
-        }
         html.push_str("<div>\n");
         for (id, heading, body) in panels {
             let Some(body) = body else { continue };

@@ -78,14 +78,28 @@ impl<'a> Line<'a> {
 }
 
 impl<'a> Since<'a> {
-    /// Judges a record against a base.
+    /// Judges a record against a base as both were measured.
     #[must_use]
     pub fn new(base: &'a Record, head: &Record) -> Self {
+        Self::of(
+            base,
+            head,
+            judge::compare_as_measured(base, head, &Rules::default()),
+        )
+    }
+
+    /// Judges a record against a base by these rules.
+    #[must_use]
+    pub fn by(base: &'a Record, head: &Record, rules: &Rules<'_>) -> Self {
+        Self::of(base, head, judge::compare(base, head, rules))
+    }
+
+    fn of(base: &'a Record, head: &Record, comparison: Comparison) -> Self {
         let cases = head.details.cases.iter();
         let names = cases.flat_map(|case| case.quantities.iter().cloned());
         Self {
             base,
-            comparison: judge::compare_as_measured(base, head, &Rules::default()),
+            comparison,
             names: names.map(|[key, name]| (key, name)).collect(),
         }
     }

@@ -329,7 +329,7 @@ fn side(name: &str, record: &Record) -> String {
 }
 
 /// Text inside a Markdown table or list.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {
         match c {
@@ -338,6 +338,7 @@ fn escaped(text: &str) -> String {
                 escaped.push(c);
             }
             '\n' | '\r' => escaped.push(' '),
+            _ if c.is_control() => {}
             _ => escaped.push(c),
         }
     }

@@ -47,6 +47,10 @@ enum Shape {
     Gates,
     /// JUnit XML: a test per gate, failures with what was found and the bound
     Junit,
+    /// Verdict, gates that fail and other solvers, as Markdown for the summary of a CI job
+    Summary,
+    /// A badge for the endpoint of shields.io
+    Badge,
     /// A table and a configuration for Apache Otava, which finds change points
     Otava,
 }
@@ -60,6 +64,8 @@ impl Export {
             Shape::Csv => Format::Csv,
             Shape::Gates => Format::Gates,
             Shape::Junit => Format::Junit,
+            Shape::Summary => Format::Summary,
+            Shape::Badge => Format::Badge,
             Shape::Otava => {
                 let history = history::of_files(&self.record).map_err(Failure::bad_input)?;
                 return otava_files(&history, self.out.as_deref(), out);

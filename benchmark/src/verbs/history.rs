@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 )]
 pub struct History {
     /// Records, or folders of them; ordered by their dates
-    #[arg(value_name = "FILE", required_unless_present = "git")]
+    #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     /// A record that git keeps: every commit that changed it
     #[arg(long, value_name = "PATH", conflicts_with = "files")]
@@ -45,6 +45,11 @@ impl History {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let read = match &self.git {
             Some(path) => history::of_git(path),
+            None if self.files.is_empty() => {
+                return Err(Failure::BadInput(
+                    "found no record; accepted: records, folders of them, or --git PATH".to_owned(),
+                ));
+            }
             None => history::of_files(&self.files),
         };
         let mut records = read.map_err(Failure::bad_input)?;
