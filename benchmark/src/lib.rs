@@ -4,6 +4,7 @@
 pub mod bench;
 mod exit;
 pub mod frames;
+pub mod history;
 mod interrupt;
 pub mod judge;
 pub mod measure;

@@ -116,10 +116,67 @@ fn csv_holds_every_row_failed_ones_too() {
 fn nothing_is_not_exported_as_an_empty_file() {
     let mut record = record();
     record.rows.retain(|row| row.error.is_some());
-    for format in [Format::Bmf, Format::Github, Format::Critcmp] {
+    for format in [Format::Bmf, Format::Github, Format::Critcmp, Format::Junit] {
         assert!(matches!(
             text(&record, format, "a"),
             Err(ExportError::Nothing)
         ));
     }
+}
+
+/// The same with two gates, one of which does not hold, though the verdict beside them holds.
+fn with_gates() -> Record {
+    let mut record = record();
+    for (gate, value, side) in [
+        ("error of <u> & \"v\"", 0.4, "at most"),
+        ("order", 1.9, "at least"),
+    ] {
+        let mut row = Row::aggregate(format!("bar: {gate}"), "gate", 1);
+        row.count("gate_value", value);
+        row.count("gate_bound", 0.25);
+        row.label("gate_side", side);
+        record.push(row);
+    }
+    record
+}
+
+#[test]
+fn junit_has_a_test_per_gate_and_says_what_was_found_and_the_bound() {
+    let xml = text(&with_gates(), Format::Junit, "").expect("exported");
+    for line in [
+        "<testsuites name=\"proctor\" tests=\"3\" failures=\"1\" errors=\"1\" time=\"0.090\">",
+        "  <testsuite name=\"bar\" tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"0\" time=\"0.090\" timestamp=",
+        "    <testcase classname=\"bar\" name=\"bar/h=2\" time=\"0\">\n      <error message=\"inverted\">inverted</error>",
+        "    <testcase classname=\"bar\" name=\"error of &lt;u&gt; &amp; &quot;v&quot;\" time=\"0\">\n      \
+         <failure message=\"found 0.4, bound at most 0.25\">found 0.4\nbound at most 0.25\n</failure>",
+        "    <testcase classname=\"bar\" name=\"order\" time=\"0\"/>",
+    ] {
+        assert!(xml.contains(line), "{line} is not in {xml}");
+    }
+}
+
+#[test]
+fn junit_is_xml_whatever_a_program_wrote() {
+    let mut record = with_gates();
+    let mut row = Row::sample("precision/bar/peer/guest/h=1", 0, 1);
+    row.label("executable", "guest");
+    row.label("case", "bar");
+    row.fail("\u{1b}[31mred\u{1b}[0m \u{0} <b> ]]> \u{ffff}");
+    record.push(row);
+    record.set_incomplete(true);
+    let xml = text(&record, Format::Junit, "").expect("exported");
+    let mut reader = quick_xml::Reader::from_str(&xml);
+    let mut names = vec![];
+    loop {
+        match reader.read_event().expect("XML") {
+            quick_xml::events::Event::Eof => break,
+            quick_xml::events::Event::Start(tag) | quick_xml::events::Event::Empty(tag) => {
+                names.push(String::from_utf8_lossy(tag.name().as_ref()).into_owned());
+            }
+            _ => {}
+        }
+    }
+    assert_eq!(names.iter().filter(|name| *name == "testcase").count(), 5);
+    assert!(!xml.contains(['\u{1b}', '\u{0}', '\u{ffff}']), "{xml}");
+    assert!(xml.contains("the record is incomplete"), "{xml}");
 }

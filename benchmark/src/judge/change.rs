@@ -76,6 +76,28 @@ pub enum Better {
 }
 
 impl Better {
+    /// Which way is better for numbers of a meaning; for a gate its side says, `at most` or `at least`.
+    #[must_use]
+    pub fn of(meaning: Meaning, side: Option<&str>) -> Self {
+        match (meaning, side) {
+            (Meaning::Error | Meaning::Uncertainty | Meaning::Balance | Meaning::Count, _) => {
+                Self::Less
+            }
+            (Meaning::Order, _) => Self::More,
+            // A tighter bound lies where better values lie.
+            (Meaning::GateValue | Meaning::GateBound, Some("at most")) => Self::Lower,
+            (Meaning::GateValue | Meaning::GateBound, Some("at least")) => Self::More,
+            _ => Self::Neither,
+        }
+    }
+
+    /// The worst of several values; NaN where there are none.
+    #[must_use]
+    pub fn worst(self, values: &[f64]) -> f64 {
+        let worse = |a: f64, b: f64| if self.loss(a, b) > 0.0 { b } else { a };
+        values.iter().copied().reduce(worse).unwrap_or(f64::NAN)
+    }
+
     /// How much worse `head` is than `base`, over the magnitude of `base`; negative where it is better. Where neither is
     /// better, any distance is worse.
     #[must_use]
@@ -193,9 +215,7 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
         let better = better(meaning, base, head);
         let of = |series: &Series| {
             let values = series.counters.get(key);
-            values.map_or(Found::Nothing, |values| {
-                Found::Number(worst(better, values))
-            })
+            values.map_or(Found::Nothing, |values| Found::Number(better.worst(values)))
         };
         let (before, after) = (of(base), of(head));
         // A value whose error is there too is judged by that, and listed.
@@ -263,7 +283,7 @@ fn settled(before: &str, after: &str) -> Moved {
 pub fn in_bars(change: &Change, base: &Series) -> Option<f64> {
     let name = change.number.strip_prefix("value_")?;
     let bars = base.counters.get(&format!("uncertainty_{name}"))?;
-    let bar = worst(Better::Less, bars);
+    let bar = Better::Less.worst(bars);
     let (from, to) = (change.base.number()?, change.head.number()?);
     (bar > 0.0 && from != to).then(|| (to - from).abs() / bar)
 }
@@ -271,47 +291,32 @@ pub fn in_bars(change: &Change, base: &Series) -> Option<f64> {
 /// Whether a gate lies on the right side of its bound; `None` for what is no gate. One without a value does not.
 #[must_use]
 pub fn gate_holds(series: &Series) -> Option<bool> {
-    let bound = worst(Better::Neither, series.counters.get(GATE_BOUND)?);
+    let bound = Better::Neither.worst(series.counters.get(GATE_BOUND)?);
     let Some(values) = series.counters.get(GATE_VALUE) else {
         return Some(false);
     };
-    Some(match side(series) {
+    Some(match Better::of(Meaning::GateValue, side(series)) {
         Better::Lower => values.iter().all(|value| *value <= bound),
         Better::More => values.iter().all(|value| *value >= bound),
         _ => false,
     })
 }
 
-/// Which side of a gate is right.
-fn side(series: &Series) -> Better {
-    let words = series.labels.get(GATE_SIDE);
-    match words.and_then(|words| words.first()).map(String::as_str) {
-        Some("at most") => Better::Lower,
-        Some("at least") => Better::More,
-        _ => Better::Neither,
-    }
+/// The word for the side of a gate that is right.
+fn side(series: &Series) -> Option<&str> {
+    let words = series.labels.get(GATE_SIDE)?;
+    words.first().map(String::as_str)
 }
 
 fn better(meaning: Meaning, base: &Series, head: &Series) -> Better {
-    match meaning {
-        Meaning::Error | Meaning::Uncertainty | Meaning::Balance | Meaning::Count => Better::Less,
-        Meaning::Order => Better::More,
-        // A tighter bound lies where better values lie.
-        Meaning::GateValue | Meaning::GateBound if side(base) == side(head) => side(base),
-        _ => Better::Neither,
-    }
+    let side = side(base).filter(|word| side(head) == Some(*word));
+    Better::of(meaning, side)
 }
 
 /// Whether the error of a value is there too, and judges it.
 fn tells_error(key: &str, series: &Series) -> bool {
     let name = key.strip_prefix("value_");
     name.is_some_and(|name| series.counters.contains_key(&format!("error_{name}")))
-}
-
-/// The worst of the samples of one record.
-fn worst(better: Better, values: &[f64]) -> f64 {
-    let worse = |a: f64, b: f64| if better.loss(a, b) > 0.0 { b } else { a };
-    values.iter().copied().reduce(worse).unwrap_or(f64::NAN)
 }
 
 /// Whether all samples agree. Counts of instructions may differ a little.

@@ -1,7 +1,9 @@
 //! Error against run time: every case with an exact solution, solved with many settings.
 
+pub mod bounds;
 pub mod choices;
 pub mod cost;
+pub mod costs;
 pub mod findings;
 pub mod peers;
 pub mod rows;

@@ -9,6 +9,7 @@ use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::{Row, key};
 use proctor_verification::case::Rung;
+use proctor_verification::convergence::{self, ConvergenceTable};
 use proctor_verification::study::Study;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -72,6 +73,22 @@ impl PeerLine {
     pub fn costs(&self, threads: usize) -> [Cost; 2] {
         let line: Vec<Option<At>> = self.runs.iter().map(|run| run.at(threads)).collect();
         LEVELS.map(|level| cost(&line, level))
+    }
+
+    /// Errors along the path; NaN where a run failed.
+    #[must_use]
+    pub fn convergence(&self) -> ConvergenceTable {
+        let mut table = ConvergenceTable::new(["error"]);
+        for run in &self.runs {
+            // One error in a table of one quantity, by construction.
+            let _ = table.push(convergence::Row {
+                h: run.rung.cell,
+                errors: vec![run.error.as_ref().map_or(f64::NAN, |error| *error)],
+                particles: run.particles.unwrap_or(0),
+                steps: 0,
+            });
+        }
+        table
     }
 
     /// Order of the error between the two finest runs.

@@ -70,7 +70,16 @@ pub struct GateDetail {
     pub passed: bool,
 }
 
+/// Share of its bound from which on a gate that holds is shown as near to failing.
+pub const NEAR: f64 = 0.95;
+
 impl GateDetail {
+    /// Whether the gate holds and uses up nearly all of its bound.
+    #[must_use]
+    pub fn is_near(&self) -> bool {
+        self.passed && self.used() >= NEAR
+    }
+
     /// Share of its bound that the gate uses up, 0 to 1; more where it does not hold, and nothing where the value lies on
     /// the far side of zero or nothing is allowed.
     #[must_use]
@@ -245,6 +254,7 @@ impl Details {
                                 measure.word
                             ),
                             &best,
+                            if number == 0 { &studied.peers } else { &[] },
                         ),
                     },
                 ],

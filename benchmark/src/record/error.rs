@@ -36,7 +36,7 @@ pub enum Reason {
 
 impl RecordError {
     /// An error about a file as a whole.
-    pub(super) fn new(path: &std::path::Path, reason: Reason) -> Self {
+    pub(crate) fn new(path: &std::path::Path, reason: Reason) -> Self {
         Self {
             path: path.to_owned(),
             line: None,

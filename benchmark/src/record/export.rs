@@ -7,9 +7,12 @@
 //! | critcmp | critcmp, as its own `--export` writes it | mean and median \[ns\] | particles per second |
 //! | CSV | everything else | every row \[s\] | every counter and label |
 //! | gates | people: Markdown, a table per case | none | what each gate found, and its bound |
+//! | summary, badge | the summary of a CI job, shields.io | CPU \[s\] | verdict, errors of other solvers |
+//! | junit | GitHub, GitLab, Jenkins and test viewers | of a case \[s\] | a test per gate |
+//!
+//! [`super::otava`] is a table over several records.
 
-use super::row::{GATE, GATE_BOUND, GATE_SIDE, GATE_VALUE};
-use super::{CaseKey, Cases, Kind, Record, Series};
+use super::{CaseKey, Cases, Record, Series, junit, summary};
 use crate::show::number;
 use crate::statistics::{Summary, median, ratio_interval};
 use serde_json::{Map, Value, json};
@@ -28,6 +31,12 @@ pub enum Format {
     Csv,
     /// What each gate found and its bound, as Markdown.
     Gates,
+    /// A test per gate, as JUnit XML.
+    Junit,
+    /// Verdict and other solvers, as Markdown.
+    Summary,
+    /// A badge for the endpoint of shields.io.
+    Badge,
 }
 
 /// Why a record cannot be exported.
@@ -62,6 +71,9 @@ pub fn text(record: &Record, format: Format, baseline: &str) -> Result<String, E
         Format::Critcmp => critcmp(&cases, baseline),
         Format::Csv => return csv(record),
         Format::Gates => return gates(record),
+        Format::Summary => return Ok(summary::markdown(record)),
+        Format::Badge => Some(summary::badge(record)),
+        Format::Junit => return junit::text(record).ok_or(ExportError::Nothing),
     };
     value
         .map(|value| format!("{value:#}\n"))
@@ -225,33 +237,24 @@ fn gates(record: &Record) -> Result<String, ExportError> {
         record.ladder().unwrap_or("other"),
     );
     let mut before = "";
-    for row in &record.rows {
-        let is_gate = matches!(&row.kind, Kind::Aggregate { name } if name == GATE);
-        let (true, Some((case, gate))) = (is_gate, row.name.split_once(": ")) else {
-            continue;
-        };
-        if case != before {
-            let _ = write!(text, "\n## {case}\n\n");
-            if let Some(commit) = row.labels.get("commit") {
+    for gate in record.gate_rows() {
+        if gate.case != before {
+            let _ = write!(text, "\n## {}\n\n", gate.case);
+            if let Some(commit) = gate.row.labels.get("commit") {
                 let commit: String = commit.chars().take(10).collect();
                 let _ = write!(text, "Commit {commit}.\n\n");
             }
             text.push_str("| gate | found | bound |\n|---|--:|--:|\n");
-            before = case;
+            before = gate.case;
         }
-        let value = row.counters.get(GATE_VALUE).copied();
-        let bound = row.counters.get(GATE_BOUND).copied().unwrap_or(f64::NAN);
-        let side = row.labels.get(GATE_SIDE).map_or("", String::as_str);
-        let holds = match side {
-            "at least" => value.is_some_and(|value| value >= bound),
-            _ => value.is_some_and(|value| value <= bound),
-        };
         let _ = writeln!(
             text,
-            "| {gate} | {}{} | {side} {} |",
-            value.map_or_else(|| "none".to_owned(), number),
-            if holds { "" } else { " **fails**" },
-            number(bound)
+            "| {} | {}{} | {} {} |",
+            gate.name,
+            gate.value.map_or_else(|| "none".to_owned(), number),
+            if gate.holds() { "" } else { " **fails**" },
+            gate.side,
+            number(gate.bound.unwrap_or(f64::NAN))
         );
     }
     if before.is_empty() {

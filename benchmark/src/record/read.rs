@@ -35,17 +35,25 @@ impl Record {
     /// # Errors
     /// As [`Record::read`].
     pub fn read_any(path: &Path) -> Result<Self, RecordError> {
+        let text = proctor_files::reading::read(path)
+            .map_err(|error| RecordError::new(path, Reason::Unreadable(error)))?;
+        Self::parse(path, &text)
+    }
+
+    /// The same from the text of a record that stands under that name.
+    ///
+    /// # Errors
+    /// As [`Record::read`].
+    pub fn parse(path: &Path, text: &[u8]) -> Result<Self, RecordError> {
         let fault = |line, reason| RecordError {
             path: path.to_owned(),
             line,
             reason,
         };
-        let text =
-            proctor_files::reading::read(path).map_err(|e| fault(None, Reason::Unreadable(e)))?;
         if text.trim_ascii().is_empty() {
             return Err(fault(None, Reason::Empty));
         }
-        let file: File = serde_json::from_slice(&text).map_err(|error| {
+        let file: File = serde_json::from_slice(text).map_err(|error| {
             let line = (error.line() > 0).then(|| error.line());
             let reason = match error.classify() {
                 serde_json::error::Category::Eof => Reason::Truncated,

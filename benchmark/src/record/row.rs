@@ -16,7 +16,7 @@ pub(crate) const GATE_SIDE: &str = "gate_side";
 /// Label of the bar of a refined quantity: how its values settle.
 pub(crate) const VERDICT: &str = "verdict";
 /// Counter that holds the pass of a row.
-pub(super) const PASS: &str = "pass";
+pub(crate) const PASS: &str = "pass";
 
 /// Number of threads of a row whose scene decides it, as far as the machine has them.
 pub const BY_SCENE: usize = 0;

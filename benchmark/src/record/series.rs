@@ -7,7 +7,7 @@ use std::fmt;
 
 /// What two records must share to be compared: name, and which aggregate if it is one. Results do not depend on the number
 /// of threads, so that it does not tell cases apart; whose times are compared must agree in it.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct CaseKey {
     /// Name of the rows.
     pub name: String,

@@ -1,7 +1,7 @@
 //! Run-out and height of bodies that flow: where all but a small part of the mass lies.
 
 use super::run::LETTERS;
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
 
 /// Part of the mass that lies within an extent. The last particles are drops and grains that follow chance.
 const PART: f64 = 0.995;

@@ -4,7 +4,7 @@ use super::judge::Refined;
 use super::work::{Runs, Work};
 use crate::interrupt::Interrupt;
 use proctor_files::json;
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::refine::Meshes;
 use std::path::Path;
 
@@ -56,7 +56,7 @@ impl KeptScene {
             ratio: 2.0,
             finer: self.finer,
         };
-        let told = |problems: Vec<proctor_kernel::scene::Problem>| {
+        let told = |problems: Vec<proctor_scene::Problem>| {
             let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
             lines.join("; ")
         };

@@ -2,7 +2,7 @@
 
 use super::judge::Refined;
 use super::work::Runs;
-use proctor_kernel::scene::{DomainUpdate, Scene, StressScheme, Transfer, TransferKind, Weighting};
+use proctor_scene::{DomainUpdate, Scene, StressScheme, Transfer, TransferKind, Weighting};
 use proctor_verification::settings::Method;
 
 /// Least share of the quantities that have a bar, for a method to be named the cheapest.

@@ -1,6 +1,6 @@
 //! The same scene with its mesh moved by a part of a cell: whether results depend on where the mesh lies.
 
-use proctor_kernel::scene::{PlaneCondition, Scene, Vector};
+use proctor_scene::{PlaneCondition, Scene, Vector};
 
 /// Cells between a plane and all particles from which on it does nothing to them.
 const OUT_OF_REACH: f64 = 2.0;

@@ -3,8 +3,8 @@
 use super::extent::Extents;
 use crate::measure::{Spent, Stopwatch};
 use proctor_files::run::HistoryRows;
-use proctor_kernel::scene::{Probe, Scene, TimeStep, Vector};
-use proctor_kernel::simulation::{Options, SetupError, Simulation};
+use proctor_scene::simulation::{Options, SetupError, Simulation};
+use proctor_scene::{Probe, Scene, TimeStep, Vector};
 use proctor_verification::refine::field::Snapshot;
 use proctor_verification::refine::point::MaterialPoint;
 use std::collections::BTreeMap;

@@ -6,8 +6,8 @@ use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::say::say;
 use crate::show::{number, seconds};
-use proctor_kernel::scene::Scene;
-use proctor_kernel::simulation::{Options, SetupError};
+use proctor_scene::Scene;
+use proctor_scene::simulation::{Options, SetupError};
 use std::sync::{Mutex, PoisonError};
 
 /// The runs that were made.

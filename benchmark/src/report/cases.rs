@@ -3,6 +3,7 @@
 use super::cheapest::Costs;
 use super::gates;
 use super::html::{Cell, Pictures, Section, Table, escape, folded, paragraph};
+use super::packed::packed;
 use super::{plans, studies, verdict};
 use crate::record::details::CaseDetail;
 use crate::record::{Kind, Record};
@@ -117,7 +118,7 @@ fn one(record: &Record, name: &str, case: Option<&CaseDetail>, pictures: &mut Pi
         let caption = format!("Gates of {name}, in the order of the case");
         html.push_str(&gates::table(&caption, &case.gates, gates::of_case).html());
     }
-    html.push_str(&studies::of_case(record, name, pictures));
+    html.push_str(&studies::of_case(record, name, failed, pictures));
     if let Some(case) = case {
         let _ = writeln!(
             html,
@@ -129,7 +130,8 @@ fn one(record: &Record, name: &str, case: Option<&CaseDetail>, pictures: &mut Pi
             "Errors are relative to the exact solution. L2: root of the mean square over the particles. Clock and processor \
              time are those of the whole run.",
         ));
-        html.push_str(&pictures.several(name, &case.figures));
+        let figures = pictures.several(name, &case.figures);
+        html.push_str(&if failed { figures } else { packed(&figures) });
         if !case.for_the_record.is_empty() {
             let lines: String = case.for_the_record.iter().map(|l| paragraph(l)).collect();
             html.push_str(&folded("for the record, not judged", &lines));

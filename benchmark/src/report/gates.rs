@@ -80,23 +80,44 @@ pub fn table(
     ];
     let mut table = Table::new(caption, &head);
     for gate in gates {
-        let (class, word) = if gate.passed {
-            ("passed", "PASS")
-        } else {
-            ("failed", "FAIL")
-        };
+        let word = if gate.passed { "PASS" } else { "FAIL" };
         let [found, bound] = written(gate);
         let cells: [Cell; 6] = [
-            gate.name.clone().into(),
+            short_name(&gate.name).into(),
             word.into(),
             found.into(),
             bound.into(),
             used(gate),
             gate.reason.clone().into(),
         ];
-        table.push_as(class, cells);
+        table.push_as(class(gate), cells);
     }
     table
+}
+
+/// The look of a gate: passed, near to its bound, or failed.
+pub fn class(gate: &GateDetail) -> &'static str {
+    match (gate.passed, gate.is_near()) {
+        (true, true) => "passed near",
+        (true, false) => "passed",
+        (false, _) => "failed",
+    }
+}
+
+/// The name of a gate without what it says twice: the variant before its colon may stand behind it again.
+pub fn short_name(name: &str) -> String {
+    let Some((variant, rest)) = name.split_once(": ") else {
+        return name.to_owned();
+    };
+    let again = format!(", {variant}");
+    let at = rest.find(&again).filter(|at| {
+        let after = &rest[at + again.len()..];
+        after.is_empty() || after.starts_with([',', ' '])
+    });
+    match at {
+        Some(at) => format!("{variant}: {}{}", &rest[..at], &rest[at + again.len()..]),
+        None => name.to_owned(),
+    }
 }
 
 /// The share of its bound that a gate uses up, as a bar.
@@ -126,9 +147,10 @@ pub fn nearest(record: &Record) -> Option<Table> {
     let failing = ranked.iter().filter(|(_, gate)| !gate.passed).count();
     for (case, gate) in ranked.iter().take(NEAREST.max(failing)) {
         let [found, bound] = of_case(gate);
-        let name = Cell::linked(format!("{case}: {}", gate.name), format!("case-{case}"));
+        let text = format!("{case}: {}", short_name(&gate.name));
+        let name = Cell::linked(text, format!("case-{case}"));
         let cells: [Cell; 3] = [name, used(gate), format!("{found}, {bound}").into()];
-        table.push_as(if gate.passed { "passed" } else { "failed" }, cells);
+        table.push_as(class(gate), cells);
     }
     (!table.is_empty()).then_some(table)
 }
@@ -136,6 +158,24 @@ pub fn nearest(record: &Record) -> Option<Table> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_says_nothing_twice() {
+        for (name, short) in [
+            (
+                "shear, Hughes-Winget 3D: error of stress off by, over G, shear, Hughes-Winget 3D, steps=250",
+                "shear, Hughes-Winget 3D: error of stress off by, over G, steps=250",
+            ),
+            (
+                "node: observed order of L2(u)",
+                "node: observed order of L2(u)",
+            ),
+            ("usl: error, usla", "usl: error, usla"),
+            ("error, error", "error, error"),
+        ] {
+            assert_eq!(short_name(name), short);
+        }
+    }
 
     #[test]
     fn numbers_of_a_gate_are_in_per_cent_unless_its_name_says_otherwise() {

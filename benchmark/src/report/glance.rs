@@ -4,7 +4,7 @@ use super::cheapest::{self, Costs};
 use super::html::escape;
 use super::since::{self, Since};
 use super::speed::{self, Speed};
-use super::{gates, stability, verdict};
+use super::{gates, guests, stability, verdict};
 use crate::record::Record;
 use std::fmt::Write as _;
 
@@ -13,8 +13,8 @@ struct Answer {
     about: &'static str,
     anchor: &'static str,
     said: [String; 2],
-    /// Whether it is one to worry about.
-    bad: bool,
+    /// Its look: none, `near` to failing, or `bad`.
+    look: &'static str,
 }
 
 /// The first screen below the verdict.
@@ -22,45 +22,66 @@ struct Answer {
 pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
     let (costs, speeds) = (Costs::all(record), Speed::all(record));
     let mut answers: Vec<Answer> = vec![];
-    let mut answer = |about, anchor, found: Option<[String; 2]>, bad| {
+    let mut answer = |about, anchor, found: Option<[String; 2]>, look| {
         answers.extend(found.map(|said| Answer {
             about,
             anchor,
             said,
-            bad,
+            look,
         }));
     };
-    let failing = gates::ranked(record).iter().any(|(_, gate)| !gate.passed);
+    let ranked = gates::ranked(record);
+    let nearest = if ranked.iter().any(|(_, gate)| !gate.passed) {
+        "bad"
+    } else if ranked.iter().any(|(_, gate)| gate.is_near()) {
+        "near"
+    } else {
+        ""
+    };
     answer(
         "Nearest gate",
         "nearest",
         verdict::headline(record),
-        failing,
+        nearest,
     );
     answer(
         "Cheapest method",
         "cheapest",
         cheapest::headline(&costs),
-        false,
+        "",
+    );
+    answer(
+        "Other solvers",
+        "guests",
+        guests::headline(record),
+        if guests::failing(record) { "bad" } else { "" },
     );
     answer(
         "Stability",
         "stable",
         stability::headline(record),
-        stability::failing(record),
+        if stability::failing(record) {
+            "bad"
+        } else {
+            ""
+        },
     );
-    answer("Speed", "fast", speed::headline(&speeds), false);
-    let (what, bad) = since::headline(since);
-    answer("Changes", "since", Some(what), bad);
+    answer("Speed", "fast", speed::headline(&speeds), "");
+    let (what, look) = since::headline(since);
+    answer("Changes", "since", Some(what), look);
     let mut html = String::from("<dl class=\"answers\">\n");
     for Answer {
         about,
         anchor,
         said: [big, text],
-        bad,
+        look,
     } in &answers
     {
-        let class = if *bad { " class=\"bad\"" } else { "" };
+        let class = if look.is_empty() {
+            String::new()
+        } else {
+            format!(" class=\"{look}\"")
+        };
         let _ = writeln!(
             html,
             "<div{class}><dt><a href=\"#{anchor}\">{about}</a></dt><dd><strong>{}</strong> {}</dd></div>",
@@ -68,7 +89,7 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
             escape(text)
         );
     }
-    html.push_str("</dl>\n<div class=\"panels\">\n");
+    html.push_str("</dl>\n");
     let columns = [
         vec![(
             "cheapest",
@@ -76,6 +97,7 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
             cheapest::panel(&costs),
         )],
         vec![
+            ("guests", "Other solvers", guests::panel(record)),
             (
                 "nearest",
                 "Gates nearest to their bounds",
@@ -92,6 +114,12 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
             ),
         ],
     ];
+    // A column without a panel takes no room.
+    let shown = |panels: &&Vec<(&str, &str, Option<String>)>| {
+        panels.iter().any(|(.., body)| body.is_some())
+    };
+    let columns: Vec<_> = columns.iter().filter(shown).collect();
+    let _ = writeln!(html, "<div class=\"panels columns-{}\">", columns.len());
     for panels in columns {
         html.push_str("<div>\n");
         for (id, heading, body) in panels {

@@ -8,8 +8,12 @@ mod cases;
 mod cheapest;
 mod gates;
 mod glance;
+mod guests;
+mod heat;
+mod history;
 mod html;
 mod machine;
+mod packed;
 mod plans;
 mod refined;
 mod since;
@@ -17,7 +21,9 @@ mod speed;
 mod stability;
 mod studies;
 mod verdict;
+mod whole;
 
+use crate::history::History;
 use crate::record::Record;
 pub(crate) use html::escape;
 use html::{Pictures, Section};
@@ -30,9 +36,21 @@ const SCRIPT: &str = include_str!("script.js");
 /// The page of a record, with what changed since a base.
 #[must_use]
 pub fn page(record: &Record, since: Option<&Since<'_>>) -> String {
+    page_with_history(record, since, None)
+}
+
+/// The same with how the numbers of earlier records went.
+#[must_use]
+pub fn page_with_history(
+    record: &Record,
+    since: Option<&Since<'_>>,
+    history: Option<&History>,
+) -> String {
+    let record = &whole::whole(record);
     let mut pictures = Pictures::default();
     let sections: Vec<Section> = [
         since.map(|since| since::section(since, &mut pictures)),
+        history.map(|history| history::section(history, &mut pictures)),
         cases::section(record, &mut pictures),
         refined::section(record, &mut pictures),
         stability::section(record),
@@ -51,9 +69,9 @@ pub fn page(record: &Record, since: Option<&Since<'_>>) -> String {
          <h1>Proctor <small>accuracy, stability and speed of a material point method (MPM) program</small></h1>\n\
          <p class=\"whence soft\">{}</p>\n{}{}\
          <nav aria-label=\"sections\"><ul>\n",
-        escape(verdict::word(record)),
+        escape(verdict::of(record, since).word()),
         verdict::whence(record),
-        verdict::html(record),
+        verdict::html(record, since),
         glance::html(record, since),
     );
     for section in &sections {

@@ -78,14 +78,28 @@ impl<'a> Line<'a> {
 }
 
 impl<'a> Since<'a> {
-    /// Judges a record against a base.
+    /// Judges a record against a base as both were measured.
     #[must_use]
     pub fn new(base: &'a Record, head: &Record) -> Self {
+        Self::of(
+            base,
+            head,
+            judge::compare_as_measured(base, head, &Rules::default()),
+        )
+    }
+
+    /// Judges a record against a base by these rules.
+    #[must_use]
+    pub fn by(base: &'a Record, head: &Record, rules: &Rules<'_>) -> Self {
+        Self::of(base, head, judge::compare(base, head, rules))
+    }
+
+    fn of(base: &'a Record, head: &Record, comparison: Comparison) -> Self {
         let cases = head.details.cases.iter();
         let names = cases.flat_map(|case| case.quantities.iter().cloned());
         Self {
             base,
-            comparison: judge::compare_as_measured(base, head, &Rules::default()),
+            comparison,
             names: names.map(|[key, name]| (key, name)).collect(),
         }
     }
@@ -209,12 +223,12 @@ fn ratio(ratio: f64) -> String {
     }
 }
 
-/// What changed, in a word and a sentence, and whether it is one to worry about.
+/// What changed, in a word and a sentence, and its look: none, `near` or `bad`.
 #[must_use]
-pub fn headline(since: Option<&Since<'_>>) -> ([String; 2], bool) {
+pub fn headline(since: Option<&Since<'_>>) -> ([String; 2], &'static str) {
     let Some(since) = since else {
         let text = "no earlier record was given to compare with";
-        return (["–".to_owned(), text.to_owned()], false);
+        return (["–".to_owned(), text.to_owned()], "");
     };
     let verdict = since.comparison.verdict();
     let mut parts = vec![];
@@ -240,7 +254,12 @@ pub fn headline(since: Option<&Since<'_>>) -> ([String; 2], bool) {
         compared.count()
     );
     let word = show::verdict_word(&since.comparison).to_owned();
-    ([word, text], verdict != Verdict::Fine)
+    let look = match verdict {
+        Verdict::Fine => "",
+        Verdict::Worse => "bad",
+        Verdict::CannotCompare => "near",
+    };
+    ([word, text], look)
 }
 
 fn commit(record: &Record) -> String {

@@ -71,11 +71,12 @@ impl Speed {
         threads(self.threads)
     }
 
-    /// What arithmetic and memory would take alone, each with its name, by the clock \[ns per particle and step\].
+    /// What arithmetic and memory would take alone, each with its name, the share of the processor time, and that time
+    /// \[ns per particle and step\]. Shares of a record are of the clock, in which all threads work.
     fn floors(&self) -> Vec<(&'static str, f64, f64)> {
         let floor = |(name, share): (&'static str, &Option<f64>)| {
-            let share = (*share)?;
-            Some((name, share, share * self.wall))
+            let ns = (*share)? * self.wall * self.threads as f64;
+            Some((name, ns / self.cpu, ns))
         };
         FLOORS
             .into_iter()
@@ -106,7 +107,10 @@ fn first_and_others(all: &[Speed]) -> (Vec<&Speed>, Vec<&Speed>) {
 pub fn headline(all: &[Speed]) -> Option<[String; 2]> {
     let (first, others) = first_and_others(all);
     let one = first.into_iter().min_by_key(|speed| speed.threads)?;
-    let mut text = format!("per particle and step on {}", one.threads());
+    let mut text = format!(
+        "of processor time per particle and step on {}",
+        one.threads()
+    );
     if !others.is_empty() {
         let _ = write!(text, ", {}", one.scene);
     }
@@ -119,7 +123,7 @@ pub fn headline(all: &[Speed]) -> Option<[String; 2]> {
         text.push_str("; of this machine's peaks it uses ");
         text.push_str(&floors.join(" and "));
     }
-    Some([format!("{:.1} ns", one.wall), text])
+    Some([format!("{:.1} ns", one.cpu), text])
 }
 
 /// The panel of the first screen: each measured time of the first scene with the two floors below it, and the other scenes
@@ -127,16 +131,16 @@ pub fn headline(all: &[Speed]) -> Option<[String; 2]> {
 #[must_use]
 pub fn panel(all: &[Speed]) -> Option<String> {
     let (first, others) = first_and_others(all);
-    let longest = |of: &[&Speed]| of.iter().map(|speed| speed.wall).fold(0.0, f64::max);
+    let longest = |of: &[&Speed]| of.iter().map(|speed| speed.cpu).fold(0.0, f64::max);
     let scale = longest(&first);
     if scale <= 0.0 {
         return None;
     }
-    let mut table = Table::new("Time by the clock per particle and step", &["", "ns", ""]);
+    let mut table = Table::new("Processor time per particle and step", &["", "ns", ""]);
     for speed in &first {
         let cells: [Cell; 3] = [
             speed.threads().into(),
-            Cell::with_share(number(speed.wall), speed.wall / scale),
+            Cell::with_share(number(speed.cpu), speed.cpu / scale),
             format!("{:.1} million particle steps/s", 1e-6 * speed.rate).into(),
         ];
         table.push(cells);
@@ -169,7 +173,7 @@ pub fn panel(all: &[Speed]) -> Option<String> {
             };
             let cells: [Cell; 3] = [
                 name.into(),
-                Cell::with_share(number(speed.wall), speed.wall / scale),
+                Cell::with_share(number(speed.cpu), speed.cpu / scale),
                 grouped(speed.particles as u64).into(),
             ];
             table.push(cells);
@@ -203,7 +207,7 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
     );
     for speed in &all {
         let scene = format!("{}, {}", speed.scene, speed.threads());
-        bars.push((scene, speed.wall));
+        bars.push((scene, speed.cpu));
         let floors = speed.floors();
         bars.extend(
             floors
@@ -225,10 +229,10 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
     }
     bars.retain(|(_, ns)| ns.is_finite());
     let picture = Figure {
-        caption: "Time by the clock per particle and step, beside what its least operations and its least bytes would take \
+        caption: "Processor time per particle and step, beside what its least operations and its least bytes would take \
                   alone at the peaks of this machine, measured in the same run on as many threads."
             .to_owned(),
-        chart: figures::bars("Cost of a step", "ns per particle and step", &bars),
+        chart: figures::logarithmic_bars("Cost of a step", "ns of processor time per particle and step", &bars),
     };
     let mut body = pictures.one("", &picture);
     body.push_str(&table.html());

@@ -1,6 +1,7 @@
 //! Error against run time of a case: which settings to choose for which accuracy.
 
 use super::html::{Pictures, Table, escape, paragraph};
+use super::packed::packed;
 use crate::record::details::StudyDetail;
 use crate::record::{Kind, Record};
 use std::fmt::Write as _;
@@ -14,13 +15,14 @@ const COLUMNS: &str = "Combination: weighting function, time of the stress updat
 /// What a mark behind a method says.
 const MARKED: &str = "!: with this method no time step is safe for every body.";
 
-/// Error against run time of a case, where the record holds it.
-pub fn of_case(record: &Record, case: &str, pictures: &mut Pictures) -> String {
+/// Error against run time of a case, where the record holds it; its pictures are loaded when the case is opened, unless it is
+/// open.
+pub fn of_case(record: &Record, case: &str, open: bool, pictures: &mut Pictures) -> String {
     let mut html = String::new();
     let studies = record.details.studies.iter();
     let studies: Vec<&StudyDetail> = studies.filter(|study| study.case == case).collect();
     for study in &studies {
-        html.push_str(&one(record, study, pictures));
+        html.push_str(&one(record, study, open, pictures));
     }
     if !studies.is_empty() {
         html.push_str(&paragraph(COLUMNS));
@@ -32,7 +34,7 @@ pub fn of_case(record: &Record, case: &str, pictures: &mut Pictures) -> String {
     html
 }
 
-fn one(record: &Record, study: &StudyDetail, pictures: &mut Pictures) -> String {
+fn one(record: &Record, study: &StudyDetail, open: bool, pictures: &mut Pictures) -> String {
     let name = format!(
         "{}: error of the {} against run time",
         study.case, study.measure
@@ -45,7 +47,8 @@ fn one(record: &Record, study: &StudyDetail, pictures: &mut Pictures) -> String 
         }
         html.push_str("</ul>\n");
     }
-    html.push_str(&pictures.several(&study.case, &study.figures));
+    let figures = pictures.several(&study.case, &study.figures);
+    html.push_str(&if open { figures } else { packed(&figures) });
     let mut lines = study.table.iter();
     let Some(head) = lines.next() else {
         return html;

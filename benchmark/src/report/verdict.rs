@@ -2,38 +2,22 @@
 
 use super::gates;
 use super::html::escape;
-use crate::record::Record;
+use super::since::Since;
+use super::whole::PageVerdict;
 use crate::record::details::{CaseDetail, GateDetail, RefinedDetail};
+use crate::record::{Kind, Record, Row};
 use crate::stability::extreme::ROWS as EXTREME;
 use std::fmt::Write as _;
 
-/// One word for the whole record.
-pub fn word(record: &Record) -> &'static str {
-    let gates = gates(record);
-    if record.incomplete() {
-        "INTERRUPTED"
-    } else if gates.is_empty() && !record.details.refined.is_empty() {
-        "error bars"
-    } else if gates.is_empty() {
-        "nothing was judged"
-    } else if gates.iter().all(|gate| gate.passed) && failed_rows(record) == 0 {
-        "PASS"
-    } else {
-        "FAIL"
-    }
+/// The verdict over the whole record, and over what changed since another one.
+pub fn of(record: &Record, since: Option<&Since<'_>>) -> PageVerdict {
+    PageVerdict::of(record, &gates(record), failed_rows(record), since)
 }
 
 /// The verdict with what it rests on, and what failed.
-pub fn html(record: &Record) -> String {
-    let word = word(record);
-    if word == "error bars" {
-        return of_bars(record);
-    }
-    let class = if word == "PASS" {
-        "verdict"
-    } else {
-        "verdict fail"
-    };
+pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
+    let verdict = of(record, since);
+    let (word, class) = (verdict.word(), verdict.class());
     let all = gates(record);
     let passed = all.iter().filter(|gate| gate.passed).count();
     let mut of = vec![];
@@ -45,11 +29,28 @@ pub fn html(record: &Record) -> String {
     if record.details.stability.is_some() {
         of.push("of stability".to_owned());
     }
-    let mut text = format!("{passed} of {} gates hold", all.len());
-    if !of.is_empty() {
-        let _ = write!(text, ", {}", of.join(" and "));
+    let mut text = if all.is_empty() {
+        format!("{}, and nothing of it has a bound.", measured(record))
+    } else {
+        let of = if of.is_empty() {
+            String::new()
+        } else {
+            format!(", {}", of.join(" and "))
+        };
+        format!("{passed} of {} gates hold{of}.", all.len())
+    };
+    match verdict {
+        PageVerdict::Worse => {
+            text.push_str(" <a href=\"#since\">Something is worse than before.</a>")
+        }
+        PageVerdict::NotCompared => {
+            text.push_str(
+                " <a href=\"#since\">Not all could be compared with what was before.</a>",
+            );
+        }
+        _ => {}
     }
-    text.push('.');
+    text.push_str(&of_bars(record));
     let failed = match failed_rows(record) {
         0 => String::new(),
         1 => " One run failed.".to_owned(),
@@ -78,20 +79,38 @@ pub fn html(record: &Record) -> String {
     )
 }
 
-/// The verdict of a record that holds refined scenes alone: how many of their values have a bar.
+/// The scenes with error bars, in a sentence each; empty where there are none.
 fn of_bars(record: &Record) -> String {
     let of = |scene: &RefinedDetail| {
         let [bars, all] = scene.bars;
         format!(
-            "{bars} of {all} values of {} have a bar.",
+            " {bars} of {all} values of {} have a bar.",
             escape(&scene.scene)
         )
     };
-    let scenes: Vec<String> = record.details.refined.iter().map(of).collect();
-    format!(
-        "<div class=\"verdict\" role=\"status\"><strong>error bars</strong> {}</div>\n",
-        scenes.join(" ")
-    )
+    record.details.refined.iter().map(of).collect()
+}
+
+/// What was measured, in numbers.
+fn measured(record: &Record) -> String {
+    let is_run = |row: &&Row| matches!(row.kind, Kind::Sample { .. }) && row.error.is_none();
+    let runs = record.rows.iter().filter(is_run).count();
+    let mut studied: Vec<&str> = record
+        .details
+        .studies
+        .iter()
+        .map(|study| study.case.as_str())
+        .collect();
+    studied.dedup();
+    let runs = match runs {
+        1 => "1 run was measured".to_owned(),
+        n => format!("{n} runs were measured"),
+    };
+    match studied.len() {
+        0 => runs,
+        1 => format!("{runs} on 1 case"),
+        n => format!("{runs} on {n} cases"),
+    }
 }
 
 /// Where and when it was measured, in a line.
@@ -151,7 +170,7 @@ fn gates(record: &Record) -> Vec<&GateDetail> {
     cases.chain(of_stability).collect()
 }
 
-/// Runs of judged cases that failed; sweeps that look for the bounds of stability may fail.
+/// Runs of judged cases and of other solvers that failed; sweeps that look for the bounds of a method may fail.
 fn failed_rows(record: &Record) -> usize {
     let judged = |name: &str| {
         name.starts_with(EXTREME)
@@ -164,7 +183,8 @@ fn failed_rows(record: &Record) -> usize {
     record
         .rows
         .iter()
-        .filter(|row| row.error.is_some() && judged(&row.name))
-        .filter(|row| matches!(row.kind, crate::record::Kind::Sample { .. }))
+        .filter(|row| row.error.is_some())
+        .filter(|row| judged(&row.name) || row.labels.contains_key("executable"))
+        .filter(|row| matches!(row.kind, Kind::Sample { .. }))
         .count()
 }

@@ -1,8 +1,9 @@
 //! A comparison of two records, as text and as Markdown.
 
 use super::{Table, paragraph, shortened};
+use crate::judge::change::Moved;
 use crate::judge::{CaseVerdict, Comparison, Finding, Tally, Verdict};
-use crate::record::Record;
+use crate::record::{CaseKey, Record};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -19,7 +20,7 @@ pub fn terminal(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> 
     let telling = |f: &&Finding| f.verdict != CaseVerdict::Same || f.time.is_some();
     for finding in shown(comparison).filter(telling) {
         let mut cells = cells(finding);
-        cells[0] = shortened(&cells[0], NAME);
+        cells[0] = shortened(&short_name(&finding.case), NAME);
         table.push(cells);
     }
     if table.lines().len() > 1 {
@@ -100,6 +101,16 @@ pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String
          two-sided.\n",
     );
     text
+}
+
+/// The name of a row without what all rows of studies have in common. Of another solver both its name and the case can then be
+/// read: `precision/step-bar/peer/solver/h=1e-1` is `step-bar solver h=1e-1`.
+fn short_name(case: &CaseKey) -> String {
+    let name = case.to_string();
+    match name.strip_prefix("precision/") {
+        Some(rest) => rest.replace("/peer/", " ").replace("/h=", " h="),
+        None => name,
+    }
 }
 
 const HEADINGS: [&str; 8] = [
@@ -273,6 +284,18 @@ pub(crate) fn verdict_line(comparison: &Comparison) -> String {
             parts.push(format!("{} {word}", count(verdict)));
         }
     }
+    let changes = comparison
+        .findings
+        .iter()
+        .flat_map(|finding| &finding.changes);
+    match changes
+        .filter(|change| change.moved == Moved::Accepted)
+        .count()
+    {
+        0 => {}
+        1 => parts.push("1 accepted change".to_owned()),
+        n => parts.push(format!("{n} accepted changes")),
+    }
     let parts = if parts.is_empty() {
         "no change".to_owned()
     } else {
@@ -306,7 +329,7 @@ fn side(name: &str, record: &Record) -> String {
 }
 
 /// Text inside a Markdown table or list.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {
         match c {
@@ -315,6 +338,7 @@ fn escaped(text: &str) -> String {
                 escaped.push(c);
             }
             '\n' | '\r' => escaped.push(' '),
+            _ if c.is_control() => {}
             _ => escaped.push(c),
         }
     }
@@ -333,6 +357,23 @@ mod tests {
         assert_eq!(factor(1.0), "=");
         assert_eq!(factor(1.02), "x1.020");
         assert_eq!(factor(1e-7), "x1.0e-7");
+    }
+
+    #[test]
+    fn solver_and_case_can_be_read() {
+        let key = |name: &str| CaseKey {
+            name: name.to_owned(),
+            aggregate: None,
+        };
+        for (name, short) in [
+            (
+                "precision/step-bar/peer/tiny/h=1.2500e-1",
+                "step-bar tiny h=1.2500e-1",
+            ),
+            ("bar/h=1", "bar/h=1"),
+        ] {
+            assert_eq!(shortened(&short_name(&key(name)), NAME), short);
+        }
     }
 
     #[test]

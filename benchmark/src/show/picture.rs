@@ -177,7 +177,13 @@ fn draw_panel(
 }
 
 fn draw_cell(text: &mut String, cell: &StabilityCell, [x, y]: [f64; 2], width: f64) {
-    let (class, fill) = Shade::of(cell.ratio).class();
+    // Where no step is safe there is nothing to be measured against.
+    let shade = if cell.warned {
+        Shade::None
+    } else {
+        Shade::of(cell.ratio)
+    };
+    let (class, fill) = shade.class();
     let ratio = cell
         .ratio
         .map_or_else(|| "not measured".to_owned(), |r| format!("{r:.3}"));

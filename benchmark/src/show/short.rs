@@ -1,58 +1,46 @@
 //! Studies of error against run time in a few lines, all of them together.
 
+use crate::precision::costs::{Costs, winners};
 use crate::precision::findings::LEVELS;
-use crate::precision::{Findings, Studied};
-use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Combinations that are named for each error.
+/// Combinations that are named for each error, and those that come as often as the last of them.
 const SHOWN: usize = 3;
 
-/// Which combination brings how many of the errors to 1 % and to 0.1 % in the shortest time.
+/// Which combination brings how many of the errors to 1 % and to 0.1 % in the shortest processor time, of `runs` runs of
+/// `cases` cases.
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn studies(all: &[Studied], out: &mut dyn Write) -> io::Result<()> {
-    let mut first: BTreeMap<String, [usize; LEVELS.len()]> = BTreeMap::new();
-    let mut never = [0; LEVELS.len()];
-    let mut errors = 0;
-    for studied in all {
-        for measure in 0..studied.study.measures().len() {
-            errors += 1;
-            let findings = Findings::new(studied, measure);
-            for level in 0..LEVELS.len() {
-                match findings.cheapest(level) {
-                    Some(line) => first.entry(line.method.to_string()).or_default()[level] += 1,
-                    None => never[level] += 1,
-                }
-            }
-        }
-    }
-    let runs: usize = all.iter().map(|studied| studied.runs.len()).sum();
+pub fn studies(all: &[Costs], cases: usize, runs: usize, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "Error against run time: {errors} errors of {} cases in {runs} runs. The fewest seconds to an error had most often,",
-        all.len()
+        "Error against run time: {} errors of {cases} cases in {runs} runs.\nThe fewest CPU seconds to an error had most often,",
+        all.len(),
     )?;
     for (level, bound) in LEVELS.into_iter().enumerate() {
-        let mut ranked: Vec<(&String, usize)> = first
+        let (ranked, never) = winners(all, level);
+        let last = ranked.get(SHOWN - 1).map_or(0, |(_, count)| *count);
+        let (first, tied): (Vec<_>, Vec<_>) = ranked
             .iter()
-            .map(|(name, counts)| (name, counts[level]))
-            .filter(|(_, count)| *count > 0)
+            .take_while(|(_, count)| *count >= last.max(1))
+            .enumerate()
+            .partition(|(place, _)| *place < SHOWN);
+        let named: Vec<String> = first
+            .iter()
+            .map(|(_, (name, count))| format!("{name} {count}×"))
             .collect();
-        // Names in their order where the counts are the same.
-        ranked.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-        let named = ranked.iter().take(SHOWN);
-        let named: Vec<String> = named
-            .map(|(name, count)| format!("{name} {count}×"))
-            .collect();
+        let as_often = match tied.len() {
+            0 => String::new(),
+            n => format!(" (and {n} more as often as the last)"),
+        };
         writeln!(
             out,
-            "  {:<5} {}; no method came so far for {}",
+            "  {:<6} {}{as_often};",
             format!("{} %:", 100.0 * bound),
-            named.join(", "),
-            never[level]
+            named.join(", ")
         )?;
+        writeln!(out, "         no method came so far for {never}")?;
     }
     Ok(())
 }

@@ -155,6 +155,8 @@ pub struct Verdict<'a> {
     pub asked: usize,
     /// What else failed, by name.
     pub also_failed: &'a [&'static str],
+    /// Whether something is worse than in the record that it was compared with.
+    pub worse: bool,
     /// Whether the user stopped it.
     pub interrupted: bool,
     /// Gates of stability that hold, and all of them, where there are any.
@@ -164,9 +166,13 @@ pub struct Verdict<'a> {
 }
 
 impl Verdict<'_> {
-    /// Whether all that was run holds.
+    /// Whether all that was run holds, and nothing is worse than before.
     #[must_use]
     pub fn held(&self) -> bool {
+        self.passed() && !self.worse
+    }
+
+    fn passed(&self) -> bool {
         self.also_failed.is_empty() && self.cases.iter().all(Ran::passed)
     }
 
@@ -181,6 +187,7 @@ impl Verdict<'_> {
         let (mark, word) = match (self.interrupted, self.held()) {
             (true, _) => (Mark::Attention, "INTERRUPTED"),
             (false, true) => (Mark::Held, "PASS"),
+            (false, false) if self.passed() => (Mark::Failed, "WORSE"),
             (false, false) => (Mark::Failed, "FAIL"),
         };
         let mut text = format!("{passed} of {all} gates in ");
@@ -265,6 +272,7 @@ mod tests {
             kept: Kept::default(),
             asked,
             also_failed,
+            worse: false,
             interrupted,
             of_stability: None,
             took: Duration::from_millis(1500),

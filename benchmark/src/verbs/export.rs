@@ -1,24 +1,29 @@
 //! `proctor export`: a record in the shape of another tool.
 
 use crate::exit::{Failure, Outcome};
+use crate::history::{self, History};
 use crate::record::Record;
 use crate::record::export::{self, Format};
+use crate::record::otava;
 use clap::{Args, ValueEnum};
 use proctor_files::output::atomic;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Write a record in the shape that another tool reads.
 ///
-/// Google Benchmark's compare.py reads records as they are. Runs that failed are left out, but for csv.
+/// Google Benchmark's compare.py reads records as they are. Runs that failed are left out, but for csv and junit. For otava
+/// several records are taken, a line each; with --out FILE.csv its configuration goes to FILE.yaml.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor export --format critcmp record.json --out base.json\n\
-    Without --out it goes to standard output: proctor export --format csv record.json > record.csv"
+    Without --out it goes to standard output: proctor export --format csv record.json > record.csv\n\
+    For the tests of a pull request: proctor export --format junit record.json --out junit.xml"
 )]
 pub struct Export {
-    /// Record, or a folder of records
-    record: PathBuf,
+    /// Record, or a folder of records; for otava any number of them
+    #[arg(required = true)]
+    record: Vec<PathBuf>,
     /// Shape of the export
     #[arg(long, value_enum)]
     format: Shape,
@@ -40,27 +45,75 @@ enum Shape {
     Csv,
     /// What each gate found and its bound, as Markdown
     Gates,
+    /// JUnit XML: a test per gate, failures with what was found and the bound
+    Junit,
+    /// Verdict, gates that fail and other solvers, as Markdown for the summary of a CI job
+    Summary,
+    /// A badge for the endpoint of shields.io
+    Badge,
+    /// A table and a configuration for Apache Otava, which finds change points
+    Otava,
 }
 
 impl Export {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let record = Record::read_joined(&self.record).map_err(Failure::bad_input)?;
         let format = match self.format {
             Shape::Bmf => Format::Bmf,
             Shape::Github => Format::Github,
             Shape::Critcmp => Format::Critcmp,
             Shape::Csv => Format::Csv,
             Shape::Gates => Format::Gates,
+            Shape::Junit => Format::Junit,
+            Shape::Summary => Format::Summary,
+            Shape::Badge => Format::Badge,
+            Shape::Otava => {
+                let history = history::of_files(&self.record).map_err(Failure::bad_input)?;
+                return otava_files(&history, self.out.as_deref(), out);
+            }
         };
-        let named = self.out.as_ref().unwrap_or(&self.record).file_stem();
+        let [path] = self.record.as_slice() else {
+            return Err(Failure::BadInput(format!(
+                "found {} records; accepted: one, or a folder of passes; --format otava takes several",
+                self.record.len()
+            )));
+        };
+        let record = Record::read_joined(path).map_err(Failure::bad_input)?;
+        let named = self.out.as_ref().unwrap_or(path).file_stem();
         let baseline = named.map_or_else(|| "record".into(), |name| name.to_string_lossy());
         let text = export::text(&record, format, &baseline)
-            .map_err(|error| Failure::BadInput(format!("{}: {error}", self.record.display())))?;
-        match &self.out {
-            None => out.write_all(text.as_bytes())?,
-            Some(path) => atomic::write(path, |file| file.write_all(text.as_bytes()))
-                .map_err(Failure::bad_input)?,
-        }
+            .map_err(|error| Failure::BadInput(format!("{}: {error}", path.display())))?;
+        write(&text, self.out.as_deref(), out)?;
         Ok(Outcome::Fine)
     }
+}
+
+/// Writes the table for Otava; to a file with its configuration beside it.
+pub fn otava_files(
+    history: &History,
+    path: Option<&Path>,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failure> {
+    let table = otava::table(history).map_err(Failure::bad_input)?;
+    write(&table, path, out)?;
+    if let Some(path) = path {
+        let configuration = otava::configuration(history, &path.display().to_string());
+        let beside = path.with_extension("yaml");
+        write(&configuration, Some(&beside), out)?;
+        writeln!(
+            out,
+            "table in {}, configuration in {}",
+            path.display(),
+            beside.display()
+        )?;
+    }
+    Ok(Outcome::Fine)
+}
+
+fn write(text: &str, path: Option<&Path>, out: &mut dyn Write) -> Result<(), Failure> {
+    match path {
+        None => out.write_all(text.as_bytes())?,
+        Some(path) => atomic::write(path, |file| file.write_all(text.as_bytes()))
+            .map_err(Failure::bad_input)?,
+    }
+    Ok(())
 }

@@ -1,5 +1,7 @@
 //! `proctor` without a verb: the main job on the built-in set.
 
+mod before;
+
 use super::Amount;
 use super::settings::processors;
 use super::stability::done as solve_stability;
@@ -8,15 +10,18 @@ use crate::bench::config::{Asked, Config};
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
+use crate::judge::Verdict as Judgement;
+use crate::precision::costs::Costs;
 use crate::precision::{Effort, Studied, run as study_run};
 use crate::progress::{self, Whole, ladders};
 use crate::record::Record;
-use crate::report;
+use crate::report::{self, Since};
 use crate::show::paint::Paint;
 use crate::show::summary::{Kept, Lines, Verdict};
 use crate::show::{case as full, precision as show_study, short, stability as show_stability};
 use crate::stability::{Asked as AskedOfStability, Done, jobs};
 use crate::suite::{self, Ran};
+use before::Before;
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
 use proctor_scene::plan::PlanOptions;
@@ -79,6 +84,7 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let folder = Path::new(FOLDER);
     std::fs::create_dir_all(folder)
         .map_err(|error| Failure::BadInput(format!("{}: {error}", folder.display())))?;
+    let before = Before::take(folder);
     let mut record = Record::new(&options);
     record.set_ladder(Size::Quick);
     record.set_incomplete(true);
@@ -113,7 +119,11 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
 
     let interrupted = stop.raised();
     record.set_incomplete(interrupted);
-    write(&record, folder)?;
+    let since = before
+        .as_ref()
+        .filter(|_| !interrupted)
+        .map(|before| before.judge(&record));
+    write(&record, since.as_ref(), folder)?;
     let also = [(stable, "stability"), (fast, "speed")];
     let also: Vec<&'static str> = also
         .iter()
@@ -125,10 +135,18 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
         kept: Kept::default(),
         asked: case::all().len(),
         also_failed: &also,
+        worse: since
+            .as_ref()
+            .is_some_and(|since| since.comparison().verdict() == Judgement::Worse),
         interrupted,
         of_stability: Some(of_stability),
         took: begun.elapsed(),
     };
+    if let (Some(before), Some(since)) = (&before, &since)
+        && amount.more_than_the_verdict()
+    {
+        before.tell(since, paint, out)?;
+    }
     verdict.line(paint, out)?;
     if amount.more_than_the_verdict() {
         verdict.busy(paint, out)?;
@@ -292,7 +310,9 @@ impl Job<'_> {
             all.push(studied);
         }
         if amount.more_than_the_verdict() && !amount.all() && !all.is_empty() {
-            self.tell(|out| short::studies(&all, out))?;
+            let costs = Costs::all(record);
+            let runs = all.iter().map(|studied| studied.runs.len()).sum();
+            self.tell(|out| short::studies(&costs, all.len(), runs, out))?;
         }
         Ok(())
     }
@@ -350,9 +370,9 @@ fn files(folder: &Path) -> [PathBuf; 2] {
     ["record.json", "report.html"].map(|name| folder.join(name))
 }
 
-fn write(record: &Record, folder: &Path) -> Result<(), Failure> {
+fn write(record: &Record, since: Option<&Since<'_>>, folder: &Path) -> Result<(), Failure> {
     let [data, page] = files(folder);
     record.write(&data).map_err(Failure::bad_input)?;
-    let html = report::page(record, None);
+    let html = report::page(record, since);
     atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)
 }

@@ -7,6 +7,7 @@ mod compare;
 mod element;
 mod export;
 mod folder;
+mod history;
 mod keys;
 mod main_job;
 mod names;
@@ -64,6 +65,8 @@ pub enum Verb {
     Noise(noise::Noise),
     /// Write a record in the format of another tool.
     Export(export::Export),
+    /// Show how the numbers of records went over commits, and where they changed.
+    History(history::History),
     /// Print the JSON Schema of scene files, for editors.
     Schema(schema::Schema),
 }
@@ -87,6 +90,7 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
         Some(Verb::Accept(accept)) => accept.run(out),
         Some(Verb::Noise(noise)) => noise.run(out),
         Some(Verb::Export(export)) => export.run(out),
+        Some(Verb::History(history)) => history.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
     }
 }

@@ -6,6 +6,7 @@ use super::settings::Settings;
 use crate::bench::config::{Asked, Config, Executable};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
+use crate::precision::bounds::{self, Bound};
 use crate::precision::{Effort, Studied, peers, rows, run};
 use crate::progress::Progress;
 use crate::record::Record;
@@ -31,7 +32,8 @@ use std::path::{Path, PathBuf};
 #[command(
     after_help = "Example: proctor precision bar axis-aligned --svg charts --csv precision.csv\n\
     The usual combinations on coarse meshes, in seconds: proctor precision --quick\n\
-    With other solvers: proctor precision boussinesq --executables peer.json --svg charts",
+    With other solvers: proctor precision boussinesq --executables peer.json --svg charts\n\
+    Which cases those can run: proctor precision --guests",
     mut_arg("threads", |arg| arg.help("Number of threads [default: 1]"))
 )]
 pub struct Precision {
@@ -60,6 +62,13 @@ pub struct Precision {
     /// free fall first; a case that other solvers cannot run says why
     #[arg(long, value_name = "FILE")]
     executables: Option<PathBuf>,
+    /// Bound on the error of a case that other solvers must keep, such as self-weight=2%; without one it is twice the error
+    /// of this program's own process, or 1 % where that is more
+    #[arg(long, value_name = "CASE=SHARE", requires = "executables")]
+    bound: Vec<Bound>,
+    /// List which cases other solvers can run and what each needs, and why the others cannot be
+    #[arg(long, conflicts_with_all = ["executables", "json", "csv", "svg"])]
+    guests: bool,
     /// Keep scenes and results of executables in this folder [default: they are removed]
     #[arg(long, value_name = "DIR", requires = "executables")]
     keep: Option<PathBuf>,
@@ -70,6 +79,18 @@ pub struct Precision {
 impl Precision {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let studies = names::chosen(&self.cases, &study::all(), "case", |study| study.name())?;
+        if self.guests {
+            show::guests::list(&studies, out)?;
+            return Ok(Outcome::Fine);
+        }
+        for bound in &self.bound {
+            names::chosen(
+                std::slice::from_ref(&bound.case),
+                &study::all(),
+                "case",
+                |study| study.name(),
+            )?;
+        }
         let mut options = self.settings.options()?;
         // Small runs gain nothing from threads, and their times would say more about waiting than about work.
         let threads = *options.threads.get_or_insert(1);
@@ -116,9 +137,12 @@ impl Precision {
                 let mut runs = ran.peers.iter().flat_map(|line| &line.runs);
                 sound &= runs.all(|run| run.error.is_ok());
             }
+            let gates = bounds::gates(&ran, &self.bound);
             show::study(&ran, self.all, out)?;
+            sound &= show::guests::gates(&gates, out)?;
             out.flush()?;
             record.push_study(&ran, threads);
+            record.push_bounds(&gates);
             studied.push(ran);
             if interrupt.raised() {
                 record.set_incomplete(true);

@@ -1,6 +1,7 @@
 //! `proctor report`: a record as a page.
 
 use crate::exit::{Failure, Outcome};
+use crate::history;
 use crate::record::Record;
 use crate::report::{self, Since};
 use crate::show::comparison;
@@ -18,7 +19,8 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor verify --quick --json record.json; proctor report record.json\n\
-    What changed: proctor report head.json --base base.json"
+    What changed: proctor report head.json --base base.json\n\
+    How it went: proctor report head.json --history records"
 )]
 pub struct Report {
     /// Record (JSON)
@@ -26,6 +28,12 @@ pub struct Report {
     /// Earlier record: what changed since, as tables and pictures
     #[arg(long, value_name = "RECORD")]
     base: Option<PathBuf>,
+    /// Earlier records, or folders of them: how each number went, and where it changed
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    history: Vec<PathBuf>,
+    /// The same from a record that git keeps: every commit that changed it
+    #[arg(long, value_name = "PATH", conflicts_with = "history")]
+    history_of: Option<PathBuf>,
     /// The page [default: the name of the record with .html]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -45,7 +53,13 @@ impl Report {
             )));
         }
         let since = base.as_ref().map(|base| Since::new(base, &record));
-        let html = report::page(&record, since.as_ref());
+        let history = match &self.history_of {
+            Some(path) => Some(history::of_git(path)),
+            None if self.history.is_empty() => None,
+            None => Some(history::of_files(&self.history)),
+        };
+        let history = history.transpose().map_err(Failure::bad_input)?;
+        let html = report::page_with_history(&record, since.as_ref(), history.as_ref());
         atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)?;
         if let Some(since) = &since {
             writeln!(out, "{}", comparison::verdict_line(since.comparison()))?;

@@ -315,6 +315,7 @@ impl Verify {
             kept,
             asked: cases.len() + kept.cases,
             also_failed: &[],
+            worse: false,
             interrupted: interrupt.raised(),
             of_stability: None,
             took: begun.elapsed(),

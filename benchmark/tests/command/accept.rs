@@ -65,6 +65,8 @@ fn a_gain_is_taken_with_its_reason() {
     let (status, said) = compare(&desk, &["--strict"]);
     assert_eq!(status, 0, "{said}");
     assert!(said.contains("accepted: error_l2 0.1 -> 0.05"), "{said}");
+    assert!(said.contains("1 accepted change"), "{said}");
+    assert!(!said.contains("no change"), "{said}");
 }
 
 #[test]

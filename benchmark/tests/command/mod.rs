@@ -14,6 +14,7 @@ mod folder;
 mod generated;
 #[cfg(unix)]
 mod guests;
+mod history;
 mod keys;
 mod memory;
 mod mill;

@@ -61,6 +61,9 @@ fn how(arguments: &[&str]) -> How {
         ["run", scene, ..] if scene.starts_with("fixtures/scenes/speed/") => {
             How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
         }
+        ["history", rest @ ..] if rest.contains(&"--git") => {
+            How::Instead(&["history", "record.json"])
+        }
         _ => How::AsItStands,
     }
 }

@@ -115,7 +115,7 @@ fn the_first_scene_of_the_record_stands_for_the_speed_and_the_others_have_a_line
         .with_step_of("clay", 300.0, 0.5, 0.25);
     let page = several.page();
     let answers = text(between(first(&page), "<dl class=\"answers\">", "</dl>")[0]);
-    let headline = "Speed 200.0 ns per particle and step on 1 thread, block";
+    let headline = "Speed 200.0 ns of processor time per particle and step on 1 thread, block";
     assert!(answers.contains(headline), "{answers}");
     let panel = panel(&page, "fast");
     for line in [
@@ -153,4 +153,57 @@ fn floors_of_the_speed_come_from_the_peaks_of_the_same_run() {
         );
         assert!(chart.contains("memory alone, 1 thread: 25 ns"), "{chart}");
     }
+}
+
+#[test]
+fn a_map_has_the_time_to_one_per_cent_of_each_case_and_method() {
+    let page = whole().page();
+    let map = text(between(first(&page), "<table class=\"map heat\">", "</table>")[0]);
+    // Milliseconds, the least case first; a case that no method brings so far has no row.
+    for line in [
+        "wall – 100",
+        "beam 2000 250",
+        "bar 2000 500",
+        "weir 1000 – 500",
+    ] {
+        assert!(map.contains(line), "{line} is not in {map}");
+    }
+    assert!(!map.contains("pile") && !map.contains("well"), "{map}");
+}
+
+#[test]
+fn a_gate_is_judged_from_its_row_and_amber_near_its_bound() {
+    let near = MadeUp::new().with_case("bar", 0.0097, 0.01);
+    let page = near.page();
+    assert!(
+        first(&page).contains("<div class=\"near\"><dt><a href=\"#nearest\">"),
+        "{}",
+        first(&page)
+    );
+    assert!(first(&page).contains("<tr class=\"passed near\">"));
+    assert!(first(&page).contains("<strong>PASS</strong> 1 of 1 gates hold"));
+    // A row above its bound fails whatever is stored beside it.
+    let mut edited = near;
+    edited.rows[1]["gate_value"] = serde_json::json!(0.02);
+    let page = edited.page();
+    assert!(
+        first(&page).contains("<strong>FAIL</strong> 0 of 1 gates hold"),
+        "{}",
+        first(&page)
+    );
+}
+
+#[test]
+fn a_record_of_rows_alone_is_whole() {
+    let mut rows = MadeUp::new().with_case("bar", 0.004, 0.01);
+    rows.cases.clear();
+    let page = rows.page();
+    assert!(
+        first(&page).contains("<strong>PASS</strong> 1 of 1 gates hold, of 1 case"),
+        "{}",
+        first(&page)
+    );
+    assert!(page.contains("<details class=\"case\" id=\"case-bar\">"));
+    // No column is empty.
+    assert!(first(&page).contains("<div class=\"panels columns-1\">"));
 }

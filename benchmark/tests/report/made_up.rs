@@ -1,8 +1,12 @@
 //! Records that nobody measured, small enough to know every number of their pages.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::read::DeflateDecoder;
 use proctor_benchmark::record::Record;
 use proctor_benchmark::report::page;
 use serde_json::{Value, json};
+use std::io::Read as _;
 use tempfile::TempDir;
 
 /// A record as its file says it.
@@ -128,8 +132,9 @@ impl MadeUp {
         Record::read(&path).expect("a record")
     }
 
+    /// The page as it is with all cases opened.
     pub fn page(&self) -> String {
-        page(&self.record(), None)
+        unpacked(&page(&self.record(), None))
     }
 }
 
@@ -146,6 +151,25 @@ fn figure(title: &str, run: &str) -> Value {
             }],
         },
     })
+}
+
+/// A page with the pictures that are loaded when a case is opened.
+pub fn unpacked(page: &str) -> String {
+    const OPEN: &str = "<div class=\"packed\" data-packed=\"";
+    let mut parts = page.split(OPEN);
+    let mut whole = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (packed, rest) = part.split_once('"').expect("an attribute");
+        let bytes = STANDARD.decode(packed).expect("base64");
+        let mut html = String::new();
+        DeflateDecoder::new(bytes.as_slice())
+            .read_to_string(&mut html)
+            .expect("deflate");
+        let (_, rest) = rest.split_once("</div>").expect("an end");
+        whole.push_str(&html);
+        whole.push_str(rest);
+    }
+    whole
 }
 
 /// What stands between two texts, every time.

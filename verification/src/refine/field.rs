@@ -2,8 +2,8 @@
 
 use super::point::{fit, reach};
 use super::rule::{Estimate, Rule};
-use proctor_kernel::scene::Vector;
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::Vector;
+use proctor_scene::simulation::Simulation;
 use std::collections::HashMap;
 
 /// A field that is compared.

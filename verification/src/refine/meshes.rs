@@ -1,6 +1,6 @@
 //! A scene on coarser and finer meshes: what changes with the cell, what stays, and what cannot be refined.
 
-use proctor_kernel::scene::{
+use proctor_scene::{
     Dimension, Enforcement, MortarContact, PlaneCondition, Problem, Scene, Shape, TimeStep,
     Vertices,
 };
@@ -191,8 +191,7 @@ impl Meshes {
                 staircases.join(", ")
             ));
         }
-        let held =
-            |held: &proctor_kernel::scene::HeldBox| !on_lines(scene, coarsest, &[held.p1, held.p2]);
+        let held = |held: &proctor_scene::HeldBox| !on_lines(scene, coarsest, &[held.p1, held.p2]);
         if scene.held_boxes.iter().any(held) {
             notes.push("edges of a held box lie between cell lines: order 1 at best".to_owned());
         }

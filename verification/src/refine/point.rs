@@ -3,8 +3,8 @@
 //! The particle nearest to a point moves by up to a quarter of a cell from mesh to mesh, which would be an error of order 1.
 
 use nalgebra::DMatrix;
-use proctor_kernel::scene::{Scene, Vector};
-use proctor_kernel::simulation::Simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{Scene, Vector};
 use std::collections::HashMap;
 
 /// Relative singular value below which a direction has no second layer of particles.

@@ -71,7 +71,11 @@ pub fn svg(chart: &Chart) -> String {
     let has_bars = chart.series.iter().any(|s| s.mark == Mark::Bar);
     // Room for the number at the end of the longest bar.
     let room = if has_bars { BAR_ROOM } else { 1.0 };
-    let x = chart.x.ranged(points().map(|p| room * p.x), has_bars);
+    // The shortest bar of a logarithmic axis has a length, too.
+    let shortest = points().filter(|_| has_bars).map(|p| 0.5 * p.x);
+    let x = chart
+        .x
+        .ranged(points().map(|p| room * p.x).chain(shortest), has_bars);
     let y = chart.y.ranged(points().filter_map(|p| p.y), false);
     let title = lines(&chart.title, BOLD * TITLE, WIDTH - 2.0 * EDGE);
     let tick_width = y.ticks.iter().map(|t| width(&t.text, TEXT));
@@ -307,7 +311,9 @@ fn marks(out: &mut String, layout: &Layout, series: &Series) {
         let place = layout.at(point);
         let title = escaped(&point.title);
         if series.mark == Mark::Bar {
-            if let (Some([x, y]), Some(zero)) = (place, layout.at_x(0.0)) {
+            // A logarithmic axis has no zero: its bars begin at its end.
+            let zero = layout.at_x(0.0).unwrap_or(layout.left);
+            if let Some([x, y]) = place {
                 bar(out, layout, series, point, [zero, x, y]);
             }
             continue;

@@ -1,5 +1,6 @@
 //! Charts of what was computed: error against time, convergence, curves, speed.
 
+pub mod history;
 mod precision;
 pub mod refine;
 mod slopes;
@@ -10,6 +11,7 @@ use super::chart::{
     Axis, Chart, Colour, Entry, Format, Guide, Mark, Point, Scale, Series, Strength, Stroke,
 };
 use super::number;
+use crate::precision::PeerLine;
 use crate::precision::findings::LineFindings;
 use proctor_verification::case::{Curve, CurvePoint, Drawing};
 use proctor_verification::convergence::ConvergenceTable;
@@ -30,15 +32,17 @@ pub fn convergence(title: &str, table: &ConvergenceTable) -> Chart {
     convergence_of(title, &lines)
 }
 
-/// Errors over cell size of the lines of a study, the best first, at most as many as there are colours.
+/// Errors over cell size of the lines of a study, the best first, and of other solvers; at most as many as there are marks.
 #[must_use]
-pub fn convergence_of_lines(title: &str, lines: &[&LineFindings]) -> Chart {
-    let lines: Vec<(String, &ConvergenceTable, usize)> = lines
-        .iter()
-        .take(MARKS.len())
-        .map(|line| (line.method.to_string(), &line.table, 0))
-        .collect();
-    convergence_of(title, &lines)
+pub fn convergence_of_lines(title: &str, lines: &[&LineFindings], peers: &[PeerLine]) -> Chart {
+    let of_peer = |peer: &PeerLine| (format!("{} (process)", peer.name), peer.convergence());
+    let tables: Vec<(String, ConvergenceTable)> = peers.iter().map(of_peer).collect();
+    let own = MARKS.len().saturating_sub(tables.len()).max(1);
+    let lines = lines.iter().take(own);
+    let lines = lines.map(|line| (line.method.to_string(), &line.table, 0));
+    let others = tables.iter().map(|(name, table)| (name.clone(), table, 0));
+    let all: Vec<(String, &ConvergenceTable, usize)> = lines.chain(others).collect();
+    convergence_of(title, &all)
 }
 
 fn convergence_of(title: &str, lines: &[(String, &ConvergenceTable, usize)]) -> Chart {
@@ -284,6 +288,14 @@ pub fn drawing(drawing: &Drawing) -> Chart {
 #[must_use]
 pub fn bars(title: &str, quantity: &str, values: &[(String, f64)]) -> Chart {
     bars_of(title, quantity, Format::Number, values)
+}
+
+/// The same on a logarithmic axis, of values above zero that lie decades apart, such as the cost of a step of each scene.
+#[must_use]
+pub fn logarithmic_bars(title: &str, quantity: &str, values: &[(String, f64)]) -> Chart {
+    let mut chart = bars(title, quantity, values);
+    chart.x.scale = Scale::Log;
+    chart
 }
 
 /// Bars of values that are written in a format.

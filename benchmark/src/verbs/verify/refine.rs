@@ -8,7 +8,7 @@ use crate::refine::kept::SCENES;
 use crate::refine::ladders;
 use crate::show::paint::{Mark, Paint};
 use crate::show::{Table, percent};
-use proctor_kernel::simulation::Options;
+use proctor_scene::simulation::Options;
 use proctor_verification::refine::calibration::{Calibration, Coverage};
 use proctor_verification::refine::{Rule, Verdict};
 use std::io::Write;

@@ -1,6 +1,6 @@
 //! The columns of `history.csv`, and their values of one state.
 
-use proctor_kernel::simulation::{Energy, Simulation};
+use proctor_scene::simulation::{Energy, Simulation};
 
 /// Components of the stress, in the order of the particles.
 pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];

@@ -1,5 +1,7 @@
 //! A study as a table: the best combination first.
 
+pub mod guests;
+
 use super::{Table, grouped, number, seconds};
 use crate::precision::cost::Cost;
 use crate::precision::findings::{LEVELS, LineFindings};

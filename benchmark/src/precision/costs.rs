@@ -1,0 +1,168 @@
+//! What each accuracy costs, as the rows of a record tell it: the page and the terminal take their numbers from here.
+
+use super::findings::LEVELS;
+use crate::record::{Kind, Record};
+use crate::show::percent;
+use proctor_verification::settings::Method;
+use std::collections::BTreeMap;
+
+/// Beginning of the names of the aggregates that say what a line costs.
+const COST: &str = "cost_";
+
+/// Label of the rows of another solver.
+const SOLVER: &str = "executable";
+
+/// What the lines of one error of a case cost.
+pub struct Costs {
+    /// Name of the case.
+    pub case: String,
+    /// Which error.
+    pub measure: String,
+    /// The methods, in the order of the record.
+    pub lines: Vec<CostLine>,
+}
+
+/// A method on one error of a case.
+pub struct CostLine {
+    /// The method, with `!` behind it where no step is safe for every body.
+    pub method: String,
+    /// Time to each level \[s\], where it is reached.
+    pub seconds: [Option<f64>; LEVELS.len()],
+    /// The smallest error of any run.
+    pub smallest: Option<f64>,
+}
+
+impl Costs {
+    /// The costs of all studies of a record, in its order.
+    #[must_use]
+    pub fn all(record: &Record) -> Vec<Self> {
+        let mut all: Vec<Self> = vec![];
+        for row in &record.rows {
+            let Kind::Aggregate { name } = &row.kind else {
+                continue;
+            };
+            let (Some(measure), Some(case)) = (name.strip_prefix(COST), row.labels.get("case"))
+            else {
+                continue;
+            };
+            if row.labels.contains_key(SOLVER) {
+                continue;
+            }
+            let word = |key: &str| row.labels.get(key).map_or("", String::as_str);
+            let mark = if word("has_safe_step") == "no" {
+                " !"
+            } else {
+                ""
+            };
+            let line = CostLine {
+                method: ["weighting", "scheme", "transfer"].map(word).join(" ") + mark,
+                seconds: LEVELS.map(|level| {
+                    let key = format!("seconds_for_error_{level}");
+                    row.counters.get(&key).copied()
+                }),
+                smallest: row.counters.get("smallest_error").copied(),
+            };
+            match all
+                .iter_mut()
+                .find(|costs| costs.case == *case && costs.measure == measure)
+            {
+                Some(costs) => costs.lines.push(line),
+                None => all.push(Self {
+                    case: case.clone(),
+                    measure: measure.to_owned(),
+                    lines: vec![line],
+                }),
+            }
+        }
+        all
+    }
+
+    /// The method that reaches a level at the least cost, and that cost \[s\].
+    #[must_use]
+    pub fn cheapest(&self, level: usize) -> Option<(&str, f64)> {
+        self.lines
+            .iter()
+            .filter_map(|line| Some((line.method.as_str(), line.seconds[level]?)))
+            .min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
+    /// How many times as fast as the default the cheapest method is; none where the default does not reach the level.
+    #[must_use]
+    pub fn factor(&self, level: usize) -> Option<f64> {
+        let default = Method::DEFAULT.to_string();
+        let line = self.lines.iter().find(|line| line.method == default)?;
+        let (_, least) = self.cheapest(level)?;
+        Some(line.seconds[level]? / least)
+    }
+
+    /// The smallest error of any run, and the method that gave it.
+    #[must_use]
+    pub fn smallest(&self) -> Option<(&str, f64)> {
+        self.lines
+            .iter()
+            .filter_map(|line| Some((line.method.as_str(), line.smallest?)))
+            .min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
+    /// The cheapest method for a level and what it gains over the default, in words.
+    #[must_use]
+    pub fn said(&self, level: usize) -> String {
+        let Some((method, _)) = self.cheapest(level) else {
+            return "not reached".to_owned();
+        };
+        match self.factor(level) {
+            _ if method == Method::DEFAULT.to_string() => format!("{method}, the default"),
+            Some(factor) => format!("{method}, {}", times(factor)),
+            None => format!("{method}, default misses it"),
+        }
+    }
+
+    /// The smallest error of any run, in words.
+    #[must_use]
+    pub fn at_best(&self) -> String {
+        self.smallest().map_or_else(
+            || "no run succeeded".to_owned(),
+            |(method, error)| format!("{}, {method}", percent(error)),
+        )
+    }
+}
+
+/// A factor, such as `2.8×`.
+#[must_use]
+pub fn times(factor: f64) -> String {
+    format!("{factor:.1}×")
+}
+
+/// Which methods reach a level at the least processor time, and for how many errors, the most first and then by their names;
+/// and how many errors no method brings so far down.
+#[must_use]
+pub fn winners(all: &[Costs], level: usize) -> (Vec<(&str, usize)>, usize) {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut never = 0;
+    for costs in all {
+        match costs.cheapest(level) {
+            Some((method, _)) => *counts.entry(method).or_default() += 1,
+            None => never += 1,
+        }
+    }
+    let mut ranked: Vec<(&str, usize)> = counts.into_iter().collect();
+    ranked.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    (ranked, never)
+}
+
+/// The methods that are first most often, all of them where several are: "A", or "A and B, each".
+#[must_use]
+pub fn most_often(ranked: &[(&str, usize)]) -> Option<(String, usize)> {
+    let (_, most) = *ranked.first()?;
+    let first: Vec<&str> = ranked
+        .iter()
+        .take_while(|(_, count)| *count == most)
+        .map(|(method, _)| *method)
+        .collect();
+    let names = match first.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, others)) => format!("{} and {last}, each", others.join(", ")),
+        None => return None,
+    };
+    Some((names, most))
+}

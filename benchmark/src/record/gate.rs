@@ -1,0 +1,88 @@
+//! Gates of a record, judged from their rows: a verdict that is stored beside them counts for nothing.
+
+use super::row::{GATE, GATE_BOUND, GATE_SIDE, GATE_VALUE};
+use super::{Kind, Record, Row};
+use proctor_verification::case::Relation;
+
+/// A gate as its row has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GateRow<'a> {
+    /// The case, or the scene, that it belongs to.
+    pub case: &'a str,
+    /// What is bounded.
+    pub name: &'a str,
+    /// What was found; none where it could not be computed.
+    pub value: Option<f64>,
+    /// The bound; none in a row that lacks it.
+    pub bound: Option<f64>,
+    /// `at most` or `at least`.
+    pub side: &'a str,
+    /// The row.
+    pub row: &'a Row,
+}
+
+impl<'a> GateRow<'a> {
+    /// The gate of a row; none of other rows.
+    #[must_use]
+    pub fn of(row: &'a Row) -> Option<Self> {
+        if !matches!(&row.kind, Kind::Aggregate { name } if name == GATE) {
+            return None;
+        }
+        let (case, name) = row.name.split_once(": ")?;
+        Some(Self {
+            case,
+            name,
+            value: row.counters.get(GATE_VALUE).copied(),
+            bound: row.counters.get(GATE_BOUND).copied(),
+            side: row.labels.get(GATE_SIDE).map_or("", String::as_str),
+            row,
+        })
+    }
+
+    /// Whether the value keeps the bound; a gate without either does not hold.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        match (self.value, self.bound) {
+            (Some(value), Some(bound)) if self.side == Relation::AtLeast.words() => value >= bound,
+            (Some(value), Some(bound)) => value <= bound,
+            _ => false,
+        }
+    }
+}
+
+impl Record {
+    /// The gates in the order of their rows.
+    pub fn gate_rows(&self) -> impl Iterator<Item = GateRow<'_>> {
+        self.rows.iter().filter_map(GateRow::of)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gate_holds_by_its_numbers_alone() {
+        let row = |value: f64, bound: f64, side: &str| {
+            let mut row = Row::aggregate("bar: error: of u", GATE, 1);
+            row.count(GATE_VALUE, value);
+            row.count(GATE_BOUND, bound);
+            row.label(GATE_SIDE, side);
+            row
+        };
+        for (value, bound, side, holds) in [
+            (1.0, 1.0, "at most", true),
+            (1.1, 1.0, "at most", false),
+            (1.0, 1.0, "at least", true),
+            (0.9, 1.0, "at least", false),
+            (f64::NAN, 1.0, "at most", false),
+            (1.0, f64::NAN, "at least", false),
+        ] {
+            let row = row(value, bound, side);
+            let gate = GateRow::of(&row).expect("a gate");
+            assert_eq!((gate.case, gate.name), ("bar", "error: of u"));
+            assert_eq!(gate.holds(), holds, "{value} {side} {bound}");
+        }
+        assert_eq!(GateRow::of(&Row::sample("bar: a", 0, 1)), None);
+    }
+}

@@ -1,0 +1,98 @@
+//! Other solvers on a terminal: which cases are open to them, and the bounds that they keep.
+
+use crate::show::{Table, filled, percent};
+use proctor_scene::{Damping, Scene};
+use proctor_verification::case::{Gate, Size};
+use proctor_verification::study::Study;
+use std::io::{self, Write};
+
+/// Columns of a terminal.
+const WIDTH: usize = 80;
+
+/// Which cases are open to other solvers with what each needs of them, and why the others are not.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
+    let mut open = Table::new(["case", "runs", "needs"]);
+    let mut closed: Vec<(&str, &str)> = vec![];
+    for study in studies {
+        let path = study.path(Size::Quick);
+        match path.first().map(|rung| study.guest(rung)) {
+            Some(Ok(guest)) => open.push([
+                study.name().to_owned(),
+                format!("{} or {}", path.len(), study.path(Size::Full).len()),
+                needs(&guest.scene).join(", "),
+            ]),
+            Some(Err(reason)) => closed.push((study.name(), reason)),
+            None => {}
+        }
+    }
+    let count = open.lines().len() - 1;
+    writeln!(
+        out,
+        "{count} of {} cases are open to other solvers; runs: short or long study\n",
+        studies.len()
+    )?;
+    write!(out, "{open}")?;
+    if !closed.is_empty() {
+        writeln!(out, "\nThe others, and why not\n")?;
+    }
+    for (name, reason) in closed {
+        writeln!(out, "  {name}")?;
+        for line in filled(reason.split(' '), WIDTH - 6) {
+            writeln!(out, "      {line}")?;
+        }
+    }
+    Ok(())
+}
+
+/// What a scene needs of a solver, in the words of the manuals.
+fn needs(scene: &Scene) -> Vec<String> {
+    let mut needs = vec![format!("{}D", scene.dimension.axes())];
+    let mut add = |is: bool, what: &str| {
+        if is {
+            needs.push(what.to_owned());
+        }
+    };
+    add(scene.gravity.iter().any(|g| *g != 0.0), "gravity");
+    add(scene.bodies.len() > 1, "several bodies");
+    add(!scene.point_loads.is_empty(), "nodal loads");
+    add(!scene.tractions.is_empty(), "tractions");
+    add(!scene.box_loads.is_empty(), "loads on boxes");
+    add(!scene.contacts.is_empty(), "contact");
+    add(!scene.surfaces.is_empty(), "a rigid surface (STL)");
+    add(scene.base_motion.is_some(), "a moving base");
+    add(matches!(scene.damping, Damping::Kinetic), "kinetic damping");
+    add(
+        matches!(scene.damping, Damping::Local { .. }),
+        "local damping",
+    );
+    needs
+}
+
+/// What bounds other solvers keep; whether all of them hold.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn gates(gates: &[(String, Gate)], out: &mut dyn Write) -> io::Result<bool> {
+    for (of, gate) in gates {
+        let word = if gate.passed() { "PASS" } else { "FAIL" };
+        let found = if gate.value.is_finite() {
+            percent(gate.value)
+        } else {
+            "nothing".to_owned()
+        };
+        writeln!(
+            out,
+            "  {word}  {of}: {}: {found}, at most {}",
+            gate.name,
+            percent(gate.bound)
+        )?;
+        writeln!(out, "        ({})", gate.reason)?;
+    }
+    if !gates.is_empty() {
+        writeln!(out)?;
+    }
+    Ok(gates.iter().all(|(_, gate)| gate.passed()))
+}
