@@ -5,7 +5,7 @@ use proctor_scene::{Contact, Dimension, History, InitialStress, Shape, Weighting
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
 use super::seen::Seen;
-use super::{Deviation, Question, Trial, crowd};
+use super::{Deviation, Question, Run, Trial, crowd};
 use crate::cases::{body, cuboid};
 
 /// Ground that settles, or begins at rest.
@@ -147,7 +147,7 @@ fn judged(dice: &mut Dice, mut column: Column, weight: f64, surface: f64, base: 
         )]
     });
     Trial {
-        runs: vec![column.scene.into()],
+        runs: vec![Run::to_rest(column.scene)],
         judge,
     }
 }

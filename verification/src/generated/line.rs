@@ -13,7 +13,7 @@ use super::change::Frame;
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
 use super::seen::Seen;
-use super::{Deviation, Question, Trial, pressed};
+use super::{Deviation, Question, Run, Trial, pressed};
 
 /// A block on a line.
 pub static LINE: Question = Question {
@@ -114,7 +114,7 @@ fn line(dice: &mut Dice) -> Trial {
         ]
     });
     Trial {
-        runs: vec![column.scene.into()],
+        runs: vec![Run::to_rest(column.scene)],
         judge,
     }
 }

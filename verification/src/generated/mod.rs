@@ -29,7 +29,7 @@ pub use seen::{Particle, Seen};
 
 use proctor_scene::Scene;
 use proctor_scene::plan::PlanOptions;
-use proctor_scene::simulation::{Options, plan};
+use proctor_scene::simulation::{Options, Simulation, plan};
 
 /// All questions; scene `k` of a seed asks the one of number `k` modulo their count.
 pub static QUESTIONS: &[&Question] = &[
@@ -87,13 +87,35 @@ pub struct Run {
     pub scene: Scene,
     /// Number of threads.
     pub threads: usize,
+    /// True where the answer is a state of rest: the run goes on until nothing moves, for at most [`LONGEST`] times the time of the scene.
+    pub to_rest: bool,
 }
 
 impl From<Scene> for Run {
     fn from(scene: Scene) -> Self {
-        Self { scene, threads: 1 }
+        Self {
+            scene,
+            threads: 1,
+            to_rest: false,
+        }
     }
 }
+
+impl Run {
+    /// A run until nothing moves.
+    #[must_use]
+    pub fn to_rest(scene: Scene) -> Self {
+        Self {
+            to_rest: true,
+            ..scene.into()
+        }
+    }
+}
+
+/// Largest kinetic over strain energy of what rests: its stress swings by a thousandth.
+const REST: f64 = 1e-6;
+/// Most times of a scene that a run to rest takes.
+const LONGEST: f64 = 4.0;
 
 /// The distance of a result from the right one.
 #[derive(Clone, Debug, PartialEq)]
@@ -228,8 +250,15 @@ fn result(run: &Run) -> Result<Seen, String> {
     };
     let mut simulation = run.scene.simulate(&options).map_err(|e| e.to_string())?;
     let start = Seen::start(&simulation);
-    let end = run.scene.time;
-    while simulation.time() < end {
+    let mut end = run.scene.time;
+    loop {
+        if simulation.time() >= end {
+            let longest = LONGEST * run.scene.time;
+            if !run.to_rest || end >= longest || rests(&mut simulation) {
+                return Ok(start.end(&simulation));
+            }
+            end = (end + run.scene.time).min(longest);
+        }
         if simulation.steps() >= MOST_STEPS {
             return Err(format!(
                 "{MOST_STEPS} steps end at {:e} s of {end:e} s",
@@ -238,5 +267,10 @@ fn result(run: &Run) -> Result<Seen, String> {
         }
         simulation.step(end).map_err(|e| e.to_string())?;
     }
-    Ok(start.end(&simulation))
+}
+
+/// True where hardly any of the energy is kinetic.
+fn rests(simulation: &mut Simulation) -> bool {
+    let energy = simulation.energy();
+    energy.kinetic < REST * energy.strain
 }

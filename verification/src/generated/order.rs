@@ -63,6 +63,7 @@ fn threads(dice: &mut Dice) -> Trial {
     let again = Run {
         scene: scene.clone(),
         threads,
+        to_rest: false,
     };
     Trial {
         runs: vec![scene.into(), again],

@@ -5,7 +5,7 @@ use proctor_scene::{Contact, Dimension, History, Scene, Weighting};
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
 use super::seen::Seen;
-use super::{Deviation, Question, Trial, crowd};
+use super::{Deviation, Question, Run, Trial, crowd};
 
 /// Layers that share one field.
 pub static JOINED: Question = Question {
@@ -216,7 +216,7 @@ fn pressed(dice: &mut Dice, mut column: Column, interfaces: &[usize], felt: f64)
         all
     });
     Trial {
-        runs: vec![column.scene.into()],
+        runs: vec![Run::to_rest(column.scene)],
         judge,
     }
 }

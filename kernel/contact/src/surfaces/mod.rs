@@ -3,6 +3,7 @@
 mod error;
 mod fields;
 mod gap;
+mod light_nodes;
 mod near_particles;
 mod nodes;
 mod obstacle;
@@ -19,6 +20,7 @@ use crate::surfaces::touch::TouchedNode;
 use crate::values::{ContactValues, PairValues, RigidSurface};
 use fields::{Fields, change_velocities};
 use gap::refuse_overlap_with_surfaces;
+use light_nodes::{FollowingImpulse, LightNodes};
 use near_particles::{NearParticles, ParticlePlace};
 use obstacle::RigidObstacle;
 use proctor_geometry::memory::Memory;
@@ -59,6 +61,7 @@ pub struct SurfaceContact {
     mapped: TouchingParticles,
     /// Particles that a surface pushes in this step, by surface, set and identifier, in that order.
     pushed: Vec<PushedParticle>,
+    light: LightNodes,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
     last: Vec<Vec<Vector>>,
     last_kick: f64,
@@ -87,6 +90,7 @@ impl SurfaceContact {
             trial: TouchingParticles::default(),
             mapped: TouchingParticles::default(),
             pushed: vec![],
+            light: LightNodes::default(),
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
@@ -316,6 +320,30 @@ impl SurfaceContact {
                 self.last[place.surface][place.set][axis] += impulse[axis];
             }
         }
+        let fields = Fields::of_step(&view);
+        let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
+        let (mut friction, mut impact) = (0.0, 0.0);
+        for touch in &touches.list {
+            let [across, along] = touches.taken(touch, line);
+            friction += across;
+            impact += along;
+        }
+        let velocities = |t: &TouchedNode| {
+            let line = line(t);
+            [1, 4].map(|lane| std::array::from_fn(|axis| line[lane + axis]))
+        };
+        let now = &self.near.now;
+        let of_surfaces = places.iter().map(|place| now[place.surface].velocity);
+        let last = &mut self.last;
+        let give = |one: FollowingImpulse| {
+            let place = &places[one.touch];
+            let v_s = now[place.surface].velocity;
+            for axis in 0..3 {
+                last[place.surface][place.set][axis] += one.impulse[axis];
+                impact -= one.impulse[axis] * (one.mean[axis] - v_s[axis]);
+            }
+        };
+        light_nodes::follow(touches, &mut self.light, velocities, of_surfaces, give);
         let mut power = 0.0;
         for surface in 0..self.last.len() {
             let v = self.near.now[surface].velocity;
@@ -326,14 +354,6 @@ impl SurfaceContact {
                     power += impulse * v[axis] / nodal.kick;
                 }
             }
-        }
-        let fields = Fields::of_step(&view);
-        let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
-        let (mut friction, mut impact) = (0.0, 0.0);
-        for touch in &touches.list {
-            let [across, along] = touches.taken(touch, line);
-            friction += across;
-            impact += along;
         }
         update.sums.damping += damping;
         update.sums.friction += friction;
@@ -367,20 +387,31 @@ impl SurfaceContact {
             touches, places, ..
         } = &mut self.mapped;
         let pushed = &self.pushed;
-        let mut held = places.iter().map(|place| {
+        let (mut looked, mut kept) = (0, 0);
+        touches.list.retain_mut(|touch| {
+            let place = places[looked];
+            looked += 1;
             let id = view.particles[place.set].id[place.p];
             let found = PushedParticle::find(pushed, (place.surface, place.set, id));
-            found.map(|pushed| pushed.held)
-        });
-        touches.list.retain_mut(|touch| {
-            let Some(held) = held.next().flatten() else {
+            let Some(held) = found.map(|pushed| pushed.held) else {
                 return false;
             };
+            places[kept] = place;
+            kept += 1;
             (touch.floor, touch.penalty) = (f64::NEG_INFINITY, 0.0);
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
+        places.truncate(kept);
         touches.resolve(view.lanes, TOLERANCE, SWEEPS);
+        let fields = Fields::of_step(&view);
+        let velocities = |t: &TouchedNode| {
+            let line = &fields.lines(t.field)[t.node];
+            [std::array::from_fn(|axis| line[lane + axis]), [0.0; 3]]
+        };
+        let now = &self.near.now;
+        let of_surfaces = places.iter().map(|place| now[place.surface].velocity);
+        light_nodes::follow(touches, &mut self.light, velocities, of_surfaces, |_| {});
         change_velocities(update.grid, touches, lane, false);
         let still = at_half_step_after(&nodal.walls);
         let keep = |planes: &mut Planes<'_>| {

@@ -3,11 +3,12 @@
 use super::places::name;
 use super::resting::{Rest, all};
 use crate::values::Scene;
+use nalgebra::{DMatrix, DVector};
 use proctor_kernel::model::Weighting;
 use proctor_kernel::weights::{Family, axis_weights_at, base_node, spline_touching};
 
 /// Deviation of a row from the pressure that is worth a warning, two cells and more from the load.
-const OFF: f64 = 0.014;
+const OFF: f64 = 0.01;
 /// The same within the cell at the support.
 const OFF_BESIDE: f64 = 0.035;
 /// Cells below a load on two rows of particles in which it is felt as what it is.
@@ -74,20 +75,21 @@ fn shares(face: f64, spacing: f64, rows: usize) -> Option<Vec<f64>> {
             (base as usize, w, g)
         })
         .collect();
-    // Displacements of the nodes and the force of the support, with the right side in the last column.
-    let mut equations = vec![vec![0.0; nodes + 2]; nodes + 1];
+    // Unknowns: displacements of the nodes, and the force of the support.
+    let mut equations = DMatrix::<f64>::zeros(nodes + 1, nodes + 1);
+    let mut forces = DVector::<f64>::zeros(nodes + 1);
     for (row, (base, w, g)) in reached.iter().enumerate() {
         for a in 0..3 {
             for b in 0..3 {
-                equations[base + a][base + b] += spacing * g[a] * g[b];
+                equations[(base + a, base + b)] += spacing * g[a] * g[b];
             }
             if row + 2 >= rows {
-                equations[base + a][nodes + 1] -= 0.5 * w[a];
+                forces[base + a] -= 0.5 * w[a];
             }
         }
     }
-    for (node, equation) in equations.iter_mut().take(nodes).enumerate() {
-        equation[node] += EMPTY;
+    for node in 0..nodes {
+        equations[(node, node)] += EMPTY;
     }
     // The first row touches the support, with the weights that contact has there.
     let xi = BEHIND + face + 0.5 * spacing;
@@ -95,43 +97,12 @@ fn shares(face: f64, spacing: f64, rows: usize) -> Option<Vec<f64>> {
     let touching = spline_touching(xi - base, 0.5 * spacing, -0.5 * spacing);
     for (n, w) in touching.iter().enumerate() {
         let node = base as usize + n;
-        equations[node][nodes] += w;
-        equations[nodes][node] += w;
+        equations[(node, nodes)] += w;
+        equations[(nodes, node)] += w;
     }
-    let moved = solved(equations)?;
+    let moved = equations.lu().solve(&forces)?;
     let stress = |(base, _, g): &(usize, [f64; 3], [f64; 3])| {
         -(0..3).map(|n| g[n] * moved[base + n]).sum::<f64>()
     };
     Some(reached.iter().map(stress).collect())
-}
-
-/// The solution of linear equations, the right side in the last column, by elimination.
-fn solved(mut equations: Vec<Vec<f64>>) -> Option<Vec<f64>> {
-    let count = equations.len();
-    for at in 0..count {
-        let pivot = (at..count)
-            .max_by(|a, b| equations[*a][at].abs().total_cmp(&equations[*b][at].abs()))?;
-        equations.swap(at, pivot);
-        let (above, below) = equations.split_at_mut(at + 1);
-        let own = &above[at];
-        if own[at] == 0.0 {
-            return None;
-        }
-        for other in below {
-            let factor = other[at] / own[at];
-            if factor != 0.0 {
-                for (entry, from) in other[at..].iter_mut().zip(&own[at..]) {
-                    *entry -= factor * from;
-                }
-            }
-        }
-    }
-    let mut solution = vec![0.0; count];
-    for at in (0..count).rev() {
-        let known: f64 = (at + 1..count)
-            .map(|k| equations[at][k] * solution[k])
-            .sum();
-        solution[at] = (equations[at][count] - known) / equations[at][at];
-    }
-    Some(solution)
 }
