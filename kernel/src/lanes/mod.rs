@@ -111,6 +111,7 @@ pub trait Lanes:
 
 /// Loads up to `L::WIDTH` values; the common full case is a plain load.
 #[inline(always)]
+#[must_use]
 pub fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
     if count == L::WIDTH {
         L::load(&column[at..at + L::WIDTH])

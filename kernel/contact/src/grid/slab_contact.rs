@@ -74,7 +74,7 @@ impl SharedContact {
 }
 
 /// The state of a slab, which [`GridContact`] lent to it.
-fn state_of<'m>(state: &'m mut (dyn Any + Send)) -> &'m mut SlabContactState {
+fn state_of(state: &mut (dyn Any + Send)) -> &mut SlabContactState {
     state
         .downcast_mut()
         .expect("a slab of grid contact has its state")

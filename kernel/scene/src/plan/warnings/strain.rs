@@ -20,11 +20,10 @@ pub(super) fn large_strain(scene: &Scene) -> Vec<String> {
         let range = material.law.strain_range()?;
         let bounds = free_box(body)?;
         let (young, density) = (material.law.young(), material.density);
-        let mut parts: Vec<Part> = vec![];
         let large = LARGE * range.most_volume_change;
-        parts.extend(blow(scene, body, &bounds, (young / density).sqrt()));
+        let mut parts = vec![blow(scene, body, &bounds, (young / density).sqrt())];
         parts.extend(weight(scene, &bounds, density, young));
-        parts.extend(load(scene, &bounds, young));
+        parts.push(load(scene, &bounds, young));
         // Less is part of any strain that waves carry.
         parts.retain(|(strain, _)| *strain > 0.1 * large);
         let strain: f64 = parts.iter().map(|(strain, _)| strain).sum();
@@ -75,7 +74,7 @@ fn fall(scene: &Scene, body: &Body, bounds: &[Vector; 2]) -> Option<f64> {
 }
 
 /// The strain of a body that is stopped, by the speed that it begins with or falls to.
-fn blow(scene: &Scene, body: &Body, bounds: &[Vector; 2], wave_speed: f64) -> Option<Part> {
+fn blow(scene: &Scene, body: &Body, bounds: &[Vector; 2], wave_speed: f64) -> Part {
     let axes = scene.dimension.axes();
     let square = |v: &Vector| v.iter().map(|c| c * c).sum::<f64>();
     let planes = (0..axes).any(|axis| [0, 1].iter().any(|side| scene.plane_acts(axis, *side)));
@@ -84,7 +83,7 @@ fn blow(scene: &Scene, body: &Body, bounds: &[Vector; 2], wave_speed: f64) -> Op
     let height = fall(scene, body, bounds).unwrap_or(0.0);
     let speed = (begins + 2.0 * square(&scene.gravity).sqrt() * height).sqrt();
     let strain = speed / wave_speed;
-    Some((strain, format!("stopped from {speed:.3} m/s: {strain:.2}")))
+    (strain, format!("stopped from {speed:.3} m/s: {strain:.2}"))
 }
 
 /// The strain under its own weight of a body that rests on something.
@@ -99,7 +98,7 @@ fn weight(scene: &Scene, bounds: &[Vector; 2], density: f64, young: f64) -> Opti
 }
 
 /// The strain under box loads and tractions that lie on a body.
-fn load(scene: &Scene, bounds: &[Vector; 2], young: f64) -> Option<Part> {
+fn load(scene: &Scene, bounds: &[Vector; 2], young: f64) -> Part {
     let axes = scene.dimension.axes();
     let on = |p1: &Vector, p2: &Vector| (0..axes).all(|axis| gap(bounds, &[*p1, *p2], axis) <= 0.0);
     let boxes = scene
@@ -129,5 +128,5 @@ fn load(scene: &Scene, bounds: &[Vector; 2], young: f64) -> Option<Part> {
         .filter(|stress| stress.is_finite())
         .fold(0.0, f64::max);
     let strain = most / young;
-    Some((strain, format!("loads on it: {strain:.2}")))
+    (strain, format!("loads on it: {strain:.2}"))
 }
